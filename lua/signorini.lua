@@ -1,5 +1,4 @@
--- The language: what `require "signorini"` returns. The bindings in C++ have made most of it; this adds what is written
--- in Lua.
+-- What `require "signorini"` returns: the functions bound in C++, and those written in Lua, which are added here.
 
 local core = require "signorini.core"
 local sg, types = core.sg, core.types
@@ -42,7 +41,7 @@ methods.guard("data", "by column")
 methods.guard("series", "add")
 methods.offer(sg, "sg")
 
--- A misspelt name of the language is an error, not nil; print(sg) shows the names.
+-- A misspelled name is an error, not nil; print(sg) lists the names.
 local language = require "signorini.show.language"
 local sorted_names = require("signorini.lists").sorted_names
 local function strict(entries, path)
@@ -55,6 +54,6 @@ for _, name in ipairs { "shapes", "nurbs", "rigid", "csv" } do strict(sg[name], 
 strict(sg, "sg")
 
 print = core.offered(require "signorini.print")
-require "signorini.prompt" -- has a page, too
+require "signorini.prompt" -- has a help page too
 
 return sg

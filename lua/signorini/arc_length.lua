@@ -1,18 +1,18 @@
--- Arc length: goes on where a step at prescribed targets fails because the path turns back (a snap-back of peeling, a
--- snap-through under a load), and finds out whether that is why it failed.
+-- Arc-length continuation: follows the path where a step with prescribed targets fails at a turning point (snap-back of
+-- peeling, snap-through under a load), and finds out whether a turning point is the reason of a failure.
 
 local steps = require "signorini.steps"
 
 local arc_length = {}
 
-local first_share = 0.3     -- of the last accepted step's length: the first arc
-local easy, hard = 4, 7     -- iterations up to which arcs grow, and from which they shrink
+local first_share = 0.3     -- of the last accepted step's length: the first increment
+local easy, hard = 4, 7     -- iterations up to which increments grow, and from which they shrink
 local growth, shrinkage = 1.5, 0.7
-local most_iterations = 12  -- an arc that needs more is taken shorter
-local smallest = 2 ^ -10    -- of the first arc
-local most_arcs = 2000      -- in one step of the user's
+local most_iterations = 12  -- an increment that needs more is repeated shorter
+local smallest = 2 ^ -10    -- of the first increment
+local most_arcs = 2000      -- in one step of the path
 
---- Lengths of arcs by the iterations that they needed.
+--- The next length, from the iterations of the last increment.
 local function adapt(length, result, longest)
   if result.iterations <= easy then return math.min(longest, length * growth) end
   return result.iterations >= hard and length * shrinkage or length
@@ -23,9 +23,9 @@ end
 local Switch = {}
 Switch.__index = Switch
 
---- Takes each step as `inner` does; where that fails, arcs lead on until the step's end is passed: there the targets
---- are prescribed again, and the next step begins as `inner` would. Before any step was accepted an arc has neither
---- length nor direction: there what `inner` says counts.
+--- Takes each step as `inner` does. Where that fails, arc-length increments follow the path until the end of the step
+--- is passed; there the targets are prescribed again, and the next step begins with `inner`. Before the first accepted
+--- step there is neither a length nor a direction, so the result of `inner` is returned.
 function arc_length.policy(inner) return setmetatable({ inner = inner, memory = inner.memory }, Switch) end
 
 function Switch:shorten(step) return self.inner:shorten(step) end
@@ -45,7 +45,7 @@ function Switch:take(step)
       if arc.converged then
         result = step:attempt(1)
         if result.converged then
-          step:switch_control("targets", "the step's end is passed")
+          step:switch_control("targets", "the end of the step is passed")
           return result
         end
       end
@@ -59,11 +59,11 @@ end
 -- ── The diagnosis ────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local probe_arcs = 60
-local least_reach = 0.02 -- parts of a step
+local least_reach = 0.02 -- as a fraction of the step
 
---- Whether the path really turns back at the present state, where an arc of a given length led backward: no equilibrium
---- close by lies `reach` farther on. Where states of contact cycle (stick and slip, open and shut), arcs may be thrown
---- back as well, yet there is one.
+--- Whether the present state, from which an arc-length increment of a given length led backward, is a turning point: no
+--- equilibrium close by lies `reach` farther on. Where contact states cycle (stick and slip, open and closed),
+--- increments can also lead backward although there is one.
 local function turns_back(step, length, reach)
   local model = step.model
   local kept = model:snapshot()
@@ -73,8 +73,8 @@ local function turns_back(step, length, reach)
   return not near
 end
 
---- Follows the path by arcs from where a step failed, then returns to that state. Gives the part of the step at which
---- the path turns back, or nothing when it does not within reach.
+--- Follows the path by arc-length increments from where a step failed, then restores that state. Returns the fraction
+--- of the step at which the turning point lies; nil if none was found within reach.
 function arc_length.turning_point(step)
   local model, done = step.model, step.done
   local first = first_share * model:last_length()

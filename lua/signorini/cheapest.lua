@@ -6,7 +6,7 @@ local quantity = require "signorini.study.quantity"
 
 local where = "sg.cheapest"
 
---- In the order of one of their numbers, then of the other one, then of the study.
+--- Sorts by one of their numbers, then by the other one, then in the order of the study.
 local function sort(cases, first, second)
   table.sort(cases, function(a, b)
     if a[first] ~= b[first] then return a[first] < b[first] end
@@ -21,7 +21,7 @@ return function(study, options)
   local cases, left_out = quantity.points(study, { error, cost }, options.where)
   for _, case in ipairs(cases) do case.error = math.abs(case.error) end
 
-  --- The row of a case; it prints with error and cost.
+  --- The row of a case; it prints with its error and cost.
   local function show(case)
     local text = case and ("%s: %s, %s"):format(quantity.case(study, case.row), quantity.stated(error, case.error),
       quantity.stated(cost, case.cost))

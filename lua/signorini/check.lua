@@ -1,5 +1,5 @@
--- Checks what a function is called with against its table (signorini.pages), and fills in the defaults: errors name the
--- function, the argument, what came, what was expected and, where one is known, the cure.
+-- Checks the arguments of a call against the function's table (signorini.pages) and fills in the defaults. Errors name
+-- the function, the argument, its value, the expectation and, where known, a hint.
 
 local check_company = require "signorini.company"
 local core = require "signorini.core"
@@ -13,7 +13,7 @@ local types = require "signorini.types"
 local check = {}
 
 local most_unknown = 3 -- keys in one message
-local longest_meaning = 60 -- characters of a row's text that stands in messages
+local longest_meaning = 60 -- characters of a row's text that is quoted in messages
 
 -- ── Messages ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -21,9 +21,9 @@ local function meaning(row)
   return row and row[3] and row[3] ~= "" and utf8.len(row[3]) <= longest_meaning and (" (%s)"):format(row[3]) or ""
 end
 
---- Raises an error about an argument: "sg.f: E must be a positive number (Young's modulus), got …: cure".
+--- Raises an error about an argument: "sg.f: E must be a positive number (Young's modulus), got …. Hint: …".
 local function reject(where, name, expected, value, cure, row)
-  local ending = cure and ": " .. cure or ""
+  local ending = cure and ". Hint: " .. cure or ""
   if value == nil then
     core.fail(("%s: %s%s is missing: it must be %s%s"):format(where, name, meaning(row), expected, ending))
   end
@@ -36,7 +36,7 @@ local function mismatch(of, value, where, name, row, cure) reject(where, name, d
 
 local function joined(words) return #words > 0 and table.concat(words, ", ") or "none" end
 
---- Raises an error about keys that are none of the rows'.
+--- Raises an error about keys that are not in the rows.
 local function reject_unknown(where, name, value, unknown, rows)
   table.sort(unknown)
   local known = pages.keys(rows)
@@ -48,7 +48,7 @@ local function reject_unknown(where, name, value, unknown, rows)
 end
 
 local function reject_excess(page, value)
-  local pair = type(value) == "number" and ": put numbers that belong together into braces, as in {1, 2}" or ""
+  local pair = type(value) == "number" and ". Hint: put numbers that belong together into braces, as in {1, 2}" or ""
   core.fail(("%s: too many arguments: it is called as %s, got %s beyond that%s"):format(page.name, pages.head(page),
     core.describe(value), pair))
 end
@@ -59,7 +59,7 @@ local read
 
 local reads = {}
 
---- The length of a list; nil of anything else.
+--- The length of a list; nil if the value is not a list.
 local function length(value)
   if type(value) ~= "table" then return nil end
   local count = 0
@@ -75,7 +75,7 @@ local function list_cure(of, value)
   end
 end
 
---- Whether a value is of the shape of a type, so that messages about it should be those of the type.
+--- Whether a value has the shape of a type, so that messages about it should be those of the type.
 local function resembles(of, value)
   if of.single and resembles(of.of, value) then return true end
   if of.kind == "either" and lists.any(of, function(one) return resembles(one, value) end) then return true end
@@ -88,14 +88,14 @@ local function resembles(of, value)
   return list or next(value) == nil
 end
 
---- An entry of a list, checked; its name is put together where it is needed only.
+--- Checks an entry of a list; its name is built only for error messages.
 local function read_entry(of, list, i, where, name)
   local single = fits[of.kind]
   if single and single(of, list[i]) then return list[i] end
   return read(of, list[i], where, ("%s[%d]"):format(name, i))
 end
 
---- A value that is no table of others; `whole`: the type of which messages about it speak.
+--- Checks a value that is not a table of others; `whole`: the type that messages name.
 local function read_alone(of, value, whole, where, name, row)
   local ok, cure, expected = (fits[of.kind] or fits.table)(of, value)
   if not ok then
@@ -104,7 +104,7 @@ local function read_alone(of, value, whole, where, name, row)
   return value
 end
 
---- The list of a single entry that stands without braces.
+--- The list of a single entry that was given without braces.
 local function read_single(of, value, where, name, row)
   if fits[of.of.kind] then return { read_alone(of.of, value, of, where, name, row) } end
   if type(value) == "table" and of.of.kind ~= "either" or resembles(of.of, value) then
@@ -131,7 +131,7 @@ end
 
 local in_cell = { number = true, string = true, boolean = true }
 
---- The key and the value of what cannot be a cell of a table, or nil.
+--- The key and value of an entry that cannot be a cell of a table, or nil.
 local function wrong_cell(cells)
   for key, cell in next, cells do
     if not in_cell[type(cell)] then return key, cell end
@@ -155,7 +155,7 @@ function reads.rows(of, value, where, name, row)
   return value
 end
 
---- Whether a value is a point of a type, without a word about what is wrong with others.
+--- Whether a value is a point of a type, without a message.
 local function is_point(of, value)
   if length(value) ~= of.low then return false end
   for i = 1, of.low do
@@ -177,7 +177,8 @@ function reads.tuple(of, value, where, name, row)
   if count < of.least or count > #of.of then mismatch(of, value, where, name, row, list_cure(of, value)) end
   for i = 1, count do read_entry(of.of[i], value, i, where, name) end
   if of.rising and value[1] >= value[2] then
-    core.fail(("%s: %s must rise, got %s: put the lower value first"):format(where, name, describe.literal(value)))
+    core.fail(("%s: %s must be increasing, got %s. Hint: put the lower value first"):format(where, name,
+      describe.literal(value)))
   end
   return value
 end
@@ -193,7 +194,7 @@ function reads.points(of, value, where, name, row)
   return value
 end
 
---- Raises an error unless all keys of a table are those of rows. `count`: of entries without a name.
+--- Raises an error unless all keys of a table are those of rows. `count`: number of entries without a name.
 local function check_keys(rows, value, where, name, count)
   local known, unknown = {}, {}
   for _, row in ipairs(rows) do known[type(row) == "table" and row[1] or 0] = true end
@@ -215,7 +216,7 @@ local function type_in_call(row, owner, given, raw)
 end
 check.type_in_call = type_in_call
 
---- What stands for an argument that is not given; `values`: those read before, `of`: its type. Defaults of tables and
+--- The value of an argument that is not given. `values`: those read before; `of`: its type. Defaults of tables and
 --- switches are read as if they had been given.
 local function left_out(row, of, values, where, name)
   local value = row.default
@@ -227,8 +228,8 @@ local function left_out(row, of, values, where, name)
   return value
 end
 
---- Named arguments: those of the rows, checked, with defaults where they are not given, and what else is of the type
---- `rest`. `owner`: of a method; `entries`: of a page. The rows' `conflict` returns what is wrong with them together.
+--- Reads named arguments: those of the rows, checked, with defaults where they are not given, and others of the type
+--- `rest`. `owner`: of a method; `entries`: of a page. The rows' `conflict` checks the values against each other.
 local function read_named(rows, value, where, name, rest, owner, entries)
   local count = entries and #value or 0
   if not rest then check_keys(rows, value, where, name, count) end
@@ -268,7 +269,7 @@ function reads.named(of, value, where, name, row)
   return read_named(rows, value, where, of.last and "" or name, of.rest)
 end
 
---- true stands for the value `on` of the type, false for none.
+--- true means the value `on` of the type, false none.
 function reads.switch(of, value, where, name, row)
   if value == false then return nil end
   if value == true then value = of.on end
@@ -278,14 +279,14 @@ function reads.switch(of, value, where, name, row)
   return value
 end
 
---- Raises an error where the table of names is one of their values, which has no name.
+--- Raises an error where a table of names is given one entry without a name.
 local function reject_nameless(of, value, where, name)
   if of.kind == "either" then of = of[1] end
   for _, row in ipairs(of.kind == "named" and pages.rows(of.rows) or {}) do
     local entry = rawget(value, row[1])
     if entry ~= nil and type(entry) ~= "table" then
-      core.fail(("%s: %s holds one entry that has no name: write %s = { name = { %s = …, … } }"):format(where, name,
-        name, row[1]))
+      core.fail(("%s: %s contains an entry without a name. Hint: write %s = { name = { %s = …, … } }"):format(where,
+        name, name, row[1]))
     end
   end
 end
@@ -297,7 +298,7 @@ function reads.map(of, value, where, name, row)
   local whole = {}
   for key, entry in next, value do
     if type(key) ~= "string" then
-      core.fail(("%s: every entry of %s needs a name, got %s without one: write name = …"):format(where, name,
+      core.fail(("%s: every entry of %s needs a name, got %s without one. Hint: write name = …"):format(where, name,
         core.describe(entry)))
     end
     whole[key] = read(of.of, entry, where, ("%s.%s"):format(name, key))
@@ -312,14 +313,14 @@ local function known_keys(of, value)
   end)
 end
 
---- The first type that fits; of several tables of named arguments the one that knows most of the keys.
+--- The first type that fits; of several tables of named arguments, the one that has most of the keys.
 function reads.either(of, value, where, name, row)
   local best, most = nil, -1
   for _, one in ipairs(of) do
     local count = resembles(one, value) and known_keys(one, value) or -1
     if count > most then best, most = one, count end
   end
-  for _, one in ipairs(best and {} or of) do -- of a list whose first entry is wrong the message names that
+  for _, one in ipairs(best and {} or of) do -- if the first entry of a list is wrong, the message names that entry
     if one.kind == "list" and length(value) and #value > 0 then best = one end
   end
   if best then return read(best, value, where, name, row) end
@@ -339,7 +340,7 @@ function read(of, value, where, name, row)
   return read_alone(of, value, of, where, name, row)
 end
 
---- Checks a value against a type that depends on what no table knows, such as the components that a support drives;
+--- Checks a value against a type that depends on data outside the tables, such as the components that a support drives;
 --- returns it with defaults.
 check.value, check.keys = read, check_keys
 
@@ -348,9 +349,9 @@ function check.fits(of, value) return (fits[of.kind](of, value)) end
 
 -- ── Calls ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The arguments of a call as the function gets them: those given, checked, and the defaults of those left out.
---- `name`: of the function's page; functions without one get theirs as they are. `owner`: the object that a method is
---- called on.
+--- The arguments of a call as the function receives them: those given, checked, and defaults for the others.
+--- `name`: of the function's page; the arguments of functions without a page are passed unchanged. `owner`: the object
+--- on which a method is called.
 function check.call(name, owner, ...)
   local page = pages.find(name)
   if not page or page.unchecked then return ... end
@@ -360,7 +361,7 @@ function check.call(name, owner, ...)
     local value = ...
     if type(value) ~= "table" and not (value == nil and page.may_be_empty) then
       local first = pages.keys(page.named)[1]
-      core.fail(("%s takes a table of named arguments, got %s: write %s{ %s }; known: %s"):format(name,
+      core.fail(("%s takes a table of named arguments, got %s. Hint: write %s{ %s }; known: %s"):format(name,
         core.describe(value), name, first and first .. " = …" or "", joined(pages.keys(page.named))))
     end
     if count > 1 then reject_excess(page, (select(2, ...))) end

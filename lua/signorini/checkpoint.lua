@@ -1,6 +1,6 @@
--- Runs that outlive their process: model:run{ …, checkpoint = "x.sgn", resume = true }. After steps that were reached
--- the model is saved, and with it how the run stands: the path, the place on it, what the policy remembers, and the
--- run's record. A run that is taken up from there ends with the same numbers as one that nothing has disturbed.
+-- Resumable runs: model:run{ …, checkpoint = "x.sgn", resume = true }. After accepted steps the model is saved with the
+-- state of the run: the path, the position on it, the memory of the step policy, and the record of the run. A resumed
+-- run ends with bitwise identical results.
 
 local in_name_of = require "signorini.in_name_of"
 local core = require "signorini.core"
@@ -10,23 +10,23 @@ local lists = require "signorini.lists"
 
 local where = "model:run"
 
---- What a run holds that is made anew or written in another form; all else is saved as it stands.
+--- Fields of a run that are rebuilt or written in another form; all others are saved as they are.
 local apart = { "failed", "reason", "cause", "report", "recorders", "before", "step", "names", "values", "histories",
                 "extra", "kept", "step_column", "increment_column", "iteration_column", "wall_column" }
 
---- A function of the core for files; its errors become those of model:run.
+--- Calls a file function of the core; its errors become errors of model:run.
 local function call(name, ...) return in_name_of(where, "core." .. name, core[name], ...) end
 
 -- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- What a path consists of, without what a run notes in it.
+--- The data of a path, without what a run adds to it.
 local function outline(path)
   return lists.map(path, function(stage)
     return { name = stage.name, steps = stage.steps, targets = stage.targets }
   end)
 end
 
---- In which way two paths differ, in words; nothing when they are alike.
+--- The difference between two paths, in words; nil if they are equal.
 local function difference(path, saved)
   if core.pack(path) == core.pack(saved) then return nil end
   if #path ~= #saved then return ("it has %s, the file's has %d"):format(counted(#path, "stage"), #saved) end
@@ -35,7 +35,7 @@ local function difference(path, saved)
     for _, key in ipairs { "name", "steps", "targets" } do
       local here, there = stage[key], saved[i][key]
       if core.pack(here) ~= core.pack(there) then
-        if key == "targets" then return label .. " has other targets" end
+        if key == "targets" then return label .. " has different targets" end
         return ("%s.%s is %s, in the file %s"):format(label, key, describe.literal(here), describe.literal(there))
       end
     end
@@ -47,10 +47,10 @@ end
 local Keeper = {}
 Keeper.__index = Keeper
 
---- A list as core.pack makes it, from the bytes of its entries: MessagePack's "array 32".
+--- A list as core.pack writes it, from the bytes of its entries: MessagePack's "array 32".
 local function list(parts) return (">BI4"):pack(0xdd, #parts) .. table.concat(parts) end
 
---- A list whose entries that were packed before are taken as they are.
+--- A list whose entries that were packed before are used unchanged.
 local function grow(parts, count, entry)
   for i = #parts + 1, count do parts[i] = core.pack(entry(i)) end
   return list(parts)
@@ -66,7 +66,7 @@ local function seconds_spent(model, before)
   return spent
 end
 
---- How the run stands, as bytes.
+--- The state of the run, as bytes.
 function Keeper:text(model, run, path, place, policy)
   local record = {}
   for key, value in pairs(run) do
@@ -80,8 +80,8 @@ function Keeper:text(model, run, path, place, policy)
                 grow(self.histories, #run.histories, function(i) return run.histories[i] end) }
 end
 
---- Every file outlives the process; to outlive the machine's power it has to be on the disk, for which a save waits
---- where that is wanted always, and else once a second.
+--- A written file survives the process, but only a file on the disk survives a power failure. Waiting for the disk
+--- takes time, so it is done at each save only on request, otherwise at most once a second.
 function Keeper:save(model, run, path, place, policy, ended)
   local now, patience = core.now(), 1 -- seconds
   local durable = self.durable or ended or not self.synced or now - self.synced > patience
@@ -89,30 +89,30 @@ function Keeper:save(model, run, path, place, policy, ended)
   call("save", model, self.file, self:text(model, run, path, place, policy), durable)
 end
 
---- After a step that was reached: saves the run where it is due, and at the path's end.
+--- After an accepted step: saves the run if it is due, or if the path has ended.
 function Keeper:step(model, run, path, place, policy)
   local ended = place.stage == #path and place.number == path[#path].steps
   if ended or run.steps % self.every == 0 then self:save(model, run, path, place, policy, ended) end
 end
 
--- ── Taking up ────────────────────────────────────────────────────────────────────────────────────────────────────────
+-- ── Resuming ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- How the run of a file stands, checked against the path at hand.
+--- The state of the run in a file, checked against the present path.
 function Keeper:read(path, run)
   local text = call("checkpoint_text", self.file)
   if text == "" then
-    core.fail(("%s: '%s' was saved by model:save, not by a run: load it with sg.load, and run without resume")
+    core.fail(("%s: '%s' was saved by model:save, not by a run. Hint: load it with sg.load, and run without resume")
       :format(where, self.file))
   end
   local ok, saved = pcall(core.unpack, text)
   if not ok then
-    core.fail(("%s: '%s' holds how a run stands in an unknown form: it is damaged, or another version of " ..
-      "the program saved it. Name another file, or remove this one to start again"):format(where, self.file))
+    core.fail(("%s: '%s' cannot be read as a run: it is damaged, or another version of " ..
+      "the program saved it. Hint: name another file, or remove this one to start again"):format(where, self.file))
   end
   local state, rows, histories = table.unpack(saved)
   local differs = difference(outline(path), state.path)
   if differs then
-    core.fail(("%s: '%s' was saved on another path: %s. Name another file, or take this one away to start anew")
+    core.fail(("%s: '%s' was saved on another path: %s. Hint: name another file, or remove this one to start again")
       :format(where, self.file, differs))
   end
   for i = #run.names + 1, #state.names do run:add_extra(state.names[i]) end
@@ -123,7 +123,7 @@ function Keeper:read(path, run)
   return state, rows, histories
 end
 
---- Brings model, run and policy to where the file's run stands. Returns the place on the path.
+--- Restores model, run and policy from the file. Returns the position on the path.
 function Keeper:take_up(model, run, path, policy)
   local state, rows, histories = self:read(path, run)
   call("restore", model, self.file)
@@ -140,23 +140,23 @@ function Keeper:take_up(model, run, path, policy)
   return state.place
 end
 
---- Where the run begins: at the path's start, or where a file says that it stands. The place is { stage, number } of
---- the last step that was reached.
+--- The position at which the run begins: the start of the path, or that of the file: { stage, number } of the last
+--- accepted step.
 function Keeper:begin(model, run, path, policy)
   if self.resume and core.exists(self.file) then return self:take_up(model, run, path, policy) end
   local place = { stage = 1, number = 0 }
-  self:save(model, run, path, place, policy) -- a file that cannot be written shows now, not after the first step
+  self:save(model, run, path, place, policy) -- a file that cannot be written is reported now, not after a step
   return place
 end
 
 -- ── Options ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- For runs that leave no file.
+--- For runs without a checkpoint.
 local none = {}
 function none:begin() return { stage = 1, number = 0 } end
 function none:step() end
 
---- What the options `checkpoint` and `resume` ask for: an object with begin() and step().
+--- What the options `checkpoint` and `resume` request: an object with begin() and step().
 return function(options)
   local wanted = options.checkpoint
   return wanted and setmetatable({ file = wanted.file, every = wanted.every, durable = wanted.durable,

@@ -1,5 +1,5 @@
--- Completion at the prompt: the last path of names on the line ("sg.shapes.rec", "p:ref") and what can follow, in
--- sg.body{ … also the named arguments that are not there yet.
+-- Completion at the prompt: of the last path of names on the line ("sg.shapes.rec", "p:ref"), and in sg.body{ … of
+-- named arguments that are not given yet.
 
 local core = require "signorini.core"
 local lists = require "signorini.lists"
@@ -12,13 +12,13 @@ local words = { "and", "break", "do", "else", "elseif", "end", "false", "for", "
 
 local function begins(text, beginning) return text:sub(1, #beginning) == beginning end
 
---- The methods of a value whose type is written in Lua, such as a run; nothing of others.
+--- The methods of a value whose type is written in Lua, such as a run; none for others.
 local function type_of(value)
   local own = type(value) == "table" and getmetatable(value)
   return type(own) == "table" and core.names[own] and own or nil
 end
 
---- The tables of entries behind a value: its own, and the methods of its type.
+--- The tables in which a value is indexed: itself, and the methods of its type.
 local function entries_of(value)
   local tables = { type(value) == "table" and value or nil }
   if type(value) == "userdata" then tables[#tables + 1] = rawget(core.types, core.kind(value)) end
@@ -44,8 +44,8 @@ local function follow(path)
   return value, tables
 end
 
---- Whether users may read or call what stands in a table: methods that only the library calls, and fields that only it
---- reads, of a type that is written in Lua, have no page.
+--- Whether an entry of a table is public: methods and fields that only the library uses, of types written in Lua, have
+--- no page.
 local function offered(entries, name, value, sign)
   local methods = type_of(entries)
   if methods then
@@ -76,7 +76,7 @@ local function candidates(path)
   return found
 end
 
---- The name of what a call's path stands for, and the object that the call is about: that of a method, else the first
+--- The name of the function that a path denotes, and the object of the call: that of a method, otherwise the first
 --- argument.
 local function page_of(call)
   local owner = call.path:match "^(.*)[.:]"
@@ -84,7 +84,7 @@ local function page_of(call)
   return name, name and name:find ":" and owner and (follow(owner)) or (follow(call.first))
 end
 
---- Named arguments that begin like this, where one may stand: behind the brace of a call or a comma.
+--- Named arguments that begin like this, if one is possible here: after the brace of a call or a comma.
 local function arguments(beginning, before)
   local call = place.of(before)
   if not call or not call.in_braces or not (call.behind:find "^%s*$" or call.behind:find "[,;]%s*$") then return {} end
@@ -95,7 +95,7 @@ local function arguments(beginning, before)
   return lists.map(free, function(key) return key .. " = " end)
 end
 
---- Texts that begin like this, behind a quotation mark.
+--- Strings that begin like this, after a quotation mark.
 local function texts(beginning, before)
   local call = place.of(before)
   if not call or not call.quoted then return {} end
@@ -106,8 +106,8 @@ local function texts(beginning, before)
   return lists.filter(listed and list or {}, function(text) return begins(text, beginning) end)
 end
 
---- The completions of a word that stands behind a text, a list: of a path of names or, inside quotes, of a text. Where
---- a named argument may stand and one begins like this, those are all that is offered.
+--- The completions of a word after a text, a list: of a path of names or, inside quotes, of a string. Where a named
+--- argument is possible and one begins like this, only those are offered.
 return function(word, before)
   if before:find "[\"']$" and place.is_open(before) then return texts(word, before) end
   local divided, path = word:match "^(.*/)(.*)$"

@@ -1,4 +1,4 @@
--- model:cost: what a model is made of, in numbers.
+-- model:cost: sizes of a model: unknowns, elements, contact points, matrix entries, memory.
 
 local format_table = require "signorini.table"
 local lists = require "signorini.lists"
@@ -48,7 +48,7 @@ function Cost:__tostring()
   return table.concat(parts, "\n")
 end
 
---- The method model:cost, of the numbers that `figures` reads off a model.
+--- The method model:cost; `figures` reads the numbers from a model.
 return function(figures)
   return function(model) return setmetatable(figures(model), Cost) end
 end

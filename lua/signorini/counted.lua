@@ -1,4 +1,4 @@
---- "1 case", "2 cases": a number of things.
+--- A number with its noun: "1 case", "2 cases".
 return function(count, noun)
   return ("%d %s%s"):format(count, noun, count == 1 and "" or "s")
 end

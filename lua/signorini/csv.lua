@@ -15,7 +15,7 @@ local csv = {}
 
 -- ── Writing ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- What an unquoted field stands for.
+--- The value of an unquoted field.
 local function field_value(text)
   if text == "" then return nil end
   if text == "true" or text == "false" then return text == "true" end
@@ -28,13 +28,13 @@ local function string_text(value)
   return plain and value or '"' .. value:gsub('"', '""') .. '"'
 end
 
---- The text of a field in row i; `texts` keeps those of strings, as few of them come many times.
+--- The text of a field in row i; `texts` caches those of strings, because the same ones occur many times.
 local function field_text(value, texts, i, name)
   if value == nil then return "" end
   if type(value) == "number" then
     if value ~= value or math.abs(value) == math.huge then
-      core.fail(("sg.csv.write: row %d, column '%s' is %s, not a finite number: leave the value out (nil) where there "
-        .. "is none"):format(i, name, core.describe(value)))
+      core.fail(("sg.csv.write: row %d, column '%s' is %s, not a finite number. Hint: use nil for a value that "
+        .. "is missing"):format(i, name, core.describe(value)))
     end
     return core.number_text(value)
   end
@@ -43,7 +43,7 @@ local function field_text(value, texts, i, name)
   return texts[value]
 end
 
---- The column names of a table; of lists under their names without `columns` all names, sorted.
+--- The column names of a table; of lists by name without `columns`, all names, sorted.
 local function column_names(data)
   local columns, seen, known = rawget(data, "columns"), {}, { { "columns" }, { "comments" }, { "rows" } }
   if not columns and not rawget(data, "rows") then
@@ -54,7 +54,7 @@ local function column_names(data)
   end
   for i, name in ipairs(columns) do
     if name == "" then check.reject("sg.csv.write", ("columns[%d]"):format(i), "a name", name) end
-    if seen[name] then core.fail(("sg.csv.write: the column '%s' is there twice"):format(name)) end
+    if seen[name] then core.fail(("sg.csv.write: the column '%s' occurs twice"):format(name)) end
     seen[name] = true
     if not rawget(data, "rows") then known[#known + 1] = { name } end
   end
@@ -91,7 +91,7 @@ local function file_text(data)
   lines[#lines + 1] = table.concat(fields, ",")
   for i = 1, count do
     for j, name in ipairs(columns) do fields[j] = field_text(cell(i, j), texts, i, name) end
-    -- A line that would be empty is no row when read back, so its one missing value is written as quotes.
+    -- A line must not be empty, because it would not be read as a row; its one missing value is written as quotes.
     lines[#lines + 1] = #columns == 1 and fields[1] == "" and '""' or table.concat(fields, ",")
   end
   return table.concat(lines, "\n") .. "\n"
@@ -139,7 +139,7 @@ function Data:__tostring()
   return table.concat(lines, "\n")
 end
 
---- One record from a position on: its fields, their number (missing values are nil), and where the next record begins.
+--- Reads one record from a position: its fields, their number (missing values are nil), and the next position.
 local function read_record(text, at, where)
   local fields, count = {}, 0
   while true do
@@ -147,7 +147,7 @@ local function read_record(text, at, where)
     if text:sub(at, at) == '"' then
       local begin = at
       repeat -- a doubled quote ends a quoted text and begins another
-        at = text:match('^%b""()', at) or core.fail(where() .. "a quoted field does not end")
+        at = text:match('^%b""()', at) or core.fail(where() .. "a quoted field is not closed")
       until text:sub(at, at) ~= '"'
       local inside = text:sub(begin + 1, at - 2):gsub('""', '"')
       fields[count] = inside ~= "" and inside or nil
@@ -159,7 +159,7 @@ local function read_record(text, at, where)
     local delimiter = text:sub(at, at)
     at = at + 1
     if delimiter == "\n" or delimiter == "" then return fields, count, at end
-    if delimiter ~= "," then core.fail(where() .. "after a quoted field comes '" .. delimiter .. "', not a comma") end
+    if delimiter ~= "," then core.fail(where() .. "a comma must follow a quoted field, got '" .. delimiter .. "'") end
   end
 end
 
@@ -169,7 +169,7 @@ local function head(fields, count, where)
   for j = 1, count do
     if fields[j] == nil then core.fail(where() .. ("column %d has no name"):format(j)) end
     fields[j] = tostring(fields[j])
-    if seen[fields[j]] then core.fail(where() .. ("the column '%s' is there twice"):format(fields[j])) end
+    if seen[fields[j]] then core.fail(where() .. ("the column '%s' occurs twice"):format(fields[j])) end
     seen[fields[j]] = true
   end
   return fields
@@ -206,7 +206,7 @@ function csv.read(file)
     end
   end
   if not data.columns then
-    core.fail(("sg.csv.read: '%s' holds no table: a line of column names is missing"):format(file))
+    core.fail(("sg.csv.read: '%s' does not contain a table: a line of column names is missing"):format(file))
   end
   return data
 end

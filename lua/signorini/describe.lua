@@ -14,7 +14,7 @@ function describe.alternatives(words)
   return #words > 1 and first .. " or " .. words[#words] or words[1]
 end
 
---- The limits of a number behind its noun.
+--- A noun with its limits.
 local function limited(noun, type)
   local low, above, high = type.low, type.above, type.high
   if above == 0 and not high and not type.below then return noun:gsub("(%a+)$", "positive %1") end
@@ -65,7 +65,7 @@ function words.choice(type)
   end))
 end
 
---- A list in words, without what may stand in its place. `ending`: what its type adds.
+--- A list in words, without its alternatives. `ending`: text of its type.
 local function list_words(type)
   local one = describe.one(type.of):gsub("^an?y? ", "")
   if type.size == 1 then return "a list of 1 " .. one end
@@ -106,7 +106,7 @@ function plurals.object(type)
 end
 function plurals.list(type) return "lists of " .. describe.several(type.of) end
 
---- A default as a script would write it.
+--- A value as a script would write it.
 function describe.literal(value)
   if type(value) == "string" then return ('"%s"'):format(value) end
   if type(value) == "number" then return number_text(value) end

@@ -1,4 +1,4 @@
--- What stages move: driven supports and loads, and how their components are called in messages and columns.
+-- The supports and loads that stages move, and the names of their components in messages and columns.
 
 local lists = require "signorini.lists"
 
@@ -15,7 +15,7 @@ function drives.components(model, name)
   end)
 end
 
---- The names of the loads that act although none of the stages changes them.
+--- The names of nonzero loads that no stage changes.
 function drives.constant_loads(model, stages)
   return lists.filter(model:load_names(), function(load)
     return lists.any(model:target(load), function(value) return value ~= 0 end)

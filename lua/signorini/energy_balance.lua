@@ -1,6 +1,6 @@
--- Whether the work of a run is found again in its energies, stage by stage. With steps that are too long it is not:
--- work is summed by the trapezoidal rule, and slip is measured at the end of a step. What is missing falls linearly
--- with the length of the steps, or faster.
+-- Energy balance of a run, stage by stage: external work against stored and dissipated energies. With steps that are
+-- too long the balance is not met, because work is summed by the trapezoidal rule and slip is measured at the end of a
+-- step; the error is O(Δ) in the step length Δ, or smaller.
 
 local drives = require "signorini.drives"
 local lists = require "signorini.lists"
@@ -8,10 +8,10 @@ local path_controls = require "signorini.path_controls"
 
 local energy_balance = {}
 
-local much = 0.1 -- of the work: missing energy that is worth a warning
+local much = 0.1 -- of the work: missing energy that causes a warning
 
---- Adds what a model holds and has been given so far to a list, as plain numbers. `sudden`: a load acts in full from
---- the next step on, so that no path exists along which its work could be summed.
+--- Appends the present energies and work of a model to a list, as plain numbers. `sudden`: a load acts in full from the
+--- next step on, so that its work cannot be summed along a path.
 function energy_balance.note(list, model, sudden)
   list[#list + 1] = lists.merged(model:energy(), { sudden = sudden })
 end
@@ -21,25 +21,24 @@ function energy_balance.is_sudden(model, stage)
   return #drives.constant_loads(model, { stage }) > 0
 end
 
---- Whether a state was reached otherwise than along the path: by a fall that damping has caught, or on another branch.
+--- Whether a state was not reached along the path: after damped motion, or on another branch.
 local function jumps(histories)
   return #path_controls.departures(histories) > 0 or path_controls.counts(histories).damping ~= nil
 end
 
---- Whether contact has acted: without it work and stored energy may both be rounding errors, as of a motion without
---- stress.
+--- Whether contact has acted: without it, work and stored energy can both be rounding errors, as in a rigid motion.
 local function acts(list)
   return lists.any(list, function(state) return state.contact ~= 0 or state.friction ~= 0 end)
 end
 
---- A sentence on the stage in which most energy is missing; nothing where that is little. `list`: what was noted at the
---- start of each stage, and at the end. Not counted are the energy in the springs of the contacts, since tractions per
---- current area do work ½ ε g² ȧ that no spring stores, and stages with jumps.
+--- A sentence on the stage with the largest missing energy; nil if that is small. `list`: energies at the start of each
+--- stage and at the end. Not counted are the energy in the springs of the contacts, because tractions per current area
+--- do work ½ ε g² ȧ that no spring stores, and stages with jumps.
 function energy_balance.warning(run, list)
   local work, worst, first = 0, nil, 1
   for i, stage in ipairs(run.stages) do
     local a, b = list[i], list[i + 1]
-    if not b then return nil end -- the run was taken up from a file without these
+    if not b then return nil end -- resumed from a file without these
     local done, stored, friction = b.work - a.work, b.stored - a.stored, b.friction - a.friction
     local missing = math.abs(done - stored - friction - (b.contact - a.contact))
                     - math.max(math.abs(a.contact), math.abs(b.contact))
@@ -53,8 +52,8 @@ function energy_balance.warning(run, list)
     first = last + 1
   end
   if not worst or worst.missing <= much * work or not acts(list) then return nil end
-  return ("the energy balance is off by %.2g %% of the work in stage '%s': increments half as long (steps = %d) would "
-    .. "about halve that"):format(100 * worst.missing / work, worst.stage.name, 2 * worst.increments)
+  return ("the energy balance is off by %.2g %% of the work in stage '%s'. Hint: increments half as long (steps = %d) "
+    .. "about halve the error"):format(100 * worst.missing / work, worst.stage.name, 2 * worst.increments)
 end
 
 return energy_balance

@@ -1,4 +1,4 @@
--- sg.files: what a script writes into its folder, as a list that is printed at the end.
+-- sg.files: the files that a script writes into its folder, as a list that is printed at the end.
 
 local check = require "signorini.check"
 local counted = require "signorini.counted"
@@ -12,7 +12,7 @@ Files.__index = Files
 Files.__name = "list of files"
 core.types.files = Files
 
---- The path of a file of this name in the folder, which counts as written from now on.
+--- The path of a file of this name in the folder, which is then listed as written.
 function Files:__call(name)
   local path = ("%s/%s"):format(self.folder, check.value(types.text, name, "sg.files", "the name of a file"))
   if not holds(self, path) then self[#self + 1] = path end

@@ -1,6 +1,6 @@
--- Whether a single value, no table of others, is of a type (signorini.types): for each kind a function of type and
--- value that returns whether it is, else the cure where one is known, and what was expected where that is not the
--- type's own words.
+-- Whether a single value, not a table of others, is of a type (signorini.types). For each kind a function of type and
+-- value, which returns whether it is, otherwise a hint if one is known, and the expectation if that differs from the
+-- words of the type.
 
 local core = require "signorini.core"
 local describe = require "signorini.describe"
@@ -42,7 +42,7 @@ end
 function fits.number(of, value)
   if type(value) ~= "number" then return false, number_cure(value) end
   if not is_finite(value) then
-    return of.gaps, "look for a division by zero in what computes it", "a finite number"
+    return of.gaps, "look for a division by zero in its computation", "a finite number"
   end
   if not in_range(of, value) then return false, of.cure or range_cure(of, value) end
   return true

@@ -35,7 +35,7 @@ local function script_list(title, found)
   return title .. "\n" .. two_columns(lists.map(found, function(script) return { script.name, script.title } end))
 end
 
---- Every script, with how to run them.
+--- All scripts, with how to run them.
 local function all_scripts()
   return script_list("Supplied scripts; signorini <name> runs one, signorini <name> help lists its arguments,\n"
     .. "help \"<name>\" describes it:", scripts.all())

@@ -1,8 +1,8 @@
--- What is called for a verb of the language by another function: errors name what the user has called.
+-- Calls a function on behalf of another one, so that errors name the function that the user has called.
 
 local core = require "signorini.core"
 
---- Calls a function with what follows; an error of `inner`, such as "sg.csv.write", becomes one of `outer`.
+--- Calls a function with the further arguments; an error of `inner`, such as "sg.csv.write", becomes one of `outer`.
 return function(outer, inner, call, ...)
   local result = table.pack(pcall(call, ...))
   if result[1] then return table.unpack(result, 2, result.n) end

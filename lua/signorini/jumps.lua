@@ -1,21 +1,21 @@
 -- Steps that have probably jumped to another branch of equilibria although they converged, as over the snap-back of a
--- peeled strip: displacements go several times as far as in the steps next to them, and energy is released that no
--- account holds. On a smooth path what is missing falls with the third power of the step. Found from the energies and
--- the length of each step alone: no factorization, no further step.
+-- peeled strip: displacements are several times as large as in the neighboring steps, and energy is missing from the
+-- balance. On a smooth path the missing energy is O(Δ³) in the step length Δ. This needs only the energies and the
+-- length of each step: no factorization, no further step.
 
 local lists = require "signorini.lists"
 
 local jumps = {}
 
-local longer = 2.5   -- times the displacement of the steps next to it
-local far_above = 20 -- times the energy that is missing there
+local longer = 2.5   -- times the displacement of the neighboring steps
+local far_above = 20 -- times the missing energy of these
 local least = 0.01   -- of the step's work
-local neighbors = 2 -- steps on either side that are looked at
+local neighbors = 2 -- steps on either side
 
---- What a run carries along, as plain data: `steps`, the last ones of the present stage; `found`.
+--- Data that a run carries along: `steps`, the last ones of the present stage; `found`.
 function jumps.record() return { steps = {}, found = {} } end
 
---- Judges the entry with this index among the last steps.
+--- Checks the entry with this index among the last steps.
 local function judge(record, index)
   local entry, length, missing, count = record.steps[index], 0, 0, 0
   for i = math.max(1, index - neighbors), math.min(#record.steps, index + neighbors) do
@@ -31,7 +31,7 @@ local function judge(record, index)
   end
 end
 
---- The steps so far have no neighbors among those to come: a stage ends, or arcs have taken over.
+--- Ends the sequence of neighboring steps: a stage ends, or arc-length control begins.
 function jumps.close(record)
   for index = math.max(1, #record.steps - neighbors + 1), #record.steps do judge(record, index) end
   record.steps, record.energy = {}, nil
@@ -43,7 +43,7 @@ function jumps.begin(record, model)
   record.energy = model:energy()
 end
 
---- Notes a step that was reached, and the length of the way to it (see model:last_length): nothing where arcs have led.
+--- Adds an accepted step and the length of its displacement (see model:last_length), nil after arc-length increments.
 function jumps.note(record, model, step, length)
   if not length or not record.energy then return jumps.begin(record, model) end
   local now, before, steps = model:energy(), record.energy, record.steps
@@ -58,7 +58,7 @@ function jumps.note(record, model, step, length)
   if #steps > 2 * neighbors then table.remove(steps, 1) end
 end
 
---- A sentence on the steps that were found. `arcs`: arc length is on, which takes over where a step fails.
+--- A sentence on the steps that were found. `arcs`: arc length is on, but is used only where a step fails.
 function jumps.warning(record, arcs)
   local found = record.found
   if #found == 0 then return nil end
@@ -70,9 +70,9 @@ function jumps.warning(record, arcs)
   others = { table.unpack(others, 1, 4) }
   local rest = #others == 0 and "" or ("; likewise %s %s%s"):format(#others == 1 and "step" or "steps",
     table.concat(others, ", "), more > 0 and (" and %d more"):format(more) or "")
-  return ("step %d has probably jumped to another branch of solutions: displacements went %.2g times as far as in the "
-    .. "steps next to it, and %.2g %% of its work was released%s. Hint: %s"):format(most.step, most.times,
-    100 * most.part, rest, arcs and "arcs only take over where a step fails: take shorter steps"
+  return ("step %d has probably jumped to another branch of solutions: its displacements are %.2g times those of "
+    .. "neighboring steps, and %.2g %% of its work was released%s. Hint: %s"):format(most.step, most.times,
+    100 * most.part, rest, arcs and "arc length is used only where a step fails; take shorter steps"
       or "follow the path with arc_length = true")
 end
 

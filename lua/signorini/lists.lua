@@ -1,8 +1,8 @@
--- Lists, sets and tables by key: what is asked of them, and made of them, again and again.
+-- Common operations on lists, sets and tables by key.
 
 local lists = {}
 
---- Whether a list has a value.
+--- Whether a list contains a value.
 function lists.holds(list, value) return lists.any(list, function(known) return known == value end) end
 
 --- The names of a table's entries, sorted.
@@ -20,7 +20,7 @@ function lists.map(list, f)
   return made
 end
 
---- The entries of which `keeps` is true.
+--- The entries for which `keeps` is true.
 function lists.filter(list, keeps)
   local kept = {}
   for i = 1, #list do
@@ -29,7 +29,7 @@ function lists.filter(list, keeps)
   return kept
 end
 
---- Whether `is` is true of an entry.
+--- Whether `is` is true for any entry.
 function lists.any(list, is)
   for i = 1, #list do
     if is(list[i], i) then return true end
@@ -37,7 +37,7 @@ function lists.any(list, is)
   return false
 end
 
---- The entry of which value(entry) is least, the first of several; those without such a value do not count.
+--- The entry with the smallest value(entry), the first of several; entries without such a value are ignored.
 function lists.least(list, value)
   local best, least
   for _, entry in ipairs(list) do
@@ -47,17 +47,17 @@ function lists.least(list, value)
   return best
 end
 
---- The entries of the lists in a list, one list behind the other.
+--- The entries of the lists in a list, concatenated.
 function lists.flat(all)
   local flat = {}
   for _, list in ipairs(all) do table.move(list, 1, #list, #flat + 1, flat) end
   return flat
 end
 
---- The entries of several lists, one list behind the other; of one list, a copy.
+--- The entries of several lists, concatenated; of one list, a copy.
 function lists.joined(...) return lists.flat { ... } end
 
---- Each of the values once, where it first appears.
+--- The distinct values, in the order of their first occurrence.
 function lists.unique(list)
   local seen = {}
   return lists.filter(list, function(value)
@@ -67,7 +67,7 @@ function lists.unique(list)
   end)
 end
 
---- Lists of the entries that share key(entry), each with its `key`, in the order in which the keys first appear.
+--- Lists of the entries with equal key(entry), each with its `key`, in the order in which the keys first occur.
 function lists.grouped(list, key)
   local groups, by_key = {}, {}
   for i = 1, #list do
@@ -81,7 +81,7 @@ function lists.grouped(list, key)
   return groups
 end
 
---- The entries of several tables by key; of those with one key the last.
+--- The entries of several tables by key; of equal keys the last one.
 function lists.merged(...)
   local all = {}
   for _, entries in ipairs { ... } do
@@ -90,7 +90,7 @@ function lists.merged(...)
   return all
 end
 
---- The least and the largest value { low, high } of each coordinate of points.
+--- The range { low, high } of each coordinate of points.
 function lists.ranges(points)
   return lists.map(points[1], function(_, d)
     local low, high = math.huge, -math.huge

@@ -1,5 +1,5 @@
--- Methods of the types that are written in Lua, and of models, called on something else: an error like any other. The
--- bindings in C++ check theirs themselves.
+-- Argument checks of methods of types written in Lua, and of models; a call on a wrong object is reported. Methods
+-- bound in C++ are checked there.
 
 local core = require "signorini.core"
 
@@ -9,7 +9,7 @@ local function is_own(type_name)
   return function(value) return type(value) == "table" and getmetatable(value) == methods end
 end
 
---- The function with its arguments checked against its table; what checks is loaded with the first call.
+--- The function with its arguments checked against its table; the checking module is loaded at the first call.
 local function checked(name, f)
   return function(...) return f(require("signorini.check").call(name, nil, ...)) end
 end
@@ -19,7 +19,7 @@ local function guarded(type_name, key, method, owns)
   return function(self, ...)
     if not owns(self) then
       local noun = type_name == "model" and "model" or core.types[type_name].__name
-      core.fail(("%s must be called on a %s, got %s: write it with a colon behind the %s, %s(…)")
+      core.fail(("%s must be called on a %s, got %s. Hint: write it with a colon after the %s, %s(…)")
         :format(name, noun, core.describe(self), noun, name))
     end
     return method(self, require("signorini.check").call(name, self, ...))
@@ -28,7 +28,7 @@ end
 
 local methods = {}
 
---- Offers what a table of the language holds, and the tables in it: errors stand at the line of the call. `path`: the
+--- Makes the functions of a table and of its subtables public: errors are raised at the line of the call. `path`: the
 --- table's name.
 function methods.offer(entries, path)
   for key, entry in next, entries do
@@ -41,7 +41,7 @@ function methods.offer(entries, path)
   end
 end
 
---- Puts the checks in front of the public methods of a type, words of a text, and offers them.
+--- Adds the checks to the public methods of a type, a string of names, and makes them public.
 function methods.guard(type_name, keys)
   local entries, owns = core.types[type_name], is_own(type_name)
   core.names[entries] = type_name

@@ -1,4 +1,4 @@
--- Tables of figures by name, and objects, that refuse names they do not have.
+-- Tables and objects that raise an error on names they do not have.
 
 local core = require "signorini.core"
 local lists = require "signorini.lists"
@@ -6,8 +6,8 @@ local meant = require "signorini.meant"
 
 local named = {}
 
---- Raises an error about a name that `what` ("a run") does not have, with the one that was probably meant. `entries`:
---- what it has instead of entries by number, in words.
+--- Raises an error about a name that `what` ("a run") does not have, with the most similar one. `entries`: in words,
+--- what it has instead of entries by number.
 function named.missing(what, name, known, entries)
   table.sort(known)
   if entries and type(name) ~= "string" then
@@ -19,16 +19,16 @@ function named.missing(what, name, known, entries)
     table.concat(known, ", ")))
 end
 
---- The table itself; from now on what it does not have is an error, not nil. `by_number`: see named.missing.
+--- Makes a table strict: names that it does not have are errors, not nil. `by_number`: see named.missing.
 function named.strict(what, entries, by_number)
   return setmetatable(entries, { __name = what:match "^an? (.*)", __index = function(_, name)
     named.missing(what, name, lists.sorted_names(entries), by_number)
   end })
 end
 
---- Makes the type of objects strict, such as runs and studies: another name than those of the fields on its page and of
---- the methods that have one is an error, but for private ones, words of a text, which may be missing. Returns these as
---- a set.
+--- Makes a type of objects strict, such as runs and studies: names other than the fields on its page and the methods
+--- with a page are errors, except private ones, given as a string of names, which may be missing. Returns these as a
+--- set.
 function named.strict_type(methods, noun, private)
   local may_be_missing = {}
   for name in private:gmatch "%S+" do may_be_missing[name] = true end

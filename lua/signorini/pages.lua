@@ -1,21 +1,20 @@
--- The tables of the functions: one page each, from which calls are checked (check.lua), and help, Tab, the reference
--- and the tests of wrong calls come. A page is
+-- The tables of the functions: one page each, used for checks of calls (check.lua), help, Tab completion, the
+-- reference, and the tests of wrong calls. A page is
 --
 --     { "sg.f", "What it does.", named = rows or arguments = rows, more = …, example = … }
 --
--- named: the rows of one table of named arguments, sg.f{ … }; arguments: those of arguments by place, sg.f(a, b);
--- neither: it takes none. Once loaded it has its fields `name` and `text`, too. may_be_empty: the table may be left
--- out. repeats: the last row holds for any number of further arguments. unchecked: the function checks its arguments
--- itself. head: the first line, where it cannot be made from the rows. more: text behind the rows. example: code or a
--- list of it. The page of a type, such as "run", has fields: rows of what its objects have. as_given: the function gets
--- the table as it was given, checked, without defaults. rows: those that others take over by the page's name. entries =
--- { noun, type, text }: what stands in the table of named arguments without a name.
--- A row is { key, type, text, default = …, otherwise = "the default in words", optional = true, unit = …, derived =
--- function(values) }: without one of the first three the argument is needed; `derived` returns the default that depends
--- on the values of the rows before. needs, excludes: keys of which one must, or none may, be given with it, { "patch",
--- why = "it is for models" }. hidden: help and Tab do not show the row. A row that is a text is a heading. A list of
--- rows may have conflict = function(values, given), which returns what is wrong with values together, a sentence, or
--- nil.
+-- named: the rows of one table of named arguments, sg.f{ … }; arguments: those of positional arguments, sg.f(a, b);
+-- neither: it has no arguments. After loading it also has the fields `name` and `text`. may_be_empty: the table may be
+-- omitted. repeats: the last row describes any number of further arguments. unchecked: the function checks its
+-- arguments itself. head: the first line, if it cannot be made from the rows. more: text after the rows. example: code
+-- or a list of it. The page of a type, such as "run", has fields: rows of the fields of its objects. as_given: the
+-- function receives the table as it was given, checked, without defaults. rows: rows that other pages use by the page's
+-- name. entries = { noun, type, text }: entries of the table of named arguments without a name. A row is { key, type,
+-- text, default = …, otherwise = "the default in words", optional = true, unit = …, derived = function(values) }:
+-- without one of the first three the argument is required; `derived` returns a default that depends on the values of
+-- the rows before. needs, excludes: keys of which one must, or none may, be given with it, { "patch", why = "it is for
+-- models" }. hidden: help and Tab do not show the row. A row that is a string is a heading. A list of rows may have
+-- conflict = function(values, given), which returns nil, or a sentence if the values contradict each other.
 
 local core = require "signorini.core"
 local describe = require "signorini.describe"
@@ -25,7 +24,7 @@ local filter, map = lists.filter, lists.map
 local pages = {}
 
 --- The subjects in the order of the reference, each a file below pages/ that returns { title = …, word = … (for
---- help), also = … (another word), page, … }; one with the title of that before continues it.
+--- help), also = … (another word), page, … }; one with the title of the previous one continues it.
 pages.subjects = { "patches", "curves", "patch", "bodies", "scene", "solving", "results", "methods",
                    "pictures", "charts", "studies", "scripts" }
 
@@ -60,14 +59,14 @@ function pages.find(name)
   return all[name]
 end
 
---- Rows themselves, or those of the page that is called so.
+--- The rows themselves, or those of the page with this name.
 function pages.rows(rows)
   if type(rows) ~= "string" then return rows end
   local page = pages.find(rows)
   return page.rows or pages.rows(page.named or page.arguments)
 end
 
---- "patch" of a patch, "run" of a run, else the type in Lua.
+--- The kind of a value: "patch", "run", otherwise its Lua type.
 function pages.kind(value)
   local own = type(value) == "table" and getmetatable(value)
   return type(own) == "table" and rawget(own, "__name") or core.kind(value)
@@ -90,13 +89,13 @@ function pages.row(rows, key)
   return filter(pages.rows(rows), function(row) return type(row) == "table" and row[1] == key end)[1]
 end
 
---- The keys of rows in their order, but for hidden ones.
+--- The keys of rows in their order, except hidden ones.
 function pages.keys(rows)
   local shown = filter(pages.rows(rows), function(row) return type(row) == "table" and not row.hidden end)
   return map(shown, function(row) return row[1] end)
 end
 
---- Rows in a line, "a, b = 1".
+--- Rows in one line, "a, b = 1".
 local function listed(rows)
   local shown = filter(rows, function(row) return type(row) == "table" end)
   return table.concat(map(shown, function(row)
@@ -128,7 +127,7 @@ function pages.head(page)
   return call(page, listed(pages.shown(page)))
 end
 
---- The same in at most so many characters, the last arguments left out.
+--- The same in at most so many characters; the last arguments are left out.
 function pages.short_head(page, most)
   local head = pages.head(page):match "^[^\n]*"
   if utf8.len(head) <= most then return head end

@@ -1,18 +1,18 @@
--- Types of arguments that follow from a patch: from the one that a method is called on, or from the argument `patch` of
--- the same call.
+-- Types of arguments that depend on a patch: that on which a method is called, or the argument `patch` of the same
+-- call.
 
 local core = require "signorini.core"
 local t = require "signorini.types"
 
 local patch_types = {}
 
---- How many parametric directions and coordinates the patch of a call has; nothing where there is none.
+--- The numbers of parametric directions and coordinates of the patch of a call; nil if there is none.
 local function sizes(owner, given)
   local patch = owner or given and given.patch
   if patch then return core.patch_sizes(patch) end
 end
 
---- A face of the object that a method is called on; the core refuses others with the one that was meant.
+--- A face of the object on which a method is called; the core rejects others and suggests the most similar one.
 patch_types.face = t.name(function(owner) return core.place_names(owner, 1) end, "face name")
 patch_types.edge = t.name(function(body) return core.place_names(body, 2) end, "edge name")
 patch_types.corner = t.name(function(body) return core.place_names(body, 0) end, "corner name")
@@ -32,7 +32,7 @@ end)
 
 local coordinate_names = { "", " {xi1, xi2}", " {xi1, xi2, xi3}" }
 
---- Lists of as many entries as there are directions; a curve takes the entry itself as well.
+--- Lists with one entry per direction; for a curve also the entry itself.
 local function per_direction(of, endings)
   local list = {}
   for count = 1, 3 do
@@ -41,7 +41,7 @@ local function per_direction(of, endings)
   local general = { kind = "list", of = of, ending = endings[2] }
   return t.by(general, function(owner, given)
     local count, dimension = sizes(owner, given)
-    if not owner and count ~= dimension then return nil end -- no body's shape, which is the better message
+    if not owner and count ~= dimension then return nil end -- not a body's shape, which is the better message
     return list[count]
   end)
 end
@@ -61,12 +61,12 @@ patch_types.vector = t.by(t.point, function(owner, given)
   return dimension == 2 and t.plane_point or t.space_point
 end)
 
---- One positive factor for all coordinates, or a list of one for each.
+--- One positive factor for all coordinates, or a list with one for each.
 patch_types.factor = t.by(t.either(t.positive, t.point), function(patch)
   return t.either(t.positive, patch_types.vector.special(patch))
 end)
 
---- A vector where a plane patch counts as one in z = 0.
+--- A vector; a plane patch lies in z = 0.
 patch_types.vector_or_space = t.by(t.point, function(owner, given)
   local _, dimension = sizes(owner, given)
   return dimension == 3 and t.space_point or nil
@@ -77,14 +77,14 @@ patch_types.degree = t.integer(1, core.max_degree)
 
 local below_one = { kind = "number", above = 0, below = 1 }
 
---- Where elements crowd.
+--- Where elements are graded.
 patch_types.grading = patch_types.per_direction(t.either(t.named {
-  { "elements", below_one, "share of the elements" },
-  { "length", below_one, "share of the knot length that they fill" },
-  { "at", t.choice { "start", "end" }, "the end where they crowd" },
+  { "elements", below_one, "fraction of the elements" },
+  { "length", below_one, "fraction of the knot length that they fill" },
+  { "at", t.choice { "start", "end" }, "the end with the small elements" },
 }, t.only(false)))
 
---- The last argument of what writes files.
+--- The last argument of functions that write patches.
 patch_types.form = { "form", t.choice(core.patch_forms), "format of the file", otherwise = "by the file's ending" }
 
 return patch_types

@@ -1,5 +1,5 @@
--- What a run's steps were solved with, read off its attempts: which fallbacks carried them, which of these may have
--- left the branch of equilibria that the path follows, and where arc length took over.
+-- The controls that a run's steps were solved with, from its attempts: the fallbacks that converged, those that may
+-- have left the followed branch, and where arc length was used.
 
 local counted = require "signorini.counted"
 local controls = require "signorini.controls"
@@ -7,7 +7,7 @@ local lists = require "signorini.lists"
 
 local path_controls = {}
 
---- The attempts at the steps of lists that have converged.
+--- The converged attempts of lists of attempts.
 function path_controls.accepted(histories)
   return lists.filter(lists.flat(histories), function(attempt) return attempt.converged end)
 end
@@ -22,8 +22,8 @@ function path_controls.counts(histories)
   return counts
 end
 
---- Whether a shorter attempt from the same place had failed before: then the rest of the step was taken at once, as the
---- last resort.
+--- Whether a shorter attempt from the same state had failed before: then the rest of the step was solved at once, as
+--- the last resort.
 local function is_leap(attempts, index)
   local attempt = attempts[index]
   return lists.any(attempts, function(before, i)
@@ -32,17 +32,17 @@ local function is_leap(attempts, index)
   end)
 end
 
---- How an attempt that converged may have left the branch, in words; nothing where it cannot be blamed.
+--- Why a converged attempt may have left the branch, in words; nil if there is no reason.
 local function departure(attempts, index)
   local attempt = attempts[index]
   if not attempt.converged then return nil end
   local with = attempt.rescue and " with " .. attempt.rescue or ""
-  if attempt.again then return "the whole step, from its start again" .. with end
-  if is_leap(attempts, index) then return "the rest of the step at once" .. with end
+  if attempt.again then return "the whole step again from its start" .. with end
+  if is_leap(attempts, index) then return "the rest of the step in one increment" .. with end
   return attempt.rescue and not controls.keeps_branch(attempt.rescue) and attempt.rescue or nil
 end
 
---- The steps that a fallback has carried which may leave the branch: a list of { step, how }.
+--- The steps that a fallback has solved which may leave the branch: a list of { step, how }.
 function path_controls.departures(histories)
   return lists.flat(lists.map(histories, function(attempts, step)
     local all = lists.map(attempts, function(_, index) return { step = step, how = departure(attempts, index) } end)
@@ -50,22 +50,22 @@ function path_controls.departures(histories)
   end))
 end
 
---- Texts in a row; of long lists the first ones, and where to `see` the others.
+--- Joins texts; of long lists the first ones, and where to `see` the others.
 local function in_short(texts, most, comma, see)
   local more = #texts > most and { ("and %d more, see %s"):format(#texts - most, see) } or {}
   return table.concat(lists.joined({ table.unpack(texts, 1, most) }, more), comma)
 end
 
---- A sentence on them; nothing when there are none.
+--- A sentence on them; nil if there are none.
 function path_controls.warning(run)
   local found = path_controls.departures(run.histories)
   if #found == 0 then return nil end
   local texts = lists.map(found, function(one) return ("%s in step %d"):format(one.how, one.step) end)
-  return ("fallbacks that may change to another branch of solutions were needed (%s): compare with more steps, or "
-    .. "follow the path with arc_length = true"):format(in_short(texts, 4, ", ", "run:attempts(step)"))
+  return ("fallbacks that may change to another branch of solutions were needed (%s). Hint: compare with more steps, "
+    .. "or follow the path with arc_length = true"):format(in_short(texts, 4, ", ", "run:attempts(step)"))
 end
 
---- Controls that are not the default ones, fallbacks and cuts, in one line; nothing where there are none.
+--- Controls that differ from the defaults, fallbacks and cuts, in one line; nil if there are none.
 local function solver_text(run)
   local used, texts, counts = run.used, {}, {}
   if used.predictor ~= "linear" then texts[1] = used.predictor .. " predictor" end
@@ -78,7 +78,7 @@ local function solver_text(run)
   return #texts > 0 and "controls: " .. table.concat(texts, "; ") or nil
 end
 
---- Where control changed, in words; long lists are cut short.
+--- Where the control of the path changed, in words; long lists are shortened.
 local function changes_text(changes)
   if #changes == 0 then return nil end
   return "control: " .. in_short(lists.map(changes, function(change)

@@ -1,6 +1,6 @@
--- print shows patches, bodies, models and profiles in the few lines that the prompt does, too. Where one of several
--- values has a text of its own that may fill lines, such as these, a run, a study or a case of it, each begins a line.
--- All else is as Lua has it.
+-- print shows patches, bodies, models and profiles in the same few lines as the prompt. If one of several values has a
+-- text that may fill several lines, such as these, a run, a study or a case of it, each value begins a line. Otherwise
+-- it is Lua's print.
 
 local object_text = require "signorini.show.objects"
 

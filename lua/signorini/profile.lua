@@ -1,4 +1,4 @@
--- Contact profiles compared: the L₂ error of one against another or against a function, and where its contact ends.
+-- Comparison of contact profiles: the L₂ error of one against another or against a function, and the edges of contact.
 --
 -- A profile is what model:profile returns: equally long lists x, y, pressure, traction, gap, … along the slave face.
 -- Profiles of different meshes have different points; between its points a profile is piecewise linear.
@@ -12,7 +12,7 @@ local profile = {}
 
 -- ── A profile as a function of the coordinate ────────────────────────────────────────────────────────────────────────
 
---- A column of a profile, checked; `argument` is what asked for it.
+--- A column of a profile, checked; `argument` is the argument that needs it.
 local function column(where, name, data, key, argument)
   local values = rawget(data, key)
   if type(values) == "table" and #values == #data.x then
@@ -21,11 +21,11 @@ local function column(where, name, data, key, argument)
   local known = lists.filter(lists.sorted_names(data), function(other)
     return type(data[other]) == "table" and type(data[other][1]) == "number"
   end)
-  core.fail(("%s: %s has no list '%s' as long as %s.x, which %s asks for; known: %s"):format(where, name, tostring(key),
+  core.fail(("%s: %s has no list '%s' as long as %s.x, which %s needs; known: %s"):format(where, name, tostring(key),
     name, argument, table.concat(known, ", ")))
 end
 
---- The coordinate of every point. A function gets one point at a time, as a table of its values by name.
+--- The coordinate of every point. A function receives one point at a time, as a table of its values by name.
 local function coordinates(where, name, data, coordinate)
   if type(coordinate) == "string" then return column(where, name, data, coordinate, "coordinate") end
   return lists.map(data.x, function(_, i)
@@ -35,8 +35,8 @@ local function coordinates(where, name, data, coordinate)
   end)
 end
 
---- Adds the points where the gap, linear in between, is zero, between one that carries a value and one that does not:
---- the chord between these two would end at the one that does not.
+--- Adds the points of zero gap, by linear interpolation, between a point with a value and one without: the chord
+--- between the two would end at the one without.
 local function add_edges(part, g)
   local s, v = part.s, part.v
   for i = #s, 2, -1 do
@@ -49,9 +49,9 @@ local function add_edges(part, g)
   end
 end
 
---- The stretch of a profile on which its coordinate grows (the lists turned around where it falls): all points that
---- carry a value and, to both sides, as far as it goes on. Beyond the points that carry something the value is zero.
---- Returns { s = {…}, v = {…}, from, to }; from … to is the zone that carries something. `edge`: see the help page.
+--- The part of a profile on which its coordinate increases (the lists are reversed where it decreases): all points with
+--- a nonzero value and, to both sides, as far as it continues. Outside, the value is zero. Returns { s = {…}, v = {…},
+--- from, to }; from … to is the zone of nonzero values. `edge`: see the help page.
 local function stretch(where, name, data, coordinate, value, edge)
   check.value(t.list(t.number, nil, 2), rawget(data, "x"), where, name .. ".x")
   local s, v = coordinates(where, name, data, coordinate), column(where, name, data, value, "value")
@@ -59,12 +59,12 @@ local function stretch(where, name, data, coordinate, value, edge)
   for i = 1, #v do
     if v[i] ~= 0 then first, last = first or i, i end
   end
-  if not first then core.fail(("%s: %s carries no %s: no point of it touches"):format(where, name, value)) end
+  if not first then core.fail(("%s: %s has no %s: no point is in contact"):format(where, name, value)) end
   local sign = s[math.min(last + 1, #s)] > s[math.max(first - 1, 1)] and 1 or -1
   for i = first + 1, last do
     if sign * (s[i] - s[i - 1]) <= 0 then
-      core.fail(("%s: the coordinate of %s turns back in the contact zone, from %g to %g: choose one that grows there")
-        :format(where, name, s[i - 1], s[i]))
+      core.fail(("%s: the coordinate of %s is not monotonic in the contact zone, from %g to %g. "
+        .. "Hint: choose one that increases there"):format(where, name, s[i - 1], s[i]))
     end
   end
   local low, high = first, last
@@ -92,7 +92,7 @@ end
 
 -- ── The error ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A function as the other side of a comparison: it has no points and is known on all of the profile's stretch.
+--- A function as reference: it has no points and is known on the whole range of the profile.
 local function known_everywhere(where, reference, mine)
   return {
     s = { mine.s[1], mine.s[#mine.s] }, from = mine.from, to = mine.to,
@@ -100,7 +100,7 @@ local function known_everywhere(where, reference, mine)
   }
 end
 
---- Where the error is integrated: where both sides are known, or only where both carry something.
+--- The range of integration: where both are known, or only where both are nonzero.
 local function common_range(where, mine, theirs, zone)
   local function range(side)
     if zone == "both" then return side.from, side.to end
@@ -114,7 +114,7 @@ local function common_range(where, mine, theirs, zone)
     :format(where, zone == "both" and "touches" or "goes", a, b, c, d))
 end
 
---- The points of the quadrature, in order: those of one or both sides within the range, and the range's ends.
+--- The points of the quadrature, in order: those of one or both sides within the range, and its ends.
 local function nodes(sides, from, to)
   local own = lists.joined(sides[1].s, sides[2] and sides[2].s or {})
   local list = lists.joined({ from, to }, lists.filter(own, function(at) return at > from and at < to end))
@@ -122,7 +122,7 @@ local function nodes(sides, from, to)
   return list
 end
 
---- The share of the zone where at least one side carries something that lies in the range.
+--- The fraction of the zone in which at least one side is nonzero that lies in the range.
 local function share(mine, theirs, from, to)
   local low, high = math.min(mine.from, theirs.from), math.max(mine.to, theirs.to)
   return high > low and math.max(0, math.min(to, high) - math.max(from, low)) / (high - low) or 1

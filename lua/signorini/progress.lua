@@ -1,5 +1,5 @@
--- How far a long run has come, on stderr: a bar that redraws itself on a terminal, one line per finished stage
--- elsewhere, nothing when the program runs quietly (-q).
+-- Progress of a long run, on stderr: a bar that is redrawn on a terminal, one line per finished stage elsewhere,
+-- nothing when the program runs quietly (-q).
 
 local core = require "signorini.core"
 local counted = require "signorini.counted"
@@ -27,7 +27,7 @@ function Progress:clear()
   self.visible = false
 end
 
---- Draws the bar anew, unless that was done just now: name, part that is done (0 to 1), and what else to tell.
+--- Redraws the bar, unless that was done just now: name, fraction that is done (0 to 1), and further text.
 function Progress:draw(name, part, text)
   if core.quiet or not self.terminal then return end
   local now = core.now()
@@ -38,26 +38,26 @@ function Progress:draw(name, part, text)
   io.stderr:flush()
 end
 
---- What remains of the time when this part (0 to 1) of the work is done, in words.
+--- The remaining time when this fraction (0 to 1) of the work is done, in words.
 function Progress:to_go(part)
-  return part > 0 and seconds_text((core.now() - self.began) * (1 / part - 1)) .. " to go" or "time left not known yet"
+  return part > 0 and seconds_text((core.now() - self.began) * (1 / part - 1)) .. " left" or "time left unknown"
 end
 
---- One more step is done.
+--- Counts one more step.
 function Progress:step(stage)
   self.done = self.done + 1
   local part = self.done / self.total
   self:draw(stage, part, ("%d/%d, %s"):format(self.done, self.total, self:to_go(part)))
 end
 
---- A line that stays, in place of the bar.
+--- A line that remains, in place of the bar.
 function Progress:line(text)
   if core.quiet then return end
   self:clear()
   io.stderr:write(text, "\n")
 end
 
---- A stage has ended; on a terminal the bar alone tells.
+--- A stage has ended; on a terminal the bar shows it.
 function Progress:stage_end(stage, steps, iterations, wall)
   if self.terminal then return end
   self:line(("%s: %s, %s, %s"):format(stage, counted(steps, "step"), counted(iterations, "iteration"),

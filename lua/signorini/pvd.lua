@@ -16,7 +16,7 @@ local header = '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1" 
 local function unescaped(text) return (text:gsub("&quot;", '"'):gsub("&lt;", "<"):gsub("&amp;", "&")) end
 local function escaped(text) return (text:gsub("&", "&amp;"):gsub("<", "&lt;"):gsub('"', "&quot;")) end
 
---- The list as it stands, so that what is there can be opened while a run goes on, or after it was killed.
+--- Writes the list so far, so that it can be opened during a run, or after the process was killed.
 local function write_list(series)
   local lines = lists.map(series, function(state)
     return ('    <DataSet timestep="%.17g" part="0" file="%s"/>\n'):format(state.time, escaped(state.name))
@@ -25,12 +25,12 @@ local function write_list(series)
     header .. "  <Collection>\n" .. table.concat(lines) .. "  </Collection>\n</VTKFile>\n")
 end
 
---- Takes up the list of a file that an earlier process has written.
+--- Reads the list of a file that an earlier process has written.
 local function read_list(series)
   local text = in_name_of("sg.pvd", "core.read_file", core.read_file, series.file)
   if text:sub(1, #header) ~= header then
-    core.fail(("sg.pvd: '%s' was not written by sg.pvd, so it cannot be taken up: leave out resume, or choose another "
-      .. "name"):format(series.file))
+    core.fail(("sg.pvd: '%s' was not written by sg.pvd, so it cannot be continued. Hint: leave out resume, or choose "
+      .. "another name"):format(series.file))
   end
   for time, name in text:gmatch '<DataSet timestep="([^"]*)" part="0" file="([^"]*)"/>' do
     series[#series + 1] = { time = tonumber(time), name = unescaped(name) }
@@ -38,7 +38,7 @@ local function read_list(series)
   series.taken_up = #series
 end
 
---- Drops states taken up that the run comes to a second time.
+--- Drops states from an earlier process that the run reaches again.
 local function drop_from(series, time)
   while series.taken_up == #series and #series > 0 and series[#series].time >= time do
     series[#series], series.taken_up = nil, #series - 1
@@ -50,7 +50,7 @@ function Series:add(state)
   drop_from(self, time)
   local last = self[#self]
   if last and time <= last.time then
-    core.fail(("series:add: time is %g, but the state before it has %g: times must grow"):format(time, last.time))
+    core.fail(("series:add: time is %g, but the state before it has %g: times must increase"):format(time, last.time))
   end
   local name = ("%s_%04d.vtu"):format(self.stem, #self + 1)
   in_name_of("series:add", "sg.vtu", core.sg.vtu,
@@ -61,7 +61,7 @@ end
 
 function Series:__tostring() return ("series %s: %s"):format(self.file, counted(#self, "state")) end
 
---- A series without states; its file is there at once, so that a place that cannot be written to is told at once.
+--- A series without states; its file is written at once, so that a folder that is not writable is reported at once.
 return function(file, options)
   local folder, stem = file:match "^(.-)([^/]*)%.[pP][vV][dD]$"
   if not stem or stem == "" then check.reject("sg.pvd", "file", "a name that ends with .pvd", file) end

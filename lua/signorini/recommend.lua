@@ -1,6 +1,6 @@
--- sg.recommend: the least model that is enough for a tolerance. Labels and meshes are tried from coarse to fine; the
--- error of a coarse case is estimated from the next level, and the search ends as soon as the estimate of one is small
--- enough.
+-- sg.recommend: the cheapest model whose error is within a tolerance. Discretizations and meshes are tried from coarse
+-- to fine; the error of a coarse case is estimated from the next level, and the search ends as soon as one estimate is
+-- within the tolerance.
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -13,16 +13,16 @@ local values = require "signorini.study.values"
 
 local where = "sg.recommend"
 
--- How much of the error one level is taken to leave: half, as two levels cannot tell; three can, yet less than half is
--- not believed, and a ratio near 1 means that the levels do not converge.
+-- Assumed convergence factor of one level where it cannot be estimated (that needs three levels): 1/2. Estimates below
+-- 1/2 are not trusted, and a ratio near 1 means that the levels do not converge.
 local usual_ratio, worst_ratio = 1 / 2, 0.9
 
--- Work that is about the same.
+-- Work that counts as equal.
 local about = 1.1
 
 -- ── One case ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The figure as a list of finite numbers.
+--- The result of `error` as a list of finite numbers.
 local function measure(search, model, run)
   local figure
   if type(search.error) == "string" then
@@ -31,33 +31,33 @@ local function measure(search, model, run)
   else
     figure = search.error(model, run)
   end
-  if figure == nil then core.fail(where .. ": error must give a number or a list of numbers, it gave nothing") end
+  if figure == nil then core.fail(where .. ": error must return a number or a list of numbers, got nothing") end
   local list = type(figure) == "table" and figure or { figure }
-  return check.value(types.list(types.number, nil, 1), list, where, "what error gives")
+  return check.value(types.list(types.number, nil, 1), list, where, "the result of error")
 end
 
---- Two levels tell nothing of an error when the second one is no finer.
+--- Raises an error if the second of two levels is not finer, because the error cannot be estimated from them.
 local function check_finer(search, label, level, unknowns)
   local coarser = search.by_level[level - 1][label]
   if coarser and unknowns <= coarser.unknowns then
-    core.fail(("%s: %s has %d unknowns on mesh %s and %d on mesh %s: meshes must run from coarse to fine, and scene "
-      .. "use them"):format(where, label, coarser.unknowns, values.text(coarser.mesh), unknowns,
+    core.fail(("%s: %s has %d unknowns on mesh %s and %d on mesh %s. Hint: order meshes from coarse to fine, and "
+      .. "use them in scene"):format(where, label, coarser.unknowns, values.text(coarser.mesh), unknowns,
         values.text(search.meshes[level])))
   end
 end
 
---- Solves a case; adds it to what was tried.
+--- Solves a case; adds it to the list of tries.
 local function try(search, label, level)
   local mesh, began = search.meshes[level], core.now()
   local model, stages, options = search.scene(label, mesh)
   if type(model) ~= "userdata" then
-    core.fail(("%s: scene must return a model and its stages, it returned %s"):format(where, core.describe(model)))
+    core.fail(("%s: scene must return a model and its stages, got %s"):format(where, core.describe(model)))
   end
   local unknowns = #model:unknowns()
   check_finer(search, label, level, unknowns)
   local run = model:run(stages, options)
   local case = { label = label, mesh = mesh, level = level, wall = core.now() - began, unknowns = unknowns }
-  -- Unlike seconds it is the same in every search, so that the same scene gets the same answer.
+  -- Unlike seconds it is the same in every search, so that the result is reproducible.
   case.work = case.unknowns * run.iterations
   if run.failed then case.failed = run.reason else case.figure = measure(search, model, run) end
   search.interrupted = run.reason == "interrupted"
@@ -80,11 +80,13 @@ end
 --- ‖a − b‖ / ‖b‖.
 local function distance(a, b)
   if #a ~= #b then
-    core.fail(("%s: error gave lists of %d and of %d numbers: give the values at the same places each time")
+    core.fail(("%s: error returned lists of %d and of %d numbers. Hint: return the values at the same places each time")
       :format(where, #a, #b))
   end
   local difference, scale = lists.map(a, function(value, i) return value - b[i] end), norm(b)
-  if scale == 0 then core.fail(where .. ": the figure is zero, which has no relative error: measure something else") end
+  if scale == 0 then
+    core.fail(where .. ": the result of error is zero, so it has no relative error. Hint: measure another quantity")
+  end
   return norm(difference) / scale
 end
 
@@ -93,7 +95,7 @@ local function solved(search, level, label)
   return case and case.figure and case
 end
 
---- How much of the error a level leaves, as far as the label's last three levels tell.
+--- The convergence factor of a level: the ratio of errors that the last three levels of the discretization show.
 local function ratio(search, label, level)
   local older, old = solved(search, level - 2, label), solved(search, level - 1, label)
   local new = solved(search, level, label)
@@ -103,9 +105,9 @@ local function ratio(search, label, level)
   return math.max(usual_ratio, math.min(worst_ratio, now / before))
 end
 
---- Estimates what it can with `reference`, a case whose label was solved on the level below, too. With d the distance
---- of these two and r the share of the error that a level leaves, the reference's own error is at most d (r + r² + …) =
---- d r/(1 − r); any coarser case is farther off by its distance from the reference.
+--- Estimates errors with `reference`, a case whose discretization was also solved on the level below. With the distance
+--- d of these two and the convergence factor r of a level, the error of the reference is at most d (r + r² + …) = d
+--- r/(1 − r); that of a coarser case is larger by its distance from the reference.
 local function estimate(search, reference)
   local level = reference.level
   local r = ratio(search, reference.label, level)
@@ -116,14 +118,14 @@ local function estimate(search, reference)
   end
 end
 
---- The case of least work whose error is estimated to be within the tolerance.
+--- The case of least work whose estimated error is within the tolerance.
 local function cheapest(search)
   return lists.least(search.tries, function(case)
     return case.error and case.error <= search.at_most and case.work
   end)
 end
 
---- Whether another label is twice as accurate on a level for about the same work: then this one need not be tried
+--- Whether another discretization is twice as accurate on a level for about the same work: then this one is not tried
 --- again.
 local function dominated(search, label, level)
   local case = solved(search, level, label)
@@ -137,7 +139,7 @@ end
 
 -- ── The search ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The last label, the richest, that was solved on a level and on the one below.
+--- The last discretization, with the most functions, that was solved on a level and on the one below.
 local function reference_on(search, level)
   for i = #search.labels, 1, -1 do
     local label = search.labels[i]
@@ -170,25 +172,26 @@ Recommendation.__name = "recommendation"
 
 local function verdict(search, best)
   local total = ("%s, %.2f s in all"):format(counted(#search.tries, "run"), search.spent)
-  if search.interrupted then return ("Stopped by Ctrl-C: nothing is known yet. %s."):format(total) end
+  if search.interrupted then return ("Stopped by Ctrl-C without a result. %s."):format(total) end
   if best then
-    return ("%s on mesh %s is enough: its error is about %.3g, estimated from the next level; allowed %.3g. %s.")
+    return ("%s on mesh %s meets the tolerance: its error is about %.3g, estimated from the next level; allowed %.3g. "
+      .. "%s.")
       :format(best.label, values.text(best.mesh), best.error, search.at_most, total)
   end
   local nearest = lists.least(search.tries, function(case) return case.error end)
-  return ("None of these is known to be within %.3g%s. %s. Finer meshes may do.")
+  return ("None of these is known to be within %.3g%s. %s. Hint: try finer meshes.")
     :format(search.at_most, nearest and ("; %s on mesh %s comes nearest with %.3g"):format(nearest.label,
       values.text(nearest.mesh), nearest.error) or "", total)
 end
 
---- What was tried, and the verdict.
+--- The tries, and the result.
 function Recommendation:__tostring()
   local rows = lists.map(self.tries, function(case)
     local figure = case.figure and (#case.figure == 1 and case.figure[1] or ("%d numbers"):format(#case.figure))
     return { case.label, values.text(case.mesh), case.unknowns, case.wall, case.failed or figure, case.error,
-             case.label == self.label and case.mesh == self.mesh and "enough" or "" }
+             case.label == self.label and case.mesh == self.mesh and "chosen" or "" }
   end)
-  return format_table{ columns = { "label", "mesh", "unknowns", "wall", "figure", "estimated error", "" },
+  return format_table{ columns = { "order", "mesh", "unknowns", "wall", "figure", "estimated error", "" },
     units = { [4] = "s" }, rows = rows, formats = { [4] = "%.3f", [6] = "%.2e" } } .. "\n" .. self.report
 end
 

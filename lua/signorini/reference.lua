@@ -1,4 +1,4 @@
--- The published tables that come with the program.
+-- The published tables that are installed with the program.
 
 local core = require "signorini.core"
 local csv = require "signorini.csv"

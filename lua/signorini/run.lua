@@ -1,5 +1,5 @@
 -- The load path: model:run(stages, options). Each stage moves the driven supports and the loads in equal steps from
--- where they are to where they shall be; each step is solved, then accepted. What happened is kept in a run.
+-- their present values to their targets; each step is solved, then accepted. A run is the record of this.
 
 local core = require "signorini.core"
 local arc_length = require "signorini.arc_length"
@@ -18,12 +18,12 @@ local Run = require "signorini.run_result"
 
 local where = "model:run"
 local wariness = 8 -- attempts without a predictor that failed; 3D block ironing: 846, 743, 706 iterations with 2, 4, 8
-local longest_chord = 1.25 -- of an arc, in lengths along its tangent: the two differ by 37° at most
+local longest_chord = 1.25 -- of an increment, in units of its length along the tangent: at most 37° between the two
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
---- What is on already, in the words of model:diagnose. Rescues try damping, a line search and pseudo-transient
---- continuation by themselves.
+--- The controls that are on, named as in model:diagnose. Fallbacks include damping, a line search and pseudo-transient
+--- continuation.
 local function controls_on(options)
   local newton = options.newton
   local is_on = {
@@ -34,8 +34,8 @@ local function controls_on(options)
   return lists.filter(lists.sorted_names(is_on), function(name) return is_on[name] end)
 end
 
---- The options themselves, with { solver (what model:solve_step takes), tries (see controls.lua), policy (see
---- steps.lua), on (controls that are), keeper (of checkpoints), states (that are kept) }.
+--- The options with { solver (arguments of model:solve_step), tries (see controls.lua), policy (see steps.lua), on
+--- (controls that are on), keeper (of checkpoints), states (to be kept) }.
 local function read_options(model, options, path, total)
   options.solver = lists.merged(options.newton)
   for _, key in ipairs { "predictor", "linear", "augmented", "damping", "pseudo_transient" } do
@@ -46,13 +46,13 @@ local function read_options(model, options, path, total)
   if options.arc_length then options.policy = arc_length.policy(options.policy) end
   options.tries = options.rescue and controls.rescues(model, options.solver) or {}
   options.states = states.read(where, options.states, path, total)
-  if options.threads then core.set_threads(options.threads) end -- not for a run that is refused
+  if options.threads then core.set_threads(options.threads) end -- last, so that a rejected call does not set them
   return options
 end
 
 -- ── One step ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- What a policy takes: step `number` of a stage, of which the part `done` is accepted.
+--- The object that a policy works on: step `number` of a stage; the fraction `done` of it is accepted.
 local Step = {}
 Step.__index = Step
 
@@ -64,7 +64,7 @@ local function begin_step(model, run, stage, number, options)
   }, Step)
 end
 
---- Prescribes the targets at the part `to` of the step: linear from the stage's start, its end met exactly.
+--- Prescribes the targets at the fraction `to` of the step: linear from the stage's start, exact at its end.
 function Step:set_targets(to)
   local stage = self.stage
   local part = (self.number - 1 + to) / stage.steps
@@ -75,7 +75,7 @@ function Step:set_targets(to)
   end
 end
 
---- The penalties' factor at the part `to` of the step, where it grows along the path: start^(1 − steps so far/steps).
+--- The factor of the penalties at the fraction `to` of the step, if they grow along the path:
 function Step:set_penalty(to)
   local penalty = self.options.penalty
   if not penalty then return end
@@ -83,7 +83,7 @@ function Step:set_penalty(to)
   self.model:set_penalty_factor(part == 1 and 1 or penalty.start ^ (1 - part))
 end
 
---- Solves for the present targets; on_iteration sees each iteration and may end the attempt.
+--- Solves for the present targets; on_iteration is called after each iteration and may end the attempt.
 function Step:solve(solver, to)
   local on_iteration = self.options.on_iteration
   if not on_iteration then return self.model:solve_step(solver) end
@@ -96,7 +96,7 @@ function Step:solve(solver, to)
       stage = self.stage.name, step = self.run.steps + 1, from = self.done, to = to, iteration = result.iterations,
       residual = residuals[#residuals], energy = energies[#energies], reason = result.reason,
     })
-    if not ok and core.answer_interrupt() then -- Ctrl-C has reached the function before the solver
+    if not ok and core.answer_interrupt() then -- Ctrl-C reached the function before the solver
       if result.reason == "iterating" then result.reason, result.message = "interrupted", "stopped by Ctrl-C" end
       return result
     end
@@ -106,18 +106,18 @@ function Step:solve(solver, to)
     end
     if answer and answer ~= "stop" and answer ~= "cut" then
       self.model:rollback()
-      check.reject("on_iteration", "what it returns", "nothing, \"stop\" or \"cut\"", answer)
+      check.reject("on_iteration", "its result", "nothing, \"stop\" or \"cut\"", answer)
     end
     if result.reason == "iterating" and (answer == "stop" or answer == "cut") then
       result.reason = answer == "stop" and "stopped" or "cut"
-      result.message = ("on_iteration asked for it in iteration %d"):format(result.iterations)
+      result.message = ("on_iteration requested it in iteration %d"):format(result.iterations)
     end
   until result.reason ~= "iterating"
   return result
 end
 
---- One attempt with given controls: accepts or rolls back, finds out why it failed. `rescue` is the control's name
---- where another one has failed before.
+--- One attempt with given controls: accepts or rolls back, diagnoses a failure. `rescue`: name of the fallback, if
+--- another attempt has failed before.
 function Step:try(solver, to, rescue)
   local began = core.now()
   self:set_targets(to)
@@ -135,10 +135,10 @@ function Step:try(solver, to, rescue)
   return result
 end
 
---- Solves for the targets at the part `to` of the step, where that fails with the controls that may carry it through
---- (`shorter`: a shorter attempt can follow); then accepts or rolls back. Returns the solver's result: that of the
---- first try where all fail. Where a predictor has failed, the next attempts do without it. Where arcs follow the path
---- nothing is tried that may lead off it.
+--- Solves for the targets at the fraction `to` of the step, with fallbacks where that fails (`shorter`: a shorter
+--- attempt can follow); then accepts or rolls back. Returns the solver's result: that of the first attempt if all fail.
+--- After failures of a predictor, the next attempts do without it. Under arc-length control no fallback is tried that
+--- may leave the path.
 function Step:attempt(to, shorter)
   local run, tries, last = self.run, self.options.tries, not shorter and not self.options.arc_length
   if self.done == 0 and to < 1 then self.start = self.start or self.model:snapshot() end
@@ -157,7 +157,7 @@ function Step:attempt(to, shorter)
   return result
 end
 
---- The whole step at once from the state before it, whatever part is accepted; where that fails the part stays.
+--- The whole step at once from the state before it, whatever fraction is accepted; after a failure this is restored.
 function Step:attempt_from_start()
   local kept, done, account = self.model:snapshot(), self.done, self.run.step
   local increments, length = account.increments, account.length
@@ -172,8 +172,8 @@ function Step:attempt_from_start()
   return result
 end
 
---- Prescribes the targets one step on from the accepted ones: from where the path stands, not from where `done` says
---- that it stands. The difference, mere rounding, would be multiplied by every arc's fraction, which may be 10.
+--- Prescribes the targets one step ahead of the accepted ones: from their actual values, not from those at `done`. The
+--- difference is rounding error, but it would be multiplied by the fraction of an increment, which may be 10.
 function Step:set_next_targets()
   local stage = self.stage
   for name, goal in pairs(stage.targets) do
@@ -183,10 +183,10 @@ function Step:set_next_targets()
   end
 end
 
---- Goes a distance along the path, back where it turns back, and accepts it, without a trace in the run. An arc whose
---- chord is much longer than its part along the tangent has left the path for another part of it: it does not count as
---- converged. Returns the result, the part of the step that the arc leads to, and the state before it; `diagnoses`:
---- where it fails, also why.
+--- Takes an arc-length increment, backward beyond a turning point, and accepts it, without recording it in the run. An
+--- increment whose chord is much longer than its part along the tangent has left the path for another part of it and
+--- counts as failed. Returns the result, the fraction of the step that was reached, and the state before the increment;
+--- `diagnoses`: after a failure, also the diagnosis.
 function Step:solve_arc(length, iterations, diagnoses)
   self:set_next_targets()
   local model, solver, kept = self.model, self.solver, self.model:snapshot()
@@ -203,7 +203,7 @@ function Step:solve_arc(length, iterations, diagnoses)
   return result, self.done + result.fraction, kept
 end
 
---- Whether the step changes a target, or the penalties.
+--- Whether the step changes a target or the penalties.
 function Step:moves()
   local penalty = self.options.penalty
   if penalty and self.run.steps < penalty.steps then return true end
@@ -215,10 +215,10 @@ function Step:moves()
   return false
 end
 
---- Whether there are controls to try on all that is left of a step.
+--- Whether there are fallbacks for the rest of a step.
 function Step:has_rescues() return #self.options.tries > 0 and not self.options.arc_length end
 
---- An arc that is accepted unless it leads beyond the step's end.
+--- An arc-length increment, accepted unless it passes the end of the step.
 function Step:attempt_arc(length, iterations)
   local began = core.now()
   local result, to, kept = self:solve_arc(length, iterations, true)
@@ -232,7 +232,7 @@ function Step:attempt_arc(length, iterations)
   return result, to
 end
 
---- Solves for the targets at a part of the step, with a line search where it has to be, without a trace in the run.
+--- Solves for the targets at a fraction of the step, with a line search if necessary, without recording it in the run.
 function Step:probe(to)
   local searching, differs = controls.changed(self.solver, { line_search = "residual" })
   local result
@@ -245,7 +245,7 @@ function Step:probe(to)
   return result
 end
 
---- The targets at a part of the step, in words: "edge.angle = 69.86".
+--- The targets at a fraction of the step, in words: "edge.angle = 69.86".
 function Step:place(part)
   local texts = {}
   for name, goal in pairs(self.stage.targets) do
@@ -259,25 +259,25 @@ function Step:place(part)
   return table.concat(texts, ", ")
 end
 
---- What drives the path changes here.
+--- Records a change of what drives the path.
 function Step:switch_control(to, reason)
   self.run:record_control(to, self:place(self.done), reason)
 end
 
---- A failed attempt is going to be repeated with a shorter one.
+--- Counts a failed attempt that will be repeated with a shorter one.
 function Step:cut_back() self.run:account("cutbacks", 1) end
 
 -- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function begin_stage(model, stage)
-  local starts = stage.starts or {} -- those of a stage that is taken up
+  local starts = stage.starts or {} -- those of a resumed stage
   stage.starts, stage.now = starts, {}
   for name in pairs(stage.targets) do
     starts[name], stage.now[name] = starts[name] or model:target(name), {}
   end
 end
 
---- Notes why a step was not reached; unless the user stopped it, arcs find out whether the path turns back.
+--- Records why a step failed; unless the user stopped it, searches for a turning point.
 local function fail(run, step, result)
   local began = core.now()
   local turn = not steps.is_wanted(result) and arc_length.turning_point(step)
@@ -285,8 +285,8 @@ local function fail(run, step, result)
   run:record_failure(step, result, turn and step:place(turn))
 end
 
---- Takes a step and shows it to on_step, which may want it in smaller parts. Returns the last result, and what on_step
---- said.
+--- Takes a step and calls on_step, which may request smaller increments. Returns the last result, and the result of
+--- on_step.
 local function take(step, run, options, display)
   while true do
     local result = options.policy:take(step)
@@ -304,14 +304,14 @@ local function take(step, run, options, display)
     step.model:restore(step.start)
     step.done = 0
     if not options.policy:shorten(step) then
-      return { converged = false, reason = "cut", message = "on_step asked for shorter steps, and there are none: "
-        .. "step = { adaptive = true, min = … } allows them", residuals = {} }
+      return { converged = false, reason = "cut", message = "on_step requested shorter steps, but these are not "
+        .. "allowed. Hint: set step = { adaptive = true, min = … }", residuals = {} }
     end
     step:cut_back()
   end
 end
 
---- Ends a run and prints its warnings but for those in `said`. `early`: warnings about the path.
+--- Ends a run and prints its warnings except those in `said`. `early`: warnings about the path.
 local function close(run, model, display, said, early)
   run:finish(model, early)
   for _, warning in ipairs(run.warnings) do

@@ -1,4 +1,4 @@
--- What a load path leaves behind: one row per step that was reached, how much work it was, and why it ended.
+-- The record of a load path: one row per accepted step, its work, and why the path ended.
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -20,12 +20,12 @@ Run.__index = Run
 Run.__name = "run"
 core.types.run = Run
 
--- What some runs have, or have while they go on. All else that is not there is misspelt.
+-- Fields that some runs have, or only until they end. All other unknown names are misspelled.
 local private = named.strict_type(Run, "run", "cause report timings recorders before step")
 
 function Run:__newindex(name, value)
-  if not (rawget(self, "recorders") or private[name]) then -- it has ended
-    core.fail(("a run is a record, it takes no '%s': keep your own values in a variable, or return them from "
+  if not (rawget(self, "recorders") or private[name]) then -- the run has ended
+    core.fail(("a run cannot store '%s'. Hint: keep your own values in a variable, or return them from "
       .. "on_step as columns"):format(tostring(name)))
   end
   rawset(self, name, value)
@@ -64,7 +64,7 @@ local function record_force(run, model, name)
   record_list(run, add_columns(run, name, keys), function() return model:reaction(name) end)
 end
 
---- The accepted target of a driven support or a load.
+--- The accepted target of a driven support or load.
 local function record_target(run, model, name)
   record_list(run, add_columns(run, name, drives.components(model, name)), function() return model:target(name) end)
 end
@@ -74,7 +74,7 @@ local function record_contact(run, model, contact)
   for _, key in ipairs(contact_columns) do
     if resultant[key] then columns[key] = add_column(run, contact .. "." .. key) end
   end
-  local before = { unsettled = resultant.unsettled or 0, crossed = resultant.crossed or 0 } -- a user's model may lack
+  local before = { unsettled = resultant.unsettled or 0, crossed = resultant.crossed or 0 }
   run.recorders[#run.recorders + 1] = function(row)
     local now = model:contact_resultant(contact)
     for key, values in pairs(columns) do values[row] = now[key] end
@@ -88,7 +88,7 @@ local function record_contact(run, model, contact)
   end
 end
 
---- A run without steps. Columns are set up once, so that a step only appends numbers.
+--- A run without steps. Columns are created once, so that a step only appends numbers.
 function Run.new(model)
   local run = setmetatable({
     failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, rescues = 0, wary = 0,
@@ -111,14 +111,14 @@ function Run:begin_stage(model, stage)
   self.stages[#self.stages + 1] = { name = stage.name, steps = 0, iterations = 0, cutbacks = 0, wall = 0 }
 end
 
---- A new step's attempts; its wall time and iterations are theirs, the failed ones' too.
+--- Begins the attempts of a new step; its wall time and iterations include those of failed attempts.
 function Run:begin_step()
   self.step = { increments = 0, iterations = 0, wall = 0, length = 0 }
   self.histories[#self.histories + 1] = {}
 end
 
---- Notes an attempt to get from one part of the step to another; `seconds` is what it took, `rescue` the control that
---- it tried where others had failed; `arc`: it followed the path; `again`: it began at the step's start although a part
+--- Records an attempt to get from one fraction of the step to another in `seconds`; `rescue`: the fallback that it
+--- tried after a failure; `arc`: arc-length increment; `again`: it began at the start of the step although a fraction
 --- of the step was accepted.
 function Run:record_attempt(from, to, result, seconds, rescue, arc, again)
   for _, account in ipairs { self, self.stages[#self.stages], self.step } do
@@ -132,7 +132,7 @@ function Run:record_attempt(from, to, result, seconds, rescue, arc, again)
   if rescue and result.converged then self.rescues = self.rescues + 1 end
 end
 
---- Adds to an account of the run and of the stage: "cutbacks", or the "wall" time of finding out about a failure.
+--- Adds to an account of the run and of the stage: "cutbacks", or the "wall" time of a diagnosis.
 function Run:account(name, amount)
   for _, list in ipairs { self, self.stages[#self.stages] } do list[name] = list[name] + amount end
 end
@@ -145,13 +145,13 @@ local function append_row(run, position, increments, iterations, wall)
   for _, record in ipairs(run.recorders) do record(row) end
 end
 
---- Adds a column for what on_step returns.
+--- Adds a column for values that on_step returns.
 function Run:add_extra(name) self.extra[name] = add_column(self, name) end
 
---- Adds to the last row what on_step returned: numbers by column name. A new name becomes a column.
+--- Adds the result of on_step to the last row: numbers by column name. A new name becomes a column.
 function Run:record_extra(figures)
   local function reject()
-    check.reject("on_step", "what it returns", "nothing, \"stop\", \"cut\" or a table of numbers by name", figures)
+    check.reject("on_step", "its result", "nothing, \"stop\", \"cut\" or a table of numbers by name", figures)
   end
   if type(figures) ~= "table" then reject() end
   for name, value in pairs(figures) do
@@ -159,7 +159,7 @@ function Run:record_extra(figures)
     check.value(t.number, value, "on_step", name)
     if not self.extra[name] then
       if self.values[name] then
-        core.fail(("on_step: the run has a column '%s' of its own: choose another name"):format(name))
+        core.fail(("on_step: '%s' is already a column of the run. Hint: choose another name"):format(name))
       end
       self:add_extra(name)
     end
@@ -167,38 +167,38 @@ function Run:record_extra(figures)
   end
 end
 
---- Takes the last row back.
+--- Removes the last row.
 function Run:drop_step()
   local stage = self.stages[#self.stages]
   for _, values in pairs(self.values) do values[self.rows] = nil end
   self.rows, self.steps, stage.steps, self.step.length = self.rows - 1, self.steps - 1, stage.steps - 1, 0
 end
 
---- Appends the row of a step that was reached.
+--- Appends the row of an accepted step.
 function Run:record_step()
   local stage, step = self.stages[#self.stages], self.step
   self.steps, stage.steps = self.steps + 1, stage.steps + 1
   append_row(self, self.steps, step.increments, step.iterations, step.wall)
 end
 
---- Appends the row of a state between steps that an arc led to; its work is counted with the step's.
+--- Appends the row of a state between steps, reached by an arc-length increment; its work is counted with the step's.
 function Run:record_arc(done)
   self.step.length = nil
   append_row(self, self.steps + done, 0, 0, 0)
 end
 
---- Notes that something else drives the path from here on: "arc length" or "targets".
+--- Records what drives the path from here on: "arc length" or "targets".
 function Run:record_control(to, place, reason)
   self.controls[#self.controls + 1] = { step = self.steps + 1, to = to, place = place, reason = reason }
 end
 
---- Numbers in a row.
+--- Numbers, joined.
 local function joined(values, format)
   local texts = lists.map(values, function(value) return format:format(value) end)
   return #texts > 0 and table.concat(texts, ", ") or "none"
 end
 
---- The attempts since the last accepted one, in words; nothing when there was only one.
+--- The attempts since the last accepted one, in words; an empty string if there was only one.
 local function tried_text(attempts, done)
   local tried = lists.filter(attempts, function(attempt) return not attempt.converged and attempt.from == done end)
   if #tried < 2 then return "" end
@@ -206,11 +206,11 @@ local function tried_text(attempts, done)
     local how = attempt.rescue and (" with %s"):format(attempt.rescue) or ""
     return ("%g%s (%s)"):format(attempt.to - done, how, attempt.reason)
   end)
-  local again = attempts[#attempts].again and " The whole step was tried from its start as well." or ""
-  return (" Tried from there, in parts of a step: %s.%s"):format(table.concat(texts, ", "), again)
+  local again = attempts[#attempts].again and " The whole step was also tried from its start." or ""
+  return (" Attempts, by fraction of the step: %s.%s"):format(table.concat(texts, ", "), again)
 end
 
---- Where in the model, in words: "contact point (contact 'interface', element 3) at X = (1, 2): changes its state".
+--- A place of the model, in words: "contact point in slave element 3 of contact 'c' at X = (1, 2): gap 0.1".
 local function place_text(place)
   return ("%s %sof %s '%s' at X = (%s): %s"):format(place.kind,
     place.kind == "contact point" and ("in slave element %d "):format(place.element) or
@@ -224,7 +224,7 @@ local function places_text(places)
   return #texts > 0 and " Worst places: " .. table.concat(texts, "; ") .. "." or ""
 end
 
---- Notes why a step was not reached. `turn`: where the path turns back, in words, if it does.
+--- Records why a step was not reached. `turn`: the turning point, in words, if there is one.
 function Run:record_failure(step, result, turn)
   local diagnosis = result.diagnosis or { reason = result.reason, message = result.message, cure = "", places = {} }
   self.failed, self.cause, self.places = true, turn and "turning_point" or diagnosis.reason, diagnosis.places
@@ -238,15 +238,14 @@ function Run:record_failure(step, result, turn)
   self.report = ("step %d (stage '%s', %d of %d) was not reached: %s.%s%s%s Residuals: %s. The model is at its last "
     .. "accepted %s."):format(self.steps + 1, step.stage.name, step.number, step.stage.steps,
       diagnosis.message ~= "" and diagnosis.message or diagnosis.reason,
-      result.shortest and (" The shortest step, %g of the user's, is still too long."):format(result.shortest) or "",
+      result.shortest and (" The smallest increment allowed, %g of the step, failed."):format(result.shortest) or "",
       tried_text(attempts, done), places_text(diagnosis.places),
       joined(result.residuals, "%.3g"), place)
   if turn then
-    self.report = ("%s The path has a turning point at %s: it turns back there, and only a jump to another branch "
-      .. "leads beyond it by prescribing targets; model:run(stages, { arc_length = true }) "
-      .. "follows it."):format(self.report, turn)
+    self.report = ("%s The path has a turning point at %s; prescribed targets can pass it only by a jump to another "
+      .. "branch. Hint: model:run(stages, { arc_length = true }) follows the path"):format(self.report, turn) .. "."
   elseif diagnosis.cure ~= "" then
-    self.report = ("%s What may help: %s."):format(self.report, diagnosis.cure)
+    self.report = ("%s Hint: %s."):format(self.report, diagnosis.cure)
   end
 end
 
@@ -257,16 +256,16 @@ function Run:keep_state(model, stage)
   self.kept[#self.kept + 1] = states.keep(model, self.steps, stage)
 end
 
---- What on_step sees after an accepted step: step, stage, iterations, residual, and every column's value by name.
+--- The argument of on_step: step, stage, iterations, residual, and every column's value by name.
 function Run:info(stage, result)
   local info = {}
   for name, values in pairs(self.values) do info[name] = values[self.rows] end
   info.stage, info.residual = stage.name, result.residuals[#result.residuals]
-  return named.strict("what on_step sees", info)
+  return named.strict("the argument of on_step", info)
 end
 
---- Closes the accounts: seconds in the bodies, in contact, in factorization and solve, and in all the rest. `early`:
---- warnings about the path.
+--- Closes the accounts: seconds in the bodies, in contact, in factorization and solve, and the rest. `early`: warnings
+--- about the path.
 function Run:finish(model, early)
   local now, spent = model:timings(), {}
   local rest = self.wall
@@ -329,7 +328,7 @@ local function work_row(name, work, cutbacks)
   return row
 end
 
---- A short table: steps, iterations and wall time by stage, and where the time went; cut-backs where there were any.
+--- A short table: steps, iterations and wall time by stage, and shares of the time; cut-backs if there were any.
 function Run:__tostring()
   local columns, cutbacks = { "stage", "steps", "iterations", "per step", "wall" }, self.cutbacks > 0
   if cutbacks then table.insert(columns, 3, "cut-backs") end

@@ -1,4 +1,4 @@
--- The stages that model:run is given, checked against the model.
+-- The stages of model:run, checked against the model.
 
 local core = require "signorini.core"
 local check = require "signorini.check"
@@ -9,7 +9,7 @@ local t = require "signorini.types"
 
 local where = "model:run"
 
---- The rows of a stage of this model: the targets, lists by driven component, behind those of every stage.
+--- The rows of a stage of this model: targets, lists by driven component, after the rows of every stage.
 local function rows_of(model)
   local rows = lists.joined(pages.rows "stage")
   for _, name in ipairs(model:driven_names()) do
@@ -26,7 +26,7 @@ local function read_stage(model, rows, index, stage)
   local label = ("stages[%d]"):format(index)
   for key in pairs(stage) do
     if drives.is_support(model, key) and #model:driven(key) == 0 then
-      core.fail(("%s: %s: the support '%s' is not driven: give it drive = \"x\", \"xy\" or the like in sg.model")
+      core.fail(("%s: %s: the support '%s' is not driven. Hint: give it drive = \"x\", \"xy\" or the like in sg.model")
         :format(where, label, key))
     end
   end
@@ -41,7 +41,7 @@ end
 --- The stages, each { name, steps, targets (by support or load) }, and their steps in all.
 return function(model, stages)
   if #model:driven_names() + #model:support_names() + #model:contact_names() == 0 then
-    core.fail(where .. ": nothing holds, moves or loads the model: name supports or loads in sg.model, such as "
+    core.fail(where .. ": the model has neither supports nor loads. Hint: name some in sg.model, such as "
       .. "supports = { bed = { on = body:face \"south\", fix = \"xy\" } }")
   end
   local rows, read, total = rows_of(model), {}, 0

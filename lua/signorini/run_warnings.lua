@@ -1,7 +1,7 @@
--- What a run may be wrong in although it completed: what sg.model said of the scene, loads that are not ramped,
--- tolerances that leave no accuracy, contacts of which no point was ever active (the wrong face, or a body that misses
--- the other), contacts that are penetrated too deeply, points that have gone through the master in one step, points
--- whose projection was given up, and what path_controls.lua, jumps.lua and energy_balance.lua find.
+-- Warnings about a run although it completed: those of sg.model about the scene, loads that are not ramped, loose
+-- tolerances, contacts without any active point (wrong face, or a body that misses the other), deep penetration, points
+-- that passed through the master in one step, failed projections, and those of path_controls.lua, jumps.lua and
+-- energy_balance.lua.
 
 local counted = require "signorini.counted"
 local energy_balance = require "signorini.energy_balance"
@@ -12,8 +12,8 @@ local path_controls = require "signorini.path_controls"
 
 local run_warnings = {}
 
---- Whether something was transmitted at some row of the run, or is now, between two rows, where a step has failed:
---- under adhesion a force, wherever the bodies are.
+--- Whether a contact transmitted a force at some row of the run, or does now, between two rows, where a step has
+--- failed. Under adhesion this is possible at any distance of the bodies.
 local function ever_acts(run, model, contact)
   local now = model:contact_resultant(contact)
   return lists.any({ "area", "fx", "fy", "fz" }, function(key)
@@ -22,18 +22,18 @@ local function ever_acts(run, model, contact)
   end)
 end
 
---- A sentence for each contact of the model that never touched in the rows of a run, with the least gap at its end.
+--- A sentence for a contact that never touched in the rows of a run, with the smallest gap at its end.
 local function untouched(run, model, contact)
   if ever_acts(run, model, contact) then return nil end
   local least = math.huge
   for _, gap in ipairs(model:profile(contact).gap) do
-    if gap < least then least = gap end -- not so where the master is not opposite: there it is nan
+    if gap < least then least = gap end -- false for nan, where the master is not opposite
   end
-  return ("contact '%s' never touched; least gap %s"):format(contact,
-    least < math.huge and ("%.4g"):format(least) or "unknown: the master is opposite to no point")
+  return ("contact '%s' never touched; smallest gap %s"):format(contact,
+    least < math.huge and ("%.4g"):format(least) or "unknown, because no point has a foot point on the master")
 end
 
---- The largest extent, along an axis, of the smallest body.
+--- The size of the smallest body: its largest extent along an axis.
 local function smallest_size(model)
   local function size(name)
     return math.max(table.unpack(lists.map(lists.ranges(model:body(name):points()), function(range)
@@ -44,10 +44,10 @@ local function smallest_size(model)
   return name and size(name) or math.huge, name
 end
 
--- Where points sink in by more than this part of the smallest body the penalty is no longer a detail of the method.
+-- Above this penetration, as a fraction of the size of the smallest body, the penalty parameter affects the result.
 local deep = 0.02
 
---- A sentence for a contact that was penetrated deeply at some row of a run.
+--- A sentence for a contact with deep penetration at some row of a run.
 local function penetrated(run, model, contact)
   local most, at = 0, nil
   for row, depth in ipairs(run.values[contact .. ".max_penetration"] or {}) do
@@ -55,15 +55,15 @@ local function penetrated(run, model, contact)
   end
   local size, body = smallest_size(model)
   if most <= deep * size then return nil end
-  return ("contact '%s' is penetrated by %.3g in step %s, %.2g %% of the size of body '%s': a higher penalty "
-    .. "lets less in"):format(contact, most, run.values.step[at], 100 * most / size, body)
+  return ("contact '%s' is penetrated by %.3g in step %s, %.2g %% of the size of body '%s'. Hint: raise "
+    .. "the penalty"):format(contact, most, run.values.step[at], 100 * most / size, body)
 end
 
-local loose_tolerance = 1e-3 -- of the forces of the run
+local loose_tolerance = 1e-3 -- relative to the forces of the run
 
-local told = setmetatable({}, { __mode = "k" }) -- models whose loads were spoken of
+local told = setmetatable({}, { __mode = "k" }) -- models that have been warned about
 
---- A sentence, once for each model, for loads that it carries from the first step on because no stage changes them.
+--- A sentence, once for each model, for loads that act from the first step on because no stage changes them.
 local function constant_loads(model, path)
   if told[model] then return nil end
   told[model] = true
@@ -74,12 +74,12 @@ local function constant_loads(model, path)
     #names == 1 and "s" or "")
 end
 
---- What can be said of a path before it is taken, in sentences.
+--- Warnings about a path before it is followed.
 function run_warnings.of_path(model, path, solver)
   local texts = { constant_loads(model, path) }
   if solver.tolerance > loose_tolerance then
-    texts[#texts + 1] = ("newton.tolerance = %g: steps count as converged with unbalanced forces of this part of the "
-      .. "run's forces, expected at most %g. Hint: the default is 1e-10"):format(solver.tolerance, loose_tolerance)
+    texts[#texts + 1] = ("newton.tolerance = %g: steps count as converged with unbalanced forces of this fraction of "
+      .. "the run's forces, expected at most %g. Hint: the default is 1e-10"):format(solver.tolerance, loose_tolerance)
   end
   return texts
 end
@@ -89,7 +89,7 @@ local function position(point)
   return table.concat(lists.map(point, function(x) return ("%.4g"):format(x) end), ", ")
 end
 
---- A sentence for a contact some of whose points were taken where a search had to give up.
+--- A sentence for a contact with projections that ended at their limit of iterations.
 local function unsettled(run, contact)
   local found = run.unsettled[contact]
   if not found then return nil end
@@ -99,17 +99,17 @@ local function unsettled(run, contact)
       counted(found.count, "time"), position(found.at))
 end
 
---- A sentence for a contact whose slave points have gone through the master in one step, which no contact saw.
+--- A sentence for a contact whose slave points passed through the master in one step.
 local function crossed(run, contact)
   local found = run.crossed[contact]
   if not found then return nil end
   return ("contact '%s': in step %s points of the slave face passed through the master, the last of %s at X = "
-    .. "(%s): the bodies moved farther in one increment than they are thick, and contact saw nothing of it. Hint: take "
+    .. "(%s): in one increment the bodies moved farther than their thickness, so contact was not detected. Hint: take "
     .. "shorter steps, of less than half of the thinner body's thickness each"):format(contact, found.step,
       counted(found.count, "point"), position(found.at))
 end
 
---- What a run warns of, in sentences; those of model:warnings() and about the path come first.
+--- The warnings of a run; those of model:warnings() and about the path come first.
 function run_warnings.of_run(run, model, early)
   local texts = lists.joined(model:warnings(), early)
   for _, contact in ipairs(run.rows > 0 and model:contact_names() or {}) do

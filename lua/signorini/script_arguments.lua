@@ -1,4 +1,4 @@
--- sg.arguments: the arguments name=value that stand behind a script's name on the command line.
+-- sg.arguments: the arguments name=value after a script's name on the command line.
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -12,8 +12,8 @@ local where = "sg.arguments"
 
 -- ── Words ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The words of the script that calls: what its chunk was called with, by the program or by another script as a
---- function; without any, what the program was called with.
+--- The arguments of the calling script: those of its chunk, which the program or another script passes; without any,
+--- those of the program.
 local function words_of_script()
   for level = 2, math.huge do
     local frame = debug.getinfo(level, "S")
@@ -29,22 +29,22 @@ local function words_of_script()
   end
 end
 
---- Ends the script with words for who typed the command: a message of one line, of which the program shows no
---- traceback (src/repl/interpreter.cpp).
+--- Ends the script with a message of one line for the person at the command line, without a traceback
+--- (src/repl/interpreter.cpp).
 local Refusal = { __name = "refused argument", without_traceback = true }
 function Refusal.__tostring(refusal) return refusal.message end
 local function refuse(message) error(setmetatable({ message = message }, Refusal), 0) end
 
 -- ── Values on the command line ───────────────────────────────────────────────────────────────────────────────────────
 
---- The kind of a value's type (signorini.types); nil when an argument cannot have it.
+--- The kind of a value's type (signorini.types); nil if an argument cannot have it.
 local function kind_of(value)
   if type(value) == "string" then return "text" end
   if type(value) == "boolean" then return "flag" end
   return math.type(value) and (math.type(value) == "integer" and "integer" or "number")
 end
 
---- The kind of a list's entries: numbers when there are both whole ones and others, texts when the list is empty.
+--- The kind of a list's entries: numbers if there are both whole and other numbers, text if the list is empty.
 local function kind_of_entries(list)
   local function all(a, b)
     return not lists.any(list, function(entry) return kind_of(entry) ~= a and kind_of(entry) ~= (b or a) end)
@@ -52,7 +52,7 @@ local function kind_of_entries(list)
   return all "text" and "text" or all "integer" and "integer" or all("integer", "number") and "number" or nil
 end
 
---- A value as it would stand on the command line.
+--- A value as written on the command line.
 local function text_of(value)
   if type(value) == "boolean" then return value and "yes" or "no" end
   if type(value) == "number" then return core.number_text(value) end
@@ -60,7 +60,7 @@ local function text_of(value)
   return #value > 0 and table.concat(map(value, text_of), ",") or "none"
 end
 
---- The value that a text stands for; nil when it stands for none. Numbers are never integers, whose products can
+--- The value of a text; nil if the text is not valid. Numbers are never integers, because products of integers can
 --- overflow.
 local function parse(kind, text)
   if kind == "text" then return text end
@@ -75,11 +75,11 @@ end
 
 -- ── What a script declares ───────────────────────────────────────────────────────────────────────────────────────────
 
---- The default of an argument, and what restricts it.
+--- The default of an argument, and its restrictions.
 local function split(name, given)
   if type(given) == "table" and next(given) == nil then
-    core.fail(("%s: the default of %s is an empty table: write { {}, none = true } for a list of strings that may be "
-      .. "empty"):format(where, name))
+    core.fail(("%s: the default of %s is an empty table. Hint: write { {}, none = true } for a list of strings "
+      .. "that may be empty"):format(where, name))
   end
   local restrictions = {}
   for key, value in pairs(type(given) == "table" and given or {}) do
@@ -87,7 +87,7 @@ local function split(name, given)
   end
   if next(restrictions) == nil then return given, {} end
   if #given > 1 then
-    core.fail(("%s: %s has a list as default and restrictions: write { { %s, … }, … }"):format(where, name,
+    core.fail(("%s: %s has a list as default and restrictions. Hint: write { { %s, … }, … }"):format(where, name,
       text_of(given[1])))
   end
   return given[1], check.value(types.named "argument", restrictions, where, name)
@@ -106,7 +106,7 @@ local function check_restrictions(argument)
   local name, kind = argument.name, argument.kind
   for _, limit in ipairs { "at_least", "above", "at_most", "below" } do
     if argument[limit] and kind ~= "integer" and kind ~= "number" then
-      core.fail(("%s: %s.%s is for numbers, and %s is not one"):format(where, name, limit, name))
+      core.fail(("%s: %s.%s is allowed only for numbers, and %s is not a number"):format(where, name, limit, name))
     end
   end
   for i, choice in ipairs(argument.choices or {}) do
@@ -116,10 +116,10 @@ local function check_restrictions(argument)
     end
   end
   if (argument.check == nil) ~= (argument.expected == nil) then
-    core.fail(("%s: %s needs both check, a function, and expected, what it asks for in words"):format(where, name))
+    core.fail(("%s: %s needs both check, a function, and expected, its condition in words"):format(where, name))
   end
   if argument.none and not argument.list then
-    core.fail(("%s: %s.none is for lists, and the default is not one"):format(where, name))
+    core.fail(("%s: %s.none is allowed only for lists, and the default is not a list"):format(where, name))
   end
 end
 
@@ -170,20 +170,20 @@ local function declare(defaults)
   return known
 end
 
---- The argument that chooses a variant; nil when there is none.
+--- The argument that selects a variant; nil if there is none.
 local function chooser_of(known)
   local found = lists.filter(sorted(known), function(name) return known[name].variants end)
   if #found > 1 then core.fail(("%s: both %s and %s have variants"):format(where, found[1], found[2])) end
   return known[found[1]]
 end
 
---- The further arguments by variant; empty when there is no such choice.
+--- The further arguments by variant; empty without variants.
 local function declare_variants(chooser)
   local further = {}
   for variant, defaults in pairs(chooser and chooser.variants or {}) do
     further[variant] = declare(defaults)
     if further[variant][chooser.name] or chooser_of(further[variant]) then
-      core.fail(("%s: the variant %s chooses once more"):format(where, variant))
+      core.fail(("%s: the variant %s has variants itself"):format(where, variant))
     end
   end
   return further
@@ -196,7 +196,7 @@ local function listed(known)
   return map(sorted(known), function(name) return name .. "=" .. text_of(known[name].default) end)
 end
 
---- One line per argument: its default and what it must be, one below the other unless a default is very long.
+--- One line per argument: its default and its condition, aligned unless a default is very long.
 local function page_of(known)
   local most, texts = 54, listed(known)
   local width = math.max(0, table.unpack(map(texts, function(text) return math.min(utf8.len(text), most) end)))
@@ -212,7 +212,7 @@ local function help(common, chooser, further)
   for _, variant in ipairs(chooser and chooser.choices or {}) do
     lines = lists.joined(lines, { ("with %s=%s also:"):format(chooser.name, variant) }, page_of(further[variant]))
   end
-  print(table.concat(lines, "\n") .. "\nSeveral values have commas in between: a,b,c.")
+  print(table.concat(lines, "\n") .. "\nSeparate several values by commas: a,b,c.")
   os.exit(true, true)
 end
 
@@ -224,7 +224,7 @@ local function refuse_value(argument, text, part)
     argument.kind == "text" and meant(part, argument.choices or {}) or ""))
 end
 
---- An argument's value: the default, or what was given for it.
+--- An argument's value: given, or the default.
 local function value_of(argument, text)
   local list, default = {}, argument.default
   if text == nil then return argument.list and lists.joined(default) or default end
@@ -239,7 +239,7 @@ local function value_of(argument, text)
   return list[1]
 end
 
---- Refuses words that mean no known argument.
+--- Rejects unknown arguments.
 local function check_words(texts, odd, known, chooser, further)
   local scope = chooser and (" with %s=%s"):format(chooser.name, chooser.chosen) or ""
   local function refuse_word(word, hint)
@@ -264,7 +264,7 @@ return function(defaults, words)
   for _, word in ipairs(words or words_of_script()) do
     if word == "help" or word == "--help" then help(common, chooser, further) end
     local name, text = word:match "^([%w_]+)=(.*)$"
-    if name then texts[name] = text else odd = odd or word end -- the later of two counts
+    if name then texts[name] = text else odd = odd or word end -- of repeated arguments the last counts
   end
   local options = {}
   if chooser then chooser.chosen = value_of(chooser, texts[chooser.name]) end

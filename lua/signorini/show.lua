@@ -1,5 +1,4 @@
--- How the prompt shows values: numbers and texts as one would write them, tables two levels deep and cut where they are
--- long.
+-- How the prompt shows values: numbers and strings as in code, tables two levels deep and shortened if long.
 
 local language = require "signorini.show.language"
 local object_text = require "signorini.show.objects"
@@ -25,7 +24,7 @@ local function sorted_keys(value)
   return keys
 end
 
---- A text in quotes, cut where it is very long, at the end of a character.
+--- A text in quotes, shortened if very long, at the end of a character.
 local function quoted(value)
   if #value <= longest then return (("%q"):format(value):gsub("\\\n", "\\n")) end
   local most = longest
@@ -58,7 +57,7 @@ local function table_text(value, level, indent)
   return "{\n" .. inner .. table.concat(entries, ",\n" .. inner) .. "\n" .. indent .. "}"
 end
 
---- One value; tables and objects that know how to write themselves do so.
+--- One value; tables and objects with __tostring use that.
 function text(value, level, indent)
   if type(value) == "string" then return level == 1 and value:find "\n" and value or quoted(value) end
   if value ~= value then return "nan" end -- without the sign that the C library may print

@@ -1,5 +1,5 @@
--- sg.stability_map: where over two parameters the solve holds, and where and why it fails. A map is a study: each cell
--- is a case, so that a crash or an endless loop is an outcome like others.
+-- sg.stability_map: convergence map over two parameters: where the solve converges, and where and why it fails. A map
+-- is a study: each cell is a case, so that a crash or an endless loop is also an outcome.
 
 local core = require "signorini.core"
 local accepted = require("signorini.path_controls").accepted
@@ -23,9 +23,9 @@ Map.__index = Map
 Map.__name = "stability map"
 core.types.map = Map
 
--- ── One cell: a model is built and taken along its path ──────────────────────────────────────────────────────────────
+-- ── One cell: a model is built and follows its path ──────────────────────────────────────────────────────────────────
 
---- How far a run came, 0 to 1: whole steps, and of the one that failed the part that was accepted.
+--- The fraction of a path that a run completed: whole steps, and the accepted fraction of the one that failed.
 local function reached(run, stages)
   local total, done = 0, run.steps
   for _, stage in ipairs(stages) do total = total + stage.steps end
@@ -37,7 +37,7 @@ local function reached(run, stages)
   return done / total
 end
 
---- The user's figures; those that are no finite numbers are left out.
+--- The user's figures; those that are not finite numbers are left out.
 local function read_figures(figures)
   local kept = {}
   check.value(types.map { kind = "number", gaps = true }, figures, where, "the result of figures")
@@ -47,11 +47,11 @@ local function read_figures(figures)
   return kept
 end
 
---- Solves the cell at x, y with these functions: what a case of the study returns. Errors of theirs pass.
+--- Solves the cell at x, y with these functions and returns the result of the study's case. Their errors propagate.
 local function solve_cell(functions, x, y)
   local model = functions.scene(x, y)
   if type(model) ~= "userdata" and type(model) ~= "table" then
-    core.fail(("%s: scene must return a model, it returned %s"):format(where,
+    core.fail(("%s: scene must return a model, got %s"):format(where,
       model and core.describe(model) or "nothing"))
   end
   local stages, options = functions.path(model, x, y)
@@ -67,15 +67,15 @@ end
 
 -- ── The file ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
--- Of a map's file: its cells, and a title that says which map's they are.
+-- A map's file: its cells, and a title that identifies the map.
 local columns = { "x", "y", "outcome", "reached", "steps", "increments", "iterations", "cutbacks", "rescues", "wall",
                   "place", "report" }
 
 local function title(map)
-  return (("stability map: %s; x: %s; y: %s"):format(map.name, map.x.name, map.y.name):gsub("[\r\n]+", " "))
+  return (("convergence map: %s; x: %s; y: %s"):format(map.name, map.x.name, map.y.name):gsub("[\r\n]+", " "))
 end
 
---- Writes a map's cells, one a row, for the function `where`.
+--- Writes a map's cells, one per row, for the function `where`.
 local function write_file(where, name, map)
   local figures = values.figure_names(map.cells)
   local rows = lists.map(map.cells, function(cell)
@@ -87,17 +87,17 @@ local function write_file(where, name, map)
   in_name_of(where, "sg.csv.write", csv.write, name, { columns = heads, rows = rows, comments = { title(map) } })
 end
 
---- Whether there is a file of this map. One of anything else, or with cells that no folder keeps, is an error: it is
---- not overwritten.
+--- Whether the map's file exists. If it belongs to something else, or no folder keeps its cells, this is an error, so
+--- that it is not overwritten.
 local function is_there(where, name, map)
   if not core.exists(name) then return false end
   local data, folder = in_name_of(where, "sg.csv.read", csv.read, name), map.study.folder
   if data.comments[1] ~= title(map) then
-    core.fail(("%s: '%s' holds something else (%s) than this map (%s): remove it, or choose another file")
+    core.fail(("%s: '%s' contains something other (%s) than this map (%s). Hint: remove it, or choose another file")
       :format(where, name, data.comments[1] or "without a title", title(map)))
   end
   if #data.rows > 0 and not core.exists(folder) then
-    core.fail(("%s: the cells in '%s' cannot be taken up, because the folder '%s' is not there: bring it back, or "
+    core.fail(("%s: the cells in '%s' cannot be continued, because the folder '%s' is missing. Hint: restore it, or "
       .. "remove the file"):format(where, name, folder))
   end
   return true
@@ -105,11 +105,12 @@ end
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
---- Raises an error unless a parameter can have its name, and each of its values is there once.
+--- Raises an error unless a parameter can have its name, and each of its values occurs once.
 local function check_axis(key, axis)
   local seen = {}
-  if axis.name == "cell" or lists.holds(values.accounts, axis.name) then -- a case of the study has them for itself
-    core.fail(("%s: %s.name cannot be '%s', which every cell has: choose another name"):format(where, key, axis.name))
+  if axis.name == "cell" or lists.holds(values.accounts, axis.name) then -- columns of every case of a study
+    core.fail(("%s: %s.name cannot be '%s', a column of every cell. Hint: choose another name"):format(where, key,
+      axis.name))
   end
   for _, value in ipairs(axis.values) do
     if seen[value] then core.fail(("%s: %s.values has %s twice"):format(where, key, core.describe(value))) end
@@ -117,7 +118,7 @@ local function check_axis(key, axis)
   end
 end
 
---- The cases of the study in the order of the cells: y by y.
+--- The cases of the study in the order of the cells: row by row of y.
 local function cases_of(x, y)
   return setmetatable(grid({ [y.name] = y.values }, { [x.name] = x.values }), { parameters = { x.name, y.name } })
 end
@@ -127,7 +128,7 @@ local function new_map(options)
   local x, y, name = options.x, options.y, options.file
   check_axis("x", x)
   check_axis("y", y)
-  if x.name == y.name then core.fail(("%s: x.name and y.name are both '%s', not two"):format(where, x.name)) end
+  if x.name == y.name then core.fail(("%s: x.name and y.name must differ, both are '%s'"):format(where, x.name)) end
   local parts = { scene = options.scene, path = options.path, figures = options.figures }
   local study = in_name_of(where, "sg.study", make_study, {
     name = options.name, cases = cases_of(x, y), parts = parts, folder = name and name:gsub("%.csv$", "") .. ".cells",
@@ -138,7 +139,7 @@ end
 
 -- ── Cells ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The cell of a case: what it returned, or what became of it.
+--- The cell of a case: its result, or its outcome.
 local function cell_of(entry, record, map)
   local cell = record.figures.cell or { outcome = record.outcome, report = record.traceback or record.reason,
                                         wall = record.wall, figures = {} }
@@ -146,7 +147,7 @@ local function cell_of(entry, record, map)
   return cell
 end
 
---- Makes the cells anew from the study's records, and their file.
+--- Rebuilds the cells from the study's records, and writes their file.
 local function gather(map)
   map.cells, map.by_case = {}, {}
   for i, entry in ipairs(map.study.cases) do
@@ -207,10 +208,10 @@ function Map:compare(other)
   return result
 end
 
---- How many cells were held, the table, and the first error, if there was one.
+--- The number of converged cells, the table, and the first error, if there was one.
 function Map:__tostring()
   local held, total = self:held()
-  local text = ("%s: %d of %s held\n%s"):format(self.name, held, counted(total, "cell"), self:table())
+  local text = ("%s: %d of %s converged\n%s"):format(self.name, held, counted(total, "cell"), self:table())
   local lost = lists.filter(self.cells, function(cell) return cell.outcome == "error" end)[1]
   return lost and ("%s\nerror at %s, %s: %s"):format(text, lost.x, lost.y, lost.report) or text
 end
@@ -218,7 +219,7 @@ end
 return function(options)
   local map = new_map(options)
   if map.file and not is_there(where, map.file, map) then
-    write_file(where, map.file, map) -- a file that cannot be written shows now, not after the first cell
+    write_file(where, map.file, map) -- a file that cannot be written is reported now, not after the first cell
     map.study.fresh = true
   end
   map.study.on_record = function() gather(map) end

@@ -1,4 +1,4 @@
--- What a run keeps of its states, for pictures of the path: model:run(stages, { states = … }) and run:states().
+-- The states that a run keeps, for pictures of the path: model:run(stages, { states = … }) and run:states().
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -20,7 +20,7 @@ local function set_of(where, list, total)
   return set
 end
 
---- The steps of so many states, evenly spread from the start to the end.
+--- The steps of a number of states, evenly distributed from the start to the end.
 local function spread(count, total)
   local set = {}
   for i = 0, count - 1 do set[(i * total + (count - 1) // 2) // (count - 1)] = true end
@@ -39,8 +39,8 @@ end
 
 local states = {}
 
---- What the option asks for: a function of a step and of what makes its `info`, and whether the last state of all is
---- kept whatever it is.
+--- What the option requests: a function of a step and of a function that returns its `info`, and whether the very last
+--- state is kept in any case.
 function states.read(where, wanted, path, total)
   if type(wanted) == "function" then
     return { wants = function(step, info) return step > 0 and wanted(info()) end, last = false }

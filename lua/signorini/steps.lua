@@ -1,32 +1,32 @@
--- How a step of the user's is reached: the policies of model:run. A policy is an object with two functions: take(step),
--- which ends with the result of the last attempt: converged when the step was reached. `step` is made by run.lua:
---   step.done          the part of the step that is accepted so far, 0 to 1
---   step.solver        what model:solve_step takes
---   step:attempt(to, shorter)  solves for the targets at the part `to` of the step; accepts, or rolls back; returns the
---                      result. `shorter`: where it fails a shorter one will follow
---   step:attempt_from_start()  solves for the whole step from the state before it; where that fails it is as it was
---   step:moves()       says whether anything that is prescribed changes in the step
---   step:has_rescues() says whether something is tried where an attempt has failed
---   step:cut_back()    says that a failed attempt is tried again, shorter
--- and another, shorten(step), which makes the next attempts at this step half as long and says whether it could.
--- What a policy carries from one step to the next stands in its table `memory`, as plain data: checkpoints keep it.
--- A policy may be asked to go on where another one has given up: it starts at step.done.
+-- How a step of the path is solved: the policies of model:run. A policy is an object with two functions: take(step),
+-- which returns the result of the last attempt: converged if the step was reached. `step` is made by run.lua:
+--   step.done          the fraction of the step that is accepted so far, 0 to 1
+--   step.solver        the arguments of model:solve_step
+--   step:attempt(to, shorter)  solves for the targets at the fraction `to` of the step; accepts, or rolls back; returns
+--                      the result. `shorter`: a shorter attempt follows a failure
+--   step:attempt_from_start()  solves for the whole step from the state before it; after a failure nothing has changed
+--   step:moves()       whether anything that is prescribed changes in the step
+--   step:has_rescues() whether there are fallbacks for a failed attempt
+--   step:cut_back()    counts a failed attempt that is repeated with a shorter one
+-- and shorten(step), which halves the length of the next attempts at this step and returns whether that is possible.
+-- Data that a policy keeps from one step to the next is in its table `memory`, as plain data, which checkpoints save.
+-- A policy can continue where another one has failed: it starts at step.done.
 
 local steps = {}
 
-local rounding = 1e-9 -- parts of a step closer than this are the same
+local rounding = 1e-9 -- fractions of a step closer than this are the same
 
 -- ── Equal steps ──────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local Plain = {}
 Plain.__index = Plain
 
---- Each step at once; one that fails ends the run.
+--- Each step in one increment; a failure ends the run.
 function steps.plain() return setmetatable({}, Plain) end
 
 function Plain:take(step) return step:attempt(1) end
 
---- Whether a step can be taken in attempts half as long.
+--- Whether a step can be solved in attempts half as long.
 function Plain:shorten() return false end
 
 -- ── Cutting in half ──────────────────────────────────────────────────────────────────────────────────────────────────
@@ -34,26 +34,25 @@ function Plain:shorten() return false end
 local Halving = {}
 Halving.__index = Halving
 
---- Increments of at most `max` steps: one that fails is cut in half, down to `min`; after an easy one the next may be
---- `growth` times as long. Its length outlives the step, so that a rough stretch of the path is not begun with failures
---- at each of its steps.
+--- Increments of at most `max` steps: a failed one is halved, down to `min`; after an easy one the next may be `growth`
+--- times as long. The length is kept from step to step, so that in a difficult part of the path not every step begins
+--- with failures.
 function steps.halving(options)
   return setmetatable({ memory = { length = options.max }, min = options.min, max = options.max,
                         growth = options.growth }, Halving)
 end
 
---- Whether an attempt ended because somebody wants the run to end.
+--- Whether an attempt was ended by the user.
 function steps.is_asked_for(result) return result.reason == "interrupted" or result.reason == "stopped" end
 
---- Whether an attempt ended because somebody wanted it to, not because it failed: there is nothing to diagnose or
---- rescue.
+--- Whether an attempt was ended on request and did not fail: then there is no diagnosis and no fallback.
 function steps.is_wanted(result) return result.reason == "cut" or steps.is_asked_for(result) end
 
---- Newton has converged in half of the iterations that it may take.
+--- Newton has converged in half of the allowed iterations.
 local function is_easy(result, solver) return 2 * result.iterations <= solver.iterations end
 
---- The last resort where the shortest step fails: all that is left of the step at once, with all that may carry it
---- through; then all of it from its start, since its accepted increments may have led to where nothing goes on.
+--- The last resort if the smallest increment fails: the rest of the step at once, with all fallbacks; then the whole
+--- step from its start, because its accepted increments may have led to a state without a neighboring equilibrium.
 local function leap(step, failed)
   if not step:has_rescues() then return failed end
   local result = step:attempt(1)
@@ -68,7 +67,7 @@ function Halving:take(step)
   repeat
     local rest = 1 - step.done
     local length = memory.length < rest - rounding and memory.length or rest
-    local moves = step:moves() -- where nothing does a shorter attempt solves the same equations
+    local moves = step:moves() -- otherwise a shorter attempt solves the same equations
     local last = not moves or length / 2 < self.min - rounding
     result = step:attempt(length == rest and 1 or step.done + length, not last)
     if result.converged then

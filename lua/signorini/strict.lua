@@ -1,8 +1,8 @@
--- Reading a variable that was never set is an error in every script: a misspelt name must not pass as nil.
+-- Reading an undefined variable is an error in every script, so that a misspelled name is not read as nil.
 
 local core = require "signorini.core"
 
---- The names that can be read where a function stands: its local variables, its upvalues, and the globals.
+--- The names that are visible where a function is called: its local variables, its upvalues, and the globals.
 local function names_in_sight(level)
   local names = {}
   local function add(get, of)
@@ -20,9 +20,9 @@ end
 
 local function cure(name, level)
   if name == "sg" then return [[; write local sg = require "signorini" at the top]] end
-  if name == "help" then return "; in a script it is sg.help, of local sg = require \"signorini\"" end
+  if name == "help" then return "; in a script it is sg.help, with local sg = require \"signorini\"" end
   if name == "exit" or name == "quit" then
-    return "; alone on a line of the prompt it leaves that, os.exit() ends a script"
+    return "; alone on a line it ends the prompt; os.exit() ends a script"
   end
   if name == "_" then return "; at the prompt it is the last result, once there is one" end
   if core.line_locals and core.line_locals[name] then

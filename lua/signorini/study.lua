@@ -1,4 +1,4 @@
--- sg.study: a function solved for many cases, its results kept in a folder, and methods that read them.
+-- sg.study: a function evaluated for many cases, its results kept in a folder, and methods to read them.
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -16,14 +16,14 @@ local Study = lists.merged({ execute = execute.verb, __name = "study" }, verbs)
 Study.__index = Study
 core.types.study = Study
 
--- A part of a study has no cases but the whole that it was taken from, what it is not given has no inputs, and one that
--- keeps nothing has no folder. All else that is not there is misspelt.
+-- Fields that some studies lack: parts of a study have no cases but `whole`, and without a folder nothing is kept. All
+-- other unknown names are misspelled.
 named.strict_type(Study, "study", "cases inputs whole folder parts fresh on_record")
 
 -- ── From records to rows ─────────────────────────────────────────────────────────────────────────────────────────────
 
---- The row of a case: its parameters and figures by name, wall (s; the figure of that name where run returned one), and
---- failed, outcome, reason of a case that did not come out.
+--- The row of a case: its parameters and figures by name, wall (s; the figure of that name if run returned one), and
+--- failed, outcome, reason of a failed case.
 function Study:row_of(entry, record)
   local row = lists.merged({ wall = record.wall }, entry.case, record.figures)
   if record.outcome ~= "done" then
@@ -32,7 +32,7 @@ function Study:row_of(entry, record)
   return row
 end
 
---- Makes the rows anew from the records of the cases that are known.
+--- Rebuilds the rows from the records of the known cases.
 function Study:gather()
   self.rows, self.figures = {}, figure_names(self.records)
   for i, entry in ipairs(self.cases) do
@@ -41,7 +41,9 @@ function Study:gather()
 end
 
 function Study:read()
-  if not self.cases then core.fail "study:read: this is a part of a study: read the study that it was taken from" end
+  if not self.cases then
+    core.fail "study:read: this is a part of a study. Hint: read the study from which it was taken"
+  end
   store.check("study:read", self)
   self.records = lists.map(self.cases, function(entry) return (store.read(self, entry)) end)
   self:gather()
@@ -50,9 +52,9 @@ end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A study of what is read already. Besides what sg.study takes: no folder (nothing is kept), `fresh` (what the folder
---- holds goes first), `parts` (by name, what the results depend on, where that is not `run`), and on_record(), called
---- when records of cases were read or written.
+--- A study of checked arguments. In addition to those of sg.study: no folder (nothing is kept), `fresh` (the folder is
+--- emptied first), `parts` (by name, what the results depend on, if that is not `run`), and on_record(), called when
+--- records of cases were read or written.
 local function make(study)
   study.records, study.unsaved, study.rows, study.figures = {}, {}, {}, {}
   study.alone, study.units = study.alone or false, study.units or {}
@@ -61,11 +63,11 @@ local function make(study)
   return setmetatable(study, Study)
 end
 
---- The name of a study's folder below out/, from its own name.
+--- The name of a study's folder below out/, from the study's name.
 local function folder_name(name)
   local stem = name:gsub("[^%w.=+()-]+", "_")
   if name:find "^%s*$" or stem == "." or stem == ".." then
-    check.reject(where, "name", "a string that can name a folder", name)
+    check.reject(where, "name", "a string that is valid as the name of a folder", name)
   end
   return stem
 end

@@ -4,7 +4,7 @@ local check_rows = require "signorini.table_rows"
 local check = require "signorini.check"
 local lists = require "signorini.lists"
 
---- A cell as text: by the column's format, whole numbers as such, others with six digits, nothing as a dash.
+--- A cell as text: by the column's format, whole numbers unchanged, others with six digits, a dash for nil.
 local function cell_text(value, format)
   if value == nil then return "–" end
   if type(value) ~= "number" then return tostring(value) end
@@ -17,7 +17,7 @@ local function pad(text, width, right)
   return right and blanks .. text or text .. blanks
 end
 
---- Formats must be patterns for one number.
+--- Checks that formats are patterns for one number.
 local function check_formats(formats)
   for key, format in pairs(formats) do
     local fits, text = pcall(string.format, format, 1)

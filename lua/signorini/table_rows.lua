@@ -3,7 +3,7 @@
 local core = require "signorini.core"
 local counted = require "signorini.counted"
 
---- Raises an error unless the rows of a table have no more cells than there are columns.
+--- Raises an error if a row of a table has more cells than there are columns.
 return function(where, rows, columns)
   for i, row in ipairs(rows) do
     for key in next, row do

@@ -1,5 +1,5 @@
--- sg.work_precision: the cases of a study as error against time, one curve per discretization, and what one takes of
--- the other's time at equal error. It interpolates between cases and never goes beyond them.
+-- sg.work_precision: work–precision diagram of a study, one curve per discretization, and equal-accuracy cost ratios.
+-- It interpolates between cases and never extrapolates.
 
 local core = require "signorini.core"
 local cut = require "signorini.cut"
@@ -10,7 +10,7 @@ local quantity = require "signorini.study.quantity"
 local values = require "signorini.study.values"
 
 local where = "sg.work_precision"
-local widest = 80 -- characters of a reason that is printed
+local widest = 80 -- characters of a printed reason
 local most_marks = 16 -- as many markers as charts have
 
 local Result = {}
@@ -18,21 +18,21 @@ Result.__index = Result
 Result.__name = "work-precision comparison"
 core.types.comparison = Result
 
--- ── Points of error and time, their front, and times at equal error ──────────────────────────────────────────────────
+-- ── Points of error and time, Pareto front, and times at equal error ─────────────────────────────────────────────────
 
 local function before(a, b)
   if a.time ~= b.time then return a.time < b.time end
   return a.error < b.error
 end
 
---- The points, by time; where times are equal, the better one first.
+--- The points by time; at equal times, the smaller error first.
 local function sorted(points)
   local list = lists.joined(points)
   table.sort(list, before)
   return list
 end
 
---- The points that no other one beats in time or error without being worse in the other; by time.
+--- The Pareto front: points that no other one beats in time or error without being worse in the other; by time.
 local function front_of(points)
   local front = {}
   for _, point in ipairs(sorted(points)) do
@@ -42,14 +42,14 @@ local function front_of(points)
   return front
 end
 
---- The errors that a curve reaches at times that are known: from its least one to that of its cheapest point, which
---- might have been cheaper still at any larger error.
+--- The errors that a curve reaches at known times: from its smallest one to that of its cheapest point, which might be
+--- cheaper at any larger error.
 local function reach(curve)
   return lists.least(curve, function(point) return point.error end).error, curve[1].error
 end
 
---- The least time on the curve, straight between points in both logarithms, at which its error is at most this one; nil
---- beyond its reach.
+--- The least time on the curve, linear between points in both logarithms, at which its error is at most this one; nil
+--- outside its range.
 local function time_at(curve, size)
   local last
   for i, point in ipairs(curve) do
@@ -62,9 +62,9 @@ local function time_at(curve, size)
   end
 end
 
---- At equal error, a takes so much of b's time: { from, to, at, ratio }. Without `at`, at the least, the
---- (geometrically) middle and the largest error that both reach; where one of them does not, the ratio is nil. Without
---- errors that both reach there are no from, to and ratios, but why.
+--- Cost ratio of a to b at equal error: { from, to, at, ratio }. Without `at`: at the smallest, the (geometrically)
+--- middle and the largest error that both reach; where one of them does not, the ratio is nil. Without common errors
+--- there are no from, to and ratios, but why.
 local function compare(a, b, at)
   local least_a, largest_a = reach(a)
   local least_b, largest_b = reach(b)
@@ -75,7 +75,7 @@ local function compare(a, b, at)
   end
   local result = { from = from, to = to, at = at or { from, math.sqrt(from) * math.sqrt(to), to }, ratio = {} }
   for i, size in ipairs(result.at) do
-    -- Rounding shall not put the middle of a narrow range beside it.
+    -- Rounding error must not move the middle of a narrow range out of it.
     local within = at and size or math.max(from, math.min(to, size))
     local time_a, time_b = time_at(a, within), time_at(b, within)
     result.ratio[i] = time_a and time_b and time_a / time_b
@@ -85,7 +85,7 @@ end
 
 -- ── The chart ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The front as steps: whatever lies above or right of them is beaten. They go on to the ends of the data.
+--- The front as steps: points above or to the right of them are dominated. They extend to the ends of the data.
 local function steps(front, points)
   local x, y, top, right = {}, {}, 0, 0
   for _, point in ipairs(points) do top, right = math.max(top, point.error), math.max(right, point.time) end
@@ -117,7 +117,7 @@ end
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
 
---- A function from rows to the texts that markers stand for, and its title; none where there is nothing to tell apart.
+--- A function from rows to the texts that markers show, and its title; nil if all are the same.
 local function read_marker(study, pick, series)
   if pick == false then return nil end
   if pick ~= nil then
@@ -132,7 +132,9 @@ local function read_marker(study, pick, series)
 end
 
 local function read_options(study, options)
-  if options.file and options.files then core.fail(where .. ": file and files are given; keep one of them") end
+  if options.file and options.files then
+    core.fail(where .. ": file and files cannot be combined. Hint: leave one of them out")
+  end
   local series = options.series or lists.holds(study.parameters, "order") and "order" or study.parameters[1]
   local read = { time = quantity.read(where, "time", study, options.time),
                  error = quantity.read(where, "error", study, options.error),
@@ -150,9 +152,9 @@ local function read_points(study, read)
     point.series, point.mark = quantity.text(read.series, point.row), read.mark and read.mark(point.row)
     if not point.series then return "no " .. read.series.name end
     if point.time <= 0 then
-      return ("%s is %g: no place on a logarithmic axis"):format(read.time.name, point.time)
+      return ("%s is %g, which a logarithmic axis cannot show"):format(read.time.name, point.time)
     end
-    if point.error == 0 then return read.error.name .. " is 0: no place on a logarithmic axis" end
+    if point.error == 0 then return read.error.name .. " is 0, which a logarithmic axis cannot show" end
     point.error = math.abs(point.error)
   end)
   return points, left_out, lists.unique(lists.map(read.mark and points or {}, function(point) return point.mark end))
@@ -199,12 +201,12 @@ function Result:front()
     formats = { [last + 1] = "%.4g", [last + 2] = "%.4g" } }
 end
 
---- Ratios, front, and what was left out.
+--- Cost ratios, front, and the cases left out.
 function Result:__tostring()
   local time, size = self.time.name, self.error.name
   local lines = {}
   if #self.ratios > 0 then
-    lines = { ("%s: at equal %s, A takes so much of B's %s:"):format(self.name, size, time), self:table() }
+    lines = { ("%s: ratio of %s, A to B, at equal %s:"):format(self.name, time, size), self:table() }
   end
   for _, ratio in ipairs(self.ratios) do
     if ratio.why then
@@ -231,8 +233,8 @@ return function(study, options)
   end
   if #marks > most_marks then
     if options.marker then
-      core.fail(("%s: marker has %d values and charts have %d markers: choose a column with fewer, or filter the cases")
-        :format(where, #marks, most_marks))
+      core.fail(("%s: marker has %d values and charts have %d markers. Hint: choose a column with fewer, "
+        .. "or filter the cases"):format(where, #marks, most_marks))
     end
     marks = {}
   end

@@ -163,7 +163,7 @@ local wrong = {
   { "two angles", [[sg.model(turned{ on = edge, rotate = true, fix = "xy" }):run{ { steps = 1, e = {90, 1} } }]],
     "model:run: stages[1].e must be a list of 1 number (angle), got a list of 2 values" },
   { "an angle in quotes", [[sg.model(turned{ on = edge, rotate = true, fix = "xy" }):run{ { steps = 1, e = {"90"} } }]],
-    "model:run: stages[1].e[1] must be a number, got the string '90': remove the quotes" },
+    "model:run: stages[1].e[1] must be a number, got the string '90'. Hint: remove the quotes" },
 }
 for _, case in ipairs(wrong) do
   check.case(case[1], function()

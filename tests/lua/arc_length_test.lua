@@ -59,7 +59,7 @@ check.case("arcs lead through the snap-back; the run names both changes of contr
   check.equal({ there.step, there.to, there.place, there.reason },
     { 145, "arc length", "edge.angle = 72", "iterations" })
   check.equal({ back.step, back.to, back.place, back.reason },
-    { 145, "targets", "edge.angle = 72.5", "the step's end is passed" })
+    { 145, "targets", "edge.angle = 72.5", "the end of the step is passed" })
   check.holds(tostring(run), "control: arc length from edge.angle = 72 in step 145", "targets from edge.angle = 72.5")
   -- Rows between the steps: the angle goes up to the turning point, more than two degrees back, and up again.
   local step, angle, turns = run:column "step", run:column "edge.angle", {}

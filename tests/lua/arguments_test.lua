@@ -130,20 +130,21 @@ check.case("a script's own mistakes are errors at its line", function()
     [{ load = { "force", choice = { "force" } } }] = "sg.arguments: load: unknown argument 'choice'",
     [{ load = { "force", choices = { 1 } } }] = "load.choices[1] must be of the type of the default, got the number 1",
     [{ load = { choices = { "force" } } }] = "the default of load is missing",
-    [{ mesh = { "m1", "m2", none = true } }] = "mesh has a list as default and restrictions: write { { m1, … }, … }",
+    [{ mesh = { "m1", "m2", none = true } }] =
+      "mesh has a list as default and restrictions. Hint: write { { m1, … }, … }",
     [{ mesh = { "m1", 2 } }] = "the default of mesh must be a string, a number, true, false, or a list",
     [{ scene = print }] = "the default of scene must be a string, a number",
-    [{ label = { "N2", at_least = 1 } }] = "label.at_least is for numbers, and label is not one",
+    [{ label = { "N2", at_least = 1 } }] = "label.at_least is allowed only for numbers, and label is not a number",
     [{ a = {} }] =
-      "the default of a is an empty table: write { {}, none = true } for a list of strings that may be empty",
-    [{ label = { "N2", none = true } }] = "label.none is for lists",
+      "the default of a is an empty table. Hint: write { {}, none = true } for a list of strings that may be empty",
+    [{ label = { "N2", none = true } }] = "label.none is allowed only for lists",
     [{ label = { "N2", check = print } }] = "label needs both check, a function, and expected",
     [{ label = { "N2", check = 1, expected = "a" } }] = "label.check must be a function",
     [{ help = "a" }] = "the string 'help' cannot be the name of an argument",
     [{ "mesh" }] = "every entry of defaults needs a name, got the string 'mesh' without one",
     [{ variant = { "a", variants = { b = {} } } }] = "the default of variant must be 'b', got the string 'a'",
     [{ a = { "x", variants = { x = {} } }, b = { "y", variants = { y = {} } } }] = "both a and b have variants",
-    [{ a = { "x", variants = { x = { a = 1 } } } }] = "the variant x chooses once more",
+    [{ a = { "x", variants = { x = { a = 1 } } } }] = "the variant x has variants itself",
   } do
     local output = check.fails(function() sg.arguments(defaults, {}) end, "sg.arguments: ", message)
     check.holds(output, "arguments_test.lua:")
@@ -175,7 +176,7 @@ Arguments of study.lua, with their defaults:
 with variant=plain also:
 with variant=deep also:
   depth=0.5  a number
-Several values have commas in between: a,b,c.
+Separate several values by commas: a,b,c.
 ]]
   check.equal({ check.script(script, "help") }, { page, 0 })
   check.equal({ check.script(script, "steps=x", "--help") }, { page, 0 })

@@ -145,7 +145,7 @@ check.case("wrong arguments", function()
   local wrong = {
     { { xlable = "a" }, "unknown argument 'xlable' (the string 'a'); did you mean 'xlabel'?" },
     { { log = "z" }, "log must be 'x', 'y' or 'xy'" },
-    { { xrange = { 2, 1 } }, "xrange must rise" },
+    { { xrange = { 2, 1 } }, "xrange must be increasing" },
     { { size = { 10, 300 } }, "size[1]" },
     { { [1] = { 1, 2, 3 } }, "[1] takes named arguments" },
     { { [1] = { x = { 1 } } }, "[1].y", "is missing" },
@@ -165,7 +165,7 @@ check.case("wrong arguments", function()
     { { hlines = { { "4" } } }, "hlines[1][1] must be a number" },
     { { hlines = { { 4, "four", 5 } } }, "hlines[1] must be a pair" },
     { { inset = { xrange = { 7, 8 } } }, "sg.chart", "inset: the chart has no curve between x = 7 and 8" },
-    { { inset = { xrange = { 2, 1 } } }, "inset.xrange must rise" },
+    { { inset = { xrange = { 2, 1 } } }, "inset.xrange must be increasing" },
     { { inset = { yrange = { 1, 2 } } }, "inset.xrange", "is missing" },
     { { inset = { xrange = { 1, 2 }, place = "middle" } }, "inset.place must be 'north-east', 'north-west'" },
     { { inset = { range = { 1, 2 } } }, "unknown argument 'range'", "xrange" },

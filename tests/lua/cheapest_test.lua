@@ -57,7 +57,7 @@ check.case("wrong arguments", function()
   fails({ error = "dPx", atmost = 1 }, "unknown argument 'atmost'", "did you mean 'at_most'?")
   fails({ error = "dPx", at_most = 1, cost = "time" }, "cost must be")
   fails({ error = "dPx", at_most = 1, cost = "order" },
-    "cost (of the case order = N4, mesh = 12×4) must pick finite numbers, got the string 'N4'")
+    "cost (of the case order = N4, mesh = 12×4) must return finite numbers, got the string 'N4'")
 end)
 
 check.done()

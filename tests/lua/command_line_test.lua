@@ -218,7 +218,7 @@ check.case("exit and quit leave the prompt, and only that", function()
   end
   check.equal(run({}, "nonsense\nexit\n").status, 1)
   check.equal(run({}, "exit = 3\nexit\nx = {\nquit = 1,\n}\nx.quit\n").output, "3\n1\n")
-  local hint = "undefined variable 'exit'; alone on a line of the prompt it leaves that, os.exit() ends a script"
+  local hint = "undefined variable 'exit'; alone on a line it ends the prompt; os.exit() ends a script"
   check.holds(run({ "-e", "exit()" }).output, hint)
   check.holds(run({}, "x = exit()\n").output, hint)
   for _, query in ipairs { "?exit", "?quit()", 'help "exit"', "help quit" } do

@@ -52,7 +52,7 @@ check.case("other controls are tried in order, each with what it changes alone",
   check.equal(story(run, 1),
     "plain cycling, tangent cycling, damping cycling, line search cycling, pseudo-transient cycling, frozen cycling")
   check.equal({ run.failed, run.reason, run.rescues, run.iterations }, { true, "cycling", 0, 6 * 25 })
-  check.holds(run.report, "Tried from there, in parts of a step: 1 (cycling), 1 with tangent (cycling), "
+  check.holds(run.report, "Attempts, by fraction of the step: 1 (cycling), 1 with tangent (cycling), "
     .. "1 with damping (cycling), 1 with line search (cycling), 1 with pseudo-transient (cycling), 1 with frozen "
     .. "(cycling).")
 end)
@@ -240,13 +240,13 @@ check.case("figures that on_step must not return", function()
     local options = { on_step = function() return value end }
     return function() spring_model(function() return true end):run(one_step, options) end
   end
-  check.fails(returning { 1, 2 }, "controls_test.lua:", "on_step: what it returns must be")
+  check.fails(returning { 1, 2 }, "controls_test.lua:", "on_step: its result must be")
   check.fails(returning "stopp", "controls_test.lua:",
-    "on_step: what it returns must be nothing, \"stop\", \"cut\" or a table", "got the string 'stopp'")
-  check.fails(returning(true), "controls_test.lua:", "on_step: what it returns must be", "got true")
+    "on_step: its result must be nothing, \"stop\", \"cut\" or a table", "got the string 'stopp'")
+  check.fails(returning(true), "controls_test.lua:", "on_step: its result must be", "got true")
   check.fails(returning { depth = "1" }, "controls_test.lua:",
     "on_step: depth must be a number, got the string '1'")
-  check.fails(returning { ["grip.fx"] = 1 }, "on_step: the run has a column 'grip.fx' of its own: choose another name")
+  check.fails(returning { ["grip.fx"] = 1 }, "on_step: 'grip.fx' is already a column of the run")
 end)
 
 check.case("answers of on_iteration that are none leave the model at its accepted state", function()
@@ -254,7 +254,7 @@ check.case("answers of on_iteration that are none leave the model at its accepte
   check.fails(function()
     model:run({ { steps = 1, grip = {0, -0.01} } }, { on_iteration = function() return "halt" end })
   end, "controls_test.lua:",
-  "on_iteration: what it returns must be nothing, \"stop\" or \"cut\", got the string 'halt'")
+  "on_iteration: its result must be nothing, \"stop\" or \"cut\", got the string 'halt'")
   check.equal(model:target "grip", {0, 0})
   check.equal(model:run({ { steps = 1, grip = {0, -0.01} } }, { on_iteration = function() return false end }).failed,
     false)

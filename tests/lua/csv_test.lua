@@ -77,7 +77,7 @@ check.case("files from elsewhere: byte-order mark, carriage returns, blanks, bla
   write_text "\xEF\xBB\xBF# from a spreadsheet\r\nname , value\r\n\r\n\"x, y\" , 2\r\nz,"
   local ok, message = pcall(sg.csv.read, file)
   check.equal(ok, false)
-  check.holds(message, "a.csv:4: after a quoted field comes ' ', not a comma")
+  check.holds(message, "a.csv:4: a comma must follow a quoted field, got ' '")
   write_text "\xEF\xBB\xBF# from a spreadsheet\r\nname , value\r\n\r\n\"x, y\",2\r\nz,"
   local read = sg.csv.read(file)
   check.equal(read.columns, { "name", "value" })
@@ -89,12 +89,12 @@ end)
 check.case("wrong tables are not written, and leave the old file alone", function()
   sg.csv.write(file, { a = { 1 } })
   local wrong = {
-    { { columns = { "a" }, rows = { { 0 / 0 } } }, "row 1, column 'a'", "nan", "leave the value out" },
+    { { columns = { "a" }, rows = { { 0 / 0 } } }, "row 1, column 'a'", "nan", "use nil for a value that" },
     { { columns = { "a" }, rows = { { math.huge } } }, "infinity" },
     { { columns = { "a" }, rows = { { 1, 2 } } }, "rows[1] has an entry '2', but there is 1 column" },
     { { columns = { "a" }, rows = { { a = 1 } } }, "an entry 'a'" },
     { { columns = { "a" }, rows = { { {} } } }, "must be a number, a string" },
-    { { columns = { "a", "a" }, rows = {} }, "the column 'a' is there twice" },
+    { { columns = { "a", "a" }, rows = {} }, "the column 'a' occurs twice" },
     { { rows = { { 1 } } }, "columns is missing" },
     { { a = { 1 }, b = { 1, 2 }, columns = { "a", "b" } }, "'b' has 2 values, the column 'a' has 1" },
     { { a = { 1 }, columns = { "a", "c" } }, "'c' has no list of values" },
@@ -113,10 +113,10 @@ end)
 check.case("broken files are refused with file and line", function()
   local broken = {
     { "a,b\n1,2\n3\n", "a.csv:3: 1 field, but there are 2 columns" },
-    { "a\n\"1\n", "a.csv:2: a quoted field does not end" },
-    { "a,a\n", "a.csv:1: the column 'a' is there twice" },
+    { "a\n\"1\n", "a.csv:2: a quoted field is not closed" },
+    { "a,a\n", "a.csv:1: the column 'a' occurs twice" },
     { "a,,b\n", "a.csv:1: column 2 has no name" },
-    { "# only a comment\n", "holds no table" },
+    { "# only a comment\n", "does not contain a table" },
   }
   for _, case in ipairs(broken) do
     write_text(case[1])

@@ -16,7 +16,7 @@ check.case("wrong named arguments", function()
     { { width = 3, height = 1, frobnicate = 2 }, "unknown argument 'frobnicate' (the number 2); known: width" },
     { { width = 3 }, "height (size along y) is missing: it must be a positive number" },
     { { width = "3", height = 1 },
-      "width must be a positive number (size along x), got the string '3': remove the quotes" },
+      "width must be a positive number (size along x), got the string '3'. Hint: remove the quotes" },
     { { width = -3, height = 1 }, "width must be a positive number", "got the number -3", "above 0" },
     { { width = 0, height = 1 }, "got the number 0" },
     { { width = nan, height = 1 }, "width must be a finite number", "nan", "division by zero" },
@@ -33,7 +33,7 @@ check.case("wrong named arguments", function()
     check.fails(function() rectangle(case[1]) end, "sg.shapes.rectangle", table.unpack(case, 2))
   end
   check.fails(function() rectangle(3, 1) end,
-    "takes a table of named arguments, got the number 3: write sg.shapes.rectangle{ width")
+    "takes a table of named arguments, got the number 3. Hint: write sg.shapes.rectangle{ width")
   check.fails(function() rectangle() end, "got nothing")
 end)
 
@@ -44,7 +44,7 @@ check.case("what is meant is said: parts of names, what has no name, tables in p
     sg.model{ bodies = { b = body }, supports = { bed = { on = body:face "south", fixed = "xy" } } }
   end, "supports.bed: unknown argument 'fixed'", "did you mean 'fix'?")
   check.fails(function() sg.model{ bodies = { b = body }, contacts = { slave = body:face "north", penalty = 1 } } end,
-    "contacts holds one entry that has no name", "contacts = { name = { slave = …")
+    "contacts contains an entry without a name", "contacts = { name = { slave = …")
   check.fails(function() sg.body{ patch = p, elements = {2, 2}, order = "N2", material = { E = 1, nu = 0.3 } } end,
     "material must be", "sg.neo_hookean{ E = 1, nu = 0.3 }")
   check.fails(function() return sg.shapes.rect end, "did you mean 'rectangle'?")
@@ -98,7 +98,7 @@ end)
 check.case("messages name the cure that helps", function()
   local c = sg.nurbs.line { from = { 0, 0 }, to = { 2, 0 } }
   check.fails(function() c("0.5") end,
-    "xi must be a number (parametric coordinates), got the string '0.5': remove the quotes")
+    "xi must be a number (parametric coordinates), got the string '0.5'. Hint: remove the quotes")
   check.near(c(1 + 1e-13), { 2, 0 }, 1e-12)
   check.fails(function() c(1 + 1e-10) end, "xi = 1 is outside the knots, [0, 1], by 1.0000")
   check.fails(function() c:face "south" end, "patch:face: a curve has end points, but no faces")
@@ -175,7 +175,7 @@ check.case("a variable that was never set is an error", function()
   local model = 1
   check.fails(function() return modle, model end, "undefined variable 'modle'; did you mean 'model'?")
   check.fails(function() return pritn end, "did you mean 'print'?")
-  check.fails(function() return quit end, "alone on a line of the prompt it leaves that")
+  check.fails(function() return quit end, "alone on a line it ends the prompt")
   check.fails(function() sg.boddy {} end, "errors_test.lua", "there is no sg.boddy; did you mean 'body'?")
   check.fails(function() return sg.shapes.rectangel end, "there is no sg.shapes.rectangel; did you mean 'rectangle'?")
 end)
@@ -190,7 +190,7 @@ local patch = die()
 ]]
   check.equal(status, 1)
   check.holds(output, "signorini: study.lua:3: sg.shapes.half_annulus: outer must be a positive number (outer radius), "
-    .. "got the string '0.5': remove the quotes", "stack traceback", "study.lua:5: in main chunk")
+    .. "got the string '0.5'. Hint: remove the quotes", "stack traceback", "study.lua:5: in main chunk")
 end)
 
 check.case("numbers that no axis can hold are refused, and nothing hangs", function()

@@ -65,7 +65,7 @@ end)
 check.case("a contact that never touched is named, once, with the least gap", function()
   local run = scene(0, rough, { slave = "north" }):run(press)
   check.equal({ run.reason, #run.warnings }, { "completed", 1 })
-  check.holds(run.warnings[1], "contact 'c' never touched; least gap 0.48")
+  check.holds(run.warnings[1], "contact 'c' never touched; smallest gap 0.48")
   check.holds(run, "contact 'c' never touched")
   check.equal(#scene(0, rough):run(press).warnings, 0)
 end)
@@ -82,7 +82,7 @@ check.case("a contact that gives way too much is named with its depth and the st
   end
   -- Springs of stiffness E and epsilon in a row: 0.1 E/(E + epsilon) of the lid's way goes into the contact.
   check.equal(sunk(1).warnings, { "contact 'ground' is penetrated by 0.05 in step 2, 2.5 % of the size of body "
-    .. "'block': a higher penalty lets less in" })
+    .. "'block'. Hint: raise the penalty" })
   check.equal(sunk(4).warnings, {}) -- 0.02 of 2
 end)
 

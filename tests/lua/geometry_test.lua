@@ -126,7 +126,7 @@ check.case("insert, elevate and refine keep the shape and the old patch", functi
   check.equal(sg.nurbs.circle { radius = 1 }:refine { elements = 8, degree = 3 }:degrees(), { 3 })
 end)
 
-check.case("grading puts a share of the elements into a share of the length", function()
+check.case("grading puts a fraction of the elements into a fraction of the length", function()
   local p = sg.shapes.rectangle { width = 1, height = 1 }
   local q = p:refine { elements = { 2, 10 }, grading = { false, { elements = 0.8, length = 0.1, at = "end" } } }
   local crowded = 0

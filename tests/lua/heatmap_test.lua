@@ -121,7 +121,7 @@ check.case("wrong arguments", function()
     { { values = { {}, {} } }, "all cells of the map are blank" },
     { { log = true, values = { { 1, 0, 3 }, { 4, 5, 6 } } },
       "values[1][2] must be above 0 on a logarithmic scale, got 0" },
-    { { range = { 2, 1 } }, "range must rise" },
+    { { range = { 2, 1 } }, "range must be increasing" },
     { { colormap = "jet" }, "colormap must be" },
     { { size = { 640 } }, "size must be a list of 2 whole numbers" },
     { { file = folder .. "/map.gif" }, "map.gif", ".png, .svg or .pdf" },

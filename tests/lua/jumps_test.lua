@@ -53,10 +53,10 @@ check.case("peeling on a coarse mesh jumps over its snap-backs in completed step
   local run = peel "N2"
   check.equal({ run.reason, #run.warnings }, { "completed", 1 })
   check.holds(run.warnings[1], "has probably jumped to another branch of solutions",
-    "times as far as in the steps next to it", "of its work was released",
+    "times those of neighboring steps", "of its work was released",
     "Hint: follow the path with arc_length = true")
   run = peel("N2", { arc_length = true })
-  check.holds(run.warnings[1], "has probably jumped", "Hint: arcs only take over where a step fails")
+  check.holds(run.warnings[1], "has probably jumped", "Hint: arc length is used only where a step fails")
   check.equal(#peel("N2-N2.2").warnings, 0)
 end)
 

@@ -75,7 +75,7 @@ end)
 check.case("what is refused", function()
   local file = folder .. "/no.png"
   check.fails(function() sg.picture{ patch = ring, field = "uy", file = file } end,
-    "field cannot be combined with patch, it is for models: leave one of them out")
+    "field cannot be combined with patch, it is for models. Hint: leave one of them out")
   check.fails(function() sg.picture{ patch = ring, deformed = true, file = file } end,
     "deformed cannot be combined with patch, it is for models")
   check.fails(function() sg.picture{ patch = block, cut = "y", file = file } end,

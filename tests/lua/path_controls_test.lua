@@ -65,7 +65,7 @@ check.case("so is the rest of a step that was taken at once, as the last resort"
     return tried > 2 -- after the first two attempts, which come before the cuts
   end)
   check.equal({ run.failed, run.cutbacks > 0 }, { false, true })
-  check.holds(run.warnings[1], "the rest of the step at once", "in step 2")
+  check.holds(run.warnings[1], "the rest of the step in one increment", "in step 2")
 end)
 
 check.case("where its accepted part leads nowhere, a step is taken from its start again", function()
@@ -81,13 +81,13 @@ check.case("where its accepted part leads nowhere, a step is taken from its star
   end
   local run = stuck_at_half(2)
   check.equal({ run.failed, run.steps }, { false, 3 })
-  check.holds(run.warnings[1], "the whole step, from its start again in step 2")
+  check.holds(run.warnings[1], "the whole step again from its start in step 2")
   local last = run:attempts(2)[#run:attempts(2)]
   check.equal({ last.from, last.to, last.again, last.converged, run:column("increments")[2] }, { 0, 1, true, true, 1 })
   -- Where that fails as well, the accepted part stays.
   run = stuck_at_half(1e9)
   check.equal({ run.failed, run.steps }, { true, 1 })
-  check.holds(run.report, "0.5 of the way from step 1 to step 2", "The whole step was tried from its start as well.")
+  check.holds(run.report, "0.5 of the way from step 1 to step 2", "The whole step was also tried from its start.")
 end)
 
 check.case("a long list of them is cut short", function()

@@ -193,7 +193,7 @@ check.case("wrong arguments", function()
     { { model = model, fields = { "ux", "uz" } }, "unknown field 'uz'" },
     { { model = model, fields = { "ux", "uy" }, label = "u" },
       "label cannot be combined with fields, each of which has its own color bar" },
-    { { model = model, fps = 3 }, "fps has no meaning without states" },
+    { { model = model, fps = 3 }, "fps has no effect without states" },
     { { model = model, scale = 0 }, "scale must be a positive number" },
     { { model = model, scale = 9 }, "makes 14400 pixels of 1600" },
     { { states = states, size = 400, field = "uy", inset = { 0, 1, 0, 1 } }, "too small for an inset in each state",

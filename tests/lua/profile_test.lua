@@ -129,7 +129,7 @@ check.case("profiles of a model, against each other and on themselves", function
   check.near(sg.profile_error{ profile = coarse, reference = fine, normalize = "max" }, 0, 1e-8)
 end)
 
-check.case("wrong inputs name the argument, what came, what was expected, and the cure", function()
+check.case("wrong inputs name the argument, its value, the expectation, and a hint", function()
   local p, r = sampled(11, 1, hertz(0.8, 1)), sampled(21, 1, hertz(0.8, 1))
   local function fails(options, ...)
     check.fails(function() sg.profile_error(options) end, "sg.profile_error: ", ...)
@@ -138,7 +138,7 @@ check.case("wrong inputs name the argument, what came, what was expected, and th
     "or a function of the coordinate")
   fails({ reference = r }, "profile (the measured profile) is missing")
   fails({ profile = p, reference = r, coordinate = "z" }, "profile has no list 'z'",
-    "which coordinate asks for; known: gap, pressure")
+    "which coordinate needs; known: gap, pressure")
   fails({ profile = p, reference = r, coordinate = 3 }, "coordinate must be the name of a column", "got the number 3")
   fails({ profile = p, reference = r, value = "gap" }, "value must be 'pressure' or 'traction'")
   fails({ profile = p, reference = r, quadrature = "gauss" }, "quadrature must be 'profile', 'reference' or 'union'")
@@ -147,8 +147,9 @@ check.case("wrong inputs name the argument, what came, what was expected, and th
   fails({ profile = p, reference = r, normalise = 1 }, "unknown argument 'normalise'", "did you mean 'normalize'")
   fails({ profile = p, reference = math.sqrt, quadrature = "reference" }, "for a function, which has no points")
   fails({ profile = p, reference = function() return 0 / 0 end }, "reference(0) must be a finite number")
-  fails({ profile = sampled(11, 1, function() return 0 end), reference = r }, "profile carries no pressure")
-  fails({ profile = p, reference = r, coordinate = function(point) return math.abs(point.x - 0.4) end }, "turns back")
+  fails({ profile = sampled(11, 1, function() return 0 end), reference = r }, "profile has no pressure")
+  fails({ profile = p, reference = r, coordinate = function(point) return math.abs(point.x - 0.4) end },
+    "is not monotonic")
   local away = sampled(21, 1, hertz(0.8, 1))
   for i = 1, 21 do away.x[i] = away.x[i] + 5 end
   fails({ profile = p, reference = away }, "do not overlap: the profile goes from 0 to 1, the reference from 5 to 6")
@@ -169,7 +170,7 @@ check.case("a profile has no other names than its lists, and is read, written an
   check.fails(function() return pr.z end, "a contact profile has no 'z'", known)
   check.fails(function() return pr[1] end, "a contact profile has no entry the number 1", "profile.pressure[1]")
   check.fails(function() sg.chart{ file = "a.png", pr } end, "profile_test.lua:",
-    "sg.chart: [1] must be a curve", "got a contact profile: write { x = profile.x, y = profile.pressure }")
+    "sg.chart: [1] must be a curve", "got a contact profile. Hint: write { x = profile.x, y = profile.pressure }")
   check.fails(function() sg.profile_error{ profile = pr, reference = print, coordinate = "z" } end,
     "sg.profile_error: profile has no list 'z'")
 

@@ -98,13 +98,14 @@ end)
 
 check.case("cut, where no shorter steps are allowed", function()
   local run = press():run({ { steps = 1, top = -0.2 } }, sg.plain{ on_step = function() return "cut" end })
-  check.equal(expect(run, "cut", 0, "on_step asked for shorter steps, and there are none: step = { adaptive = true",
+  check.equal(expect(run, "cut", 0, "on_step requested shorter steps, but these are not allowed. "
+    .. "Hint: set step = { adaptive = true",
     "The model is at its last accepted step, its start."), nil)
   run = press():run({ { name = "crush", steps = 2, top = -0.2 } },
     sg.plain{ rescue = true,
               on_iteration = function(info) return info.step == 2 and info.iteration == 2 and "cut" end })
   check.equal(expect(run, "cut", 1,
-    "step 2 (stage 'crush', 2 of 2) was not reached: on_iteration asked for it in iteration 2",
+    "step 2 (stage 'crush', 2 of 2) was not reached: on_iteration requested it in iteration 2",
     "last accepted step, 1"), nil)
   check.equal(#run:attempts(2), 1) -- who wants a cut wants no rescue
 end)
@@ -139,7 +140,7 @@ check.case("iterations: too few, with the largest unbalanced forces", function()
   local run = model:run({ { name = "shear", steps = 1, top = {0.3, 0} } }, sg.plain{ newton = { iterations = 2 } })
   local place = expect(run, "iterations", 0,
     "step 1 (stage 'shear', 1 of 1) was not reached: no convergence after 2 iterations",
-    "Worst places: control point", "What may help: allow more iterations")
+    "Worst places: control point", "Hint: allow more iterations")
   check.equal({ place.kind, place.body }, { "control point", "block" })
   check.near(place.X[2], 0.5, 1e-12) -- neither held face
   check.holds(place.text, "unbalanced force")
@@ -157,7 +158,7 @@ check.case("diverged: a soft body falls onto one that is harder than numbers can
   }
   local run = model:run({ { steps = 1, pull = {0, -1} } }, sg.plain{})
   local place = expect(run, "diverged", 0, "the residual grew to", "at this ratio the body's stiffness is lost",
-    "What may help: lower the penalty of contact 'floor'")
+    "Hint: lower the penalty of contact 'floor'")
   check.equal(place.kind, "control point")
   check.near(place.X[2], place.body == "upper" and 1.5 or 1, 1e-12) -- on the faces that meet
 end)
@@ -168,7 +169,7 @@ check.case("cycling: points of deep ironing go back and forth", function()
   check.equal(last > 20, true) -- which step has such a point depends on the first guesses before it
   local place = expect(run, "cycling", last, ("step %d (stage 'press', %d of 46)"):format(last + 1, last + 1),
     "the states of contact points repeat every ", "of contact 'interface', the first in slave",
-    "Worst places: contact point in slave element", "What may help: take smaller steps", "active_set_changes")
+    "Worst places: contact point in slave element", "Hint: take smaller steps", "active_set_changes")
   check.equal({ place.kind, place.contact }, { "contact point", "interface" })
   check.equal(place.text == "stick / slip" or place.text == "slip / stick", true)
   check.near((place.X[1] - 0.75) ^ 2 + (place.X[2] - 1.5) ^ 2, 0.25, 1e-9) -- on the die's face
@@ -178,7 +179,7 @@ end)
 check.case("lost_projection: a bar slides off the end of a ramp", function()
   local run = bar_on_ramp():run({ { name = "lower", steps = 4, top = -0.25 } }, sg.plain{})
   local place = expect(run, "lost_projection", 1, "of contact 'edge'", "touching / beyond",
-    "What may help: extend the master face beyond the reach of the slave face")
+    "Hint: extend the master face beyond the reach of the slave face")
   check.equal({ place.kind, place.contact, place.element }, { "contact point", "edge", 1 })
   check.near(place.X[2], 0.1, 1e-12)
 end)
@@ -186,7 +187,7 @@ end)
 check.case("inverted: a block pressed flat and farther", function()
   local run = press():run({ { name = "crush", steps = 1, top = -1.2 } }, sg.plain{})
   local place = expect(run, "inverted", 0, "of body 'block' is inverted (J = -0.", "Worst places: element",
-    "What may help: take smaller steps")
+    "Hint: take smaller steps")
   check.equal({ place.kind, place.body, place.value < 0 }, { "element", "block", true })
   check.near(place.x, place.X, 1e-12) -- where the last accepted state, the first one, has it
   local i, j = place.X[1] < 0.5 and 1 or 2, place.X[2] < 0.5 and 0 or 1
@@ -219,7 +220,7 @@ end)
 
 check.case("nan: forces whose squares are no numbers", function()
   local run = windy(on_bed):run({ { steps = 1, wind = {1e200, 0} } }, sg.plain{})
-  local place = expect(run, "nan", 0, "the residual is not a finite number", "What may help: take smaller steps")
+  local place = expect(run, "nan", 0, "the residual is not a finite number", "Hint: take smaller steps")
   check.equal({ place.kind, place.body, place.X[2] }, { "control point", "block", 1.0 })
 end)
 
@@ -227,7 +228,7 @@ check.case("line_search: no part of the move helps where a point comes and goes"
   local run = bar_on_ramp():run({ { name = "lower", steps = 2, top = -0.15 } },
     sg.plain{ newton = { line_search = "residual" } })
   local place = expect(run, "line_search", 1, "line search failed: no step length down to 1/128",
-    "What may help: take smaller steps", "do without the line search")
+    "Hint: take smaller steps", "do without the line search")
   check.equal({ place.kind, place.body }, { "control point", "ramp" })
   check.near(place.X, { 0, 0 }, 1e-9) -- its end
 end)
@@ -273,7 +274,7 @@ check.case("minimum_step: shorter steps are not allowed; the cause stands beside
   local run = press():run({ { name = "crush", steps = 1, top = -1.2 } }, { step = { adaptive = true, min = 0.25 } })
   check.equal({ run.failed, run.reason, run.cause, run.steps, run.cutbacks },
     { true, "minimum_step", "inverted", 0, 2 })
-  check.holds(run.report, "is inverted", "The shortest step, 0.25 of the user's, is still too long.",
+  check.holds(run.report, "is inverted", "The smallest increment allowed, 0.25 of the step, failed.",
     "last accepted increment, 0.75 of the way from step 0 to step 1")
   check.equal({ run.places[1].kind, run.places[1].body }, { "element", "block" })
 end)

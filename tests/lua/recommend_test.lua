@@ -43,7 +43,7 @@ check.case("estimates hold: each case is as near to the finest mesh as it says",
     end
   end
   check.equal(estimated >= 3 and found.error <= 1e-3, true)
-  check.holds(tostring(found), "estimated error", "enough", "estimated from the next level; allowed 0.001")
+  check.holds(tostring(found), "estimated error", "chosen", "estimated from the next level; allowed 0.001")
 end)
 
 check.case("lists of numbers; none that is enough; labels that are dominated; a limit", function()
@@ -86,9 +86,9 @@ check.case("wrong arguments are errors at the user's line", function()
     { { error = 3 }, "error must be a string or a function", "the number 3" },
     { { error = "ground.maxpressure" }, "sg.recommend: error must be", "'ground.maxpressure'",
       "did you mean 'ground.max_pressure'?" },
-    { { error = function() end }, "error must give a number" , "nothing" },
+    { { error = function() end }, "error must return a number" , "nothing" },
     { { error = function() return 0 / 0 end }, "finite number", "nan" },
-    { { error = function() return 0 end, meshes = { "m1", "m2" } }, "the figure is zero" },
+    { { error = function() return 0 end, meshes = { "m1", "m2" } }, "the result of error is zero" },
     { { at_most = -1 }, "at_most must be a number above 0 and below 1 (relative error), got the number -1" },
     { { at_most = 2 }, "at_most must be a number above 0 and below 1 (relative error)", "write 0.02 for 2 %" },
     { { at_most = "0.02" }, "at_most must be a number", "remove the quotes" },
@@ -96,8 +96,8 @@ check.case("wrong arguments are errors at the user's line", function()
     { { label = { 1 } }, "unknown argument 'label'", "did you mean 'labels'?" },
     { { scene = function() return 1 end }, "scene must return a model" },
     { { meshes = { "m2", "m1" } }, "N2-N2.2 has", "unknowns on mesh m2",
-      "on mesh m1: meshes must run from coarse to fine" },
-    { { scene = function(label) return scene(label, "m1") end }, "and scene use them" },
+      "on mesh m1. Hint: order meshes from coarse to fine" },
+    { { scene = function(label) return scene(label, "m1") end }, "and use them in scene" },
   } do
     check.fails(function() recommend(wrong[1]) end, "recommend_test.lua", table.unpack(wrong, 2))
   end

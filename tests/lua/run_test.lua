@@ -157,7 +157,7 @@ check.case("wrong stages and options are refused before the first step", functio
     { { { steps = 2, grip = 1 } }, "grip must be a list of 2 numbers (ux, uy), got the number 1" },
     { { { steps = 2, edge = { 1, 2 } } }, "edge must be a list of 1 number (angle), got a list of 2 values" },
     { { { steps = 2, gas = "1" } }, "gas must be a number or a list of 1 number (pressure), got the string '1'" },
-    { { { steps = 2, grip = { 0, "1" } } }, "grip[2]", "got the string '1': remove the quotes" },
+    { { { steps = 2, grip = { 0, "1" } } }, "grip[2]", "got the string '1'. Hint: remove the quotes" },
     { { { steps = 2, grip = { 0, 0 / 0 } } }, "grip[2]", "nan" },
     { { { steps = 2 }, 7 }, "stages[2] must be a table" },
   }
@@ -247,7 +247,7 @@ check.case("step = { adaptive = false } takes each step as a whole", function()
   local run, _, points = climb(4, rough(1, 2, 0.25), { adaptive = false })
   check.equal({ run.failed, run.steps, run.cutbacks, #points }, { true, 1, 0, 1 })
   check.equal(run.report, "step 2 (stage 'climb', 2 of 4) was not reached: no luck. Residuals: 1, 0.001, 0.01. "
-    .. "The model is at its last accepted step, 1. What may help: be lucky.")
+    .. "The model is at its last accepted step, 1. Hint: be lucky.")
 end)
 
 check.case("steps are cut unless options say otherwise", function()
@@ -266,7 +266,7 @@ check.case("a step that cannot be reached leaves the model at its last increment
   check.near(model.accepted, { 1.625, 0 })
   check.equal(model.calls[#model.calls], "rollback")
   check.holds(run.report, "step 2 (stage 'climb', 2 of 4) was not reached: no luck.",
-    "The shortest step, 0.125 of the user's, is still too long.",
+    "The smallest increment allowed, 0.125 of the step, failed.",
     "last accepted increment, 0.625 of the way from step 1 to step 2")
   check.equal(#run:column "grip.fx", 1)
   local last = run:attempts(2)
@@ -274,7 +274,7 @@ check.case("a step that cannot be reached leaves the model at its last increment
   -- A later stage begins where the model stands.
   check.near(model:run{ { steps = 1, grip = { 1.7, 0 } } }:column "grip.ux", { 1.7 })
   run = climb(4, rough(1, 2, 0), { min = 1 / 4 })
-  check.holds(run.report, "Tried from there, in parts of a step: 1 (diverged), 0.5 (diverged), 0.25 (diverged).",
+  check.holds(run.report, "Attempts, by fraction of the step: 1 (diverged), 0.5 (diverged), 0.25 (diverged).",
     "The model is at its last accepted step, 1.")
   check.equal(run.cutbacks, 2)
 end)
@@ -350,7 +350,7 @@ check.case("a run and what on_step sees are strict about names", function()
   local run = model_of():run(two_stages, { on_step = function(info) seen = info end })
   check.fails(function() return run.faild end, "a run has no 'faild'; did you mean 'failed'?")
   check.fails(function() return run.bogus end, "a run has no 'bogus': it has attempts", "timings")
-  check.fails(function() run.x = 1 end, "a run is a record, it takes no 'x'")
+  check.fails(function() run.x = 1 end, "a run cannot store 'x'")
   check.equal({ run.report == nil, run.cause == nil, type(run.timings) }, { true, true, "table" })
   check.fails(function() return seen["grip.fu"] end, "has no 'grip.fu'; did you mean 'grip.f")
 end)

@@ -43,7 +43,7 @@ check.case("a model before and after a step", function()
   local now = model:contact_resultant "ground"
   check.equal(now.active > 0, true)
   check.holds(show.text(model), "grip at x = 0, y = -0.1\n",
-    ("contact ground: %d points touch, %d of them slip; force {%.4g, %.4g}, largest pressure %.4g")
+    ("contact ground: %d active points, %d slipping; force {%.4g, %.4g}, largest pressure %.4g")
       :format(now.active, now.slipping, now.fx, now.fy, now.max_pressure))
 end)
 
@@ -69,17 +69,17 @@ end)
 
 check.case("functions by the head of their page or their place, tables of the language by their names", function()
   check.equal(show.text(sg.shapes.rectangle),
-    "sg.shapes.rectangle{ width, height, corner = {0, 0} }\n  help(sg.shapes.rectangle) tells more")
+    "sg.shapes.rectangle{ width, height, corner = {0, 0} }\n  see help(sg.shapes.rectangle)")
   check.holds(show.text(sg.chart), "sg.chart{ <curves>, x, xlabel, ylabel, title,",
-    "size = {1600, 1000}, file }\n  help(sg.chart) tells more")
-  check.equal(show.text(model.save), 'model:save(path)\n  help "model:save" tells more')
+    "size = {1600, 1000}, file }\n  see help(sg.chart)")
+  check.equal(show.text(model.save), 'model:save(path)\n  see help "model:save"')
   local function own() end
   check.equal(show.text(own),
     ("function (%s:%d)"):format(debug.getinfo(1, "S").short_src, debug.getinfo(own, "S").linedefined))
   check.equal(show.text { print, sg.body }, "{function, sg.body}")
-  check.equal(show.text(sg.csv), "sg.csv: help(sg.csv) tells more\n  read, write")
+  check.equal(show.text(sg.csv), "sg.csv: see help(sg.csv)\n  read, write")
   check.equal(tostring(sg), show.text(sg))
-  check.holds(tostring(sg), "sg: help(sg) tells more\n  arguments, body,",
+  check.holds(tostring(sg), "sg: see help(sg)\n  arguments, body,",
     "\n  csv:\n    read, write\n  nurbs:\n    arc, circle,")
 end)
 

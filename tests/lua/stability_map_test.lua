@@ -81,7 +81,7 @@ check.case("errors, crashes and endless loops are outcomes of their cells alone"
   check.holds(map:cell("wrong", 4).report, "the slab is missing", "stability_map_test.lua:", "traceback")
   check.holds(map:cell("none", 4).report, "scene must return a model")
   check.equal({ map:cell("crash", 4).report, map:cell("endless", 4).wall }, { "terminated by signal 11", 0.5 })
-  check.holds(tostring(map), "1 of 5 cells held", "error at wrong, 4: ", "the slab is missing")
+  check.holds(tostring(map), "1 of 5 cells converged", "error at wrong, 4: ", "the slab is missing")
 end)
 
 check.case("the table and the CSV file", function()
@@ -94,7 +94,7 @@ check.case("the table and the CSV file", function()
   local file = os.tmpname()
   map:csv(file)
   local data = sg.csv.read(file)
-  check.equal(data.comments[1], "stability map: springs; x: order; y: steps")
+  check.equal(data.comments[1], "convergence map: springs; x: order; y: steps")
   check.equal(data:column "outcome", { "completed", "diverged", "completed", "diverged" })
   local pull = data:column "figure pull"
   check.equal({ pull[1], pull[2], pull[3], pull[4] }, { 0.25, nil, 0.25, nil })
@@ -170,14 +170,14 @@ end)
 check.case("a file that is not this map's, has lost its folder or is in use is not touched", function()
   local file = os.tmpname()
   core.write_file(file, "a,b\n1,2\n")
-  check.fails(function() make{ file = file } end, "sg.stability_map: '" .. file .. "' holds something else",
+  check.fails(function() make{ file = file } end, "sg.stability_map: '" .. file .. "' contains something other",
     "without a title")
   check.equal(core.read_file(file), "a,b\n1,2\n")
   os.remove(file)
   make{ file = file }
   local before = core.read_file(file)
   check.shell(("rm -r %s.cells"):format(file))
-  check.fails(function() make{ file = file } end, "sg.stability_map: the cells in '" .. file, "bring it back")
+  check.fails(function() make{ file = file } end, "sg.stability_map: the cells in '" .. file, "restore it")
   check.equal(core.read_file(file), before)
   os.remove(file)
   core.mkdir(file .. ".cells")
@@ -280,7 +280,8 @@ check.case("two maps side by side share the axes", function()
   check.equal(charts[1].categories[21].name, "strange")
   check.equal({ charts[2].panels[2].title, charts[2].panels[2].values[1] }, { "controls", { 12, 31 } })
   local other = make{ x = { name = "order", values = { "good" } } }
-  check.fails(function() plain:picture{ file = "x.png", beside = other } end, "map:picture", "other values")
+  check.fails(function() plain:picture{ file = "x.png", beside = other } end, "map:picture",
+    "must have the same values of x and y")
   check.fails(function() plain:picture{ file = "x.png", beside = 7 } end, "beside must be a stability map")
   check.fails(function() plain:picture{ file = "x.png", text = "iteration" } end,
     "text must be 'iterations', 'reached',", "did you mean 'iterations'?")
@@ -320,7 +321,8 @@ check.case("wrong arguments are errors at the user's line that name the cure", f
     "y.values[1] must be a number or a string, got an empty table")
   check.fails(function() make{ x = { name = "wall", values = { 1 } } } end, "stability_map_test.lua:",
     "sg.stability_map: x.name cannot be 'wall'")
-  check.fails(function() make{ x = { name = "steps", values = { 1 } } } end, "x.name and y.name are both 'steps'")
+  check.fails(function() make{ x = { name = "steps", values = { 1 } } } end,
+    "x.name and y.name must differ, both are 'steps'")
   check.fails(function() make{ x = { name = "order", values = { 1, "1" } } } end, "stability_map_test.lua:",
     "sg.stability_map: cases[1] and cases[2] are both called 'order=1 steps=4'")
   check.fails(function() make{ scene = "scene" } end, "scene must be a function")
@@ -330,7 +332,7 @@ check.case("wrong arguments are errors at the user's line that name the cure", f
   end, "stability_map_test.lua:", "sg.stability_map: cannot write 'nowhere/map.csv'", 'sg.mkdir "nowhere"')
   check.equal(os.remove(solved), true) -- no cell was solved before
   local map = make{ x = { name = "order", values = { "good" } }, scene = function() return 3 end }
-  check.holds(map.cells[1].report, "scene must return a model, it returned the number 3")
+  check.holds(map.cells[1].report, "scene must return a model, got the number 3")
   check.fails(function() make{ jobs = 0 } end, "jobs must be a whole number, 1 or more")
   check.fails(function() make{ limits = 3 } end, "unknown argument 'limits'", "did you mean 'limit'?")
   check.fails(function() sg.stability_map() end, "sg.stability_map")

@@ -32,7 +32,7 @@ check.case("a grid holds all combinations, the last name fastest", function()
   check.fails(function() sg.grid{ order = "N2" } end, "study_test.lua",
     "sg.grid: parameters.order must be a list", "'N2'")
   check.fails(function() sg.grid{ { 1, 2 } } end, "every entry of parameters needs a name")
-  check.fails(function() sg.grid({ a = { 1 } }, { a = { 2 } }) end, "the parameter 'a' is there twice")
+  check.fails(function() sg.grid({ a = { 1 } }, { a = { 2 } }) end, "the parameter 'a' occurs twice")
   check.fails(function() sg.grid() end, "sg.grid: parameters", "missing")
   check.fails(function() sg.grid({ a = { 1 } }, {}) end, "parameters must be a table of names")
   check.fails(function() sg.grid{ a = { 1, 0 / 0 } } end,
@@ -61,8 +61,9 @@ check.case("wrong arguments are errors at the user's line", function()
     { { name = "s", cases = { { a = 1 }, { a = 1 } }, run = run }, "cases[1] and cases[2]", "'a=1'" },
     { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, units = "mm" }, "units must be a table" },
     { { name = "", cases = sg.grid{ a = { 1 } }, run = run },
-      "name must be a string that can name a folder, got the string ''" },
-    { { name = "..", cases = sg.grid{ a = { 1 } }, run = run }, "name must be a string that can name a folder" },
+      "name must be a string that is valid as the name of a folder, got the string ''" },
+    { { name = "..", cases = sg.grid{ a = { 1 } }, run = run },
+      "name must be a string that is valid as the name of a folder" },
     { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, folder = "" }, "folder must be the name of a folder" },
     { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, outcome = 1 },
       "unknown argument 'outcome' (the number 1); known: " },
@@ -248,7 +249,7 @@ check.case("Ctrl-C ends it with what is done, and lets go of the folder", functi
   local kept = files_in(folder)
   check.equal(kept, 1) -- the others wait
   core.write_file(folder .. ".go", "")
-  check.holds(output, ("stopped: interrupted: %d of 6 cases %s kept; the same call goes on with the others\n")
+  check.holds(output, ("stopped: interrupted: %d of 6 cases %s kept; the same call continues with the others\n")
     :format(kept, kept == 1 and "is" or "are"), ":2: interrupted", "status 130")
   check.holds(check.program { name }, ("stopped: %d of 6 taken from %s, %d to solve\nstopped: %d of 6: a=")
     :format(kept, folder, 6 - kept, kept + 1), "not stopped\n")
@@ -267,11 +268,11 @@ check.case("a figure that is nan makes its case an error that names it; the othe
     return { dPx = 1 }
   end):execute{}
   check.equal(study.rows[1].dPx, 1)
-  check.holds(study.rows[2].reason, "case a=2: the figure dPx is nan (not a number): figures are finite numbers",
-    "return nil for what is not known")
+  check.holds(study.rows[2].reason, "case a=2: the figure dPx is nan (not a number). Hint: figures are finite numbers",
+    "return nil for unknown ones")
   check.holds(study.rows[3].reason, "case a=3: the figure curve[2] is infinity")
-  check.holds(study.rows[4].reason, "the figure 'a' is called like a parameter")
-  check.holds(study.rows[5].reason, "run returned nothing: return a table of figures")
+  check.holds(study.rows[4].reason, "the figure 'a' has the name of a parameter")
+  check.holds(study.rows[5].reason, "run returned nothing. Hint: return a table of figures")
   check.equal({ study.rows[2].failed, study.rows[2].dPx }, { true, nil })
 end)
 
@@ -280,7 +281,7 @@ check.case("two studies cannot use a folder: neither of different names, nor the
   noted(folder, { { a = 1 } }, function() return {} end):execute{}
   local other = sg.study{ name = "other", folder = folder, cases = { { a = 1 } }, run = function() return {} end }
   check.fails(function() other:execute{} end, "study_test.lua", folder, "holds the study 'noted', not 'other'",
-    "a folder of its own")
+    "give this one another folder")
   check.fails(function() other:read() end, "holds the study 'noted'")
   local lock = core.lock(folder .. "/lock")
   check.fails(function() noted(folder, { { a = 2 } }, function() return {} end):execute{} end,
@@ -331,7 +332,7 @@ check.case("on a disk that fills up nothing finished is lost, and with more room
     :format(run, folder, folder, run))
   os.remove(name)
   if not output then return end
-  check.holds(output, "no space is left for '" .. folder .. "'", "make room and execute again", "status 1",
+  check.holds(output, "no space is left for '" .. folder .. "'", "free some and execute again", "status 1",
     "sum\t320036")
   -- Each case that said that it was done is there, and only the others run after that.
   local first, rest = output:match "^(.-)status 1\n(.*)$"

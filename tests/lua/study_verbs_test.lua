@@ -40,7 +40,7 @@ check.case("where no case came out, whoever asks for a figure learns why", funct
     "no luck")
   local fresh = study(function() return { error = 1 } end)
   check.fails(function() fresh:column "error" end,
-    "no case has 'error': none of its cases is done yet: execute the study")
+    "no case has 'error': none of its cases is done yet; execute the study")
   check.fails(function() fresh:execute{}:column "errors" end, "did you mean 'error'?")
 end)
 

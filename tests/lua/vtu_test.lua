@@ -268,7 +268,7 @@ check.case("a series lists its states, also while it grows", function()
   local first, second = read(folder .. "/series & more_0001.vtu", { 0 }),
     read(folder .. "/series & more_0002.vtu", { 0 })
   check.near(first.cells[7].points[1].displacement[2] * 2, second.cells[7].points[1].displacement[2], 0.01)
-  check.fails(function() series:add { model = model, time = 0.2 } end, "vtu_test.lua:", "times must grow")
+  check.fails(function() series:add { model = model, time = 0.2 } end, "vtu_test.lua:", "times must increase")
   check.fails(function() series:add { model = model, tiem = 1 } end, "unknown argument 'tiem'", "did you mean 'time'")
   check.fails(function() series:add { model = 1, time = 1 } end, "series:add: model must be a model, got")
   check.fails(function() series:add { model = model } end,
@@ -291,8 +291,8 @@ check.case("a series is taken up where a run was broken off", function()
     times[#times + 1] = time .. name
   end
   check.equal(times, { "11", "22", "33" })
-  check.fails(function() again:add { model = model, time = 3 } end, "times must grow")
-  check.fails(function() again:add { model = model, time = 2 } end, "times must grow")
+  check.fails(function() again:add { model = model, time = 3 } end, "times must increase")
+  check.fails(function() again:add { model = model, time = 2 } end, "times must increase")
   again:add { model = model, time = 5 }
   check.equal(#sg.pvd(file, { resume = true }), 4)
   check.equal(#sg.pvd(file), 0)

@@ -71,7 +71,7 @@ check.case("a penalty beyond what rounding allows is named before the run and as
   local run = model:run{ { steps = 2, push = -0.05 } }
   check.equal(run.failed, true)
   check.holds(run.report, "at this ratio the body's stiffness is lost",
-    "What may help: lower the penalty of contact 'c'")
+    "Hint: lower the penalty of contact 'c'")
   check.equal(run.report:find("add a support to the body", 1, true), nil)
 end)
 
@@ -176,7 +176,7 @@ check.case("a contact that touches between the last step and the failure has tou
                           friction = { mu = 0.2, penalty = 5e4 } } } }
   local run = model:run({ { name = "insert", steps = 40, wall = {4} } }, sg.robust{})
   for _, warning in ipairs(run.warnings) do
-    check.equal(warning:find("never touched; least gap -", 1, true), nil)
+    check.equal(warning:find("never touched; smallest gap -", 1, true), nil)
   end
 end)
 

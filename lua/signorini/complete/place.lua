@@ -1,8 +1,8 @@
--- Where in a call a text ends: between which of its brackets.
+-- The position in a call at which a text ends.
 
 local place = {}
 
---- The text without strings and closed brackets; `open`: whether it ends inside quotes, which are taken away.
+--- The text without strings and closed brackets; `open`: whether it ends inside quotes, which are removed.
 local function bare(text)
   local open = false
   text = text:gsub("\\.", ""):gsub('"[^"\n]*"', "0"):gsub("'[^'\n]*'", "0")
@@ -24,8 +24,8 @@ local function key_at_end(text) return text:match "([%a_][%w_]*)%s*=%s*$" end
 --- The commas outside of all brackets.
 local function commas(text) return select(2, text:gsub(",", "")) end
 
---- The innermost call that a text stands in, or nil: path (of names, "sg.body", "p:refine"), argument (its number),
---- first (the text of the first argument), keys (the way from there through braces: a name, or false for an entry of a
+--- The innermost call in which a text ends, or nil: path (of names, "sg.body", "p:refine"), argument (its number),
+--- first (the text of the first argument), keys (the path from there through braces: a name, or false for an entry of a
 --- list), behind (the text in the last brackets), in_braces (whether these are braces), quoted (whether it ends inside
 --- quotes).
 function place.of(text)
@@ -46,7 +46,7 @@ function place.of(text)
         return { path = path, argument = argument, first = inside:match "^%s*([%w_.:]*)", keys = keys, behind = behind,
                  in_braces = in_braces, quoted = quoted }
       elseif bracket == "{" and (key or before:find "[{(,;]%s*$") then
-        -- an argument of a call is a step of its own only below it
+        -- the braces of an argument count only if they are nested
         if not before:find "%(%s*$" and not (before:find "%([^{(]*,%s*$") then table.insert(keys, 1, key or false) end
       else
         return nil

@@ -1,5 +1,5 @@
--- What may stand at a place in a call, read off the table of the function (signorini.pages): names of arguments, and
--- texts of closed sets.
+-- What is possible at a position in a call, according to the function's table (signorini.pages): names of arguments,
+-- and strings of choices.
 
 local core = require "signorini.core"
 local lists = require "signorini.lists"
@@ -7,7 +7,7 @@ local pages = require "signorini.pages"
 
 local rows = {}
 
---- A type as the list of those that it lets choose from.
+--- The alternatives of a type, as a list.
 local function choices(type)
   if type.kind == "switch" then return choices(type.of) end
   return type.kind == "either" and lists.flat(lists.map(type, choices)) or { type }
@@ -23,7 +23,7 @@ local function step(type, key)
   return { (type.kind == "map" and key or type.kind == "list" and not key) and type.of or nil }
 end
 
---- The list that f makes of each of some types and of those that they let choose from, joined.
+--- The lists that f returns for types and their alternatives, joined.
 local function all(types, f)
   local found = {}
   for _, type in ipairs(types) do
@@ -32,7 +32,7 @@ local function all(types, f)
   return found
 end
 
---- The types at a place: of the argument of this number of a page's function, behind these keys.
+--- The types at a position: of the argument of this number of a page's function, below these keys.
 local function types_at(name, argument, keys)
   local page = pages.find(name)
   if not page then return {} end
@@ -43,7 +43,7 @@ local function types_at(name, argument, keys)
   return types
 end
 
---- The names of arguments that the table at a place takes. `owner`: the object that the call is about.
+--- The names of arguments that the table at a position takes. `owner`: the object of the call.
 function rows.names(name, argument, keys, owner)
   return all(types_at(name, argument, keys), function(type)
     local own = type.kind == "named" and pages.keys(type.rows) or {}
@@ -51,14 +51,14 @@ function rows.names(name, argument, keys, owner)
   end)
 end
 
---- The texts of a type.
+--- The strings of a type.
 local function texts_of(type, owner, key)
   if type.kind == "list" then return all({ type.of }, function(one) return texts_of(one, owner, key) end) end
   if type.kind ~= "choice" and type.kind ~= "text" and type.kind ~= "any" then return {} end
   return core.kind(type.of) == "function" and type.of(owner, key) or core.kind(type.of) == "table" and type.of or {}
 end
 
---- The texts that may stand at a place.
+--- The strings that are possible at a position.
 function rows.texts(name, argument, keys, owner)
   return all(types_at(name, argument, keys), function(type) return texts_of(type, owner, keys[#keys]) end)
 end

@@ -1,5 +1,5 @@
--- How the language itself shows at the prompt: a function by the head of its help page, a table such as sg.shapes by
--- the names that it holds.
+-- How the prompt shows the library: a function by the first line of its help page, a table such as sg.shapes by its
+-- names.
 
 local core = require "signorini.core"
 local pages = require "signorini.pages"
@@ -10,13 +10,13 @@ local width = 100 -- characters of a line
 
 local language = {}
 
---- Texts with commas between them, in lines that begin with an indentation.
+--- Texts separated by commas, in indented lines.
 function language.row(texts, indent)
   local words = lists.map(texts, function(text, i) return i < #texts and text .. "," or text end)
   return #texts > 0 and table.concat(wrapped(words, width, indent, indent), "\n") or ""
 end
 
---- The text of a function. `brief`: where it is one of many.
+--- The text of a function. `brief`: as an entry of a table.
 function language.of_function(f, brief)
   local name, about = core.names[f], debug.getinfo(f, "S")
   local page = name and pages.find(name)
@@ -25,10 +25,10 @@ function language.of_function(f, brief)
   end
   if brief then return name end
   local head = pages.head(page)
-  return ("%s\n  help%s tells more"):format(head, name:find ":" and (" %q"):format(name) or ("(%s)"):format(name))
+  return ("%s\n  see help%s"):format(head, name:find ":" and (" %q"):format(name) or ("(%s)"):format(name))
 end
 
---- The text of a table of the language.
+--- The text of a table of the library.
 function language.of_table(entries, name)
   local functions, lines = {}, {}
   for _, key in ipairs(lists.sorted_names(entries)) do
@@ -37,7 +37,7 @@ function language.of_table(entries, name)
       lines[#lines + 1] = ("  %s:\n%s"):format(key, language.row(lists.sorted_names(entries[key]), "    "))
     end
   end
-  table.insert(lines, 1, ("%s: help(%s) tells more"):format(name, name))
+  table.insert(lines, 1, ("%s: see help(%s)"):format(name, name))
   table.insert(lines, 2, language.row(functions, "  "))
   return table.concat(lines, "\n")
 end

@@ -1,4 +1,4 @@
--- The few lines that print and the prompt show of a patch, a body, a model and a contact profile.
+-- The few lines that print and the prompt show for a patch, a body, a model and a contact profile.
 
 local core = require "signorini.core"
 local counted = require "signorini.counted"
@@ -13,8 +13,8 @@ local function box_text(points)
   return table.concat(map(lists.ranges(points), function(range, d) return range_text(axes[d], range) end), ", ")
 end
 
---- "west in y = 0; south in z = 0": the faces that lie in coordinate planes, of plane patches the sides on lines x or
---- y = const; both coordinates of a face that is collapsed to a line.
+--- "west in y = 0; south in z = 0": the faces in coordinate planes, for plane patches the sides on lines x or y =
+--- const; both coordinates of a face that is collapsed to a line.
 local function planes_text(patch)
   local tiny, texts = 0, {}
   for _, range in ipairs(lists.ranges(patch:points())) do
@@ -46,7 +46,7 @@ function objects.body(body)
     :format(body, dofs.interface, dofs.bulk, box_text(body:points()))
 end
 
---- "grip at x = 0, y = -0.1" for what stages move.
+--- "grip at x = 0, y = -0.1" for driven supports and loads.
 local function driven_text(model, name)
   local values = model:target(name)
   return ("%s at %s"):format(name, table.concat(map(model:driven(name), function(component, i)
@@ -58,8 +58,8 @@ local function contact_text(model, name)
   local now = model:contact_resultant(name)
   if now.active == 0 then return ("  contact %s: open"):format(name) end
   local force = map(axes, function(axis) return now["f" .. axis] and ("%.4g"):format(now["f" .. axis]) end)
-  return ("  contact %s: %s, %d of them slip; force {%s}, largest pressure %.4g")
-    :format(name, now.active == 1 and "1 point touches" or now.active .. " points touch", now.slipping,
+  return ("  contact %s: %s, %d slipping; force {%s}, largest pressure %.4g")
+    :format(name, now.active == 1 and "1 active point" or now.active .. " active points", now.slipping,
       table.concat(force, ", "), now.max_pressure)
 end
 
@@ -71,7 +71,7 @@ function objects.model(model)
     map(model:contact_names(), function(name) return contact_text(model, name) end)), "\n")
 end
 
---- Whether a table is what model:profile returns, or has its lists.
+--- Whether a table is a result of model:profile, or has its lists.
 local function is_profile(value)
   local own = getmetatable(value)
   if own and not (type(own) == "table" and own.__name == "contact profile") then return false end
@@ -92,7 +92,7 @@ local function profile(value)
     table.concat(states, ", "), table.concat(ranges, ", "), table.concat(lists.sorted_names(value), ", "))
 end
 
---- The text of such an object; nothing of other values.
+--- The text of such an object; nil for other values.
 return function(value)
   if type(value) == "table" then return is_profile(value) and profile(value) or nil end
   local own = type(value) == "userdata" and objects[core.kind(value)]

@@ -1,5 +1,4 @@
---- Words in lines of at most `width` characters: `first` stands before the first word, `indent` before those of further
---- lines.
+--- Words in lines of at most `width` characters: `first` precedes the first word, `indent` those of further lines.
 return function(words, width, first, indent)
   local lines, line, is_empty = {}, first, true
   for _, word in ipairs(words) do

@@ -1,4 +1,4 @@
--- The pictures of a stability map: heat maps of outcomes, and of numbers.
+-- The pictures of a convergence map: heat maps of outcomes, and of numbers.
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -8,8 +8,8 @@ local values = require "signorini.study.values"
 
 local pictures = {}
 
--- How a cell can end: the reasons of model:run, and what happens to the cell as a whole. Their order is that of the
--- legend, and gives each its color in every picture.
+-- The outcomes of a cell: the reasons of model:run, and those of the cell as a whole. Their order is that of the legend
+-- and determines the color of each in every picture.
 local outcomes = {
   "completed", "stopped", "interrupted", "cut", "iterations", "diverged", "cycling", "lost_projection", "inverted",
   "singular", "indefinite", "nan", "line_search", "penetration", "turning_point", "minimum_step", "strayed",
@@ -19,13 +19,13 @@ local outcomes = {
 local formats = { reached = "%.0f%%", wall = "%.1f", steps = "%d", increments = "%d", iterations = "%d",
                   cutbacks = "%d", rescues = "%d" }
 
---- A number of a cell by its name, an account of the run or one of the user's figures.
+--- A number of a cell by its name: an account of the run, or one of the user's figures.
 local function number(cell, name)
   if not formats[name] then return cell.figures[name] end
   return cell[name] and (name == "reached" and 100 * cell[name] or cell[name])
 end
 
---- value(cell) for all cells as rows from y's first value on; nil where there is no cell or no value.
+--- value(cell) for all cells as rows from y's first value on; nil if there is no cell or no value.
 local function grid(map, value)
   return lists.map(map.y.values, function(y)
     return lists.map(map.x.values, function(x)
@@ -35,7 +35,7 @@ local function grid(map, value)
   end)
 end
 
---- The numbers of that name, short: accounts as texts, figures as numbers, which heat maps write with powers of ten.
+--- The numbers of that name, short: accounts as text, figures as numbers, which heat maps write with powers of ten.
 local function texts(map, name)
   return grid(map, function(cell)
     local value = number(cell, name)
@@ -44,12 +44,12 @@ local function texts(map, name)
   end)
 end
 
---- The map and the one beside it, with the titles of the two.
+--- The map and the one next to it, with the titles of the two.
 local function read_maps(where, map, options)
   if options.beside == nil then return { map }, {} end
   local other = options.beside
   if not values.same({ map.x.values, map.y.values }, { other.x.values, other.y.values }) then
-    core.fail(where .. ": beside is a map of other values: both need the same x and y to stand side by side")
+    core.fail(where .. ": the map of beside must have the same values of x and y")
   end
   return { map, other }, options.titles or { map.name, other.name }
 end
@@ -58,7 +58,7 @@ local function cells_of(maps)
   return lists.flat(lists.map(maps, function(map) return map.cells end))
 end
 
---- Checks the name of something that a picture can show.
+--- Checks the name of a quantity that a picture can show.
 local function check_name(where, argument, maps, name)
   local known = { "iterations", "reached", "increments", "steps", "cutbacks", "rescues", "wall" }
   check.value(types.choice(lists.joined(known, values.figure_names(cells_of(maps)))), name, where, argument)
@@ -72,7 +72,7 @@ local function draw(chart, maps, titles, panel)
   core.sg.heatmap(lists.merged(chart, #maps == 1 and panels[1] or { panels = panels }))
 end
 
---- The fixed outcomes as categories, and behind them those that only these maps have.
+--- The fixed outcomes as categories, followed by those that only these maps have.
 local function categories(maps)
   local met = lists.map(cells_of(maps), function(cell) return cell.outcome end)
   return lists.map(lists.unique(lists.joined(outcomes, met)), function(name) return { name = name } end)

@@ -1,13 +1,13 @@
--- One case of a study, solved in a process of its own: what its function returns becomes figures, checked.
+-- One case of a study, solved in its own process: the result of its function becomes figures, checked.
 
 local core = require "signorini.core"
 
---- An error that says which figure of which case is wrong.
+--- Raises an error that names the figure and the case.
 local function reject(entry, what, cure)
-  core.fail(("sg.study: case %s: %s%s"):format(entry.text, what, cure and ": " .. cure or ""))
+  core.fail(("sg.study: case %s: %s%s"):format(entry.text, what, cure and ". Hint: " .. cure or ""))
 end
 
---- Checks the figures; whether the case failed, and why.
+--- Checks the figures; returns whether the case failed, and why.
 local function read_figures(entry, figures)
   if type(figures) ~= "table" then
     reject(entry, ("run returned %s"):format(figures == nil and "nothing" or core.describe(figures)),
@@ -17,16 +17,16 @@ local function read_figures(entry, figures)
     if type(name) ~= "string" then
       reject(entry, ("a figure has no name but %s"):format(core.describe(name)), "write name = value")
     end
-    if name == "outcome" then reject(entry, "a figure cannot be called 'outcome', an account that every case has") end
-    if entry.case[name] ~= nil then reject(entry, ("the figure '%s' is called like a parameter"):format(name)) end
+    if name == "outcome" then reject(entry, "a figure cannot be called 'outcome', a column of every case") end
+    if entry.case[name] ~= nil then reject(entry, ("the figure '%s' has the name of a parameter"):format(name)) end
     local ok, message = pcall(core.write_json, value, "the figure " .. name) -- finite numbers, plain data
     if not ok then
       reject(entry, tostring(message):gsub("^.-:%d+: ", "", 1):gsub(": only .*$", ""),
-        "figures are finite numbers, texts, or lists of these; return nil for what is not known, or failed = true with "
+        "figures are finite numbers, strings, or lists of these; return nil for unknown ones, or failed = true with "
         .. "a reason")
     end
   end
-  local failed, reason = rawget(figures, "failed"), rawget(figures, "reason") -- a contact profile has neither
+  local failed, reason = rawget(figures, "failed"), rawget(figures, "reason") -- contact profiles raise an error here
   if failed ~= nil and type(failed) ~= "boolean" then
     reject(entry, "failed must be true or false, got " .. core.describe(failed))
   end
@@ -38,7 +38,7 @@ end
 
 --- Solves the case of an entry (see cases.lua): { figures, outcome = "done" or "failed", reason, wall (s) }.
 return function(run, entry)
-  local copy = core.read_json(core.write_json(entry.case)) -- what run does to it stays its own affair
+  local copy = core.read_json(core.write_json(entry.case)) -- run may change it
   local began = core.now()
   local figures = run(copy)
   local wall = core.now() - began

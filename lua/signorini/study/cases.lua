@@ -1,4 +1,4 @@
--- The cases of a study: plain data by the names of parameters, each with a name of its own for messages and files.
+-- The cases of a study: plain data by the names of parameters, each with a name for messages and files.
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -9,7 +9,7 @@ local cases = {}
 
 local where = "sg.study"
 
---- All cases of a list that may hold further lists, such as grids, with the parameters in the order in which they come.
+--- All cases of a list that may contain lists, such as grids, with the parameters in the order of their occurrence.
 local function flatten(list, into, names)
   for _, name in ipairs((getmetatable(list) or {}).parameters or {}) do names[#names + 1] = name end
   for i, entry in ipairs(list) do
@@ -21,16 +21,16 @@ local function flatten(list, into, names)
   return into, names
 end
 
---- The names of all parameters: first those that grids put in order, then the others, sorted.
+--- The names of all parameters: first those of grids in their order, then the others, sorted.
 local function parameter_names(list, ordered)
   local others = {}
   for i, case in ipairs(list) do
     for name in pairs(case) do
       if type(name) ~= "string" then
-        core.fail(("%s: cases[%d] has a value without a name: write parameter = value"):format(where, i))
+        core.fail(("%s: cases[%d] has a value without a name. Hint: write parameter = value"):format(where, i))
       end
       if lists.holds(values.accounts, name) then
-        core.fail(("%s: cases[%d]: a parameter cannot be called '%s', an account that every case has")
+        core.fail(("%s: cases[%d]: a parameter cannot be called '%s', a column of every case")
           :format(where, i, name))
       end
       others[name] = true
@@ -39,23 +39,23 @@ local function parameter_names(list, ordered)
   return lists.unique(lists.joined(ordered, lists.sorted_names(others)))
 end
 
---- Reads the argument `cases`: a list of { case, text, id }, and the names of the parameters. `text` is how messages
---- call a case, `id` its file without ending. Cases that read alike are errors.
+--- Reads the argument `cases`: a list of { case, text, id }, and the names of the parameters. `text` is the case in
+--- messages, `id` its file without ending. Cases with equal texts are errors.
 function cases.read(list)
   local flat, ordered = flatten(list, {}, {})
   local names, result, seen = parameter_names(flat, ordered), {}, {}
   for i, case in ipairs(flat) do
-    core.write_json(case, ("%s: cases[%d]"):format(where, i)) -- an error for what is no plain data
+    core.write_json(case, ("%s: cases[%d]"):format(where, i)) -- raises an error unless it is plain data
     local own = lists.filter(names, function(name) return case[name] ~= nil end)
     local text = table.concat(lists.map(own, function(name)
       return ("%s=%s"):format(name, values.text(case[name], true))
     end), " ")
     if seen[text] then
-      core.fail(("%s: cases[%d] and cases[%d] are both called '%s': leave one out, or give their values different "
-        .. "names"):format(where, seen[text], i, text))
+      core.fail(("%s: cases[%d] and cases[%d] are both called '%s'. Hint: leave one out, or give their values "
+        .. "different names"):format(where, seen[text], i, text))
     end
     seen[text] = i
-    -- Readable for people; the digits keep apart what differs in characters that no file's name should have.
+    -- The text is for readers; the digits distinguish texts that differ in characters not allowed in file names.
     local stem = text:gsub("[^%w.=+()-]+", "_"):sub(1, 120)
     result[i] = { case = case, text = text, id = ("%s-%s"):format(stem, core.hash(text):sub(1, 8)) }
   end

@@ -1,4 +1,4 @@
--- study:execute: solves the cases that are missing, in processes of their own, and keeps each as soon as it is done.
+-- study:execute: solves the missing cases, each in its own process, and keeps each result as soon as it is there.
 
 local core = require "signorini.core"
 local counted = require "signorini.counted"
@@ -11,24 +11,24 @@ local values = require "signorini.study.values"
 
 local where = "study:execute"
 
--- ── What is to do ────────────────────────────────────────────────────────────────────────────────────────────────────
+-- ── Which cases to solve ─────────────────────────────────────────────────────────────────────────────────────────────
 
---- Why a record does not stand for its case any more; nothing when it does.
+--- Why a record is out of date; nil if it is not.
 local function outdated(entry, record, now, limit)
   if not values.same(record.case, entry.case) then return "a parameter changed" end
   local changed = inputs.difference(record.inputs or {}, now)
   if #changed > 0 then return table.concat(changed, ", ") .. " changed" end
-  if outcomes.is_error(record.outcome) then return "it did not end well" end
-  if record.outcome == "time" and (not limit or limit > record.wall) then return "it has more time now" end
+  if outcomes.is_error(record.outcome) then return "it ended by an error" end
+  if record.outcome == "time" and (not limit or limit > record.wall) then return "the time limit was raised" end
 end
 
---- Whether `again` asks for a row to run once more.
+--- Whether `again` selects a row.
 local function is_wanted(again, row)
   if type(again) == "function" then return again(row) end
   return again == true or again == "failed" and row.failed
 end
 
---- What execute says before it begins: how many cases are taken from the folder, and why others are solved again.
+--- The message at the start: how many cases are taken from the folder, and why others are solved again.
 local function words_on(study, missing, reasons, older)
   local kept, words = #study.cases - #missing, {}
   for why, count in pairs(reasons) do words[#words + 1] = ("%d because %s"):format(count, why) end
@@ -40,13 +40,13 @@ local function words_on(study, missing, reasons, older)
     #missing > 0 and #missing .. " to solve" or "0 solved", again)
 end
 
---- The positions of the cases that must run, and in words what is to say about those that ran before.
+--- The positions of the cases to solve, and the message about those solved before.
 local function missing(study, now, limit, again)
   local list, reasons, older = {}, {}, 0
   for i, entry in ipairs(study.cases) do
     local record, damaged = store.read(study, entry)
     local why = damaged and "the file cannot be read" or record and outdated(entry, record, now, limit)
-    if record and not why and is_wanted(again, study:row_of(entry, record)) then why = "you ask for it" end
+    if record and not why and is_wanted(again, study:row_of(entry, record)) then why = "again requests it" end
     if why then reasons[why] = (reasons[why] or 0) + 1 end
     if record and not why then
       study.records[i] = record
@@ -58,7 +58,7 @@ local function missing(study, now, limit, again)
   return list, words_on(study, list, reasons, older)
 end
 
---- Those that may run side by side, and those that ask to run alone.
+--- Cases that may run in parallel, and those that must run alone.
 local function split_alone(study, list)
   local together, alone = {}, {}
   for _, i in ipairs(list) do
@@ -69,9 +69,9 @@ local function split_alone(study, list)
   return together, alone
 end
 
--- ── Doing it ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+-- ── Solving them ─────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The record of a case from what its process returned, or of what became of it.
+--- The record of a case from the result of its process, or from how this ended.
 local function finished(text, failure, limit)
   if text then return core.read_json(text) end
   if failure == "time" then
@@ -79,7 +79,7 @@ local function finished(text, failure, limit)
   end
   local message = failure:match "^failed: (.*)$"
   local first = message and message:match "^[^\n]*" or failure
-  if failure:find "signal 9" then first = first .. ": killed from outside, perhaps for want of memory" end
+  if failure:find "signal 9" then first = first .. ": killed from outside, possibly because memory ran out" end
   return { outcome = message and "error" or "crashed", reason = first, traceback = message, figures = {} }
 end
 
@@ -88,7 +88,7 @@ local function outcome_text(record)
   return ("%s: %s"):format(record.outcome, (record.reason or "no reason given"):match "^[^\n]*")
 end
 
---- How the execution stands, on the terminal or line by line: two functions, look(running) and case(entry, record).
+--- Progress of the execution, on the terminal or line by line: two functions, look(running) and case(entry, record).
 local function display(bar, study, todo)
   local all, ended, failed = #study.cases, 0, 0
   local function done() return all - todo + ended end
@@ -104,8 +104,8 @@ local function display(bar, study, todo)
   end
 end
 
---- Runs the cases of a list, at_once side by side; keep(case's number, record, at_once), look(cases running). Returns
---- whether all were done.
+--- Runs the cases of a list, at_once in parallel; keep(case's number, record, at_once), look(cases running). Returns
+--- whether all were solved.
 local function run_cases(study, list, at_once, limit, look, keep)
   return core.jobs(#list, at_once, function(k)
     return core.write_json(solve_case(study.run, study.cases[list[k]]))
@@ -114,8 +114,8 @@ local function run_cases(study, list, at_once, limit, look, keep)
   end, limit, look)
 end
 
---- Tells how many cases ended by errors, even where the program is quiet, and has the program end with status 1: a
---- mistake in the script would look like a result otherwise.
+--- Reports how many cases ended by errors, also in a quiet run, and sets the exit status to 1, because a mistake in the
+--- script must not look like a result.
 local function tell_errors(study)
   local count, first = 0, nil
   for i in ipairs(study.cases) do
@@ -129,15 +129,15 @@ local function tell_errors(study)
     study.records[first].reason))
 end
 
---- Tells what is left of an execution that Ctrl-C has stopped.
+--- Reports the state of an execution that Ctrl-C has stopped.
 local function tell_interrupted(study)
   local done, all = #study.rows, #study.cases
   io.stderr:write(("%s: interrupted: %d of %s %s %s\n"):format(study.name, done, counted(all, "case"),
     (done == 1 or all == 1) and "is" or "are",
-    study.folder and "kept; the same call goes on with the others" or "done"))
+    study.folder and "kept; the same call continues with the others" or "done"))
 end
 
---- Runs what is missing; `keeper` holds the folder. Returns whether that was done, or Ctrl-C has ended it.
+--- Runs the missing cases; `keeper` holds the folder. Returns whether all were done, not interrupted by Ctrl-C.
 local function run_missing(study, keeper, options)
   local now = inputs.of(study)
   for i, record in pairs(study.unsaved) do
@@ -159,7 +159,7 @@ local function run_missing(study, keeper, options)
     study.unsaved[i] = nil
     if study.on_record then study.on_record() end
     if keeper.full then
-      core.fail(("%s: no space is left for '%s': make room and execute again; all that was done is kept")
+      core.fail(("%s: no space is left for '%s'. Hint: free some and execute again; finished cases are kept")
         :format(keeper.where, study.folder))
     end
     tell(study.cases[i], record)
@@ -172,7 +172,7 @@ local function run_missing(study, keeper, options)
   return whole
 end
 
---- Executes a study for the function that errors name: { jobs, limit, again }, checked. Whether Ctrl-C let it.
+--- Executes a study for the function named in errors: { jobs, limit, again }, checked. Returns false after Ctrl-C.
 local function execute(name, study, options)
   local keeper = store.open(name, study)
   study.records = {}
@@ -186,7 +186,8 @@ end
 
 local function verb(study, options)
   if not study.cases then
-    core.fail(where .. ": this is a part of a study, which has results only: execute the study that it was taken from")
+    core.fail(where .. ": this is a part of a study, which has results only. Hint: execute the study from which it was "
+      .. "taken")
   end
   if not execute(where, study, options) then core.fail "interrupted" end
   return study

@@ -1,4 +1,4 @@
--- Which rows of a study are meant: study:where and study:row.
+-- Filters of a study's rows: study:where and study:row.
 
 local check = require "signorini.check"
 local lists = require "signorini.lists"
@@ -8,12 +8,12 @@ local values = require "signorini.study.values"
 local any = lists.any
 local filter = {}
 
---- Whether a value is meant: a table with a name may be called by it.
+--- Whether a value matches; a table with a name also matches by its name.
 local function is_meant(wanted, value)
   return values.same(wanted, value) or (type(value) == "table" and value.name ~= nil and value.name == wanted)
 end
 
---- Whether a filter allows a value in a column: a list of values, or one.
+--- Whether a value matches a filter of a column: a value or a list of values.
 local function allows(wanted, value)
   return is_meant(wanted, value) or type(wanted) == "table" and not wanted.name
     and any(wanted, function(one) return is_meant(one, value) end)
@@ -32,7 +32,7 @@ local function values_of(study, name)
   return list
 end
 
---- A value of a parameter that no case has is misspelt.
+--- Raises an error about a value of a parameter that no case has.
 local function check_value(where, study, name, wanted)
   local known = values_of(study, name)
   local texts = lists.map(known, function(value) return values.text(value) end)
@@ -65,14 +65,14 @@ local function read(where, study, wanted)
   end
   return function(row)
     for name, value in pairs(wanted) do
-      -- false stands for what a row does not have: failed = false
+      -- false matches a missing value: failed = false
       if not allows(value, row[name]) and not (value == false and row[name] == nil) then return false end
     end
     return true
   end
 end
 
---- The rows of a study that a filter keeps: a table of values by column, or a function of a row.
+--- The rows of a study that match a filter: a table of values by column, or a function of a row.
 function filter.rows(where, study, wanted)
   return lists.filter(study.rows, read(where, study, wanted))
 end

@@ -7,9 +7,9 @@ local format_table = require "signorini.table"
 local lists = require "signorini.lists"
 local values = require "signorini.study.values"
 
-local most, widest = 20, 40 -- cases and characters of a value that print shows
+local most, widest = 20, 40 -- printed cases, and characters of a value
 
---- How many cases, and the first ones as rows of a table.
+--- The number of cases, and the first ones as rows of a table.
 local function shown(cases)
   local names = getmetatable(cases).parameters
   local rows = lists.map({ table.unpack(cases, 1, math.min(most, #cases)) }, function(case)
@@ -22,11 +22,11 @@ local function shown(cases)
 end
 
 return function(...)
-  -- The order in which the parameters were given is for tables; it is no parameter itself.
+  -- The order in which the parameters were given is for tables; it is not a parameter itself.
   local cases, names, seen = { {} }, {}, {}
   for _, parameters in ipairs { ... } do
     for _, name in ipairs(lists.sorted_names(parameters)) do
-      if seen[name] then core.fail(("sg.grid: the parameter '%s' is there twice"):format(name)) end
+      if seen[name] then core.fail(("sg.grid: the parameter '%s' occurs twice"):format(name)) end
       seen[name], names[#names + 1] = true, name
       local longer = {}
       for _, case in ipairs(cases) do

@@ -1,27 +1,26 @@
--- What the results of a study depend on besides the parameters of a case: the text of its function `run` and of the
--- script's functions that it calls, the values that these use, and the program's version. When one of these changes,
--- what was computed before no longer counts. The text of whole scripts would be a simpler key, but then a change of a
--- chart would solve everything again.
+-- The inputs of a study besides the parameters of a case: the text of its function `run` and of the script's functions
+-- that it calls, the values that these use, and the program's version. When one of these changes, earlier results are
+-- out of date. The text of whole scripts would be a simpler key, but then a change of a chart would repeat all cases.
 
 local core = require "signorini.core"
 local sorted_names = require("signorini.lists").sorted_names
 
 local inputs = {}
 
--- Lua's own globals and modules and those of the library are the program, of which the version counts.
+-- Lua's globals and modules and those of the library belong to the program, whose version is an input.
 local globals, program = {}, {}
 for name in next, _G do globals[name] = true end
 globals.sg, globals.help, globals.arg = true, true, true
 for _, module in pairs(package.loaded) do program[module] = true end
 
---- Adds the library's modules that were loaded later.
+--- Adds modules of the library that were loaded later.
 local function find_program()
   for name, module in pairs(package.loaded) do
     if name:find "^signorini" then program[module] = true end
   end
 end
 
---- The source text of a function; of one that was typed, its bytes.
+--- The source text of a function; if it was typed at the prompt, its bytes.
 local function source_of(f)
   local about = debug.getinfo(f, "S")
   local file, lines = about.source:match "^@(.*)", {}
@@ -31,8 +30,8 @@ local function source_of(f)
   return table.concat(lines, "\n", about.linedefined, math.min(about.lastlinedefined, #lines))
 end
 
---- All that a function refers to, as { name, value } in a list: its upvalues, and the user's own globals that its text
---- names, which it finds through _ENV.
+--- The variables that a function refers to, as a list of { name, value }: its upvalues, and the user's globals that
+--- occur in its text, which it reads through _ENV.
 local function references(f)
   local list, source = {}, source_of(f)
   for i = 1, math.huge do
@@ -47,8 +46,7 @@ local function references(f)
   end
 end
 
---- What the results of a study depend on, by name: `run` and each thing that this refers to, or what was given in place
---- of these.
+--- The inputs of a study by name: `run` and each value to which it refers, or the inputs that were given instead.
 local function parts_of(study)
   if study.inputs ~= nil then return { inputs = study.inputs } end
   if study.parts then return study.parts end
@@ -57,8 +55,8 @@ local function parts_of(study)
   return parts
 end
 
---- What a table or a function holds, as { name, value } in a list. Of a study, or of a stability map, that is what its
---- results depend on, not how long they took.
+--- The contents of a table or a function, as a list of { name, value }. For a study or a convergence map these are its
+--- inputs, not its times.
 local function contents(value)
   if type(value) == "function" then return references(value) end
   local own, list = getmetatable(value), {}
@@ -70,12 +68,12 @@ local function contents(value)
   return list
 end
 
---- Adds the text of a value to `out`; what was there before, or is part of the program, is only named.
+--- Adds the text of a value to `out`; values that occurred before, or belong to the program, are only named.
 local function write(value, out, seen)
   local kind = type(value)
   if kind == "userdata" then
     out[#out + 1] = core.kind(value)
-    out[#out + 1] = core.content(value) -- nothing of an object without content, such as an open file
+    out[#out + 1] = core.content(value) -- empty for objects without content, such as an open file
   elseif kind ~= "table" and kind ~= "function" then
     out[#out + 1] = kind == "number" and ("%a"):format(value) or tostring(value)
   elseif seen[value] or program[value] or core.names[value] then
@@ -94,8 +92,8 @@ local function write(value, out, seen)
   end
 end
 
---- The inputs of a study by name: hashes of what its results depend on, and the program's version, unless the user said
---- what counts.
+--- The inputs of a study by name: hashes of what its results depend on, and the program's version, unless the user gave
+--- the inputs.
 function inputs.of(study)
   find_program()
   local result = { ["the program's version"] = study.inputs == nil and core.versions.signorini or nil }
@@ -107,7 +105,7 @@ function inputs.of(study)
   return result
 end
 
---- The names of what differs between two sets of inputs, sorted; empty when nothing does.
+--- The sorted names of the inputs that differ; empty if none does.
 function inputs.difference(before, now)
   local names = {}
   for _, each in ipairs { before, now } do

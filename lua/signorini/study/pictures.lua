@@ -1,4 +1,4 @@
--- The pictures of a study: its rows as curves, and over two of its parameters as a heat map.
+-- The pictures of a study: its rows as curves, or as a heat map over two of its parameters.
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -10,8 +10,8 @@ local values = require "signorini.study.values"
 
 local pictures = {}
 
---- The arguments that sg.chart or sg.heatmap take over: all but the `own` ones. A label that is missing is the
---- quantity's own, a title the study's name.
+--- The arguments that are passed to sg.chart or sg.heatmap: all except the `own` ones. The default of a label is the
+--- quantity's, that of the title is the study's name.
 local function passed_on(study, options, own, labels)
   local chart = lists.merged({ title = study.name }, options)
   for _, key in ipairs(own) do chart[key] = nil end
@@ -25,30 +25,30 @@ local function nothing_to_draw(where, study, what, file)
   core.fail(("%s: no case has %s; %s cannot be drawn%s"):format(where, what, file, why and ": " .. why or ""))
 end
 
---- Two rows where one was expected: says what tells them apart, and so what is missing.
+--- Raises an error about two rows where one was expected, with the columns in which they differ.
 local function ambiguous(where, study, a, b, place, also)
   local differing = lists.filter(study.parameters, function(name) return not values.same(a[name], b[name]) end)
-  if #differing == 0 then core.fail(("%s: the case %s is there twice"):format(where, place)) end
+  if #differing == 0 then core.fail(("%s: the case %s occurs twice"):format(where, place)) end
   local texts = lists.map(differing, function(name)
     return ("%s (%s, %s)"):format(name, values.text(a[name]), values.text(b[name]))
   end)
-  core.fail(("%s: more than one case at %s: they differ in %s: keep one value with study:where%s")
+  core.fail(("%s: more than one case at %s: they differ in %s. Hint: keep one value with study:where%s")
     :format(where, place, table.concat(texts, ", "), also or ""))
 end
 
 -- ── Charts ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local most_ticks = 12 -- that are set to whole numbers
+local most_ticks = 12 -- at whole numbers
 local curve_options = { "markers", "dashed", "line", "width" }
 local own_options = { "x", "y", "series", table.unpack(curve_options) }
 
---- The values of a column in their order, as texts.
+--- The distinct values of a column in their order, as texts.
 local function axis_texts(rows, column)
   return lists.unique(lists.map(rows, function(row) return values.text(row[column], true) end))
 end
 
---- Where the rows stand on the x axis: their numbers, or, where a column holds anything else, their place in the order
---- in which the values first appear, with the names of these places.
+--- The positions of the rows on the x axis: their numbers or, if a column has other values, the place in the order in
+--- which the values first occur, with the names of these places.
 local function read_places(where, x, rows)
   local is_odd = type(x.pick) ~= "function" and lists.any(rows, function(row)
     return row[x.pick] ~= nil and type(row[x.pick]) ~= "number"
@@ -61,7 +61,7 @@ local function read_places(where, x, rows)
     lists.map(names, function(name, i) return { i, name } end)
 end
 
---- One curve per series, each with the points { x, y, row } by x.
+--- One curve per series, each with the points { x, y, row }, sorted by x.
 local function read_curves(where, study, rows, x_of, y, series, alone)
   local points = {}
   for place, row in ipairs(rows) do
@@ -86,8 +86,8 @@ local function read_curves(where, study, rows, x_of, y, series, alone)
   return curves
 end
 
---- Ticks at the values along x where these are few whole numbers with room between them, so that none stands at 1.5;
---- else the axis chooses.
+--- Ticks at the values along x if these are few whole numbers and well separated, so that there is none at 1.5;
+--- otherwise the axis chooses.
 local function whole_ticks(curves, log)
   local list = lists.unique(lists.map(lists.flat(curves), function(point)
     return math.tointeger(point.x) or point.x
@@ -131,13 +131,13 @@ end
 
 -- ── Heat maps ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A parameter's values in their order, as texts.
+--- The distinct values of a parameter in their order, as texts.
 local function read_axis(where, key, study, name)
   check.value(types.choice(study.parameters), name, where, key)
   return { name = name, texts = axis_texts(study.rows, name) }
 end
 
---- The row of each cell: rows[y][x] by the axes' texts.
+--- The row of each cell: rows[y][x] by the texts of the axes.
 local function read_cells(where, study, x, y)
   local cells = {}
   for _, text in ipairs(y.texts) do cells[text] = {} end
@@ -152,7 +152,7 @@ local function read_cells(where, study, x, y)
   return cells
 end
 
---- What stands in a cell: the value in three digits, what became of a case that failed, or nothing.
+--- The text of a cell: the value with three digits, the outcome of a failed case, or nothing.
 local function cell_text(row, number)
   if row.failed then return row.outcome or "failed" end
   return number and tonumber(("%.3g"):format(number)) or ""

@@ -1,4 +1,4 @@
--- What the readers of a study pick from its rows: a column or a function, with its name, unit and axis label.
+-- Quantities of a study's rows: a column or a function, with its name, unit and axis label.
 
 local map = require("signorini.lists").map
 local outcomes = require "signorini.study.outcomes"
@@ -22,19 +22,19 @@ function quantity.case(study, row)
   end), ", ")
 end
 
---- The number that it has in a row, or nil; a text or a number that is not finite is an error that names the case.
+--- Its number in a row, or nil; a string or a number that is not finite is an error that names the case.
 function quantity.number(q, row)
   return values.number(q.where, ("%s (of the case %s)"):format(q.key, quantity.case(q.study, row)), q.pick, row)
 end
 
---- What it has in a row, as a text with all digits that count, or nil.
+--- Its value in a row, as a text with all digits, or nil.
 function quantity.text(q, row)
   local value = row[q.pick]
   if type(q.pick) == "function" then value = q.pick(row) end
   return value ~= nil and values.text(value, true) or nil
 end
 
---- Its name as a title, empty for a function.
+--- Its name as a title; empty for a function.
 function quantity.title(q) return type(q.pick) == "string" and q.name or "" end
 
 --- A number with its name and unit: "wall = 1.25 s".
@@ -42,8 +42,8 @@ function quantity.stated(q, number)
   return ("%s = %.4g%s"):format(q.name, number, q.unit ~= "" and " " .. q.unit or "")
 end
 
---- The cases that count as points { row, place in the study, a number for the key of each quantity }, and those that
---- fail or lack a quantity as { row, why }. keep(row): which count; judge(point): why a point is none, or nil.
+--- The cases as points { row, place in the study, a number for the key of each quantity }, and those that failed or
+--- lack a quantity as { row, why }. keep(row): which cases count; judge(point): why a point is rejected, or nil.
 function quantity.points(study, quantities, keep, judge)
   local points, left_out = {}, {}
   for i, row in ipairs(study.rows) do

@@ -1,13 +1,13 @@
--- A study's folder: one JSON file for each case that is done, and study.json, which says whose folder it is. Files are
--- written whole or not at all and are on the disk before the next case begins, so that whoever reads them, or goes on
--- after a power cut, finds results and nothing else.
+-- A study's folder: one JSON file for each case that is done, and study.json, which names the study. Files are written
+-- atomically and are on the disk before the next case begins, so that readers, and studies resumed after a power
+-- failure, find only complete results.
 
 local in_name_of = require "signorini.in_name_of"
 local core = require "signorini.core"
 
 local store = {}
 
--- On a disk that fills up this file goes, and leaves room for the results of the cases that are under way.
+-- When the disk is full this file is removed, which leaves space for the results of the running cases.
 local reserve_name, reserve_size = "reserve", 1 << 20
 
 --- Calls a function of the core; its error becomes one of study:execute at the user's line.
@@ -21,17 +21,17 @@ end
 
 local function case_file(study, entry) return ("%s/cases/%s.json"):format(study.folder, entry.id) end
 
---- Whether a folder holds this study already. That it holds another one is an error.
+--- Whether a folder already holds this study. If it holds another one, this is an error.
 local function check_owner(where, study)
   local owner = read(study.folder .. "/study.json")
   if owner and owner.study ~= study.name then
-    core.fail(("%s: the folder '%s' holds the study '%s', not '%s': give this one a folder of its own, or remove the "
+    core.fail(("%s: the folder '%s' holds the study '%s', not '%s': give this one another folder, or remove the "
       .. "old one"):format(where, study.folder, tostring(owner.study), study.name))
   end
   return owner ~= nil
 end
 
---- What is known of a case: its record, or nil; and whether its file is there but cannot be understood.
+--- The record of a case, or nil; and whether its file exists but cannot be read.
 function store.read(study, entry)
   if not study.folder then return nil end
   local record, damaged = read(case_file(study, entry))
@@ -42,7 +42,7 @@ function store.read(study, entry)
   return nil, damaged or record ~= nil
 end
 
---- Removes what a folder holds of any study.
+--- Removes the cases from a folder.
 local function clear(folder)
   for _, name in ipairs(core.list_folder(folder .. "/cases")) do
     if name:find "%.json$" then os.remove(("%s/cases/%s"):format(folder, name)) end
@@ -50,7 +50,7 @@ local function clear(folder)
   os.remove(folder .. "/study.json")
 end
 
---- Makes the folder and holds it, as long as the returned keeper is not released. A study without one keeps nothing.
+--- Makes and locks the folder until the returned keeper is released. A study without a folder keeps nothing.
 function store.open(where, study)
   if not study.folder then return { study = study, where = where } end
   call(where, "mkdir", study.folder .. "/cases")
@@ -66,17 +66,17 @@ function store.open(where, study)
   error(message, 0)
 end
 
---- Checks whose folder it is, for those who only read.
+--- Checks the study's name in the folder, for reading only.
 function store.check(where, study) check_owner(where, study) end
 
---- Takes the room that the last results will need, before any case runs.
+--- Reserves the space that the last results will need, before any case runs.
 function store.take_reserve(keeper)
   if not keeper.lock then return end
   core.remove_leftovers(keeper.reserve)
   call(keeper.where, "write_file", keeper.reserve, (" "):rep(reserve_size))
 end
 
---- Writes a case's record. When the disk is full the reserve makes room for it.
+--- Writes a case's record. If the disk is full, the reserve is released.
 function store.write(keeper, entry, record)
   if not keeper.lock then return end
   local file, text = case_file(keeper.study, entry), core.write_json(record, "the case's record")
@@ -87,7 +87,7 @@ function store.write(keeper, entry, record)
   keeper.full = true
 end
 
---- Lets go of the folder.
+--- Unlocks the folder.
 function store.close(keeper)
   if not keeper.lock then return end
   os.remove(keeper.reserve)

@@ -1,8 +1,8 @@
--- What the rows of a study hold, and how it is picked from them: shared by all that reads studies.
+-- Columns of a study and their values: shared by all readers of studies.
 --
 -- A study has name, parameters (names in order), figures (names in order), units (by name) and rows; a row holds the
--- values of parameters and figures by name, wall (s), and of a case that failed: failed = true and reason. Parameters
--- and figures are plain data; tables among them show by their field `name`.
+-- values of parameters and figures by name, wall (s), and for a failed case failed = true and reason. Parameters and
+-- figures are plain data; tables among them are shown by their field `name`.
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -12,10 +12,10 @@ local types = require "signorini.types"
 
 local values = {}
 
---- What every case has besides its parameters and figures.
+--- The columns of every case besides its parameters and figures.
 values.accounts = { "wall", "failed", "outcome", "reason" }
 
---- Whether two values of plain data are equal, tables entry by entry.
+--- Whether two values of plain data are equal; tables are compared entry by entry.
 function values.same(a, b)
   if type(a) ~= "table" or type(b) ~= "table" then return a == b end
   for key, value in pairs(a) do
@@ -27,7 +27,7 @@ function values.same(a, b)
   return true
 end
 
---- A value as people read it: {6, 2} is "6×2", { name = "m1", … } is "m1". exactly: numbers with all digits that count.
+--- A value in short form: {6, 2} is "6×2", { name = "m1", … } is "m1". exactly: numbers with all digits.
 function values.text(value, exactly)
   if type(value) == "table" then
     if value.name then return values.text(value.name, exactly) end
@@ -41,7 +41,7 @@ function values.text(value, exactly)
   return (exactly or math.type(value) == "integer") and core.number_text(value) or ("%.6g"):format(value)
 end
 
---- The names of all figures that records or cells have, sorted; lists are none that a table could show.
+--- The names of all figures of records or cells, sorted; without lists, which a table cannot show.
 function values.figure_names(holders)
   local names = {}
   for _, holder in pairs(holders) do
@@ -50,13 +50,13 @@ function values.figure_names(holders)
   return lists.sorted_names(names)
 end
 
---- All columns of a study by name: parameters, figures, then the accounts that every case has.
+--- All columns of a study by name: parameters, figures, then the columns of every case.
 function values.columns(study)
   return lists.unique(lists.joined(study.parameters, study.figures, values.accounts))
 end
 
---- Raises an error about a figure that no case has because none came out: its name may be right, and the reason is the
---- cure.
+--- Raises an error about a figure that no case has because all failed: its name may be correct, so the reason of the
+--- failures is given.
 function values.check_known(where, name, study)
   local columns = values.columns(study)
   if type(name) ~= "string" or lists.holds(columns, name) or core.nearest(name, columns) then return end
@@ -64,21 +64,21 @@ function values.check_known(where, name, study)
   if why then core.fail(("%s: no case has '%s': %s"):format(where, name, why)) end
 end
 
---- Checks that a study has a column, which may be a function of a row instead.
+--- Checks that a study has a column; a function of a row is also accepted.
 function values.column(where, key, name, study)
   if type(name) == "function" then return end
   values.check_known(where, name, study)
   check.value(types.choice(values.columns(study)), name, where, key)
 end
 
---- The number that a column or a function picks from a row; nil where there is none. Texts and what is not finite are
---- errors.
+--- The number that a column or a function returns for a row; nil if there is none. Strings and numbers that are not
+--- finite are errors.
 function values.number(where, key, pick, row)
   local value = row[pick]
   if type(pick) == "function" then value = pick(row) end
   if value == nil then return nil end
   if type(value) ~= "number" or value ~= value or math.abs(value) == math.huge then
-    core.fail(("%s: %s must pick finite numbers, got %s"):format(where, key, core.describe(value)))
+    core.fail(("%s: %s must return finite numbers, got %s"):format(where, key, core.describe(value)))
   end
   return value
 end

@@ -1,5 +1,5 @@
--- Methods that read a study. Those that choose, group or add return a study of their own, so that they can be chained;
--- it has results only and cannot be executed.
+-- Methods that read a study. Those that select, group or add rows return a study, so that they can be chained; it has
+-- results only and cannot be executed.
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -17,11 +17,11 @@ local types = require "signorini.types"
 local values = require "signorini.study.values"
 
 local map = lists.map
-local widest = 60 -- characters of a cell that is printed
+local widest = 60 -- characters of a printed cell
 
 local verbs = { chart = pictures.chart, heatmap = pictures.heatmap }
 
---- A study of these rows; `more` replaces what else is not as in the old one.
+--- A study of these rows; `more` replaces other fields of the old one.
 local function part_of(study, rows, more)
   return setmetatable(lists.merged({ name = study.name, parameters = study.parameters, figures = study.figures,
     units = study.units, rows = rows, whole = study.whole or study }, more), getmetatable(study))
@@ -35,12 +35,12 @@ function verbs:row(wanted)
   local rows = filter.rows("study:row", self, wanted)
   if #rows ~= 1 then
     core.fail(("study:row: %s rows have %s, not one: %s"):format(#rows == 0 and "no" or #rows, filter.text(wanted),
-      #rows == 0 and "print the study to see what it holds" or "name more parameters"))
+      #rows == 0 and "print the study to see its rows" or "name more parameters"))
   end
   return rows[1]
 end
 
---- The rows in lists that share the values of some columns, in the order in which these first appear.
+--- Lists of the rows with equal values of some columns, in the order in which these first occur.
 local function grouped(rows, names)
   return lists.grouped(rows, function(row)
     return table.concat(map(names, function(name) return type(row[name]) .. values.text(row[name], true) end), "\0")
@@ -68,14 +68,14 @@ end
 
 function verbs:with(name, make, unit)
   if lists.holds(self.parameters, name) then
-    core.fail(("study:with: '%s' is a parameter: choose another name"):format(name))
+    core.fail(("study:with: '%s' is a parameter. Hint: choose another name"):format(name))
   end
   local rows, units = {}, lists.merged(self.units)
   for i, row in ipairs(self.rows) do
     rows[i] = lists.merged(row)
     local value = make(row)
     if value ~= value then
-      core.fail(("study:with: %s is nan in row %d: return nil for what is not known"):format(name, i))
+      core.fail(("study:with: %s is nan in row %d. Hint: return nil for an unknown value"):format(name, i))
     end
     rows[i][name] = value
   end
@@ -84,8 +84,8 @@ function verbs:with(name, make, unit)
   return part_of(self, rows, { figures = lists.joined(others, { name }), units = units })
 end
 
---- One row of several that differ in one parameter only: numbers by their median, all else as in the first row that
---- has it.
+--- Merges rows that differ in one parameter only: medians of numbers, otherwise the value of the first row that has
+--- one.
 local function merge(rows, name)
   local merged, numbers = {}, {}
   for _, row in ipairs(rows) do
@@ -110,7 +110,7 @@ function verbs:median(name)
   local kept = lists.filter(self.parameters, function(parameter) return parameter ~= name end)
   local rows = map(grouped(self.rows, kept), function(group)
     local row = merge(group, name)
-    -- A parameter is no measurement: what all rows of the group share stays the bits that it was.
+    -- A parameter that all rows of the group share stays bitwise the same.
     for _, parameter in ipairs(kept) do row[parameter] = group[1][parameter] end
     return row
   end)
@@ -119,7 +119,7 @@ end
 
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Columns that tell something: outcome and reason only where there is one.
+--- Columns worth printing: outcome and reason only if there is one.
 local function telling_columns(study)
   return lists.filter(values.columns(study), function(name)
     local is_account = name == "outcome" or name == "reason"
@@ -127,7 +127,7 @@ local function telling_columns(study)
   end)
 end
 
---- Whether one value stands before another: numbers before texts, what is missing last.
+--- Order of values: numbers before texts, missing ones last.
 local function before(a, b)
   if a == nil or b == nil then return a ~= nil end
   if type(a) == "number" and type(b) == "number" then return a < b end
@@ -150,7 +150,7 @@ local function sorted_rows(where, study, sort)
   return rows
 end
 
---- The columns, units and rows of a table, values as texts where a cell could not hold them.
+--- The columns, units and rows of a table, with texts for values that a cell cannot hold.
 local function read_table(where, study, options)
   local columns = options.columns or telling_columns(study)
   local units = map(columns, function(name, j)
@@ -186,7 +186,7 @@ end
 
 function verbs:__len() return #self.rows end
 
---- How many cases are done, what became of those that did not come out, and the table.
+--- The number of finished cases, the outcomes of those without results, and the table.
 function verbs:__tostring()
   local counts, all = outcomes.counts(self.rows), self.cases and #self.cases or #self.rows
   local head = ("%s: %s%s%s%s"):format(self.name, self.cases and ("%d of "):format(#self.rows) or "",
