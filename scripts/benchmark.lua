@@ -36,7 +36,7 @@ local options = sg.arguments{
 local files = sg.files(options.out)
 
 local cases, exponents = {}, {}
--- The first picture loads the renderer, the first large factorization starts BLAS: not on the clock.
+-- Warm-up: the first picture loads the renderer, the first large factorization starts BLAS.
 measure.case({ problem = "plane", label = "N2", mesh = "m1" },
   { steps = 1, repeats = 1, linear = "umfpack", out = options.out })
 for _, name in ipairs { "plane", "solid" } do
@@ -44,7 +44,7 @@ for _, name in ipairs { "plane", "solid" } do
   for i, mesh in ipairs(options[name]) do
     local case = measure.case({ problem = name, label = options.label, mesh = mesh }, options)
     own[i], cases[#cases + 1] = case, case
-    if i > 1 and case.dofs <= own[i - 1].dofs then error(("%s: meshes must come in rising order"):format(name), 0) end
+    if i > 1 and case.dofs <= own[i - 1].dofs then error(("%s: meshes must be in increasing order"):format(name), 0) end
   end
   for i, case in ipairs(own) do sizes[i] = case.dofs end
   for _, list in ipairs { measure.accounts, measure.outputs } do
@@ -59,7 +59,7 @@ local element = measure.element(options.element, options.repeats)
 
 local solver_sheet = solvers.sheet(options.solvers, options.repeats)
 
-print "Time of an iteration by its parts, ms (search is part of contact); around: all but the linear solver, over it"
+print "Time of an iteration by part, ms (search is part of contact); around: all other parts / linear solver"
 print(report.iteration_table(cases))
 print "\nTime to write a state, ms"
 print(report.output_table(cases))

@@ -46,10 +46,10 @@ local sixty = require "block_ironing3d.sixty"
 
 local problem = { title = "Block ironing", length = 20, start = 3.75, depth = 1, way = 12.5 }
 
---- The elements of the half with y < 5, across half as many.
+--- The elements of the half with y < 5: half as many across.
 local function half_of(elements) return { elements[1], elements[2] // 2, elements[3] } end
 
---- The whole model, or with case.half what lies before the plane y = 5 that mirrors it (elements across: even numbers).
+--- The whole model, or with case.half the half y < 5 with a plane of symmetry (even numbers of elements across).
 function problem.scene(case)
   local width = case.half and 0.5 or 1
   local across = case.half and half_of or function(elements) return elements end

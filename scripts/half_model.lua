@@ -16,7 +16,7 @@ local sg = require "signorini"
 local options = sg.arguments{ mesh = 4, solid = 3, repeats = 5 }
 local soft, stiff = sg.neo_hookean{ E = 1, nu = 0.3 }, sg.neo_hookean{ E = 1000, nu = 0.3 }
 
---- The ring on its slab, x = 0 in their middle.
+--- The ring on its slab, centered at x = 0.
 local function ring(half)
   local n = options.mesh
   local shape = half and sg.shapes.quarter_annulus or sg.shapes.half_annulus
@@ -36,7 +36,7 @@ local function ring(half)
   }
 end
 
---- The punch on its block, their middle in x = y = 0; `halves` of the directions x and y are cut there.
+--- The punch on its block, centered at x = y = 0, and cut there in `halves` of the directions x and y.
 local function punch(halves)
   local n, cut = options.solid, { halves >= 1, halves >= 2 }
   local function body(width, bottom, height, per_half, contact, material)

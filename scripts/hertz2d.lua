@@ -30,14 +30,14 @@ local sg = require "signorini"
 local problem = require "hertz2d.problem"
 local in_turns = require "timing.in_turns"
 
---- N2-N2.2 on a mesh against N2 on the next one: how much less time it took as published, in %.
+--- Published saving of time of N2-N2.2 on a mesh against N2 on the next one, in %.
 local savings = { m3 = 42.48, m4 = 43.74 }
 local figures = { error = { "L1", "N2", "N2-N2.1", "N2-N2.2" },
                   error_smooth = { "N2-N4", "N4", "N2-N3.2", "N2-N2.2", "N2", "L1" } }
 
 -- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Solves a scene and measures its contact, all figures beside Hertz's under the force that came out.
+--- Solves a scene and measures its contact, all compared with Hertz's solution for the computed force.
 local function solve(o, steps, linear)
   local began = sg.wall_time()
   local model, stage, ring = problem.scene(o)
@@ -89,7 +89,7 @@ local function case_table(cases, finest)
   }
 end
 
---- N2-N2.2 on each mesh beside N2 on the next one.
+--- N2-N2.2 on each mesh, compared with N2 on the next one.
 local function saving_table(cases)
   local rows = {}
   for level = 1, 5 do
@@ -100,14 +100,14 @@ local function saving_table(cases)
     end
   end
   return sg.table{
-    columns = { "N2-N2.2", "error", "wall", "N2", "error", "wall", "less time", "published" },
+    columns = { "N2-N2.2", "error", "wall", "N2", "error", "wall", "time saved", "published" },
     units = { "", "", "s", "", "", "s", "%", "%" }, rows = rows,
     formats = { "%s", "%.2e", "%.3f", "%s", "%.2e", "%.3f", "%.1f", "%.1f" },
   }
 end
 
---- What of the difference from Hertz is the ring's finite size: R/a grows, all else in units of a stays. Quadratic
---- through the wall, so that hardly anything is left of the mesh; with the problem's penalty and a tenfold one.
+--- Effect of the ring's finite size: R/a grows, all other lengths in units of a are fixed. Degree 2 in the thickness
+--- direction, so that the discretization error is negligible; with the problem's penalty and a tenfold one.
 local function size_study(options)
   local cases, rows = {}, {}
   for _, stiffer in ipairs { 1, 10 } do
@@ -129,7 +129,7 @@ end
 
 -- ── Charts ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Figures 6.2 and 7.14: pressure over the contact coordinate, both in units of Hertz's, beside his ellipse.
+--- Figures 6.2 and 7.14: pressure over the contact coordinate, in units of Hertz's values, with his ellipse.
 local function draw_pressure(cases, finest, mesh, file)
   local chart = { file = file, title = ("Hertz, mesh %s: contact pressure"):format(mesh), xlabel = "x / a",
                   ylabel = "p / p_0", xrange = { 0, 1.2 }, inset = { xrange = { 0.8, 1.02 } } }
@@ -150,7 +150,7 @@ local function draw_pressure(cases, finest, mesh, file)
   sg.chart(chart)
 end
 
---- Figures 7.15 to 7.17: errors over the mesh or the time. Curves that are drawn first lie on top.
+--- Figures 7.15 to 7.17: errors over the mesh or the time. Curves drawn first are on top.
 local function draw_errors(chart, cases, labels, meshes, abscissa)
   chart.ylabel = "L2 error of p / p_ref"
   for _, label in ipairs(labels) do
@@ -197,18 +197,18 @@ for i = 2, #solved do
   cases[i - 1], cases[case.label .. " " .. case.mesh] = case, case
 end
 
-print(("\nLoad by %s: peak pressure and half-width beside Hertz's, L2 error of p/p_ref over x/a_ref against N2 at %s,")
+print(("\nLoad by %s: peak pressure and half-width against Hertz's, L2 error of p/p_ref over x/a_ref against N2 at %s,")
   :format(options.load, finest.mesh))
-print(("times as medians of %d (wall with set-up; linear: factorization and solve), DOFs beside Table 7.4")
+print(("times as medians of %d (wall with setup; linear: factorization and solve), DOFs of Table 7.4")
   :format(options.repeats))
 print(case_table(cases, finest))
-print "\nN2-N2.2 beside N2 on the next mesh"
+print "\nN2-N2.2 compared with N2 on the next mesh"
 print(saving_table(cases))
 local sizes
 if #options.sizes > 1 then
   local text
   sizes, text = size_study(options)
-  print "\nFinite size: N2-N2.2 at m4, quadratic through the wall, load by force"
+  print "\nFinite size: N2-N2.2 at m4, degree 2 in the thickness direction, load by force"
   print(text)
 end
 

@@ -29,8 +29,8 @@ local sg = require "signorini"
 local inner, outer, young, poisson = 0.2, 1, 1, 0.3
 local load, penalty = math.pi * outer ^ 2 * 1e-4, 1000
 local pressed = -load / (math.pi * (outer ^ 2 - inner ^ 2)) -- traction on the cut
--- A force alone does not hold a body that only touches. Under a given force the height of the plane changes nothing, so
--- it stands a little higher: the first iteration finds points in contact.
+-- Under a given force the body is unconstrained until it is in contact. The height of the plane does not affect the
+-- result, so the plane is slightly higher and the first iteration finds points in contact.
 local height = -outer + 1e-4
 
 -- ── Scenes ───────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -43,7 +43,7 @@ local function crowded(at)
   return { elements = 0.75, length = 0.1, at = at }
 end
 
---- The eighth of the sphere. `o`: label, mesh, around (elements around z, n/4 when absent).
+--- The eighth of the sphere. `o`: label, mesh, around (elements around z, by default n/4).
 local function solid_scene(o)
   local n = elements_of(o.mesh)
   local ball = sg.body{
@@ -62,7 +62,7 @@ local function solid_scene(o)
   return { model = model, target = { 0, 0, pressed }, dofs = ball:dofs(), force = "ground.fz", parts = 4 }
 end
 
---- The same meridian mesh as a scene in the (r, z) plane.
+--- The axisymmetric model with the same meridian mesh.
 local function revolved_scene(o)
   local n = elements_of(o.mesh)
   local ball = sg.body{
@@ -90,8 +90,8 @@ local function hertz(p)
   return a, 3 * p / (2 * math.pi * a ^ 2)
 end
 
---- The profile of a solid over the radius: contact points of one reference radius make a ring, its values are the means
---- over its points. Also the largest spread of the pressure on a ring.
+--- The profile of a solid over the radius: the values of a reference radius are means over the contact points with this
+--- radius. Also the largest spread of the pressure at one radius.
 local function ring_profile(profile)
   local order = {}
   for i = 1, #profile.x do order[i] = { i = i, radius = math.sqrt(profile.X[i] ^ 2 + profile.Y[i] ^ 2) } end
@@ -114,7 +114,7 @@ local function ring_profile(profile)
   return rings, spread
 end
 
---- Solves a scene and measures its contact beside Hertz's.
+--- Solves a scene and compares its contact with Hertz's.
 local function solve(o, scene, options)
   local run = scene.model:run({ { name = "press", steps = options.steps, push = scene.target } },
     sg.plain{ linear = options.linear })
@@ -136,7 +136,7 @@ local function solve(o, scene, options)
   return case
 end
 
---- A solid beside its axisymmetric twin: how far peak and radius differ, and the ratio of the times.
+--- A solid compared with its axisymmetric model: differences of peak and radius, ratio of times.
 local function solve_both(o, options)
   local case = solve(o, solid_scene(o), options)
   case.twin = solve(o, revolved_scene(o), options)
@@ -188,7 +188,7 @@ local function curve(case, options)
   return line
 end
 
---- Figure 6.7: the pressure of one label on all meshes over the contact coordinate, beside Hertz's.
+--- Figure 6.7: the pressure of one label on all meshes over the contact coordinate, with Hertz's.
 local function draw_pressure(cases, label, file)
   local chart = { file = file, title = ("Hertz in 3D, %s: contact pressure"):format(label), xlabel = "r / a",
                   ylabel = "p / p_0", xrange = { 0, 1.2 }, inset = { xrange = { 0.85, 1.05 }, yrange = { 0, 0.6 } } }
@@ -237,9 +237,9 @@ for _, around in ipairs(options.around) do
   turns[#turns + 1] = solve(o, solid_scene(o), options)
 end
 
-print "\nPeak pressure and radius of contact beside Hertz's, L2 error of p/p_0 over r/a against Hertz's"
+print "\nPeak pressure and radius of contact compared with Hertz's, L2 error of p/p_0 over r/a against Hertz's"
 print(case_table(cases))
-print "\nThe axisymmetric scene of the same meridian mesh, and how far 3D is from it"
+print "\nThe axisymmetric model with the same meridian mesh, and the difference of 3D from it"
 print(twin_table(cases))
 print "\nElements around the axis"
 print(case_table(turns))

@@ -31,7 +31,7 @@ local load, penalty = math.pi * outer ^ 2 * 1e-4, 1000
 
 --- The sphere on its plane, and the traction on its cut. `o`: label, mesh; for the study of the size also size, the
 --- multiple of R/a (the load falls with its cube; there are as many elements per half-width near the contact and
---- beyond), stiffer, the multiple of the penalty, and through, the degree through the wall.
+--- beyond), stiffer, the multiple of the penalty, and through, the degree in the thickness direction.
 local function scene(o)
   local size = o.size or 1
   -- 0.75 n elements in the part 0.1/size of the length, 0.25 n size in the rest: twice the size, twice as many there
@@ -44,8 +44,8 @@ local function scene(o)
     through = o.through or 1,
     material = sg.linear_elastic{ E = young, nu = poisson },
   }
-  -- A force alone does not hold a body that only touches. Under a given force the height of the plane changes nothing,
-  -- so it stands a little higher: the first iteration finds points in contact.
+  -- Under a given force the body is unconstrained until it is in contact. The height of the plane does not affect the
+  -- result, so the plane is slightly higher and the first iteration finds points in contact.
   local height = -outer + 1e-4 / size ^ 2
   local model = sg.model{
     kind     = "axisymmetric",
@@ -64,7 +64,7 @@ local function hertz(p)
   return a, 3 * p / (2 * math.pi * a ^ 2)
 end
 
---- Solves a scene and measures its contact beside Hertz's.
+--- Solves a scene and compares its contact with Hertz's.
 local function solve(o, steps, linear)
   local model, traction, dofs = scene(o)
   local run = model:run({ { name = "press", steps = steps, push = { 0, traction } } }, sg.plain{ linear = linear })
@@ -101,8 +101,8 @@ local function case_table(cases)
   }
 end
 
---- What of the difference from Hertz is the sphere's finite size: R/a grows, all else in units of a stays. Quadratic
---- through the wall, so that hardly anything is left of the mesh; with the problem's penalty and a tenfold one.
+--- Effect of the sphere's finite size: R/a grows, all other lengths in units of a are fixed. Degree 2 in the thickness
+--- direction, so that the discretization error is negligible; with the problem's penalty and a tenfold one.
 local function size_study(options)
   local cases = {}
   for _, stiffer in ipairs { 1, 10 } do
@@ -114,7 +114,7 @@ local function size_study(options)
   return cases
 end
 
---- Figure 6.7: the pressure of one label on all meshes over the contact coordinate, beside Hertz's.
+--- Figure 6.7: the pressure of one label on all meshes over the contact coordinate, with Hertz's.
 local function draw_pressure(cases, label, file)
   local chart = { file = file, title = ("Hertz, sphere, %s: contact pressure"):format(label), xlabel = "r / a",
                   ylabel = "p / p_0", xrange = { 0, 1.2 }, inset = { xrange = { 0.85, 1.05 }, yrange = { 0, 0.6 } } }
@@ -152,12 +152,12 @@ for _, mesh in ipairs(options.meshes) do
   end
 end
 
-print "\nPeak pressure and radius of contact beside Hertz's, L2 error of p/p_0 over r/a against Hertz's"
+print "\nPeak pressure and radius of contact compared with Hertz's, L2 error of p/p_0 over r/a against Hertz's"
 print(case_table(cases))
 local sizes
 if #options.sizes > 1 then
   sizes = size_study(options)
-  print "\nFinite size: quadratic through the wall"
+  print "\nFinite size: degree 2 in the thickness direction"
   print(case_table(sizes))
 end
 for _, label in ipairs(options.labels) do draw_pressure(cases, label, files(("pressure_%s.png"):format(label))) end

@@ -46,14 +46,14 @@ local reference_label = "N2"
 
 -- ── The standard variant ─────────────────────────────────────────────────────────────────────────────────────────────
 
---- The run of median wall time; the faster one of the two in the middle.
+--- The run of median wall time; of an even number, the faster of the two in the middle.
 local function median_run(runs)
   local sorted = table.move(runs, 1, #runs, 1, {})
   table.sort(sorted, function(a, b) return a.wall < b.wall end)
   return sorted[(#sorted + 1) // 2]
 end
 
---- Runs all labels on all meshes, `repeat` times over, so that a noisy minute does not hit one label alone. Returns one
+--- Runs all labels on all meshes, `repeat` times over, so that a disturbance affects all labels alike. Returns one
 --- { mesh, cases } per mesh, also by its name.
 local function solve_all(options, suffix, files)
   local studies = {}
@@ -95,13 +95,13 @@ local function report_mesh(options, study, suffix, files)
     :format(mesh, problem.variants.standard.press_steps + problem.variants.standard.slide_steps,
       options["repeat"] > 1 and (", medians of %d runs"):format(options["repeat"]) or ""))
   print(output.work_table(cases))
-  print(("\nAmplitude of the contact forces at %s, max − min over steps %d to %d%s"):format(mesh, amplitude.first,
-    amplitude.last, published and ", beside Table 7.3" or ", as it is and without a parabola"))
+  print(("\nOscillation of the contact forces at %s, max − min over steps %d to %d%s"):format(mesh, amplitude.first,
+    amplitude.last, published and ", compared with Table 7.3" or ", raw and detrended by a parabola"))
   print(output.amplitude_table(cases, published))
   files:draw("forces" .. suffix(mesh) .. ".png", "an accepted step", function(file)
     return output.draw_forces(file, cases, "Ironing, mesh " .. mesh)
   end)
-  local need = "N2 among the labels, and runs that reach the window"
+  local need = "N2 among the labels, and runs that complete the window"
   files:draw("amplitudes" .. suffix(mesh) .. ".png", need, function(file)
     return output.draw_amplitudes(file, cases, "Ironing, mesh " .. mesh, published)
   end)

@@ -61,7 +61,7 @@ end
 
 local files = sg.files(options.out)
 
---- Executes the study anew; its seconds and its table.
+--- Executes the study from scratch; returns its seconds and its table.
 local function time(jobs)
   local folder = ("%s/%d_at_once"):format(options.out, jobs)
   local study, began = new_study(folder), sg.wall_time()
@@ -74,7 +74,7 @@ for _ = 1, options.rounds do
   local one, first = time(1)
   local several, second
   several, second, study = time(options.jobs)
-  if first ~= second then error("the cases came out differently side by side") end
+  if first ~= second then error("results of parallel execution differ") end
   table.insert(seconds.one, one)
   table.insert(seconds.several, several)
   text = second
@@ -128,7 +128,7 @@ local before, pipe = finished(), assert(io.popen(command()))
 local taken_up = pipe:read "a":gsub("%s+$", "")
 pipe:close()
 for name, wall in pairs(before) do repeated = repeated + (finished()[name] == wall and 0 or 1) end
-print(("killed after %.1f, %.1f, %.1f s with %d, %d, %d cases finished, then taken up: %s table, %d finished cases "
+print(("killed after %.1f, %.1f, %.1f s with %d, %d, %d cases finished, then resumed: %s table, %d finished cases "
   .. "repeated"):format(moments[1], moments[2], moments[3], counts[1], counts[2], counts[3],
     taken_up == text and "the same" or "ANOTHER", repeated))
 files:report()

@@ -45,7 +45,7 @@ end
 
 -- ── Scene ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A block whose face of contact lies at the height 0, or `overlap` below it.
+--- A block whose contact face is at the height 0, or `overlap` below it.
 local function block(o, side, young)
   local flat, count, lower = o.dimension == 2, o[side], side == "lower"
   local height = lower and -1 or -overlap
@@ -58,8 +58,8 @@ local function block(o, side, young)
   }
 end
 
---- The two blocks. A force alone does not hold a body that only touches. Under a given force the upper block's height
---- changes nothing, so it stands a little lower: the first iteration finds points in contact.
+--- The two blocks. Under a given force the upper block is unconstrained until it is in contact. Its initial height does
+--- not affect the result, so it is slightly lower and the first iteration finds points in contact.
 local function scene(o)
   local flat = o.dimension == 2
   local lower, upper = block(o, "lower", 1), block(o, "upper", 2)
@@ -128,7 +128,7 @@ local function solve_all(options, list, points)
             local case = solve{ dimension = dimension, material = material, label = label, sides = options.sides,
                                 pair = pair[1], lower = pair[2], upper = pair[3], slave = pair[4], points = count }
             cases[#cases + 1] = case
-            collectgarbage() -- a model is large, but Lua sees only a handle, and would keep hundreds
+            collectgarbage() -- Lua does not count the memory of models and would keep hundreds
           end
         end
       end
@@ -137,7 +137,7 @@ local function solve_all(options, list, points)
   return cases
 end
 
---- Cases of one dimension, material, label, pair and slave, in a row of rising numbers of points.
+--- Cases of one dimension, material, label, pair and slave, sorted by the number of points.
 local function in_series(cases)
   local series = {}
   for _, case in ipairs(cases) do
@@ -161,8 +161,8 @@ local function exponent(row)
   return (n * sxy - sx * sy) / (n * sxx - sx * sx)
 end
 
---- How the error falls with the number n of points: it swings with the place of the kinks between the points, so the
---- exponent is that of all n from 8 to 63, and the largest errors over three octaves stand beside it. Plane, linear.
+--- Decrease of the error with the number n of points. It depends on the position of the kinks between the points, so
+--- the exponent is that of all n from 8 to 63; the largest errors over three octaves are also listed. Plane, linear.
 local function rate_study(options)
   local list, rates = {}, {}
   for _, pair in ipairs(pairs_with_kinks) do
@@ -187,7 +187,7 @@ local function rate_study(options)
   return rates
 end
 
---- What the penalty does to the errors: plane, N2 and N2-N2.2, the finer mesh as slave.
+--- Effect of the penalty on the errors: plane, N2 and N2-N2.2, the finer mesh as slave.
 local function penalty_study(options)
   local cases = {}
   for _, label in ipairs { "N2", "N2-N2.2" } do
@@ -313,15 +313,15 @@ local cases = solve_all(options, pairs_with_kinks, function(degree)
   return counts
 end)
 local series = in_series(cases)
-print "\nElsewhere: largest errors of the pressure and of the stress by points per element and direction"
+print "\nWith kinks: largest errors of the pressure and of the stress by points per element and direction"
 print(error_table(series))
 local rates, penalties = {}, {}
 if options.dimensions[1] == 2 or options.dimensions[2] == 2 then
   rates = rate_study(options)
-  print "\nHow the pressure's error falls with the number of points: 2D, linear, 3 elements under 5"
+  print "\nDecrease of the pressure error with the number of points: 2D, linear, 3 elements under 5"
   print(rate_table(rates))
   penalties = penalty_study(options)
-  print "\nThe penalty: 2D, linear, 3 elements under 5, slave upper, 3(p+1) points"
+  print "\nEffect of the penalty: 2D, linear, 3 elements under 5, slave upper, 3(p+1) points"
   print(penalty_table(penalties))
   draw_pressure(options, files "pressure.png")
 end

@@ -47,7 +47,7 @@ end
 local options = sg.arguments{
   mesh = { { "m2" }, choices = { "m0", "m1", "m2", "m3" } }, labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
   steps = 1500, control = { "arc", choices = { "rotation", "arc" } }, ["repeat"] = 1,
-  window = { { 120.0, 140.0 }, check = is_window, expected = "two rising angles in degrees such as 120,140" },
+  window = { { 120.0, 140.0 }, check = is_window, expected = "two increasing angles in degrees such as 120,140" },
   length = { problem.length, above = 0 },
   bonded = { problem.bonded, above = 0, check = function(bonded, all) return bonded < all.length end,
              expected = "a number of nm above 0 and below the strip's length" },
@@ -81,7 +81,7 @@ local function keep_state(model, angle)
   end
 end
 
---- What a case says, as soon as it is known.
+--- Prints the results of a case as soon as they are known.
 local function tell(case)
   print(("%s at %s, %d degrees of freedom"):format(case.label, case.mesh, case.dofs))
   print(case.rotation)
@@ -92,7 +92,7 @@ end
 local function write(case)
   sg.csv.write(files(("%s_%s.csv"):format(case.label, case.mesh)), {
     columns = { "step", "angle", "moment" }, step = case.step, angle = case.angle, moment = case.moment,
-    comments = { ("%s at %s: angle in degrees, moment in E0 L0³; steps with a fraction are states that arcs led to")
+    comments = { ("%s at %s: angle in degrees, moment in E0 L0³; fractional steps are arc-length increments")
       :format(case.label, case.mesh), case.rotation.report },
   })
 end
@@ -108,13 +108,13 @@ end
 local function case_of(label, mesh) return cases[label .. " " .. mesh] end
 
 local thin, finite = steady.thin_moment(), steady.finite_moment()
-print(("\nAmplitude and steepest slopes of the moment in %g° to %g° beside Table 7.8 (whole steps; path: all states)")
+print(("\nOscillation and steepest slopes of the moment in %g° to %g°, with Table 7.8 (whole steps; path: all states)")
   :format(table.unpack(options.window)))
 print(output.amplitude_table(cases))
-print(("\nMean moment of the window beside the balance of energy: thin strip %.4f, finite strain %.4f E0 L0³")
+print(("\nMean moment of the window, and from the energy balance: thin strip %.4f, finite strain %.4f E0 L0³")
   :format(thin, finite))
 print(output.plateau_table(cases, thin, finite))
-print(("\nHow far rotation control leads (at most %d iterations a step), and what arcs find behind it")
+print(("\nEnd of rotation control (at most %d iterations per step), and of arc-length control after it")
   :format(options.iterations))
 print(output.path_table(cases))
 local times, medians = output.time_table(cases, options["repeat"])

@@ -24,7 +24,7 @@ local function scene(label, mesh)
   return model, { stage }
 end
 
---- Wall time of a function, and what it returns.
+--- Wall time of a function, and its result.
 local function timed(body)
   local began = sg.wall_time()
   local result = body()
@@ -39,7 +39,9 @@ for i, at_most in ipairs(options.at_most) do
       return sg.recommend{ scene = scene, error = "ground.max_pressure", at_most = at_most, meshes = meshes }
     end)
     for _, case in ipairs(found.tries) do finest = math.max(finest, case.level) end
-    if not meshes[finest + 1] then error(("at_most = %g needs the finest mesh: none is left"):format(at_most), 0) end
+    if not meshes[finest + 1] then
+      error(("at_most = %g needs the finest mesh, so no finer one is left"):format(at_most), 0)
+    end
     runs[k] = timed(function()
       local model, stages = scene("N2", meshes[finest + 1])
       return model:run(stages)
@@ -52,7 +54,7 @@ for i, at_most in ipairs(options.at_most) do
               "N2, " .. meshes[finest + 1], run, search / run }
 end
 print(sg.table{
-  columns = { "at most", "enough", "runs", "search", "uniform run", "wall", "search / run" },
+  columns = { "at most", "chosen", "runs", "search", "uniform run", "wall", "search / run" },
   units = { "%", "", "", "s", "", "s", "" }, rows = rows,
   formats = { search = "%.3f", wall = "%.3f", ["search / run"] = "%.2f" },
 })

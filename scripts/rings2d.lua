@@ -28,8 +28,8 @@ local problem = require "rings2d.problem"
 local in_turns = require "timing.in_turns"
 
 local picture_steps = { [0] = true, [10] = true, [20] = true, [30] = true, [40] = true }
---- How an error can be integrated: on whose points, where either side touches or only where both do, and whether a
---- profile falls to zero at the next open point or where the gap is zero. The first one is that of the table.
+--- Rules of integration of an error: quadrature points, zone (where either or both sides touch), and edge of a profile
+--- (zero at the next open point, or at zero gap). The first one is that of the table.
 local rules = {}
 for _, way in ipairs { { "either", "point" }, { "either", "gap" }, { "both", "point" } } do
   for _, quadrature in ipairs { "profile", "reference", "union" } do
@@ -39,7 +39,7 @@ end
 
 -- ── Pressures ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- How far the touching points are from sliding: their number, that of those that stick, and the largest
+--- Contact states: their number, that of those that stick, and the largest
 --- |p_T| / (mu p_N) − 1 of the others in size.
 local function coulomb(profile)
   local count = { touching = 0, sticking = 0, deviation = 0 }
@@ -209,12 +209,12 @@ for i = 2, #solved do
 end
 problem.solve(options.labels[1], options.meshes[1], options.linear, keep_state)
 
-print(("\nL2 errors of the contact tractions against %s at %s over %s, beside Table 7.5 (N/m²·√m)")
+print(("\nL2 errors of the contact tractions against %s at %s over %s, with Table 7.5 (N/m²·√m)")
   :format(finest.label, finest.mesh, options.coordinate))
 print(error_table(cases))
-print "\nError of p_N by the rule of its integral, as the arguments of sg.profile_error"
+print "\nError of p_N by rule of integration (arguments of sg.profile_error)"
 print(rule_table(cases))
-print(("\nTime beside Table 7.6, medians of %d (linear: factorization and solve)"):format(options.repeats))
+print(("\nTime, with Table 7.6, medians of %d (linear: factorization and solve)"):format(options.repeats))
 print(time_table(cases))
 
 write_errors(cases, files "errors.csv")

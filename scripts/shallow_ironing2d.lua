@@ -35,7 +35,7 @@ local sources = {
 }
 local table_times = { 0.5, 1, 1.5 }
 local picture_times = { 1, 1.25, 1.5, 2 }
-local ripple_times = { 1.4, 1.6 } -- where the forces themselves hardly change
+local oscillation_times = { 1.4, 1.6 } -- where the exact forces are nearly constant
 
 -- ── Scene and path ───────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -72,8 +72,8 @@ end
 --- 0 to 1 while the die is pressed, 1 to 2 while it slides.
 local function time_of(step, steps) return step <= steps and step / steps or 1 + (step - steps) / (5 * steps) end
 
---- Runs one label. Returns { label, run, model, dofs, time, V, H, pictures }: lists over the steps, and the states at
---- picture_times.
+--- Runs one discretization. Returns { label, run, model, dofs, time, V, H, pictures }: lists over the steps, and the
+--- states at picture_times.
 local function solve(label, options)
   local model, die, block = scene(label, options)
   local pictures, next_picture = {}, 1
@@ -98,7 +98,7 @@ end
 
 -- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A force at a time, linear between the steps; nothing beyond the last one.
+--- A force at a time, linear between the steps; nil beyond the last one.
 local function at(case, list, time)
   local last
   for i, now in ipairs(case.time) do
@@ -119,7 +119,7 @@ local function force_row(name, force)
   return row
 end
 
---- Ours above the published ones, which are read off digitised curves.
+--- Our forces above the published ones, which are read off digitized curves.
 local function force_table(cases, published)
   local rows, at_time = {}, {}
   for _, row in ipairs(published.rows) do at_time[row[1]] = row end
@@ -142,12 +142,12 @@ local function force_table(cases, published)
   return sg.table{ columns = columns, units = units, rows = rows, formats = formats }
 end
 
---- max − min of a force while the die is in the block's middle; nothing when the run ended before.
-local function ripple(case, list)
-  if not at(case, list, ripple_times[2]) then return nil end
+--- max − min of a force while the die is in the block's middle; nil if the run ended before.
+local function oscillation(case, list)
+  if not at(case, list, oscillation_times[2]) then return nil end
   local low, high = math.huge, -math.huge
   for i, time in ipairs(case.time) do
-    if time >= ripple_times[1] and time <= ripple_times[2] then
+    if time >= oscillation_times[1] and time <= oscillation_times[2] then
       low, high = math.min(low, list[i]), math.max(high, list[i])
     end
   end
@@ -159,13 +159,14 @@ local function work_table(cases)
   for i, case in ipairs(cases) do
     local run = case.run
     rows[i] = { case.label, case.dofs, run.steps, run.iterations, run.cutbacks,
-                math.max(0, table.unpack(run:column "interface.max_penetration")), case.ripple.V, case.ripple.H,
-                run.wall }
+                math.max(0, table.unpack(run:column "interface.max_penetration")), case.oscillation.V,
+                case.oscillation.H, run.wall }
   end
   return sg.table{
-    columns = { "label", "DOFs", "steps", "iterations", "cut-backs", "overlap", "ripple V", "ripple H", "wall" },
+    columns = { "label", "DOFs", "steps", "iterations", "cut-backs", "overlap", "oscillation V", "oscillation H",
+                "wall" },
     units = { "", "", "", "", "", "mm", "N/mm", "N/mm", "s" }, rows = rows,
-    formats = { overlap = "%.4f", ["ripple V"] = "%.2f", ["ripple H"] = "%.2f", wall = "%.2f" },
+    formats = { overlap = "%.4f", ["oscillation V"] = "%.2f", ["oscillation H"] = "%.2f", wall = "%.2f" },
   }
 end
 
@@ -204,13 +205,13 @@ for i, label in ipairs(options.labels) do
   local case = solve(label, options)
   print(case.run)
   case.run:csv(files(label .. ".csv"))
-  case.ripple = { V = ripple(case, case.V), H = ripple(case, case.H) }
+  case.oscillation = { V = oscillation(case, case.V), H = oscillation(case, case.H) }
   cases[i], cases[label] = case, case
 end
-print(("\nWork at %s; overlap: largest penetration; ripple: max − min from time %g to %g"):format(options.mesh,
-  table.unpack(ripple_times)))
+print(("\nWork at %s; overlap: largest penetration (mm); oscillation: max − min from time %g to %g"):format(
+  options.mesh, table.unpack(oscillation_times)))
 print(work_table(cases))
-print "\nVertical force V, horizontal force H and their ratio at some times, beside what others' curves show"
+print "\nVertical force V, horizontal force H and their ratio at some times, with published ones (read off curves)"
 print(force_table(cases, published))
 
 files:draw("forces.png", "an accepted step", function(file) return draw_forces(cases, published, file) end)

@@ -55,16 +55,16 @@ end
 
 local problems = {
   ironing = {
-    title = "Ironing", error = "ripple of the drag", unit = "N/mm",
+    title = "Ironing", error = "oscillation of the drag", unit = "N/mm",
     solve = function(case)
       local solved = ironing.solve{ set_up = ironing.variants.standard, label = case.order, mesh = case.mesh,
                                     through = case.through }
       local run = solved.run
-      return { ripple = amplitude.of(run:column "grip.fx").detrended, iterations = run.iterations,
+      return { oscillation = amplitude.of(run:column "grip.fx").detrended, iterations = run.iterations,
                dofs = solved.die_dofs.total + solved.slab_dofs.total,
                failed = run.failed, reason = run.failed and run.report or nil }
     end,
-    of = function(row) return row.ripple end,
+    of = function(row) return row.oscillation end,
   },
   hertz = {
     title = "Hertz", error = "L₂ error of the pressure", reference = { order = "N2-N2.2", through = 2, mesh = "m6" },

@@ -1,10 +1,9 @@
--- How a cost grows: the exponent a of cost ~ size^a.
+-- Growth of a cost: the exponent a of cost ~ size^a.
 
 local growth = {}
 
 --- Slope of the least-squares line through (log size, log cost) over the larger half of the sizes, which are given in
---- rising order: of five the last three, of four the last two. Nil where fewer than two costs are left that are above
---- zero.
+--- increasing order: of five the last three, of four the last two. nil if fewer than two positive costs remain.
 function growth.exponent(sizes, costs)
   local xs, ys, mean_x, mean_y = {}, {}, 0, 0
   for i = #sizes // 2 + 1, #sizes do

@@ -1,4 +1,4 @@
--- What is timed: Newton iterations of ironing in the plane and in space, files of a state, an element's tangent.
+-- Timings: Newton iterations of ironing in 2D and 3D, files of a state, an element's tangent.
 
 local sg = require "signorini"
 local plane = require "ironing2d.problem"
@@ -6,8 +6,8 @@ local solid = require "ironing3d.problem"
 
 local measure = {}
 
---- By dimension: the meshes, rising, the field that is drawn, and begin(label, mesh, steps), which returns a model, its
---- bodies, the stage that comes before the clock and the one that is timed.
+--- By dimension: the meshes in increasing order, the field that is drawn, and begin(label, mesh, steps), which returns
+--- a model, its bodies, the stage that is not timed and the one that is.
 measure.problems = {
   plane = {
     name = "2D ironing", meshes = { "m1", "m2", "m3", "m4", "m5", "m6" }, field = "uy",
@@ -28,12 +28,12 @@ measure.problems = {
   },
 }
 
---- What an iteration's time is shared out to; search is part of contact, factorization and solution make up linear.
+--- Parts of an iteration's time; search is part of contact, factorization and solution make up linear.
 measure.accounts = { "bulk", "contact", "search", "linear", "factorization", "solution", "rest", "iteration" }
---- What writes a state.
+--- Files that a state is written to.
 measure.outputs = { "picture", "csv", "checkpoint" }
 
---- Milliseconds that body() takes, and what it returns.
+--- Milliseconds that body() takes, and its result.
 local function milliseconds(body)
   local began = sg.wall_time()
   local result = body()
@@ -58,7 +58,7 @@ end
 
 --- One pass over a case: milliseconds per iteration by account, and per file, with the sizes.
 local function pass(problem, case, options)
-  collectgarbage() -- models are larger than Lua can see
+  collectgarbage() -- Lua does not count the memory of models
   local model, bodies, press, slide = problem.begin(case.label, case.mesh, options.steps)
   local how = sg.plain{ linear = options.linear, step = { adaptive = true } }
   finished(model:run({ press }, how))

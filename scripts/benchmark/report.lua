@@ -60,7 +60,7 @@ end
 
 -- ── Charts ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Adds a line of one result over the degrees of freedom of a problem.
+--- Adds a curve of one result over the degrees of freedom of a problem.
 local function add_line(chart, cases, problem, name, label)
   local line = { x = {}, y = {}, label = label, markers = true }
   for _, case in ipairs(cases) do

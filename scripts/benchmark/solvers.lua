@@ -53,9 +53,10 @@ local scenes = {
 solvers.names = { "ironing-m1", "ironing-m3", "ironing-m4", "rings-m4", "peeling-m2", "square-64", "hertz-m1",
                   "hertz-m3", "solid-coarse" }
 
---- Seconds of processor time in the linear solver, by its share in the run's wall time, and what model:solver() says.
+--- Seconds of processor time in the linear solver, from its fraction of the run's wall time, and the result of
+--- model:solver().
 local function solve(scene, linear)
-  collectgarbage() -- models are larger than Lua can see
+  collectgarbage() -- Lua does not count the memory of models
   local model, stages = scene[1](scene[2])
   local began = os.clock()
   local run = model:run(stages, sg.plain{ linear = linear, step = { adaptive = true } })
@@ -69,7 +70,7 @@ function solvers.sheet(names, repeats)
   for k, kind in ipairs(solvers.kinds) do sheet.columns[3 + k], sheet.formats[3 + k] = kind, "%.3g" end
   for i, name in ipairs(names) do
     local scene, times, last = scenes[name], {}, nil
-    for round = 1, repeats do -- in turns, so that a busy spell of the machine meets all alike
+    for round = 1, repeats do -- in turns, so that disturbances affect all alike
       for k, kind in ipairs(solvers.kinds) do
         if kind ~= "condensed" or scene[3] then
           times[k] = times[k] or {}

@@ -1,5 +1,5 @@
--- The path in 60 steps, 10 down and 50 along, that two other programs were timed on: what labels and meshes cost, and
--- the pressing force that they give.
+-- The path in 60 steps, 10 for pressing and 50 for sliding, with published times of two other programs: cost and
+-- pressing force by discretization and mesh.
 
 local sg = require "signorini"
 local meshes = require "solid_ironing.mesh"
@@ -8,7 +8,7 @@ local study = require "solid_ironing.study"
 
 local sixty = {}
 
---- User times in seconds, measured elsewhere, and the range in which those programs' mean pressing force in the drag
+--- User times in seconds of the other programs, and the range of their mean pressing force during the drag.
 --- lies.
 sixty.febio, sixty.getfem, sixty.range = 13.6, 61, { 5.75, 5.85 }
 
@@ -34,7 +34,7 @@ local function result_table(cases)
   }
 end
 
---- The case of least user time whose mean force lies in the range; nothing when none does.
+--- The case of least user time whose mean force lies in the range, or nil.
 function sixty.cheapest(cases)
   local best
   for _, case in ipairs(cases) do
@@ -68,21 +68,21 @@ function sixty.run(problem, options, files)
     case.mesh, case.points = meshes.read(name), math.tointeger(tonumber(points))
     case.half = case.part == "half"
     if case.half and (case.mesh.die[2] % 2 == 1 or case.mesh.slab[2] % 2 == 1) then
-      error(("mesh=%s: half of the scene has half of the elements across, so that both numbers (%d and %d) must be "
-        .. "even; or part=whole"):format(name, case.mesh.die[2], case.mesh.slab[2]), 0)
+      error(("mesh=%s: a half model has half of the elements across, so both numbers (%d and %d) must be "
+        .. "even. Hint: part=whole"):format(name, case.mesh.die[2], case.mesh.slab[2]), 0)
     end
     case.press, case.slide, case.line_search, case.linear = press, slide, options.line_search, options.linear
     cases[i] = study.solve(problem, case)
-    print(("%s at %s (%s), degree %d through, points %s: %.2f s of user time")
+    print(("%s at %s (%s), thickness degree %d, points %s: %.2f s of user time")
       :format(case.label, name, case.part, case.through, points, case.user))
     print(case.run)
   end
-  print(("\n%d + %d steps; pressing force at the full depth and while the block slides; user time beside FEBio's %g s ")
+  print(("\n%d + %d steps; pressing force at full depth and during sliding; user time compared with FEBio's %g s ")
     :format(press, slide, sixty.febio) .. ("and GetFEM's %g s"):format(sixty.getfem))
   print(result_table(cases))
   csv(files "sixty.csv", cases)
   local cheapest = sixty.cheapest(cases)
-  print(cheapest and ("cheapest within %g to %g: %s at %s, degree %d through, %.2f s: 1/%.1f of FEBio's, 1/%.1f of ")
+  print(cheapest and ("cheapest within %g to %g: %s at %s, thickness degree %d, %.2f s: 1/%.1f of FEBio's, 1/%.1f of ")
     :format(sixty.range[1], sixty.range[2], cheapest.label, cheapest.mesh.name, cheapest.through, cheapest.user,
       sixty.febio / cheapest.user, sixty.getfem / cheapest.user) .. "GetFEM's"
     or ("no case lies within %g to %g"):format(table.unpack(sixty.range)))

@@ -1,4 +1,4 @@
--- A hollow cylinder on a rigid plane: scene and path, and Hertz's closed form.
+-- A hollow cylinder on a rigid plane: scene, path, and Hertz's closed form.
 
 local sg = require "signorini"
 
@@ -10,7 +10,7 @@ local problem = {
 
 --- The ring on its plane. `o`: label, mesh, load; for the study of the size also size, the multiple of R/a (the load
 --- falls with its square; there are as many elements per half-width near the contact and beyond), stiffer, the multiple
---- of the penalty, and through, the degree through the wall; penalty, where it is not the published one. Returns the
+--- of the penalty, and through, the degree in the thickness direction; penalty, if not the published one. Returns the
 --- model, the stage (without steps) that presses it, and the ring.
 function problem.scene(o)
   local refined, size = 1 << (math.tointeger(o.mesh:sub(2)) - 1), o.size or 1
@@ -24,8 +24,8 @@ function problem.scene(o)
     material = sg.linear_elastic{ E = problem.young, nu = problem.poisson },
   }
   local force, cut = o.load == "force", ring:face "east"
-  -- A force alone does not hold a ring that only touches. Under a given force the height of the plane changes nothing,
-  -- so it stands a little higher: the first iteration finds points in contact.
+  -- Under a given force the ring is unconstrained until it is in contact. The height of the plane does not affect the
+  -- result, so the plane is slightly higher and the first iteration finds points in contact.
   local height = force and -problem.outer + 1e-4 / size ^ 2 or -problem.outer
   local model = sg.model{
     bodies   = { ring = ring },

@@ -1,11 +1,11 @@
--- How strongly a force oscillates while the die slides: max − min over steps 110 to 165, in which the die's center goes
--- from x = 1.13 to 1.46, about one element pitch of m1 in the middle of the slab. Over the whole slide the trend from
--- the slab's ends would swamp the ripple; on m2 and finer it matters even within the window, so the ripple is measured
--- without the best parabola as well.
+-- Oscillation of a force while the die slides: max − min over steps 110 to 165, in which the die's center moves from
+-- x = 1.13 to 1.46, about one element pitch of m1 in the middle of the slab. Over the whole slide the trend near the
+-- slab's ends would dominate; on m2 and finer it matters even within the window, so the oscillation is also measured
+-- after subtraction of the best-fit parabola ("detrended").
 
 local amplitude = { first = 110, last = 165 }
 
---- The values without their best parabola. On points x that lie symmetrically about 0 the polynomials 1, x and x² −
+--- The values minus their best-fit parabola. On points x that lie symmetrically about 0 the polynomials 1, x and x² −
 --- mean x² are orthogonal, so each coefficient is a quotient of two sums.
 local function without_parabola(values)
   local count, square = #values, 0
@@ -26,7 +26,7 @@ end
 
 local function spread(values) return math.max(table.unpack(values)) - math.min(table.unpack(values)) end
 
---- { raw, detrended } of a list over the steps first to last, by default the window; empty when the run ended
+--- { raw, detrended } of a list over the steps first to last, by default the window; empty if the run ended
 --- before it.
 function amplitude.of(values, first, last)
   first, last = first or amplitude.first, last or amplitude.last
@@ -35,8 +35,8 @@ function amplitude.of(values, first, last)
   return { raw = spread(part), detrended = spread(without_parabola(part)) }
 end
 
---- Adds what the named amplitudes are in % of those of a case, or of nothing: raw_percent, detrended_percent. There is
---- no part of an amplitude of zero, which two or three steps have without their parabola.
+--- Adds the named oscillations in % of those of a case, if given: raw_percent, detrended_percent. No percentage for an
+--- oscillation of zero, the detrended one of two or three steps.
 function amplitude.percent(cases, forces, reference)
   for _, case in ipairs(cases) do
     for _, force in ipairs(forces) do
@@ -48,7 +48,7 @@ function amplitude.percent(cases, forces, reference)
   end
 end
 
---- Adds to each case the amplitudes of its reactions, dPx and dPy, and what they are in % of those of `reference`, a
+--- Adds to each case the oscillations of its reactions, dPx and dPy, also in % of those of `reference`, a
 --- case or nothing.
 function amplitude.compare(cases, reference)
   for _, case in ipairs(cases) do

@@ -1,13 +1,13 @@
--- Several meshes of the standard variant: amplitudes and time over the mesh (Figures 7.8 and 7.9), accuracy over time,
--- and what equal accuracy costs (section 7.1.3).
+-- Several meshes of the standard variant: oscillation and time over the mesh (Figures 7.8, 7.9), accuracy over time,
+-- and costs at equal accuracy (section 7.1.3).
 
 local sg = require "signorini"
 local output = require "ironing2d.output"
 
 local convergence = {}
 
---- Pairs that the thesis calls equally accurate: a label and mesh, what it is compared with, and by how many percent
---- its analysis is said to be cheaper.
+--- Pairs that the thesis calls equally accurate: order and mesh of both, and by how many percent the first
+--- analysis is cheaper as published.
 local pairs_of_equals = {
   { "N2-N2.2", "m1", "N2", "m3", 56.62 }, { "N2-N2.2", "m2", "N2", "m4", 72.78 },
   { "N2-N4", "m1", "N4", "m1", 33.74 }, { "N2-N4", "m2", "N4", "m2" }, { "N2-N4", "m3", "N4", "m3" },
@@ -18,7 +18,7 @@ local pairs_of_equals = {
 
 local function case_of(studies, label, mesh) return studies[mesh] and studies[mesh].cases[label] end
 
---- The pairs of which both were run, with the share of the time that the first one saves.
+--- The pairs of which both were run, with the fraction of time that the first one saves.
 function convergence.savings(studies)
   local found = {}
   for _, pair in ipairs(pairs_of_equals) do
@@ -33,7 +33,7 @@ end
 
 local function name_of(case) return case.label .. " " .. case.mesh end
 
---- The cheapest case of those whose two amplitudes without trend are no larger than a case's.
+--- The cheapest case whose two detrended oscillations are at most those of a given case.
 local function cheapest_as_good(studies, reference)
   local best
   for _, study in ipairs(studies) do
@@ -47,7 +47,7 @@ local function cheapest_as_good(studies, reference)
   return best
 end
 
---- For N2 on every mesh but the first, what is at least as accurate without trend and takes least time.
+--- For N2 on every mesh but the first, the fastest case with at most its detrended oscillations.
 function convergence.cheapest(studies)
   local found = {}
   for i = 2, #studies do
@@ -70,7 +70,8 @@ local function saving_table(found)
   return sg.table{
     columns = { "case", "against", "dPy", "against", "dPx", "against", "dPy", "against", "dPx", "against", "time",
                 "against", "saved", "published" },
-    units = { "", "", "N/mm", "N/mm", "N/mm", "N/mm", "no trend", "", "no trend", "", "s", "s", "%", "%" }, rows = rows,
+    units = { "", "", "N/mm", "N/mm", "N/mm", "N/mm", "detrended", "", "detrended", "", "s", "s", "%", "%" },
+    rows = rows,
     formats = { "%s", "%s", "%.2e", "%.2e", "%.2e", "%.2e", "%.2e", "%.2e", "%.2e", "%.2e", "%.3f", "%.3f", "%.1f",
                 "%.1f" },
   }
@@ -111,8 +112,8 @@ local function longest(studies)
 end
 
 local function draw_work_precision(file, studies, labels)
-  local chart = { file = file, xlabel = "time (s)", ylabel = "amplitude dPx without trend (N/mm)", log = "xy",
-                  title = ("Ironing: amplitude of the drag over time, meshes %s to %s"):format(studies[1].mesh,
+  local chart = { file = file, xlabel = "time (s)", ylabel = "oscillation dPx, detrended (N/mm)", log = "xy",
+                  title = ("Ironing: oscillation of the drag over time, meshes %s to %s"):format(studies[1].mesh,
                     studies[#studies].mesh) }
   for l, label in ipairs(labels) do
     local line = { x = {}, y = {}, label = label, markers = true, color = l }
@@ -130,12 +131,12 @@ end
 
 --- Charts over the mesh and the tables of equal accuracy.
 function convergence.report(studies, labels, files)
-  local names = { raw = "as it is", detrended = "without a parabola" }
+  local names = { raw = "raw", detrended = "detrended" }
   for _, force in ipairs { "Py", "Px" } do
     for _, kind in ipairs { "raw", "detrended" } do
       files:draw(("%s_over_mesh_%s.png"):format(force, kind), "runs that reach the window", function(file)
-        return output.draw_over_mesh({ file = file, ylabel = ("amplitude d%s (N/mm)"):format(force),
-          title = ("Ironing: amplitude of %s, %s"):format(force, names[kind]) },
+        return output.draw_over_mesh({ file = file, ylabel = ("oscillation d%s (N/mm)"):format(force),
+          title = ("Ironing: oscillation of %s, %s"):format(force, names[kind]) },
           studies, labels, function(case) return case["d" .. force][kind] end)
       end)
     end
@@ -152,15 +153,15 @@ function convergence.report(studies, labels, files)
 
   local found, cheapest = convergence.savings(studies), convergence.cheapest(studies)
   if #found > 0 then
-    print "\nEqual accuracy as the thesis sees it (7.1.3): a case and what it is compared with, our saving and theirs"
+    print "\nEqually accurate cases according to the thesis (section 7.1.3): time saved, here and as published"
     print(saving_table(found))
-    print "\nWhere the time of these cases goes (linear: factorization and solve)"
+    print "\nTime of these cases by part (linear: factorization and solve)"
     print(split_table(found))
   else
-    print "\nNo pair of cases that the thesis calls equally accurate was run: try mesh=m1,m2,m3,m4"
+    print "\nNo pair of cases that the thesis calls equally accurate was run. Hint: mesh=m1,m2,m3,m4"
   end
   if #cheapest > 0 then
-    print "\nThe cheapest case whose amplitudes without trend are no larger than those of N2 on a mesh"
+    print "\nThe cheapest case with detrended oscillations at most those of N2 on a mesh"
     print(saving_table(cheapest))
   end
   return found, cheapest

@@ -1,4 +1,4 @@
--- The deep variant: which labels converge with how many contact points, with and without cutting failed steps in half.
+-- The deep variant: which discretizations converge, by number of contact points, with and without halving of steps.
 
 local sg = require "signorini"
 local amplitude = require "ironing2d.amplitude"
@@ -10,14 +10,13 @@ local deep = {}
 --- Steps whose states are drawn, as in Figure 7.10: start and end of the pressing, middle and end of the sliding.
 local picture_steps = { [1] = true, [46] = true, [171] = true, [296] = true }
 
---- What others found at m1 with the published steps, by multiples of p + 1 contact points: the thesis (3(p + 1) points,
+--- Published results at m1 with the published steps, by multiples of p + 1 contact points: the thesis (3(p + 1) points,
 --- section 7.1.4), and an independent program without step control.
 local thesis = { [3] = { N2 = "fails" } }
 local independent = { [1] = { N2 = "fails", N4 = "fails" }, [2] = { N2 = "fails at 17" }, [3] = {} }
 local function finding(found, multiple, label) return found[multiple] and (found[multiple][label] or "converges") end
 
---- The number of iterations after which the last residuals come again, or nothing: contact points that take turns in
---- sticking and slipping, or in touching and not, send Newton's iteration round in a cycle.
+--- The number of iterations after which the last residuals repeat (contact states cycle), or nil.
 local function cycle(residuals)
   local function again(length)
     for i = #residuals - length + 1, #residuals do
@@ -31,7 +30,7 @@ local function cycle(residuals)
   end
 end
 
---- "converges", or the step that was not reached and why.
+--- "converges", or the step that failed and why.
 local function outcome(run)
   if not run.failed then return "converges" end
   local step = run.steps + 1
@@ -41,7 +40,7 @@ local function outcome(run)
   return ("%s at %d"):format(length and ("cycle of %d"):format(length) or last.reason, step)
 end
 
---- Runs a label with and without halving. Returns { label, mesh, multiple, coarser, plain, halving }, both as
+--- Runs a discretization with and without halving. Returns { label, mesh, multiple, coarser, plain, halving }, both as
 --- problem.solve returns them.
 local function compare(options, label, mesh, multiple, coarser, on_step)
   local case = { set_up = problem.variants.deep, label = label, mesh = mesh, coarser = coarser, linear = options.linear,
@@ -68,7 +67,8 @@ local function outcome_table(comparisons)
   }
 end
 
---- The table of one mesh and step length; charts and CSVs at most points, states of the first label.
+--- The table of one mesh and step length; charts and CSV files for the largest number of points, states of the first
+--- label.
 local function study_mesh(options, mesh, coarser, files)
   local comparisons, best = {}, { mesh = mesh }
   local most = options.points[#options.points]
@@ -86,7 +86,7 @@ local function study_mesh(options, mesh, coarser, files)
     end
   end
   local length = coarser == 1 and "with the published steps" or ("with steps %d times as long"):format(coarser)
-  print(("\nDeep ironing at %s %s: step at which it fails and why, by contact points, without and with halving")
+  print(("\nDeep ironing at %s %s: failed step and reason, by contact points, without and with halving")
     :format(mesh, length))
   print(outcome_table(comparisons))
   if coarser == 1 then
@@ -97,7 +97,7 @@ local function study_mesh(options, mesh, coarser, files)
   return comparisons, best
 end
 
---- The whole study. Returns { comparisons, studies = the runs at most contact points by mesh }.
+--- The whole study. Returns { comparisons, studies = the runs with most contact points by mesh }.
 function deep.run(options, files)
   table.sort(options.points)
   table.sort(options.coarser)
@@ -109,7 +109,7 @@ function deep.run(options, files)
       if coarser == 1 then
         amplitude.compare(best, best.N2)
         studies[#studies + 1], studies[mesh] = { mesh = mesh, cases = best }, { mesh = mesh, cases = best }
-        print(("\nAmplitudes at %s with %d(p+1) contact points, max − min over steps %d to %d, also without a parabola")
+        print(("\nOscillations at %s with %d(p+1) contact points, max − min over steps %d to %d, raw and detrended")
           :format(mesh, options.points[#options.points], amplitude.first, amplitude.last))
         print(output.amplitude_table(best))
         files:draw(("forces_%s.png"):format(mesh), "an accepted step", function(file)
@@ -121,8 +121,8 @@ function deep.run(options, files)
   for _, force in ipairs { "Py", "Px" } do
     if #studies > 1 then
       files:draw(force .. "_over_mesh.png", "runs that reach the window", function(file)
-        return output.draw_over_mesh({ file = file, ylabel = ("amplitude d%s (N/mm)"):format(force),
-          title = ("Deep ironing: amplitude of %s"):format(force) }, studies, options.labels,
+        return output.draw_over_mesh({ file = file, ylabel = ("oscillation d%s (N/mm)"):format(force),
+          title = ("Deep ironing: oscillation of %s"):format(force) }, studies, options.labels,
           function(case) return case["d" .. force].raw end)
       end)
     end

@@ -74,9 +74,9 @@ function output.draw_forces(file, cases, title)
   return #chart > 0
 end
 
---- Amplitudes by label, in % of those of the reference label; returns whether there was anything to draw.
+--- Oscillations by discretization, in % of those of the reference; returns whether there was anything to draw.
 function output.draw_amplitudes(file, cases, title, published)
-  local chart = { file = file, title = title .. ": amplitude of the contact forces", ylabel = "amplitude (% of N2)",
+  local chart = { file = file, title = title .. ": oscillation of the contact forces", ylabel = "oscillation (% of N2)",
                   log = "y", xrange = { 0.5, #cases + 0.5 }, xticks = {} }
   local curves = 0
   local function curve(label, shift, percent)

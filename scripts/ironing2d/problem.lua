@@ -1,11 +1,11 @@
--- The set-ups of 2D frictional ironing: what the variants change, meshes, scene, path.
+-- The variants of 2D frictional ironing: parameters, meshes, scene, path.
 
 local sg = require "signorini"
 
 local problem = {}
 
---- What a variant changes: Young's modulus of the die, friction, where the die starts (x of its center), how deep it is
---- pressed in how many steps, how far it is dragged in how many steps.
+--- Parameters of a variant: Young's modulus of the die, friction, where the die starts (x of its center), how deep it
+--- is pressed in how many steps, how far it is dragged in how many steps.
 problem.variants = {
   standard = {
     die_modulus = 1e3, mu = 0.2, start = 0.75, depth = 0.23, press_steps = 46, way = 1.5, slide_steps = 250,
@@ -20,7 +20,7 @@ problem.variants = {
 
 --- Elements of die and slab by mesh: m1 to m6, each of which halves every span of the one before (Table 7.1), or the
 --- number of spans along both faces in the proportions of section 6.2, where 48 stands for 48 × 8 and 48 × 24; nothing
---- for what is no mesh.
+--- if the name is not a mesh.
 function problem.elements(mesh)
   local level = math.tointeger(mesh:match "^m([1-6])$")
   if level then
@@ -41,7 +41,7 @@ end
 --- Degree of the functions on the contact face: that of the label's last part, N2-N2.1x2 has 2 + 1.
 function problem.layer_degree(label)
   local degree, elevations = label:match "[^-]*$":match "^%a(%d+)%.?(%d*)"
-  if not degree then error(("cannot read the degree of the label '%s'"):format(label), 0) end
+  if not degree then error(("label '%s' has no degree on the contact face"):format(label), 0) end
   return math.tointeger(degree) + (math.tointeger(elevations) or 0)
 end
 
@@ -53,8 +53,8 @@ function problem.path(set_up, coarser)
   }
 end
 
---- Model, die and slab of a variant; `points` are the Gauss points per contact element, 3(p + 1) when absent; through:
---- the degree in the thickness direction, 1 as published when absent.
+--- Model, die and slab of a variant; `points` are the Gauss points per contact element, 3(p + 1) by default; through:
+--- the degree in the thickness direction, 1 by default, as published.
 function problem.scene(set_up, label, elements, points, through)
   local die = sg.body{
     patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { set_up.start, 1.5 } },

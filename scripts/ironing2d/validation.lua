@@ -10,7 +10,7 @@ local validation = {}
 --- Steps whose states are drawn: end of the pressing, middle and end of the sliding.
 local picture_steps = { [10] = true, [60] = true, [110] = true, [210] = true }
 
---- Steps of the sliding's middle, the die's center between x = 1.1 and x = 1.7: far from both ends of the slab.
+--- Steps of the sliding's middle, with the die's center between x = 1.1 and x = 1.7, far from both ends of the slab.
 local function middle(set_up)
   return set_up.press_steps + set_up.slide_steps * 3 // 10, set_up.press_steps + set_up.slide_steps * 6 // 10
 end
@@ -21,7 +21,7 @@ local function mean(values, first, last)
   return sum / (last - first + 1)
 end
 
---- Adds to a case its forces at the end of the pressing and their means and ripples in the middle of the sliding.
+--- Adds to a case its forces at the end of the pressing and their means and oscillations in the middle of the sliding.
 local function measure(case, set_up)
   local run, first, last = case.run, middle(set_up)
   if run.steps < last then return end
@@ -29,26 +29,26 @@ local function measure(case, set_up)
   for i = 1, run.steps do Py[i] = -Py[i] end
   case.pressed = { Px = Px[set_up.press_steps], Py = Py[set_up.press_steps] }
   case.mean = { Px = mean(Px, first, last), Py = mean(Py, first, last) }
-  case.ripple = { Px = amplitude.of(Px, first, last).detrended, Py = amplitude.of(Py, first, last).detrended }
+  case.oscillation = { Px = amplitude.of(Px, first, last).detrended, Py = amplitude.of(Py, first, last).detrended }
 end
 
 local function force_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
-    local pressed, average, ripple = case.pressed or {}, case.mean or {}, case.ripple or {}
+    local pressed, average, oscillation = case.pressed or {}, case.mean or {}, case.oscillation or {}
     rows[i] = { case.label, case.die_dofs.total + case.slab_dofs.total, case.run.iterations, case.run.cutbacks,
                 pressed.Py, pressed.Px, average.Py, average.Px, case.mean and average.Px / average.Py,
-                ripple.Py, ripple.Px }
+                oscillation.Py, oscillation.Px }
   end
   return sg.table{
     columns = { "label", "DOFs", "iterations", "cut-backs", "Py pressed", "Px pressed", "mean Py", "mean Px",
-                "Px/Py", "ripple Py", "ripple Px" },
+                "Px/Py", "oscillation Py", "oscillation Px" },
     units = { "", "", "", "", "N/mm", "N/mm", "N/mm", "N/mm", "", "N/mm", "N/mm" }, rows = rows,
     formats = { "%s", "%d", "%d", "%d", "%.5f", "%.5f", "%.5f", "%.5f", "%.4f", "%.1e", "%.1e" },
   }
 end
 
---- One force over the steps of the sliding, in a range of its own, as in Figure 6.5 (c) to (f).
+--- One force over the steps of the sliding, magnified, as in Figure 6.5 (c) to (f).
 local function draw_magnified(file, cases, set_up, column, sign, name)
   local first, last = middle(set_up)
   local chart = { file = file, xlabel = "load step", ylabel = ("%s per unit depth (N/mm)"):format(name),
@@ -78,7 +78,7 @@ function validation.run(options, files)
     cases[i], cases[label] = case, case
   end
   local first, last = middle(set_up)
-  print(("\nForces on the die; means and ripples (max − min without a parabola) over steps %d to %d; mu is %g")
+  print(("\nForces on the die; means and oscillations (max − min, detrended) over steps %d to %d; mu is %g")
     :format(first, last, set_up.mu))
   print(force_table(cases))
   files:draw("states.png", "an accepted step", function(file)

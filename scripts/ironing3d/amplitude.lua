@@ -1,12 +1,12 @@
--- How strongly the forces oscillate: max − min over about one element pitch of the slab (100/18 = 5.56 mm) in its
--- middle, 19 steps of 0.3 mm of the published path, in which the indenter's center goes from x = 47.3 to 52.7. The
--- thesis does not print its window; over the whole path the trend from the slab's ends would swamp the ripple.
+-- Oscillation of the forces: max − min over about one element pitch of the slab (100/18 = 5.56 mm) in its middle, 19
+-- steps of 0.3 mm of the published path, in which the indenter's center moves from x = 47.3 to 52.7. The thesis does
+-- not state its window; over the whole path the trend near the slab's ends would dominate.
 
 local plane = require "ironing2d.amplitude"
 
 local amplitude = { from = 47.3, to = 52.7, steps = 18 }
 
---- Adds to a case the amplitudes dPx and dPz, { raw, detrended }; both are empty when the run ended before the window's
+--- Adds to a case the oscillations dPx and dPz, { raw, detrended }; both are empty if the run ended before the window's
 --- end. The window's first value is the state from which a case that is pressed there starts to slide.
 function amplitude.measure(case)
   local first = math.floor((amplitude.from - case.from) / 0.3 + 0.5)
@@ -17,7 +17,7 @@ function amplitude.measure(case)
   return case
 end
 
---- Adds what the amplitudes are in % of those of a case, or of nothing: raw_percent, detrended_percent.
+--- Adds the oscillations in % of those of a case, if given: raw_percent, detrended_percent.
 function amplitude.compare(cases, reference)
   plane.percent(cases, { "dPx", "dPz" }, reference)
 end

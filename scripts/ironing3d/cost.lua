@@ -1,5 +1,5 @@
--- What a Newton iteration costs: assembly of bodies and contacts, factorization and solve, over the degrees of freedom.
--- The indenter is pressed by 1 in five steps; times are means over all iterations, so that a noisy machine shows.
+-- Cost of a Newton iteration: assembly of bodies and contacts, factorization and solve, over the degrees of freedom.
+-- The indenter is pressed by 1 in five steps; times are means over all iterations.
 
 local sg = require "signorini"
 local problem = require "ironing3d.problem"
@@ -18,7 +18,7 @@ local function solve(label, mesh, linear)
   return case
 end
 
---- The largest resident memory of this process so far, MB, where the system tells it.
+--- The largest resident memory of this process so far, MB, if the system reports it.
 local function memory()
   local stream = io.open "/proc/self/status"
   if not stream then return nil end
@@ -60,7 +60,7 @@ end
 function cost.run(options, files)
   local cases, layered, all = {}, {}, {}
   local function add(list, label, mesh)
-    collectgarbage() -- models are larger than Lua can see
+    collectgarbage() -- Lua does not count the memory of models
     local case = solve(label, mesh, options.linear)
     case.memory = memory()
     table.insert(list, case)

@@ -1,5 +1,5 @@
--- How deep the indenter goes: pressed down by the published 10.4, in the slab's middle, where two planes of symmetry
--- hold it upright, and off it. Steps that fail are cut in half; then arcs tell a turning point from a mere failure.
+-- Maximum depth: the indenter is pressed down by the published 10.4, in the slab's middle, where two planes of symmetry
+-- keep it upright, and off it. Failed steps are halved; then arc length distinguishes a turning point from a failure.
 
 local sg = require "signorini"
 local output = require "ironing3d.output"
@@ -18,7 +18,7 @@ function depth.solve(case)
   return problem.solve(case)
 end
 
---- Where the path turns back, in words of the run's report, or nothing.
+--- The turning point in the run's report, or nil.
 local function turning_point(run)
   return run.failed and tonumber(run.report:match "turning point at grip%.uz = (%-?[%d.]+)") or nil
 end
@@ -41,7 +41,7 @@ local function result_table(cases)
 end
 
 local function draw(file, cases, key, ylabel)
-  local chart = { file = file, xlabel = "depth (mm)", ylabel = ylabel, title = "3D ironing: pressing to 10.4" }
+  local chart = { file = file, xlabel = "depth (mm)", ylabel = ylabel, title = "3D ironing: pressing to 10.4 mm" }
   for _, case in ipairs(cases) do
     local line = { x = {}, y = {}, label = ("%s, R = %g, x = %g"):format(case.label, case.radius, case.from) }
     for i, state in ipairs(case.states) do line.x[i], line.y[i] = state.depth, state[key] end
@@ -73,14 +73,14 @@ function depth.run(options, files)
       end
     end
   end
-  print(("\nPressed to 10.4 in steps of %g, cut in half where they fail"):format(options.down))
+  print(("\nPressed to 10.4 mm in steps of %g mm; failed steps are halved"):format(options.down))
   print(result_table(cases))
   files:draw("states.png", "an accepted step", function(file)
-    if #pictures > 0 then output.draw_sheet(file, pictures, "3D ironing: the deepest states") end
+    if #pictures > 0 then output.draw_sheet(file, pictures, "3D ironing: deepest states") end
     return #pictures > 0
   end)
   files:draw("pressing.png", "an accepted step", function(file) return draw(file, cases, "Pz", "pressing force Pz") end)
-  files:draw("area.png", "an accepted step", function(file) return draw(file, cases, "area", "area in contact") end)
+  files:draw("area.png", "an accepted step", function(file) return draw(file, cases, "area", "contact area (mm²)") end)
   return { cases = cases }
 end
 

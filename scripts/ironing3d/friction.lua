@@ -1,5 +1,5 @@
--- The variant with friction: what the drag is made of, and where the work goes. Without friction the drag is zero on
--- average over a pitch in the slab's middle: all of it is ripple.
+-- The variant with friction: composition of the drag, and energy balance. Without friction the mean drag over one
+-- element pitch in the slab's middle is zero, so all of it is oscillation.
 
 local sg = require "signorini"
 local output = require "ironing3d.output"
@@ -7,7 +7,7 @@ local problem = require "ironing3d.problem"
 
 local friction = {}
 
---- The energy balance of a model: its parts, and what is missing, in parts of the work.
+--- The energy balance of a model: its parts, and the error as a fraction of the work.
 local function balance(model)
   local energy = model:energy()
   energy.missing = energy.work - energy.stored - energy.contact - energy.friction
@@ -47,7 +47,7 @@ end
 
 local function draw_energies(file, case)
   local chart = { file = file, xlabel = "load step", ylabel = "energy",
-                  title = ("3D ironing, %s, mu = %g: where the work goes"):format(case.label, case.mu) }
+                  title = ("3D ironing, %s, mu = %g: energy balance"):format(case.label, case.mu) }
   for i, name in ipairs { "work", "stored", "friction", "contact" } do
     local values = {}
     for step, energy in ipairs(case.energies) do values[step] = energy[name] end

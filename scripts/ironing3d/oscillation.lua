@@ -1,4 +1,4 @@
--- The standard variant: Tables 7.10 and 7.11 beside ours, for a scan of the cap's radius and the gap before touching.
+-- The standard variant: comparison with Tables 7.10 and 7.11 for several radii of the cap and initial gaps.
 
 local sg = require "signorini"
 local amplitude = require "ironing3d.amplitude"
@@ -19,7 +19,7 @@ end
 
 -- ── Degrees of freedom ───────────────────────────────────────────────────────────────────────────────────────────────
 
---- Degrees of freedom of all rows of Table 7.11 beside the printed ones: a list of { label, mesh, indenter, slab,
+--- Degrees of freedom of all rows of Table 7.11 and the published ones: a list of { label, mesh, indenter, slab,
 --- printed }, and in how many entries the two differ.
 function oscillation.degrees_of_freedom()
   local rows, differences = {}, 0
@@ -34,15 +34,15 @@ function oscillation.degrees_of_freedom()
     end
     if row.indenter.total + row.slab.total ~= printed.total then differences = differences + 1 end
     rows[i] = row
-    collectgarbage() -- bodies are larger than Lua can see
+    collectgarbage() -- Lua does not count the memory of bodies
   end
   return rows, differences
 end
 
 -- ── Oscillation ──────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Where a case is pressed and how far it slides. Without friction a state does not depend on the way to it: the window
---- alone will do, pressed at its beginning.
+--- Where a case is pressed and how far it slides. Without friction a state does not depend on the path, so the window
+--- suffices, pressed at its beginning.
 local function path_of(slide)
   if slide == "full" then return problem.start, problem.way end
   return amplitude.from, amplitude.to - amplitude.from
@@ -90,7 +90,7 @@ end
 --- The study. Returns { dofs, differences, sets }.
 function oscillation.run(options, files)
   local dofs, differences = oscillation.degrees_of_freedom()
-  print(("Degrees of freedom beside Table 7.11: %d of %d entries differ"):format(differences, 7 * #dofs))
+  print(("Degrees of freedom compared with Table 7.11: %d of %d entries differ"):format(differences, 7 * #dofs))
   print(output.dofs_table(dofs))
   local printed, sets = published(), {}
   for _, radius in ipairs(options.radius) do
@@ -100,14 +100,14 @@ function oscillation.run(options, files)
       local name = ("_R%g_gap%g"):format(radius, gap)
       print(("\nR = %g, gap %g (depth %g): work"):format(radius, gap, set.depth))
       print(output.work_table(set.cases))
-      print(("\nR = %g, gap %g (depth %g): max − min for the center from x = %g to %g, beside Table 7.10")
+      print(("\nR = %g, gap %g (depth %g): max − min for the center from x = %g to %g, and Table 7.10")
         :format(radius, gap, set.depth, amplitude.from, amplitude.to))
       print(output.amplitude_table(set.cases, printed))
       output.amplitude_csv(files("amplitudes" .. name .. ".csv"), set, printed)
       files:draw("forces" .. name .. ".png", "a state that slides", function(file)
         return output.draw_forces(file, set.cases, ("R = %g, depth %g"):format(radius, set.depth))
       end)
-      files:draw("amplitudes" .. name .. ".png", "N2 among the labels, and runs that reach the window", function(file)
+      files:draw("amplitudes" .. name .. ".png", "N2 among the labels, runs that complete the window", function(file)
         return output.draw_amplitudes(file, set, printed)
       end)
     end

@@ -17,7 +17,7 @@ function output.dofs_table(dofs)
   }
 end
 
---- How a run ended: "complete", or the depth or the way that it reached.
+--- How a run ended: "complete", or the depth or distance that it reached.
 local function ending(case)
   local run = case.run
   if not run.failed then return "complete" end
@@ -54,7 +54,7 @@ local function amplitude_rows(cases, published)
   return rows
 end
 
---- Amplitudes as they are, and in % of coarse N2: as they are, without their best parabola, as printed.
+--- Oscillations, and in % of coarse N2: raw, detrended by a parabola, as published.
 function output.amplitude_table(cases, published)
   return sg.table{
     columns = { "label", "mesh", "Pz", "dPz", "dPz", "detrended", "printed", "dPx", "dPx", "detrended", "printed" },
@@ -121,9 +121,9 @@ function output.draw_forces(file, cases, title)
   return #chart > 0
 end
 
---- Amplitudes by label in % of those of coarse N2, beside the printed ones; returns whether there were any.
+--- Oscillations in % of those of coarse N2, with the published ones; returns whether there were any.
 function output.draw_amplitudes(file, set, published)
-  local chart = { file = file, ylabel = "amplitude (% of N2)", log = "y", xrange = { 0.5, #set.cases + 0.5 },
+  local chart = { file = file, ylabel = "oscillation (% of N2)", log = "y", xrange = { 0.5, #set.cases + 0.5 },
                   xticks = {}, title = ("3D ironing, R = %g, depth %g"):format(set.radius, set.depth) }
   for i, case in ipairs(set.cases) do
     chart.xticks[i] = { i, case.mesh == "coarse" and case.label or case.label .. " " .. case.mesh }
@@ -140,8 +140,8 @@ function output.draw_amplitudes(file, set, published)
   local any = curve("dPz", -0.1, function(case) return case.dPz.raw_percent end)
   if not any then return false end
   curve("dPx", -0.1, function(case) return case.dPx.raw_percent end)
-  curve("dPz printed", 0.1, function(_, printed) return printed.dPz_percent_of_N2 end)
-  curve("dPx printed", 0.1, function(_, printed) return printed.dPx_percent_of_N2 end)
+  curve("dPz published", 0.1, function(_, printed) return printed.dPz_percent_of_N2 end)
+  curve("dPx published", 0.1, function(_, printed) return printed.dPx_percent_of_N2 end)
   sg.chart(chart)
   return true
 end

@@ -1,10 +1,10 @@
--- The set-up of 3D ironing with a spherical indenter: meshes, bodies, scene, path.
+-- 3D ironing with a spherical indenter: meshes, bodies, scene, path.
 
 local sg = require "signorini"
 
 local problem = {}
 
-problem.published_depth = 10.4 -- that the indenter is lowered by, before it touches and after
+problem.published_depth = 10.4 -- displacement of the indenter, including the gap before contact
 problem.down, problem.along = 0.2, 0.3 -- steps of the published path: 52 down, 250 along
 local start, finish = 12.5, 87.5 -- x of the indenter's center on the published path
 
@@ -18,8 +18,8 @@ problem.meshes = {
 problem.mesh_names = { "sparse", "coarse", "middle", "fine" }
 
 --- Indenter and slab of a case { label, mesh, radius }, the indenter's lowest point touching the slab at x = `center`,
---- y = 15. `cap` is the number of biquadratic spans per direction that the sphere is drawn with: one, as published, has
---- no knots of its own, so that labels count as on a block; with more, their knots stay C¹ whatever the label.
+--- y = 15. `cap` is the number of biquadratic spans per direction that the sphere consists of: one, as published, has
+--- no inner knots, so that DOFs are those of a block; with more, their knots remain C¹ for any order.
 function problem.bodies(case, center)
   local elements = problem.meshes[case.mesh]
   local material = sg.neo_hookean{ E = 1, nu = 0.3 }

@@ -1,20 +1,20 @@
--- What Table 7.8 tells of a moment curve: oscillation amplitude, steepest rise and fall within a window of angles.
+-- Figures of a moment curve in Table 7.8: oscillation, steepest rise and fall within a window of angles.
 --
--- They are measured on whole steps of 0.1° alone, as the thesis does: amplitude max M − min M, slopes the quotients of
--- differences (M_k+1 − M_k)/0.1° of neighboring steps. Where the path turns back between two steps, the state at the
--- later one is the first that the path meets there: the quotient spans the drop, as does an iteration at prescribed
--- angles that jumps over it. States between steps, to which arcs led, do not count; the amplitude of all states is
--- given beside it.
+-- They are measured on whole steps of 0.1°, as in the thesis: oscillation max M − min M, slopes as quotients of
+-- differences (M_k+1 − M_k)/0.1° of neighboring steps. At a turning point between two steps, the state at the later one
+-- is the first that the path reaches there, so the quotient spans the drop, as does a step with prescribed angles that
+-- jumps over it. States of arc-length increments between steps do not count; the oscillation of all states is given in
+-- addition.
 
 local measure = {}
 
 local rounding = 1e-6 -- of an angle in degrees
 
---- Whether a step is one of the user's, not a state in between.
+--- Whether a row is a whole step, not a state between steps.
 function measure.is_whole(step) return step == math.floor(step) end
 
---- Where a path turns back: { turn, back, angle at both, moment at both } in order. `turn` and `back` are rows; a path
---- that ends while it turns back is no snap-back.
+--- Snap-backs of a path: { turn, back, angle at both, moment at both } in order. `turn` and `back` are the rows of the
+--- two turning points; a path that ends before the second one is not counted.
 function measure.snap_backs(case)
   local angle, found, turn = case.angle, {}, nil
   for row = 2, #angle - 1 do
@@ -28,8 +28,8 @@ function measure.snap_backs(case)
   return found
 end
 
---- Mean of M over the path from one row to another: ∫ M dθ by trapezoids over the angle in between. What a snap-back
---- takes back counts with its sign, so this is the work of the moment.
+--- Mean of M over the path from one row to another: ∫ M dθ by the trapezoidal rule. A snap-back
+--- counts with its sign, so this is the work of the moment.
 local function mean(case, first, last)
   local work = 0
   for row = first + 1, last do
@@ -38,7 +38,7 @@ local function mean(case, first, last)
   return work / (case.angle[last] - case.angle[first])
 end
 
---- Rows of the whole steps within a window {from, to} in degrees; nothing when the path ends before it does.
+--- Rows of the whole steps within a window {from, to} in degrees; nil if the path ends before the window does.
 local function window_rows(case, window)
   local rows = {}
   for row, angle in ipairs(case.angle) do
@@ -51,7 +51,7 @@ local function window_rows(case, window)
   return complete and rows or nil
 end
 
---- { amplitude, rise, fall, path_amplitude, mean } in E0 L0³, slopes per degree; empty when the path ends before the
+--- { amplitude, rise, fall, path_amplitude, mean } in E0 L0³, slopes per degree; empty if the path ends before the
 --- window.
 function measure.window(case, window)
   local rows = window_rows(case, window)
@@ -74,7 +74,7 @@ function measure.window(case, window)
            mean = mean(case, rows[1], rows[#rows]) }
 end
 
---- The angle at which a run's report says that the path turns back, or nothing.
+--- The angle of the turning point in a run's report, or nil.
 function measure.reported_turn(run)
   if run.reason ~= "turning_point" then return nil end
   return tonumber(run.report:match "turning point at edge%.angle = ([%d.]*%d)")

@@ -1,5 +1,5 @@
--- Tables and charts of peeling runs; cases are what problem.solve returns, measured: window, snap_backs, and beside
--- them printed, the published row.
+-- Tables and charts of peeling runs; cases are what problem.solve returns, measured: window, snap_backs, and
+-- printed, the published row.
 
 local sg = require "signorini"
 local measure = require "peeling2d.measure"
@@ -19,7 +19,7 @@ do
 end
 
 --- The published row of a label on a mesh, of the strip of 200 nm: dM_1e-3_E0L0cubed, max_slope_1e-3, min_slope_1e-3,
---- dofs, converges; empty when there is none.
+--- dofs, converges; empty if there is none.
 function output.printed(label, mesh) return printed[label .. " " .. mesh] or {} end
 
 local function ratio(value, beside) return value and beside and value / beside or nil end
@@ -27,7 +27,7 @@ local function thousandth(value) return value and 1e3 * value end
 
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Amplitude and slopes beside the published ones.
+--- Oscillation and slopes, with the published ones.
 function output.amplitude_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
@@ -47,7 +47,7 @@ function output.amplitude_table(cases)
   }
 end
 
---- Mean moment on the plateau beside its two estimates.
+--- Mean moment on the plateau, with its two estimates.
 function output.plateau_table(cases, thin, finite)
   local rows = {}
   for _, case in ipairs(cases) do
@@ -62,7 +62,7 @@ function output.plateau_table(cases, thin, finite)
   }
 end
 
---- How far rotation control went, and what arcs found behind it.
+--- End of rotation control, and of arc-length control after it.
 function output.path_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
@@ -102,7 +102,7 @@ end
 
 local angle_label, moment_label = "rotation of the edge θ (°)", "moment M / (E0 L0³)"
 
---- Angles and moments of the rows within a range of angles; of whole steps or of others alone when asked.
+--- Angles and moments of the rows within a range of angles; on request of whole steps or of others only.
 local function part(case, from, to, whole)
   local x, y = {}, {}
   for row, angle in ipairs(case.angle) do
@@ -112,14 +112,14 @@ local function part(case, from, to, whole)
   return x, y
 end
 
---- Figure 7.23: the whole curve of one case, the plateau magnified, beside the balance of energy.
+--- Figure 7.23: the whole curve of one case, the plateau magnified, with the energy balance.
 function output.draw_moment(file, case, balance, window)
   local last = case.angle[#case.angle]
   local inset = last > window[1] and { xrange = { window[1], math.min(last, window[1] + 5) } } or nil
   sg.chart{
     file = file, xlabel = angle_label, ylabel = moment_label, yrange = { 0, 1.15 * balance }, inset = inset,
     legend = false, title = ("Peeling: moment over rotation, %s at %s"):format(case.label, case.mesh),
-    hlines = { { balance, ("balance of energy %.4f"):format(balance) } },
+    hlines = { { balance, ("energy balance %.4f"):format(balance) } },
     { x = case.angle, y = case.moment, label = case.label },
   }
 end
@@ -139,11 +139,11 @@ function output.draw_plateau(file, cases, title, window, wanted)
   return #chart > 0
 end
 
---- Figure 7.27: amplitudes over the mesh, and all published ones; returns whether there was anything to draw.
+--- Figure 7.27: oscillation over the mesh, and all published values; returns whether there was anything to draw.
 function output.draw_over_mesh(file, labels, meshes, case_of)
-  local chart = { file = file, title = "Peeling: amplitude of the moment over the mesh", xlabel = "mesh",
+  local chart = { file = file, title = "Peeling: oscillation of the moment over the mesh", xlabel = "mesh",
                   ylabel = "dM (1e-3 E0 L0³)", log = "y", xrange = { 0.8, #meshes + 0.2 }, xticks = {} }
-  local aside = 0.06 -- where the published values stand, beside ours
+  local aside = 0.06 -- offset of the published values
   local printed_ones = { x = {}, y = {}, label = "published", line = false, markers = true, marker = "plus", color = 7 }
   local function add(curve, x, y)
     if y then curve.x[#curve.x + 1], curve.y[#curve.y + 1] = x, y end
@@ -163,8 +163,8 @@ function output.draw_over_mesh(file, labels, meshes, case_of)
   return #chart > 0
 end
 
---- The widest snap-back of a case and its surroundings: the path, its whole steps and the states that arcs led to.
---- Returns whether there is one.
+--- The widest snap-back of a case and its surroundings: the path, its whole steps and the states of arc-length
+--- increments. Returns whether there is one.
 function output.draw_snap_back(file, case)
   local widest
   for _, back in ipairs(case.snap_backs) do
@@ -182,7 +182,7 @@ function output.draw_snap_back(file, case)
       :format(case.label, case.mesh, widest.width, widest.from),
     curve({ label = "path", color = 1, marker = "none" }),
     curve({ label = "whole steps", line = false, markers = true, marker = "circle", color = 1 }, true),
-    curve({ label = "by arcs", line = false, markers = true, marker = "square", color = 2 }, false),
+    curve({ label = "by arc length", line = false, markers = true, marker = "square", color = 2 }, false),
   }
   return true
 end

@@ -3,7 +3,7 @@
 local sg = require "signorini"
 
 local problem = {
-  length = 200.0, bonded = 150.0, -- as published; bonded is the part that feels the substrate
+  length = 200.0, bonded = 150.0, -- as published; bonded is the part with adhesion
   height = 10, modulus = 2, poisson = 0.2,
   hamaker = 0.1, r0 = 0.4,      -- nN nm, nm
   moment_unit = 2,              -- E0 L0³ per nm of depth, in nN
@@ -14,24 +14,24 @@ local problem = {
 --- m1.
 local densities = { m0 = 0.4, m1 = 0.8, m2 = 1, m3 = 1.2 }
 
---- Elements along and through a strip.
+--- Elements along and across the strip.
 function problem.elements(mesh, length)
   local density = densities[mesh]
   if not density then error(("mesh must be one of m0 to m3, got '%s'"):format(mesh), 0) end
   return { math.floor(density * length + 0.5), math.floor(density * problem.height + 0.5) }
 end
 
---- Distance without traction between strip and substrate: T(r) = 0 at r = 15^(−1/6) r₀.
+--- Distance of zero traction between strip and substrate: T(r) = 0 at r = 15^(−1/6) r₀.
 function problem.equilibrium_distance() return 15 ^ (-1 / 6) * problem.r0 end
 
---- Model and strip. `length` of the strip, of which the part x ≤ `bonded` feels the substrate.
+--- Model and strip. `length` of the strip, adhesion acts on the part x ≤ `bonded`.
 function problem.scene(label, mesh, length, bonded)
   local strip = sg.body{
     patch    = sg.shapes.rectangle{ width = length, height = problem.height },
     elements = problem.elements(mesh, length), order = label, contact = "south", through = 1,
     material = sg.neo_hookean{ E = problem.modulus, nu = problem.poisson },
   }
-  -- The substrate carries no shear, and the edge is free to move: one point of the strip is held along it.
+  -- The substrate transmits no shear, and the edge is free to move, so one point of the strip is fixed in x.
   local model = sg.model{
     bodies   = { strip = strip },
     supports = { edge = { on = strip:face "east", rotate = true },

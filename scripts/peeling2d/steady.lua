@@ -1,15 +1,15 @@
--- What the moment of steady peeling should be: the energy balance of a strip that is peeled by a moment alone.
+-- The moment of steady peeling from the energy balance of a strip that is peeled by a moment alone.
 --
--- When the front has moved by one unit of length, a unit more of strip is bent to the curvature k and a unit of the
--- film is torn. The state at the front is only shifted, whatever the film's law is. So the moment's work on the
--- rotation is the energy stored plus the work of adhesion W (force per length):
+-- When the front moves by one unit of length, one more unit of strip is bent to the curvature k and one unit of the
+-- bond is opened. The state at the front is only shifted, whatever the law of adhesion. So the work of the moment on
+-- the rotation is the energy stored plus the work of adhesion W (force per length):
 --   M k = U(k) + W,   M = dU/dk,   U(k) energy of the bent strip per reference length.
 -- U = EI k²/(2(1 − ν²)), I = h³/12, gives M²(1 − ν²)/(2EI) = W:
 --   M = √(2 E I W/(1 − ν²)).
--- This leaves out that strains are finite: the faces of this strip are stretched by h k/2 = 9 %. The exact U(k) is
--- found from the section: it stays plane, at the radius r(Y), with stretches λ_θ = k r and λ_r = r′.
--- Both leave out the ends (the rigid edge, the pin), what the film still pulls at the peeled strip, and the mesh: a
--- strip that is discretized is stiffer, and its film tears in jerks, about this mean.
+-- This neglects finite strains: the faces of this strip are stretched by h k/2 = 9 %. The exact U(k) is
+-- found from the cross section, which remains plane, at the radius r(Y), with stretches λ_θ = k r and λ_r = r′.
+-- Both neglect the ends (the rigid edge, the pin), adhesion on the peeled part, and the discretization: a discretized
+-- strip is stiffer, and its moment oscillates about this mean.
 
 local problem = require "peeling2d.problem"
 
@@ -72,7 +72,7 @@ local function section(k, r)
     for i = 1, 4 do s[i] = state[i] + by * rate[i] end
     return s
   end
-  for _ = 1, pieces do -- Runge and Kutta's classical method
+  for _ = 1, pieces do -- classical Runge–Kutta method
     local a = rates(state)
     local b = rates(moved(a, step / 2))
     local c = rates(moved(b, step / 2))

@@ -1,4 +1,4 @@
--- Two elastic half rings that are pushed into each other: meshes, scene, path. Lengths in m, forces in N.
+-- Two elastic half rings that are pressed together: meshes, scene, path. Lengths in m, forces in N.
 
 local sg = require "signorini"
 
@@ -28,7 +28,7 @@ function problem.scene(label, mesh)
   return model, upper:dofs().total + lower:dofs().total
 end
 
---- Takes a label on a mesh along the path. `on_state` sees the model at the start and after every step. Returns
+--- Solves the path on a mesh. `on_state` is called with the model at the start and after every step. Returns
 --- { label, mesh, run, dofs, profile }.
 function problem.solve(label, mesh, linear, on_state)
   local model, dofs = problem.scene(label, mesh)

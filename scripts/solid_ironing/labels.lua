@@ -1,4 +1,4 @@
--- The study of labels: all of them along the whole path on one mesh; forces, amplitudes, work, pictures.
+-- The study of discretizations: the whole path on one mesh; forces, oscillations, work, pictures.
 
 local sg = require "signorini"
 local meshes = require "solid_ironing.mesh"
@@ -24,14 +24,14 @@ function labels.run(problem, options, files)
   end
   study.compare(cases, cases[reference_label])
   local first, last = cases[1].first, cases[1].last
-  print(("\nWork, %d + %d steps, cut in half where they fail; the first failure is where equal steps would have ended")
+  print(("\nWork, %d + %d steps, failed ones halved; without halving the path would have ended at the first failure")
     :format(press, slide))
   print(output.work_table(cases))
-  local window = ("max - min over the steps %d to %d, as they are and without the best parabola"):format(first, last)
-  print(("\nForces; amplitudes: %s"):format(window))
+  local window = ("max - min over the steps %d to %d, raw and detrended by a parabola"):format(first, last)
+  print(("\nForces; oscillations: %s"):format(window))
   print(output.force_table(cases))
   output.force_csv(files "forces.csv", cases,
-    ("%s at %s; amplitudes: %s"):format(problem.title, mesh.name, window))
+    ("%s at %s; oscillations: %s"):format(problem.title, mesh.name, window))
   local title = ("%s at %s"):format(problem.title, mesh.name)
   files:draw("path.png", "an accepted step", function(file)
     return output.draw_path(file, cases, title .. ": pressing force")
@@ -42,8 +42,8 @@ function labels.run(problem, options, files)
   files:draw("Px.png", "a step of the sliding", function(file)
     return output.draw_force(file, cases, "Px", { title = title .. ": drag, without friction", ylabel = "Px" })
   end)
-  files:draw("amplitudes.png", "N2 among the labels, and runs that reach the window", function(file)
-    return output.draw_amplitudes(file, cases, title .. ": amplitude of the forces")
+  files:draw("amplitudes.png", "N2 among the labels, and runs that complete the window", function(file)
+    return output.draw_amplitudes(file, cases, title .. ": oscillation of the forces")
   end)
   files:draw("states.png", "a completed stage", function(file)
     if #states == 0 then return false end

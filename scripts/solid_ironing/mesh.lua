@@ -2,7 +2,7 @@
 
 local mesh = {}
 
---- The elements of a mesh such as "4x4x4/8x4x4": { name, die = {4, 4, 4}, slab = {8, 4, 4} }; nothing for what is no
+--- The elements of a mesh such as "4x4x4/8x4x4": { name, die = {4, 4, 4}, slab = {8, 4, 4} }; nil if the name is not a
 --- mesh.
 function mesh.read(text)
   local counts = {}

@@ -10,7 +10,7 @@ local function ending(case)
   return case.x[1] and ("%s at x = %.2f"):format(case.run.reason, case.x[#case.x]) or case.run.reason
 end
 
---- Degrees of freedom, work, how far plain Newton iterations came, and how the run ended.
+--- Degrees of freedom, work, first failure of plain Newton, and how the run ended.
 function output.work_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
@@ -42,7 +42,7 @@ local function force_rows(cases)
   return rows
 end
 
---- Pressing force at the full depth and while the die slides, amplitudes as they are and without their best parabola.
+--- Pressing force at the full depth and while the die slides, oscillations raw and detrended by a parabola.
 function output.force_table(cases)
   return sg.table{
     columns = { "label", "Pz", "Pz", "Pz", "Pz", "dPz", "dPz", "detrended", "detrended", "dPx", "dPx", "detrended",
@@ -81,9 +81,9 @@ function output.draw_path(file, cases, title)
   return #chart > 0
 end
 
---- Amplitudes by label in % of those of N2; returns whether there was anything to draw.
+--- Oscillations by discretization in % of those of N2; returns whether there was anything to draw.
 function output.draw_amplitudes(file, cases, title)
-  local chart = { file = file, title = title, ylabel = "amplitude (% of N2)", log = "y",
+  local chart = { file = file, title = title, ylabel = "oscillation (% of N2)", log = "y",
                   xrange = { 0.5, #cases + 0.5 }, xticks = {} }
   for i, case in ipairs(cases) do chart.xticks[i] = { i, case.label } end
   for _, curve in ipairs {

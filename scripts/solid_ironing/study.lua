@@ -12,8 +12,8 @@ local study = {}
 
 -- ── Measures ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Where a run of plain Newton iterations would have ended: { step, reason } of the first attempt that failed; nothing
---- when none did.
+--- Where a run with plain Newton would have ended: { step, reason } of the first failed attempt; nil
+--- if none failed.
 local function first_failure(run)
   for step = 1, run.steps + (run.failed and 1 or 0) do
     for _, attempt in ipairs(run:attempts(step)) do
@@ -29,7 +29,7 @@ local function window(problem, case)
   return math.floor(middle - steps / 2 + 0.5), math.floor(middle + steps / 2 + 0.5)
 end
 
---- Adds to a case what its run says: see study.solve.
+--- Adds results of the run to a case: see study.solve.
 local function measure(problem, case)
   local run = case.run
   case.x, case.Px, case.Pz = run:column "grip.ux", run:column "grip.fx", run:column "grip.fz"
@@ -47,14 +47,14 @@ local function measure(problem, case)
   case.drag = { mean = sum / #drag, low = math.min(table.unpack(drag)), high = math.max(table.unpack(drag)) }
 end
 
---- Adds what the amplitudes are in % of those of a case, or of nothing: raw_percent, detrended_percent.
+--- Adds the oscillations in % of those of a case, if given: raw_percent, detrended_percent.
 function study.compare(cases, reference)
   plane.percent(cases, { "dPx", "dPz" }, reference)
 end
 
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Runs a case, also with on_step(model, info); steps that fail are cut in half. Adds to it: run, dofs (both bodies),
+--- Runs a case, also with on_step(model, info); failed steps are halved. Adds to it: run, dofs (both bodies),
 --- user (seconds of processor time that the run took, all threads), x (of the die's center), Px, Pz (forces on the
 --- slab, of the whole scene) after every step, pressed (Pz at the full depth), drag (mean, low and high of Pz while it
 --- slides), dPx, dPz ({ raw, detrended } over the steps first to last; empty when the run ended before), first_failure

@@ -1,24 +1,24 @@
--- Ironing in the plane: the ripple of both forces while the die slides, without their trend (ironing2d/amplitude.lua).
+-- Ironing in the plane: detrended oscillation of both forces while the die slides (ironing2d/amplitude.lua).
 
 local amplitude = require "ironing2d.amplitude"
 local problem = require "ironing2d.problem"
 local timed = require "speed_against_accuracy.timed"
 
---- The amplitude of a force of a row, without trend.
-local function ripple(force) return function(row) return amplitude.of(row[force]).detrended end end
+--- The detrended oscillation of a force of a row.
+local function oscillation(force) return function(row) return amplitude.of(row[force]).detrended end end
 
 return {
   name = "ironing", title = "Ironing", page = "problems/ironing2d.md",
   about = [[
-A stiff half ring is pressed into a soft slab in 46 steps and dragged along it in 250, with friction. The true forces
-are almost constant while it slides; what they oscillate by over one element of m1 in the slab's middle, their best
-parabola taken off, is error.]],
+A stiff half ring is pressed into a soft slab in 46 steps and dragged along it in 250, with friction. The exact forces
+are nearly constant during sliding, so the error is the oscillation over one element of m1 in the slab's middle, minus
+the best-fit parabola.]],
   labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N2.2x2" },
   meshes = { "m1", "m2", "m3", "m4" }, rounds = 3,
-  once = { m4 = true }, -- long runs, which a noisy moment changes little
+  once = { m4 = true }, -- long runs, on which disturbances have little effect
   errors = {
-    { name = "dPx", title = "ripple of the drag", unit = "N/mm", of = ripple "Px" },
-    { name = "dPy", title = "ripple of the pressing force", unit = "N/mm", of = ripple "Py" },
+    { name = "dPx", title = "oscillation of the drag", unit = "N/mm", of = oscillation "Px" },
+    { name = "dPy", title = "oscillation of the pressing force", unit = "N/mm", of = oscillation "Py" },
   },
   savings = { -- section 7.1.3
     { "N2-N2.2", "m1", "N2", "m3", 56.62 }, { "N2-N2.2", "m2", "N2", "m4", 72.78 },

@@ -1,11 +1,12 @@
--- Ironing in space with a spherical indenter of radius 7.5, pressed by 5.4: the ripple of both forces.
+-- Ironing in space with a spherical indenter of radius 7.5, pressed by 5.4: the oscillation of both forces.
 --
 -- Half a pipe (cylinder_ironing3d.lua) would be smoother, but on meshes that are coarse enough to be timed here its
--- drag ripple does not fall with the mesh: for N4 it is a fifth on 9 elements of what it is on 13. The sphere's does.
+-- drag oscillation does not fall with the mesh: for N4 it is a fifth on 9 elements of what it is on 13. The sphere's
+-- does.
 --
--- Without friction a state does not depend on the way to it: the indenter is pressed at the beginning of the window
+-- Without friction a state does not depend on the path: the indenter is pressed at the beginning of the window
 -- and slides through it only. The window is one element of the sparse slab, in its middle; so it is two of the coarse
--- and three of the middle slab, and whole periods of the ripple for all, which needs no trend taken off.
+-- and three of the middle slab, and whole periods of the oscillation for all, so no trend is subtracted.
 
 local amplitude = require "ironing2d.amplitude"
 local problem = require "ironing3d.problem"
@@ -16,21 +17,21 @@ local timed = require "speed_against_accuracy.timed"
 local window, slide = 100 / 9, 54
 local down = 0.4
 
-local function ripple(force) return function(row) return amplitude.of(row[force], 1, #row[force]).raw end end
+local function oscillation(force) return function(row) return amplitude.of(row[force], 1, #row[force]).raw end end
 
 return {
   name = "ironing3d", title = "Ironing in 3D", page = "problems/ironing3d.md",
   about = [[
 A soft block with a spherical bottom (R = 7.5) is pressed into an equally soft slab by 5.4 and dragged over the length
-of one element of the sparse mesh, without friction. The true forces are almost constant; what they oscillate by is
-error. Steps that fail are cut in half, which counts.]],
+of one element of the sparse mesh, without friction. The exact forces are nearly constant, so the error is
+their oscillation. Failed steps are halved, and their time counts.]],
   labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
   meshes = { "sparse", "coarse", "middle" }, rounds = 1,
-  -- The middle mesh is there for what a coarser one with layers replaces; with layers it would take minutes.
+  -- The middle mesh serves for comparison with layers on coarser ones; with layers it would take minutes.
   affordable = function(order, mesh) return mesh ~= "middle" or order == "N2" end,
   errors = {
-    { name = "dPx", title = "ripple of the drag", of = ripple "Px" },
-    { name = "dPz", title = "ripple of the pressing force", of = ripple "Pz" },
+    { name = "dPx", title = "oscillation of the drag", of = oscillation "Px" },
+    { name = "dPz", title = "oscillation of the pressing force", of = oscillation "Pz" },
   },
   savings = {},
 

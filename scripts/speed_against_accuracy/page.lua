@@ -1,6 +1,5 @@
--- The page share/doc/speed_against_accuracy.md: what the report says of all problems, with the charts, in Markdown.
+-- The page share/doc/speed_against_accuracy.md: reports of all problems with charts, in Markdown.
 
-local shares = require "speed_against_accuracy.shares"
 local tables = require "speed_against_accuracy.tables"
 
 local page = {}
@@ -25,7 +24,7 @@ local function cell(value, format)
   return typeset(text):gsub("|", "\\|"), nil
 end
 
---- A table of tables.lua; units stand behind the names.
+--- A table of tables.lua, with units after the names.
 local function write_table(table_)
   local lines, heads, rules = {}, {}, {}
   for j, name in ipairs(table_.columns) do
@@ -51,7 +50,7 @@ local function write_block(block, folder)
   return typeset(block.text)
 end
 
--- ── Where the figures come from ──────────────────────────────────────────────────────────────────────────────────────
+-- ── Origin of the figures ────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Processors, versions and days of all cases, as a text.
 local function origin(results)
@@ -81,50 +80,33 @@ end
 local head = [[
 # Speed against accuracy
 
-What does an accurate result cost, and which is the least model that is enough? Every chart on this page has the time
-of a run to the right and its error upwards, one curve per discretization, one marker per mesh: what lies further down
-and left is better. The gray steps are the Pareto front: whatever lies above them is beaten by a case that is both
-faster and better. Made by `scripts/speed_against_accuracy.lua` with %s.
+Work–precision diagrams of five problems: error over time of a run, one curve per discretization, one marker per mesh;
+points further down and left are better. The gray steps are the Pareto front: every case above them is beaten by one
+that is both faster and more accurate. Made by `scripts/speed_against_accuracy.lua` with %s.
 
-Times are those of scene and path together, %s, and of one case at a time. At equal error two curves are compared by
-straight lines between their points in both logarithms, and never beyond their ends: not below the least error of
-either, and not above that of its fastest case, which might have been faster still.]]
+Times include scene and path, %s, one case at a time. Ratios of times at equal error interpolate linearly between the
+points of each curve in both logarithms, without extrapolation: not below the smallest error of either curve, and not
+above that of its fastest case, which might be faster still at a larger error.]]
 
 local summary_head = [[
-## At a glance
+## Summary
 
-What a label takes of another one's time at the same error: at the least, the (geometrically) middle and the largest
-one that both reach.]]
+Ratios of times at equal error: at the smallest, the (geometrically) middle and the largest common error.]]
 
 local run_head = [[
 ## Run it
 
     build/signorini scripts/speed_against_accuracy.lua page=share/doc
 
-makes this page anew. Cases that are done are kept in the folder `out`: a run that was stopped goes on where it was,
-and one that is complete draws and writes only. Times mean something on a machine that does nothing else.
-`problems=hertz labels=N2,N2-N2.3 meshes=m1,m2` looks at a part; any label will do.]]
+writes this page. Finished cases are kept in the folder `out`: an interrupted run continues with the others, and a
+complete one only draws and writes. Times are meaningful only on an otherwise idle machine.
+`problems=hertz labels=N2,N2-N2.3 meshes=m1,m2` runs a part; any order label is possible.]]
 
---- Between which shares of another one's time a label takes, over all problems.
-local function summary_words(results)
-  local lines = {}
-  local function place(one) return ("%.2f (%s: %s)"):format(one.share, one.problem, one.error) end
-  for _, pair in ipairs(shares.pairs) do
-    local list = shares.over_all(results, pair[1], pair[2])
-    local from, to = list[1], list[#list]
-    if from then
-      lines[#lines + 1] = ("In the middle of the common errors %s takes %s of the time of %s."):format(pair[1],
-        #list > 1 and ("from %s to %s"):format(place(from), place(to)) or place(from), pair[2])
-    end
-  end
-  return #lines > 0 and table.concat(lines, " ") or "No two labels of these reach a common error."
-end
-
---- The text of the page; `folder` is that of its charts, seen from it.
+--- The text of the page; `folder` is that of its charts, relative to the page.
 function page.text(results, options, folder)
-  local clock = options.time == "cpu" and "in seconds of processor time" or "by the wall clock"
+  local clock = options.time == "cpu" and "in seconds of processor time" or "as wall time"
   local parts = { head:format(origin(results), clock), summary_head, write_table(tables.summary(results)),
-                  summary_words(results) }
+                  "Range of the middle ratios:", write_table(tables.ranges(results)) }
   for _, result in ipairs(results) do
     local problem = result.measured.problem
     parts[#parts + 1] = ("## %s\n\n[The problem](%s). %s"):format(problem.title, problem.page, result.blocks[1].text)
@@ -134,7 +116,7 @@ function page.text(results, options, folder)
   return table.concat(parts, "\n\n") .. "\n"
 end
 
---- Writes the page, whole or not at all.
+--- Writes the page atomically.
 function page.write(file, results, options, folder)
   local text = page.text(results, options, folder)
   local stream = assert(io.open(file .. ".new", "w"))

@@ -1,4 +1,4 @@
--- Peeling of an adhesive strip: the amplitude of the moment in 120° to 140° (peeling2d/measure.lua). Runs end there,
+-- Peeling of an adhesive strip: the oscillation of the moment in 120° to 140° (peeling2d/measure.lua). Runs end there,
 -- ten degrees before those of peeling2d.lua.
 
 local measure = require "peeling2d.measure"
@@ -10,13 +10,13 @@ local window = { 120, 140 }
 return {
   name = "peeling", title = "Peeling", page = "problems/peeling2d.md",
   about = [[
-A strip that sticks to a flat substrate is peeled off by turning its end, to 140° in 1400 steps, by arc length where
-rotation alone would stop. The true moment is constant from 120° to 140°; what it oscillates by is error.]],
+A strip that adheres to a flat substrate is peeled off by rotating its end to 140° in 1400 steps, with arc length where
+rotation control fails. The exact moment is constant from 120° to 140°, so the error is its oscillation.]],
   labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N2.2x2" },
   meshes = { "m0", "m1", "m2", "m3" }, rounds = 1,
-  -- N2 needs m3 for an error that N2-N2.2 has at m0; the others need not be charted so far.
+  -- N2 needs m3 for the error of N2-N2.2 at m0; the others are not needed on m3.
   affordable = function(order, mesh) return mesh ~= "m3" or order == "N2" end,
-  errors = { { name = "dM", title = "amplitude of the moment", unit = "E0 L0³",
+  errors = { { name = "dM", title = "oscillation of the moment", unit = "E0 L0³",
                of = function(row) return measure.window(row, window).amplitude end } },
   savings = {},
 

@@ -1,5 +1,5 @@
--- One problem's results in words, tables and charts, as a list of blocks for the terminal and the page: { text }, {
--- title, table }, { title, chart (file) }.
+-- One problem's results as a sentence, tables and charts, as a list of blocks for the terminal and the page: { text },
+-- { title, table }, { title, chart (file) }.
 
 local sg = require "signorini"
 local shares = require "speed_against_accuracy.shares"
@@ -7,15 +7,13 @@ local tables = require "speed_against_accuracy.tables"
 
 local report = {}
 
-local function amount(value, unit) return ("%.2e%s"):format(value, unit and " " .. unit or "") end
-
 --- "a, b and c".
 local function series(texts)
   local first = table.concat(texts, ", ", 1, #texts - 1)
   return #texts > 1 and ("%s and %s"):format(first, texts[#texts]) or texts[1]
 end
 
---- The least and the largest error of a label.
+--- The smallest and the largest error of an order.
 local function extremes(comparison, label)
   local least, largest = math.huge, 0
   for _, curve in ipairs(comparison.curves) do
@@ -26,52 +24,47 @@ local function extremes(comparison, label)
   return least, largest
 end
 
---- Where a label stands against another one.
-local function standing(comparison, error, label, other, found)
-  if found.why then
-    local _, worst = extremes(comparison, label)
-    local best = extremes(comparison, other)
-    if worst < best then
-      return ("On all of its meshes %s has less %s than %s on any (at most %s, at least %s)."):format(label,
-        error.title, other, amount(worst, error.unit), amount(best, error.unit))
-    end
-    return ("%s and %s reach no %s that both have (%s)."):format(label, other, error.title, found.why)
-  end
-  local parts, at = {}, {}
-  for i, share in ipairs(found.share) do parts[i], at[i] = ("%.2f"):format(share), ("%.2e"):format(found.at[i]) end
-  local unit = error.unit and " " .. error.unit or ""
-  local range = ("at %s%s, the least, the middle and the largest that both reach"):format(series(at), unit)
-  if at[1] == at[#at] then parts, range = { parts[1] }, ("at %s%s, which both reach"):format(at[1], unit) end
-  return ("At equal %s %s takes %s of the time of %s (%s)."):format(error.title, label, series(parts), other, range)
+--- Whether the largest error of one order is below the smallest of another one.
+local function is_better(comparison, label, other)
+  local _, worst = extremes(comparison, label)
+  return worst < extremes(comparison, other)
 end
 
---- The cases that none beats in both time and error.
-local function front(comparison)
-  local names = {}
-  for i, row in ipairs(comparison.pareto) do
-    names[i] = ("%s %s"):format(row.order, row.mesh)
+--- The clauses of the conclusion on a pair of orders: the range of time ratios over all errors, and the errors without
+--- a common range that are smaller in any case.
+local function add_clauses(comparisons, errors, pair, ratios, better)
+  local low, high, smaller = math.huge, 0, {}
+  for _, error in ipairs(errors) do
+    local comparison = comparisons[error.name]
+    local found = comparison and shares.of(comparison, pair[1], pair[2])
+    for _, share in ipairs(found and found.share or {}) do low, high = math.min(low, share), math.max(high, share) end
+    if found and found.why and is_better(comparison, pair[1], pair[2]) then smaller[#smaller + 1] = error.title end
   end
-  return ("On the Pareto front, from the fastest to the best: %s."):format(series(names))
+  if high > 0 then
+    ratios[#ratios + 1] = ("%s takes %.2f to %.2f of the time of %s"):format(pair[1], low, high, pair[2])
+  end
+  if #smaller > 0 then
+    better[#better + 1] = ("%s has a smaller %s on every mesh than %s on any"):format(pair[1], series(smaller), pair[2])
+  end
 end
 
---- What has no place in a chart, by name.
+--- The conclusion on a problem, one sentence.
+local function conclusion(comparisons, errors)
+  local ratios, better = {}, {}
+  for _, pair in ipairs(shares.pairs) do add_clauses(comparisons, errors, pair, ratios, better) end
+  local parts = {}
+  if #ratios > 0 then parts[1] = "At equal error " .. series(ratios) end
+  if #better > 0 then parts[#parts + 1] = series(better) end
+  return #parts > 0 and table.concat(parts, "; ") .. "." or "No two of the compared orders reach a common error."
+end
+
+--- The cases that are not in a chart.
 local function left_out(comparison)
   local lines = {}
   for i, one in ipairs(comparison.left_out) do
     lines[i] = ("%s at %s (%s)"):format(one.row.order, one.row.mesh, tables.reason(one.row) or one.why)
   end
   return #lines > 0 and ("Not in the chart: %s."):format(series(lines)) or nil
-end
-
-local function words(comparison, error)
-  local lines = {}
-  for _, pair in ipairs(shares.pairs) do
-    local found = shares.of(comparison, pair[1], pair[2])
-    if found then lines[#lines + 1] = standing(comparison, error, pair[1], pair[2], found) end
-  end
-  lines[#lines + 1] = front(comparison)
-  lines[#lines + 1] = left_out(comparison)
-  return table.concat(lines, " ")
 end
 
 local function has_errors(cases, error)
@@ -85,7 +78,7 @@ end
 local function compare(measured, error, options, files, blocks)
   local problem, time = measured.problem, options.time
   if not has_errors(measured.cases, error) then
-    blocks[#blocks + 1] = { text = ("No case has a %s: see the table of cases."):format(error.title) }
+    blocks[#blocks + 1] = { text = ("No case has a value of %s; see the table of cases."):format(error.title) }
     return nil
   end
   local chart = ("%s_%s"):format(problem.name, error.name)
@@ -99,22 +92,22 @@ local function compare(measured, error, options, files, blocks)
     ylabel = error.unit and ("%s (%s)"):format(error.title, error.unit) or error.title,
   })
   blocks[#blocks + 1] = { title = title, chart = chart .. ".png" }
-  blocks[#blocks + 1] = { text = words(comparison, error) }
+  local missing = left_out(comparison)
+  if missing then blocks[#blocks + 1] = { text = missing } end
   local ratios = tables.ratios(comparison, error)
   sg.csv.write(files(chart .. "_ratios.csv"), { columns = { "label", "against", "least_error", "largest_error",
     "share_at_least", "share_in_the_middle", "share_at_largest" }, rows = ratios.rows })
   if #ratios.rows > 0 then
-    blocks[#blocks + 1] = { title = ("What a label takes of another one's time at equal %s"):format(error.title),
-                            table = ratios }
+    blocks[#blocks + 1] = { title = ("Ratio of times, A to B, at equal %s"):format(error.title), table = ratios }
   end
   local least = tables.least(measured, error, time)
   if #least.rows > 0 then
-    blocks[#blocks + 1] = { title = ("The least that is enough for the %s of N2"):format(error.title), table = least }
+    blocks[#blocks + 1] = { title = ("Fastest cases with at most the %s of N2"):format(error.title), table = least }
   end
   return comparison
 end
 
---- Of how many runs a time is the median.
+--- The number of runs of which a time is the median.
 local function words_on_rounds(measured)
   local once = {}
   for _, mesh in ipairs(measured.meshes) do
@@ -122,10 +115,10 @@ local function words_on_rounds(measured)
   end
   if measured.rounds == 1 then return "one run of each" end
   return ("times are medians of %d runs%s"):format(measured.rounds,
-    #once > 0 and (", but of one at %s"):format(series(once)) or "")
+    #once > 0 and (", of one at %s"):format(series(once)) or "")
 end
 
---- Draws the charts of a measured problem (study.lua) and writes its tables. `files(name)` and files.page(name) give
+--- Draws the charts of a measured problem (study.lua) and writes its tables. `files(name)` and files.page(name) return
 --- the paths of files. Returns { measured, comparisons (by error), blocks }.
 function report.of(measured, options, files)
   local problem = measured.problem
@@ -133,13 +126,18 @@ function report.of(measured, options, files)
   for _, error in ipairs(problem.errors) do
     comparisons[error.name] = compare(measured, error, options, files, blocks)
   end
+  table.insert(blocks, 2, { text = conclusion(comparisons, problem.errors) })
+  local fronts = tables.fronts(comparisons, problem.errors)
+  if #fronts.rows > 0 then
+    blocks[#blocks + 1] = { title = "Pareto fronts, from the fastest to the most accurate case", table = fronts }
+  end
   local published = tables.published(measured, options.time)
   if #published.rows > 0 then
-    blocks[#blocks + 1] = { title = ("Savings that the thesis prints (%s), and ours"):format(problem.saved_in),
+    blocks[#blocks + 1] = { title = ("Time saved, as published (%s) and here"):format(problem.saved_in),
                             table = published }
   else
-    blocks[#blocks + 1] = { text = #problem.savings == 0 and "No published time of this problem is known to us."
-      or "None of the pairs was run whose saving the thesis prints." }
+    blocks[#blocks + 1] = { text = #problem.savings == 0 and "There are no published times of this problem."
+      or "No pair with a published saving was run." }
   end
   local cases = tables.cases(measured, options.time)
   blocks[#blocks + 1] = { title = ("All cases (%s)"):format(words_on_rounds(measured)), table = cases }

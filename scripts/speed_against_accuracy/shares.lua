@@ -1,14 +1,14 @@
--- What one label takes of another one's time at equal error, and which of a study's cases are enough.
+-- Ratios of time at equal error between orders, and the fastest cases that reach an error.
 
 local sg = require "signorini"
 
 local shares = {}
 
---- Label and another one, which it is held against: where the layers stand, and what a second row brings.
+--- The pairs of orders that are compared: layers against N2 and N4, and two rows of a layer against one.
 shares.pairs = { { "N2-N2.1", "N2" }, { "N2-N2.2", "N2" }, { "N2-N2.2", "N4" }, { "N2-N2.2x2", "N2-N2.2" } }
 
---- { at (errors), share (of the other one's time, at each of them) }, or { why } where both reach no common error; of
---- a comparison by sg.work_precision. nil when one of the two was not run.
+--- { at (errors), share (ratio of times at each of them) }, or { why } if there is no common error, from a comparison
+--- by sg.work_precision. nil if one of the two was not run.
 function shares.of(comparison, label, other)
   for _, ratio in ipairs(comparison.ratios) do
     local turned = ratio.a == other and ratio.b == label
@@ -21,8 +21,8 @@ function shares.of(comparison, label, other)
   end
 end
 
---- The shares of a pair of labels in the middle of the common errors, over all problems' results, from the least to the
---- most: a list of { share, problem (its title), error (its title) }.
+--- The ratios of a pair of orders in the middle of the common errors, over all problems' results, in increasing order:
+--- a list of { share, problem (its title), error (its title) }.
 function shares.over_all(results, label, other)
   local list = {}
   for _, result in ipairs(results) do
@@ -39,10 +39,10 @@ function shares.over_all(results, label, other)
   return list
 end
 
---- Whether a row has this order, and this mesh where one is given; a study need not have any such case.
+--- Whether a row has this order and, if given, this mesh.
 local function is_case(row, order, mesh) return row.order == order and (mesh == nil or row.mesh == mesh) end
 
---- For N2 on every mesh, what is as accurate and takes least time: a list of { plain, best }, rows of the study.
+--- For N2 on every mesh, the fastest case with at most its error: a list of { plain, best }, rows of the study.
 function shares.least(cases, error, time)
   local list = {}
   for _, row in ipairs(cases.rows) do
@@ -54,7 +54,7 @@ function shares.least(cases, error, time)
   return list
 end
 
---- The pairs whose saving is printed and of which both were run: { row, other, saved, printed (both in %) }.
+--- The pairs with a published saving of which both were run: { row, other, saved, printed (both in %) }.
 function shares.published(cases, savings, time)
   local function row_of(order, mesh)
     local row = cases:where(function(row) return is_case(row, order, mesh) end).rows[1]

@@ -1,4 +1,4 @@
--- What was measured, as tables: { columns, units, rows, formats }, as sg.table and sg.csv.write take them.
+-- Measurements as tables: { columns, units, rows, formats }, as sg.table and sg.csv.write take them.
 
 local shares = require "speed_against_accuracy.shares"
 
@@ -8,7 +8,7 @@ local error_format, time_format, share_format = "%.2e", "%.3g", "%.2f"
 
 local function name_of(row) return ("%s %s"):format(row.order, row.mesh) end
 
---- Why a case failed, in a line, without the place in a script at which an error was raised; nil when it did not.
+--- Why a case failed, in one line, without the position in a script of an error; nil if it did not.
 function tables.reason(row)
   return row.failed and (row.reason or "failed"):match "^[^\n]*":gsub("^%S+%.lua:%d+: ", "") or nil
 end
@@ -21,11 +21,11 @@ end
 
 local function new() return { columns = {}, units = {}, formats = {}, rows = {} } end
 
---- All cases: what they cost and how wrong they are.
+--- All cases: costs and errors.
 function tables.cases(measured, time)
   local to, failed = new(), false
   for _, row in ipairs(measured.cases.rows) do failed = failed or row.failed end
-  add_column(to, "label")
+  add_column(to, "order")
   add_column(to, "mesh")
   add_column(to, "DOFs", "", "%d")
   add_column(to, "iterations", "", "%.0f")
@@ -42,16 +42,14 @@ function tables.cases(measured, time)
   return to
 end
 
---- Of every two labels, the faster one first, what it takes of the other one's time at the least, the (geometrically)
---- middle and the largest error that both reach.
+--- The ratio of times of every two orders, the faster one first, at the smallest, the (geometrically) middle and the
+--- largest common error.
 function tables.ratios(comparison, error)
   local to = new()
-  add_column(to, "label")
-  add_column(to, "against")
-  for _, name in ipairs { "least error", "largest error" } do add_column(to, name, error.unit, error_format) end
-  for _, name in ipairs { "at the least", "in the middle", "at the largest" } do
-    add_column(to, name, "of its time", share_format)
-  end
+  add_column(to, "A")
+  add_column(to, "B")
+  for _, name in ipairs { "smallest error", "largest error" } do add_column(to, name, error.unit, error_format) end
+  for _, name in ipairs { "at smallest", "middle", "at largest" } do add_column(to, name, "", share_format) end
   for i, ratio in ipairs(comparison.ratios) do
     local label, other = ratio.a, ratio.b
     if (ratio.ratio[2] or 0) > 1 then label, other = other, label end
@@ -61,16 +59,16 @@ function tables.ratios(comparison, error)
   return to
 end
 
---- What is enough for the error of N2 on each mesh.
+--- The fastest case with at most the error of N2, for each mesh.
 function tables.least(measured, error, time)
   local to = new()
   add_column(to, "instead of")
   add_column(to, error.name, error.unit, error_format)
   add_column(to, "time", "s", time_format)
-  add_column(to, "enough is")
+  add_column(to, "fastest case")
   add_column(to, error.name, error.unit, error_format)
   add_column(to, "time", "s", time_format)
-  add_column(to, "share", "of the time", share_format)
+  add_column(to, "time ratio", "", share_format)
   for i, pair in ipairs(shares.least(measured.cases, error.name, time)) do
     local plain, best = pair.plain, pair.best
     to.rows[i] = { name_of(plain), plain[error.name], plain[time], name_of(best), best[error.name], best[time],
@@ -79,7 +77,7 @@ function tables.least(measured, error, time)
   return to
 end
 
---- The savings that are printed, beside ours.
+--- The savings of time, here and as published.
 function tables.published(measured, time)
   local to, list = new(), shares.published(measured.cases, measured.problem.savings, time)
   add_column(to, "case")
@@ -91,7 +89,7 @@ function tables.published(measured, time)
   add_column(to, "time", "s", time_format)
   add_column(to, "against", "s", time_format)
   add_column(to, "saved", "%", "%.1f")
-  add_column(to, "printed", "%", "%.1f")
+  add_column(to, "published", "%", "%.1f")
   for i, pair in ipairs(list) do
     local cells = { name_of(pair.row), name_of(pair.other) }
     local last = 2
@@ -106,12 +104,42 @@ function tables.published(measured, time)
   return to
 end
 
---- All problems at a glance: the shares of shares.pairs from the least to the largest common error.
+--- The Pareto front of each error: cases that no other one beats in both time and error.
+function tables.fronts(comparisons, errors)
+  local to = new()
+  add_column(to, "error")
+  add_column(to, "cases")
+  for _, error in ipairs(errors) do
+    local comparison, names = comparisons[error.name], {}
+    for i, row in ipairs(comparison and comparison.pareto or {}) do names[i] = name_of(row) end
+    if #names > 0 then to.rows[#to.rows + 1] = { error.title, table.concat(names, ", ") } end
+  end
+  return to
+end
+
+--- The ranges of the middle ratios over all problems.
+function tables.ranges(results)
+  local to = new()
+  for _, name in ipairs { "ratio", "smallest", "problem", "largest", "problem" } do add_column(to, name) end
+  to.formats[2], to.formats[4] = share_format, share_format
+  local function place(one) return ("%s: %s"):format(one.problem, one.error) end
+  for _, pair in ipairs(shares.pairs) do
+    local list = shares.over_all(results, pair[1], pair[2])
+    local low, high = list[1], list[#list]
+    if low then
+      to.rows[#to.rows + 1] = { ("%s / %s"):format(pair[1], pair[2]), low.share, place(low), high.share,
+                                place(high) }
+    end
+  end
+  return to
+end
+
+--- All problems: the ratios of shares.pairs at the smallest, middle and largest common error.
 function tables.summary(results)
   local to = new()
   add_column(to, "problem")
-  add_column(to, "at equal")
-  for _, pair in ipairs(shares.pairs) do add_column(to, ("%s of %s"):format(pair[1], pair[2])) end
+  add_column(to, "error")
+  for _, pair in ipairs(shares.pairs) do add_column(to, ("%s / %s"):format(pair[1], pair[2])) end
   for _, result in ipairs(results) do
     for _, error in ipairs(result.measured.problem.errors) do
       local cells = { result.measured.problem.title, error.title }

@@ -46,8 +46,8 @@ end
 local reference = solve("N2-N2.2", options.reference, reference_penalty, sg.robust{})
 local _, p0 = hertz.hertz(2 * reference.force)
 
---- L2 error of the pressure in units of Hertz' peak, over x in units of the reference's half-width: over all of the
---- contact, and inside, up to 0.8 of it.
+--- L2 error of the pressure in units of Hertz's peak, over x in units of the reference's half-width: over the whole
+--- contact, and inside 0.8 of it.
 local function errors(case)
   local function error_of(profile)
     return (sg.profile_error{ profile = profile, reference = reference.profile, normalize = p0,
@@ -96,7 +96,7 @@ print(sg.table{
 
 local files = sg.files(options.out)
 local function chart(key, ylabel, title)
-  local drawing = { file = files(key .. ".png"), title = title, xlabel = "penalty, in E / R", ylabel = ylabel,
+  local drawing = { file = files(key .. ".png"), title = title, xlabel = "penalty (E / R)", ylabel = ylabel,
                     log = "xy" }
   for i, label in ipairs(labels) do
     for _, way in ipairs { "penalty", "augmented" } do
@@ -111,10 +111,10 @@ local function chart(key, ylabel, title)
   end
   sg.chart(drawing)
 end
-chart("error", "L2 error of the pressure, in Hertz' peaks", "Hertz at " .. options.mesh .. ": error of the pressure")
-chart("inside", "L2 error of the pressure up to 0.8 a, in Hertz' peaks",
+chart("error", "L2 error of p / p_0", "Hertz at " .. options.mesh .. ": error of the pressure")
+chart("inside", "L2 error of p / p_0 inside 0.8 a",
   "Hertz at " .. options.mesh .. ": error of the pressure inside the contact")
-chart("penetration", "largest penetration, in R", "Hertz at " .. options.mesh .. ": penetration")
+chart("penetration", "largest penetration (R)", "Hertz at " .. options.mesh .. ": penetration")
 files:report()
 
 return { cases = cases, reference = reference, files = files }

@@ -4,8 +4,8 @@ local sg = require "signorini"
 
 local controls = {
   names = { "robust", "cutting", "rescue", "prediction" },
-  titles = { plain = "plain Newton", robust = "with controls", cutting = "with cut steps alone",
-             rescue = "with fallbacks alone", prediction = "with prediction alone" },
+  titles = { plain = "plain Newton", robust = "with controls", cutting = "with step cutting only",
+             rescue = "with fallbacks only", prediction = "with prediction only" },
 }
 
 --- A way that turns on one control of plain Newton, with whatever a study needs on top.

@@ -101,7 +101,7 @@ for _, label in ipairs(options.labels) do
   row[#row + 1], row[#row + 2] = guess.saved or "", guess.time_saved
   guesses[#guesses + 1], rows[#rows + 1] = guess, row
 end
-print(("\nIroning at %s: iterations of the sliding stage by predictor, what the linear one saves, and of the time")
+print(("\nIroning at %s: iterations of the sliding stage by predictor, and savings by the linear one")
   :format(options.mesh))
 print(sg.table{ columns = { "label", "tangent", "constant", "linear", "iterations saved", "time saved" },
                 units = { "", "", "", "", "%", "%" }, rows = rows,

@@ -44,7 +44,7 @@ local function scene(label, multiple)
   return (ironing.scene(set_up, label, elements, multiple * (ironing.layer_degree(label) + 1)))
 end
 
---- The die's forces at the end of its way.
+--- The forces on the die at the end of the path.
 local function figures(_, run)
   return { drag = run:column "grip.fx"[run.steps], press = -run:column "grip.fy"[run.steps] }
 end
@@ -65,12 +65,12 @@ end
 
 -- ── Where it fails ───────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Draws the last state that plain Newton reaches with a label, with the places that its report names. Returns the run.
+--- Draws the last state of plain Newton with an order, and the places in its report. Returns the run.
 local function draw_places(label)
   local model = scene(label, multiples[points[1]])
   local run = model:run(ironing.path(set_up, coarser[1]), sg.plain{})
   if not run.failed then
-    print(("\n%s with %s contact points reaches the end of its way: nothing to mark"):format(label, points[1]))
+    print(("\n%s with %s contact points completes the path: nothing to mark"):format(label, points[1]))
     return run
   end
   print(("\n%s with %s contact points: %s: %s"):format(label, points[1], run.reason, run.report))

@@ -64,7 +64,7 @@ for _, under in ipairs(options.under) do
   for _, mu in ipairs(options.friction) do
     local key = ("%s_mu%g"):format(under, mu)
     results[key] = study.solve({
-      name = ("First touch of a %s, friction %g"):format(under, mu), key = key,
+      name = ("First contact with a %s, mu = %g"):format(under, mu), key = key,
       x = { name = "gap", values = options.gaps }, y = { name = "load", values = options.loads },
       scene = function(gap) return scene(under, mu, gap) end,
       path = function(_, _, load)

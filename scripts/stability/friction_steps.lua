@@ -35,7 +35,7 @@ local options = study.arguments{
 }
 local elements = ironing.elements(options.mesh)
 
---- The standard set-up with another coefficient of friction.
+--- The standard variant with another coefficient of friction.
 local function with_friction(mu) return setmetatable({ mu = mu }, { __index = ironing.variants.standard }) end
 
 --- Back and forth.
@@ -46,7 +46,7 @@ local function path(coarser)
   return stages
 end
 
---- Drag over pressing force in the middle of the way forward and of the way back.
+--- Drag over pressing force in the middle of the forward and the backward slide.
 local function figures(_, run)
   local function drag(stages)
     local step = run.stages[1].steps + math.floor((stages - 0.5) * run.stages[2].steps)

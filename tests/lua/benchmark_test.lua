@@ -80,7 +80,8 @@ check.case("accounts that nobody asked for stay empty", function()
 end)
 
 check.case("wrong arguments", function()
-  check.fails(function() benchmark("plane=m2,m1", "solid=none", "solvers=none") end, "meshes must come in rising order")
+  check.fails(function() benchmark("plane=m2,m1", "solid=none", "solvers=none") end,
+    "meshes must be in increasing order")
   check.fails(function() benchmark("plane=m9") end, "plane must be")
 end)
 

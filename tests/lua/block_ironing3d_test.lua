@@ -100,8 +100,8 @@ check.case("wrong arguments", function()
     ["press=0"] = "press must be a whole number, 1 or more, got '0'",
     ["through=2"] = "'through=2', which belongs to variant=sixty; known with variant=standard: labels=",
     ["variant=sixty slide=9"] = "'slide=9', which belongs to variant=standard; known with variant=sixty: labels=N2,",
-    ["variant=sixty mesh=2x2x1/8x3x2"] = "mesh=2x2x1/8x3x2: half of the scene has half of the elements across, so that "
-      .. "both numbers (2 and 3) must be even; or part=whole",
+    ["variant=sixty mesh=2x2x1/8x3x2"] = "mesh=2x2x1/8x3x2: a half model has half of the elements across, so both "
+      .. "numbers (2 and 3) must be even. Hint: part=whole",
     ["variant=sixty points=x"] = "points must be whole numbers of at least 1, or auto, got 'x'",
     ["variant=x"] = "variant must be 'standard' or 'sixty', got 'x'",
   }, "out=" .. folder)

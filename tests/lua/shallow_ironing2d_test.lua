@@ -58,11 +58,11 @@ check.case("the vertical force lies among the published curves, while it slides 
   end
 end)
 
-check.case("the layer takes most of the ripple away", function()
-  local N2, layer = study.cases.N2.ripple, study.cases["N2-N2.2"].ripple
+check.case("the layer removes most of the oscillation", function()
+  local N2, layer = study.cases.N2.oscillation, study.cases["N2-N2.2"].oscillation
   check.near({ N2.V, N2.H }, { 4.40, 16.40 }, 0.05)
   if N2.V < 2 * layer.V or N2.H < 6 * layer.H then
-    error(("ripples of N2 %g, %g and of the layer %g, %g"):format(N2.V, N2.H, layer.V, layer.H))
+    error(("oscillations of N2 %g, %g and of the layer %g, %g"):format(N2.V, N2.H, layer.V, layer.H))
   end
 end)
 
