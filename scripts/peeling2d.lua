@@ -76,7 +76,7 @@ local function keep_state(model, angle)
   for _, wanted in ipairs(picture_angles) do
     if math.abs(angle - wanted) < 1e-6 then
       pictures[#pictures + 1] = sg.picture{ model = model, field = "I1", factor = 1 / problem.modulus, label = "I1 / E",
-                                            mesh = false, title = ("θ = %d°"):format(wanted) }
+                                            mesh = false, unit = "nm", title = ("θ = %d°"):format(wanted) }
     end
   end
 end

@@ -189,7 +189,7 @@ local files, cases = sg.files(options.out), {}
 local pictures = {}
 local function keep_state(model, step)
   if not picture_steps[step] then return end
-  pictures[#pictures + 1] = sg.picture{ model = model, field = "uy", mirror = "x",
+  pictures[#pictures + 1] = sg.picture{ model = model, field = "uy", mirror = "x", unit = "m",
                                         title = ("load step %d"):format(step) }
 end
 

@@ -84,7 +84,7 @@ local function solve(label, options)
     local time = picture_times[next_picture]
     if time and time_of(info.step, options.steps) >= time - 1e-9 then
       next_picture = next_picture + 1
-      pictures[#pictures + 1] = sg.picture{ model = model, field = "von_mises", range = { 0, 400 },
+      pictures[#pictures + 1] = sg.picture{ model = model, field = "von_mises", range = { 0, 400 }, unit = "mm",
                                             label = "von Mises stress (N/mm²)", title = ("time %g"):format(time) }
     end
   end })

@@ -43,7 +43,7 @@ function output.record_states(steps)
   local pictures = {}
   local function keep(model, info)
     if steps[info.step] then
-      pictures[#pictures + 1] = sg.picture{ model = model, field = "uy", label = "displacement u_y (mm)",
+      pictures[#pictures + 1] = sg.picture{ model = model, field = "uy", label = "displacement u_y (mm)", unit = "mm",
                                             title = ("load step %d"):format(info.step) }
     end
   end

@@ -76,7 +76,7 @@ local function draw_places(label)
   print(("\n%s with %s contact points: %s: %s"):format(label, points[1], run.reason, run.report))
   local x, y = run.places[1].x[1], run.places[1].x[2]
   sg.picture{ model = model, field = "syy", marks = run.places, file = files "places.png",
-              crop = { x - 0.45, x + 0.45, y - 0.25, y + 0.25 }, size = 960,
+              crop = { x - 0.45, x + 0.45, y - 0.25, y + 0.25 }, size = 960, unit = "mm",
               title = ("%s, %s contact points: %s in step %d"):format(label, points[1], run.reason, run.steps + 1) }
   return run
 end

@@ -38,7 +38,7 @@ local function block(options)
   }
 end
 
-check.case("a block is torn off along the law, and pressed in along its tangent", function()
+check.case("a block is pulled off along the law, and pressed in along its tangent", function()
   for _, order in ipairs { "N2", "N2-N2.1" } do
     local model, steps, last = block{ order = order }, 60, 0.9
     local run = model:run{ { steps = steps, lid = {last} } }
@@ -53,7 +53,7 @@ check.case("a block is torn off along the law, and pressed in along its tangent"
   end
 end)
 
-check.case("tearing off takes the work of adhesion, 15^(1/3) A/(16 pi r0²) per area", function()
+check.case("pulling off takes the work of adhesion, 15^(1/3) A/(16 pi r0²) per area", function()
   local model, steps, last = block{}, 400, 4
   local run = model:run{ { steps = steps, lid = {last} } }
   local force, work = run:column "lid.fy", 0
@@ -65,7 +65,7 @@ check.case("tearing off takes the work of adhesion, 15^(1/3) A/(16 pi r0²) per 
   check.near(work / 20 + rest, 15 ^ (1 / 3) * film.hamaker / (16 * math.pi * film.r0 ^ 2), 2e-6)
 end)
 
-check.case("at the distance without traction nothing acts", function()
+check.case("the traction is zero at the equilibrium distance", function()
   local model = block{}
   model:run{ { steps = 1 } }
   local sum = model:contact_resultant "film"
@@ -93,7 +93,7 @@ check.case("where: the law acts on the part of the face that the function names,
   check.near(area, 12, 1e-12)
 end)
 
-check.case("the traction is counted on the reference area, however far the face is stretched", function()
+check.case("the traction refers to the reference area at any stretch of the face", function()
   local model = block{ supports = function(body)
     return { lid = { on = body:face "north", drive = "y" },
              left = { on = body:face "west", fix = "x" }, right = { on = body:face "east", drive = "x" } }

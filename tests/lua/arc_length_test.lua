@@ -43,7 +43,7 @@ local function moments(run)
   return found
 end
 
-check.case("rotation control ends where the path turns back, and the report names the angle", function()
+check.case("rotation control ends at a turning point, and the report names the angle", function()
   local run = peel(152, false)
   check.equal({ run.failed, run.reason, run.steps }, { true, "turning_point", 144 })
   check.holds(run.report, "step 145 (stage 'peel', 145 of 152) was not reached",
@@ -52,7 +52,7 @@ check.case("rotation control ends where the path turns back, and the report name
   check.equal(#run.controls, 0)
 end)
 
-check.case("arcs lead through the snap-back; the run names both changes of control", function()
+check.case("arc length follows the snap-back; the run records both changes of control", function()
   local run = peel(152, true)
   check.equal({ run.failed, run.reason, run.steps, #run.controls }, { false, "completed", 152, 2 })
   local there, back = run.controls[1], run.controls[2]
@@ -71,7 +71,7 @@ check.case("arcs lead through the snap-back; the run names both changes of contr
   check.near(turns, { 72.3, 69.9 }, 0.15)
 end)
 
-check.case("behind the snap-back are the states that smaller steps and a jump find as well", function()
+check.case("after the snap-back the states are those of smaller steps and of a jump", function()
   local reference = moments((peel(152, true)))
   for _, other in ipairs { moments((peel(304, true))), moments((peel(152, false, true))) } do
     local by_angle = {}
@@ -80,7 +80,7 @@ check.case("behind the snap-back are the states that smaller steps and a jump fi
   end
 end)
 
-check.case("the moment's work along the path, back and forth, is what bodies and film store", function()
+check.case("the moment's work along the path equals the energy stored in body and adhesion", function()
   local before, errors = stored(strip.model()), {}
   for i, steps in ipairs { 76, 152 } do
     local run, model = peel(steps, true)
@@ -95,7 +95,7 @@ check.case("the moment's work along the path, back and forth, is what bodies and
   assert(errors[1] < 2e-4 and errors[2] < 2e-4)
 end)
 
-check.case("arcs stay on the path through deep snap-backs, one per element, whatever the step", function()
+check.case("arc length stays on the path through deep snap-backs, one per element, for any step", function()
   for _, length in ipairs { 1, 0.5, 0.25, 0.1 } do
     local steps = math.floor(118 / length + 0.5)
     local run = strip.model():run({ { name = "peel", steps = steps, edge = 118 } }, { arc_length = true })
@@ -108,7 +108,7 @@ check.case("arcs stay on the path through deep snap-backs, one per element, what
   end
 end)
 
-check.case("where a step fails by an inverted element, the report names the turning point as well", function()
+check.case("after a failure by an inverted element the report also names the turning point", function()
   -- Turning the edge by 46° at once folds the elements next to it before the first iteration.
   local run = strip.model():run({ { name = "peel", steps = 144, edge = 72 }, { name = "far", steps = 1, edge = 118 } },
     sg.plain{ predictor = "constant" })
@@ -178,7 +178,7 @@ check.case("a dead load ends at the upper limit load of a shallow arch", functio
   check.near(tonumber(run.report:match "turning point at push%.ty = %-([%d.]+)") / upper, 1, 0.01)
 end)
 
-check.case("with arcs the arch snaps through by way of the lower limit load, and carries more", function()
+check.case("with arc length the arch snaps through past the lower limit load, and carries more", function()
   local upper, lower = limit_loads()
   local run = push(true)
   check.equal({ run.failed, run.steps, run.controls[1].to, run.controls[2].to }, { false, 20, "arc length", "targets" })

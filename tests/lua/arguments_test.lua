@@ -9,7 +9,7 @@ local function refused(defaults, word, message)
   check.equal(got, message)
 end
 
-check.case("defaults, each as it was declared", function()
+check.case("defaults are as declared", function()
   local options = sg.arguments({ mesh = { "m1" }, sizes = { 1, 2 }, loads = { 0, 0.5 }, steps = 10, penalty = 100.0,
                                  keep = false, label = "N2", limit = { 1e5, above = 0 },
                                  fine = { {}, none = true } }, {})
@@ -18,7 +18,7 @@ check.case("defaults, each as it was declared", function()
     { 10, 100.0, false, "N2", 1e5 })
 end)
 
-check.case("words of each type; the later of two counts", function()
+check.case("values of each type; of two the later counts", function()
   local defaults = { mesh = { "m1" }, sizes = { 1, 2 }, loads = { 0, 0.5 }, steps = 10, penalty = 100.0, keep = false,
                      label = "N2", fine = { { "N2" }, none = true }, flat_2 = true }
   local options = sg.arguments(defaults, {
@@ -36,7 +36,7 @@ check.case("words of each type; the later of two counts", function()
     { 100, { "m2", "m3" } })
 end)
 
-check.case("a list that was changed leaves the default alone", function()
+check.case("changing a returned list does not change the default", function()
   local defaults = { mesh = { "m1" } }
   table.insert(sg.arguments(defaults, {}).mesh, "m2")
   check.equal(defaults.mesh, { "m1" })
@@ -81,7 +81,7 @@ check.case("choices and limits", function()
   refused(limits, "fine=0", "fine must be numbers above 1e-06, or none, got '0'")
 end)
 
-check.case("checks of the script see the value, or each entry, and all others", function()
+check.case("checks of the script receive the value, or each entry, and all others", function()
   local function shorter(value, all) return value < all.length end
   local defaults = { length = 200.0, bonded = { 150.0, check = shorter, expected = "a length below that of the strip" },
                      rows = { { "1", "all" }, expected = "whole numbers, or all",
@@ -92,7 +92,7 @@ check.case("checks of the script see the value, or each entry, and all others", 
   refused(defaults, "rows=1,most", "rows must be whole numbers, or all, got 'most' in '1,most'")
 end)
 
-check.case("names that are not known", function()
+check.case("unknown names", function()
   local defaults = { meshes = { "m1", "m2" }, steps = 10, keep = true }
   local known = "known: keep=yes, meshes=m1,m2, steps=10"
   refused(defaults, "step=3", "unknown argument 'step=3'; did you mean 'steps'? " .. known)
@@ -108,7 +108,7 @@ local variants = {
   } },
 }
 
-check.case("variants have arguments of their own, and defaults of their own", function()
+check.case("variants have their own arguments and defaults", function()
   local plain = sg.arguments(variants, { "repeat=2", "labels=N4" })
   check.equal({ plain.variant, plain["repeat"], plain.mesh, plain.labels, plain.out, plain.points },
     { "plain", 2, "m1", { "N4" }, "out/a" })
@@ -123,7 +123,7 @@ check.case("variants have arguments of their own, and defaults of their own", fu
     "unknown argument 'x=3'; known with variant=plain: labels=N2, mesh=m1, out=out/a, repeat=1, variant=plain")
 end)
 
-check.case("a script's own mistakes are errors at its line", function()
+check.case("invalid declarations are errors at the script's line", function()
   for defaults, message in pairs {
     [{ load = { "x", choices = { "force" } } }] = "the default of load must be 'force', got the string 'x'",
     [{ offset = 0 }] = "the default of offset must be a whole number, 1 or more, got the number 0",
@@ -160,14 +160,14 @@ local function read() return sg.arguments{ steps = 10, labels = { { "N2" }, choi
   variant = { "plain", variants = { plain = {}, deep = { depth = 0.5 } } } } end
 print(read().steps)]]
 
-check.case("a script takes its words from the command line, and errors are one line without a traceback", function()
+check.case("a script reads the command line, and errors are one line without a traceback", function()
   check.equal({ check.script(script, "steps=3") }, { "3\n", 0 })
   check.equal({ check.script(script) }, { "10\n", 0 })
   check.equal({ check.script(script, "steps=x") },
     { "signorini: steps must be a whole number, 1 or more, got 'x'\n", 1 })
 end)
 
-check.case("the word help, or --help, prints all arguments and ends well", function()
+check.case("help, or --help, prints all arguments with status 0", function()
   local page = [[
 Arguments of study.lua, with their defaults:
   labels=N2      values among 'N2' and 'N4'
@@ -193,7 +193,7 @@ check.case("a script that is called as a function, and a module that it requires
     { "signorini: steps must be a whole number, 1 or more, got 'z'\n", 1 })
 end)
 
-check.case("files: a folder, paths that are kept, what is left out, and the list at the end", function()
+check.case("files: a folder, paths, omitted files, and the list at the end", function()
   local folder = check.folder()
   local files, lines, print_to_terminal = sg.files(folder .. "/deep"), {}, print
   print = function(line) lines[#lines + 1] = line end
@@ -217,7 +217,7 @@ check.case("files: a folder, paths that are kept, what is left out, and the list
   check.fails(function() sg.files(folder .. "/deep/x") end, "cannot create the folder")
 end)
 
-check.case("the median leaves the list as it is", function()
+check.case("the median does not change the list", function()
   local list = { 5, 1, 3 }
   check.equal({ sg.median(list), sg.median { 4, 1, 3, 2 }, sg.median { 7 } }, { 3, 2.5, 7 })
   check.equal(list, { 5, 1, 3 })

@@ -18,7 +18,7 @@ local function benchmark(...)
   return result
 end
 
-check.case("exponents of costs that are known", function()
+check.case("exponents of known costs", function()
   local sizes, square, bent = { 10, 20, 40, 80, 160 }, {}, {}
   for i, size in ipairs(sizes) do square[i], bent[i] = 3 * size ^ 2, i <= 2 and 1000 or 0.5 * size ^ 1.5 end
   check.near(growth.exponent(sizes, square), 2, 1e-12)
@@ -72,7 +72,7 @@ check.case("components in 2D and 3D", function()
   check.equal(page:find("old", 1, true), nil)
 end)
 
-check.case("accounts that nobody asked for stay empty", function()
+check.case("results that were not requested stay empty", function()
   local model, bodies, press = require "benchmark.measure".problems.plane.begin("N2", "m1", 1)
   model:run{ press }
   check.equal({ model:timings().search, model:timings().contact > 0 }, { 0, true })

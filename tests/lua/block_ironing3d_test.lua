@@ -11,7 +11,7 @@ local folder = check.folder()
 local run_study = assert(loadfile(script))
 local study = run_study("out=" .. folder, "mesh=2x2x1/4x2x1", "labels=N2,N2-N2.1", "press=3", "slide=20")
 
-check.case("both labels run through; forces of this mesh stay what they are", function()
+check.case("both discretizations complete; forces of this mesh are unchanged", function()
   for _, case in ipairs(study.cases) do check.equal({ case.run.failed, case.run.steps }, { false, 23 }) end
   local N2, layer = study.cases.N2, study.cases["N2-N2.1"]
   check.near({ N2.pressed, N2.drag.mean, N2.drag.high }, { 8.0775, 8.8927, 9.5242 }, 1e-4)
@@ -25,7 +25,7 @@ check.case("Pz is symmetric about the slab's middle, Px its opposite", function(
   end
 end)
 
-check.case("without friction a state does not depend on the way to it: pressed in the middle", function()
+check.case("without friction a state does not depend on the path: pressed in the middle", function()
   local slab = sg.body{ patch = sg.shapes.block{ size = {20, 10, 10} }, elements = {4, 2, 1}, order = "N2",
                         contact = "back", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local block = sg.body{ patch = sg.shapes.block{ size = {4, 4, 4}, corner = {8, 3, 10} },
@@ -41,7 +41,7 @@ check.case("without friction a state does not depend on the way to it: pressed i
   check.near(-run:column "grip.fz"[3], study.cases.N2.Pz[13], 1e-7)
 end)
 
-check.case("the block's forces are the bed's", function()
+check.case("the forces on the block equal those on the bed", function()
   for _, case in ipairs(study.cases) do
     for _, axis in ipairs { ".fx", ".fy", ".fz" } do
       local bed, grip = case.run:column("bed" .. axis), case.run:column("grip" .. axis)
@@ -50,7 +50,7 @@ check.case("the block's forces are the bed's", function()
   end
 end)
 
-check.case("a layer leaves less than a third of the amplitudes", function()
+check.case("a layer reduces the oscillations to less than a third", function()
   local layer = study.cases["N2-N2.1"]
   check.equal({ layer.first, layer.last }, { 9, 17 }) -- one pitch of 5 in steps of 0.625 about x = 10
   for _, force in ipairs { "dPx", "dPz" } do
@@ -69,7 +69,7 @@ check.case("charts, states, a table and a file per label", function()
   check.equal(#study.files, 2 + 1 + 5)
 end)
 
-check.case("sixty steps: user time beside the other programs', the cheapest case in the range", function()
+check.case("sixty steps: user times compared with other programs, the cheapest case in the range", function()
   local sixty = require "block_ironing3d.sixty"
   local both = run_study("variant=sixty", "out=" .. folder .. "/sixty", "mesh=2x2x1/4x2x1", "labels=N2", "through=1,2",
                          "part=whole", "line_search=none")

@@ -12,7 +12,7 @@ local function chart(more)
   return options
 end
 
-check.case("each ending writes its kind of file, the same bytes each time", function()
+check.case("each file name ending selects a format; files are reproducible", function()
   local beginnings = { png = "\137PNG", svg = "<", pdf = "%PDF" }
   for ending, beginning in pairs(beginnings) do
     local file = folder .. "/a." .. ending
@@ -54,7 +54,7 @@ check.case("options change the picture", function()
   end
 end)
 
-check.case("curves of one label and color share a row of the legend", function()
+check.case("curves with equal label and color share a row of the legend", function()
   local function rows(color)
     local file = folder .. "/legend.svg"
     sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, label = "N2" }, { y = { 2, 3 }, label = "N2", color = color },
@@ -65,7 +65,7 @@ check.case("curves of one label and color share a row of the legend", function()
   check.equal(rows(2), 2)
 end)
 
-check.case("marks: a marker per kind of points, curves and kinds in two parts of the legend", function()
+check.case("markers: one per kind of point; curves and kinds in two parts of the legend", function()
   local function svg(marks, more)
     local options = { file = folder .. "/marks.svg", marks = marks, legend_title = "order", marks_title = "mesh",
                       { x = { 1, 2, 3 }, y = { 1, 2, 3 }, label = "N2", marks = { "m1", "m2", "m3" } },
@@ -103,7 +103,7 @@ check.case("infinity is a gap like nan", function()
   check.equal(svg(3) == svg(0 / 0), false)
 end)
 
-check.case("markers = false takes the markers of several curves away", function()
+check.case("markers = false removes the markers of several curves", function()
   local function polygons(markers)
     sg.chart { file = folder .. "/markers.svg", x = { 1, 2 }, legend = false, { y = { 1, 2 }, markers = markers },
                { y = { 2, 1 }, markers = markers } }
@@ -112,7 +112,7 @@ check.case("markers = false takes the markers of several curves away", function(
   check.equal({ polygons(), polygons(false), polygons(true) }, { 8, 0, 8 })
 end)
 
-check.case("characters that no font has become boxes, with a warning for each text", function()
+check.case("missing characters become boxes, with a warning for each text", function()
   local draw = [[local sg = require "signorini" for _, ending in ipairs { "png", "png", "pdf", "svg" } do
     sg.chart { file = "%s/signs." .. ending, title = "%s", x = { 1, 2 }, { y = { 1, 2 } } } end]]
   local function said(title)
@@ -133,7 +133,7 @@ check.case("characters that no font has become boxes, with a warning for each te
   check.equal(lines, 0)
 end)
 
-check.case("gray belongs to no curve", function()
+check.case("gray is not used for curves", function()
   local file = folder .. "/gray.svg"
   sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 }, label = "front", color = "gray", width = 12 } }
   check.holds(core.read_file(file), "stroke-width:12;stroke-linecap:butt;stroke-linejoin:round;stroke:rgb(76.8")

@@ -14,7 +14,7 @@ local study = setmetatable({ name = "ironing", parameters = { "order", "mesh" },
   { order = "N6", mesh = { 24, 8 }, wall = 0.1 },
 } }, core.types.study)
 
-check.case("the cheapest case that is good enough, and the runner-up", function()
+check.case("the cheapest case within the tolerance, and the second one", function()
   local best, second = sg.cheapest(study, { error = "dPx", at_most = 0.05 })
   check.equal({ best.order, best.wall, second.order, second.wall }, { "N2-N2.2", 1.25, "N4", 3 })
   check.equal(tostring(best), "order = N2-N2.2, mesh = 12×4: dPx = 0.04 %, wall = 1.25 s")
@@ -34,7 +34,7 @@ check.case("functions, filters, and equal costs", function()
   check.equal(sg.cheapest(study, { error = "dPx", at_most = 0.1, where = of_n2 }).wall, 9)
 end)
 
-check.case("none is good enough: nil, and which came nearest", function()
+check.case("no case within the tolerance: nil, and the nearest one", function()
   local best, text = sg.cheapest(study, { error = "dPx", at_most = 0.01 })
   check.equal({ best, text }, { nil, "no case has dPx of at most 0.01; the nearest is order = N4, mesh = 12×4: "
     .. "dPx = 0.03 %, wall = 3 s; left out: 2 that failed or lack dPx or wall" })

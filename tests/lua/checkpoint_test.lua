@@ -69,7 +69,7 @@ check.case("frictional ironing in the plane, KLU", function()
   check.equal(model:solver().linear, "klu")
 end)
 
-check.case("a larger one: UMFPACK, and a kept factorization", function()
+check.case("a larger one: UMFPACK, and a reused factorization", function()
   for linear, kind in pairs { umfpack = "umfpack", auto = "kept" } do
     local model = ironing{ elements = { die = {24, 4}, slab = {72, 18} } }
     continues(model, { { steps = 4, grip = {0, -0.08} } }, "{ { steps = 3, grip = {0.06, -0.08} } }",
@@ -78,7 +78,7 @@ check.case("a larger one: UMFPACK, and a kept factorization", function()
   end
 end)
 
-check.case("peeling with adhesion on a part of the face, under a support that turns: kept and KLU", function()
+check.case("peeling, adhesion on a part of the face, rotating support: reused factorization and KLU", function()
   for _, linear in ipairs { "auto", "klu" } do
     local strip = sg.body{ patch = sg.shapes.rectangle{ width = 60, height = 10 }, elements = {48, 4},
                            order = "N2-N2.1", contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.2 } }
@@ -109,7 +109,7 @@ check.case("linear elastic bodies, condensed onto the contact", function()
   check.equal(model:solver().linear, "condensed")
 end)
 
-check.case("a rigid NURBS obstacle that is driven, loads, a deep layer", function()
+check.case("a driven rigid NURBS obstacle, loads, a deep layer", function()
   local rigid = sg.rigid.surface(sg.nurbs.arc{ center = {0, 1.5}, radius = 0.5, from = -180, to = 0 })
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1, corner = {-2, 0} }, elements = {20, 4},
                         order = "N2-N2.2x2", contact = "north", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
@@ -159,13 +159,13 @@ local function solids(slab_elements, rotate)
   }
 end
 
-check.case("solids, where the solver has gone over to a kept factorization", function()
+check.case("solids, after the solver has changed to a reused factorization", function()
   local model = solids({15, 10, 4})
   continues(model, { { steps = 2, grip = {0, 0, -0.08} } }, "{ { steps = 2, grip = {0.1, 0, -0.08} } }")
   check.equal(model:solver().linear, "kept")
 end)
 
-check.case("small solids that turn: KLU and a kept factorization", function()
+check.case("small rotating solids: KLU and a reused factorization", function()
   for _, linear in ipairs { "auto", "kept" } do
     continues(solids({6, 4, 2}, "z"), { { steps = 3, grip = {0, 0, -0.1, 0} } },
       "{ { steps = 4, grip = {0, 0, -0.1, 20} } }", { linear = linear })
@@ -184,7 +184,7 @@ check.case("a loaded model names its parts, and can be saved again", function()
   check.equal(again:body("die"):dofs(), model:body("die"):dofs())
 end)
 
-check.case("wrong files are errors at the user's own line that name the cure", function()
+check.case("invalid files are errors at the user's line, with a hint", function()
   local model = ironing()
   model:run{ { steps = 1, grip = {0, -0.06} } }
   model:save(file)

@@ -13,7 +13,7 @@ local function gives(result, output, status)
   check.equal(result.status, status or 0)
 end
 
-check.case("-e runs code, several in a row, with sg at hand", function()
+check.case("-e runs code, several in a row, with sg defined", function()
   gives(run { "-e", "print(1)" }, "1\n")
   gives(run { "-e", "x = 2", "-e", "print(x + 1)" }, "3\n")
   gives(run { "-e", "print(sg.shapes.rectangle{ width = 1, height = 1 })" },
@@ -21,7 +21,7 @@ check.case("-e runs code, several in a row, with sg at hand", function()
     .. "  faces: west in x = 0; east in x = 1; south in y = 0; north in y = 1\n")
 end)
 
-check.case("scripts get their arguments, and find modules beside themselves", function()
+check.case("scripts get their arguments, and find modules in their folder", function()
   local name = os.tmpname()
   os.remove(name)
   os.execute("mkdir " .. name)
@@ -79,7 +79,7 @@ check.case("SIGNORINI_KERNEL chooses the kernels' instructions", function()
   check.holds(result.output, "SIGNORINI_KERNEL must be sse2, avx2 or avx512, got 'sse3'")
 end)
 
-check.case("-q and --threads are known to the library", function()
+check.case("-q and --threads are visible to the library", function()
   gives(run { "-q", "--threads", "3", "-e", "local core = require 'signorini.core' print(core.quiet, core.threads)" },
     "true\t3\n")
 end)
@@ -115,14 +115,14 @@ check.case("--threads N runs N threads, none of them of BLAS, also after a solve
   end
 end)
 
-check.case("more threads than the system starts are an error that says how many there can be", function()
+check.case("more threads than the system allows are an error that states the maximum", function()
   -- a stack of 8 MB each, and 4 GB for all
   local result = run({ "--threads", "1024", "-e", "print(1)" }, nil, "ulimit -s 8192; ulimit -v 4000000;")
   check.equal(result.status, 1)
   check.holds(result.output, "signorini: the system started only ", " of 1024 threads", "Hint: use fewer threads")
 end)
 
-check.case("the library is found by SIGNORINI_HOME, or the message says where it was looked for", function()
+check.case("the library is found by SIGNORINI_HOME, or the message lists the places that were searched", function()
   local result = run({ "-e", "print(1)" }, nil, "env SIGNORINI_HOME=/nowhere")
   check.equal(result.status, 1)
   check.holds(result.output, "/nowhere", "SIGNORINI_HOME")
@@ -140,7 +140,7 @@ check.case("the prompt reads lines from a pipe: expressions, statements over sev
   gives(run({ "-i", "-e", "z = 5" }, "z\n"), "5\n")
 end)
 
-check.case("expressions go over several lines, and their errors are told as such", function()
+check.case("expressions over several lines, and their errors", function()
   gives(run({}, "{1,\n2,\n  3}\n1 +\n2\n'a' ..\n\n'b'\n(2 *\n3)\n"), '{1, 2, 3}\n3\n"ab"\n6\n')
   local output = run({}, "1 + * 2\nx = = 3\n)\nx =\n7\nx\n").output
   check.holds(output, "prompt:1: unexpected symbol near '*'\n", "prompt:1: unexpected symbol near '='\n",
@@ -195,7 +195,7 @@ check.case("at the prompt errors are one line, traceback() tells how they came a
   check.holds(run({}, "_\n").output, "undefined variable '_'; at the prompt it is the last result, once there is one")
 end)
 
-check.case("an error shows what its table holds, and says so where it has no message", function()
+check.case("an error shows the fields of its table, and reports a missing message", function()
   check.equal(run({}, "error({ code = 1 })\nerror()\nerror({})\nerror(7)\n").output,
     "error: {code = 1}\nerror without a message\nerror: {}\n7\n")
   check.equal(run({}, "error(setmetatable({}, { __tostring = function() return 'own words' end }))\n").output,
@@ -211,7 +211,7 @@ check.case("an error shows what its table holds, and says so where it has no mes
   check.holds(output, "the first one, a=1: error: {code = 3}\n")
 end)
 
-check.case("exit and quit leave the prompt, and only that", function()
+check.case("exit and quit end only the prompt", function()
   for _, word in ipairs { "exit", "quit", "exit()", " quit ( ) ;" } do
     local result = run({}, "1 + 1\n" .. word .. "\n40 + 2\n")
     check.equal({ result.output, result.status }, { "2\n", 0 })
@@ -226,7 +226,7 @@ check.case("exit and quit leave the prompt, and only that", function()
   end
 end)
 
-check.case("errors in a call that is all of a line, of -e or the end of a script find their place", function()
+check.case("errors in a call that fills a line, of -e or the end of a script are located", function()
   local result = run({}, "sg.study{ a = 1 }\nreturn sg.median { 'a' }\nfunction f() error('no', 2) end\n\nf()\n(1)\n")
   check.holds(result.output, "prompt:1: sg.study: unknown argument 'a'", "prompt:1: sg.median: ", "prompt:1: no\n1\n")
   check.holds(run { "-e", "return sg.study{ a = 1 }" }.output,
@@ -235,7 +235,7 @@ check.case("errors in a call that is all of a line, of -e or the end of a script
     "signorini: study.lua:3: sg.study: unknown")
 end)
 
-check.case("nothing is colored that does not go to a terminal", function()
+check.case("no colors unless the output is a terminal", function()
   local output = check.program({}, "error 'no'\n", "env -u NO_COLOR TERM=xterm-256color")
   check.equal(output, "prompt:1: no\n")
 end)

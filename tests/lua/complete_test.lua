@@ -37,14 +37,14 @@ check.case("help's words come in one list whose work does not grow with their nu
   check.at_most("instructions for each word", instructions / count, 1000)
 end)
 
-check.case("methods of Lua's objects, without those that only the library calls", function()
+check.case("methods of Lua's objects, without those for the library only", function()
   run = setmetatable({}, require("signorini.run_result"))
   check.equal(all "run:co", { "run:column", "run:columns" })
   check.equal(all "run:record", {})
   check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:residuals", "run:states" })
 end)
 
-check.case("named arguments where they may stand, without those that are there", function()
+check.case("named arguments where they are possible, without those given", function()
   check.equal(all "sg.body{ m", { "material = " })
   check.equal(all "sg.body{ patch = sg.shapes.block{ size = {1, 2, 3} },\n  elements = {1, 1}, ",
     { "order = ", "contact = ", "material = ", "through = ", "grading = " })
@@ -62,7 +62,7 @@ local ground = sg.rigid.plane { point = { 0, 0 }, normal = { 0, 1 } }
 model = sg.model { bodies = { slab = slab }, supports = { grip = { on = slab:face "north", drive = "xy" } },
   contacts = { ground = { slave = slab:face "south", master = ground, penalty = 1 } } }
 
-check.case("named arguments of tables in tables, whatever the user calls them", function()
+check.case("named arguments of nested tables, under any names", function()
   check.equal(all "sg.model{ contacts = { c = { friction = { m", { "mu = " })
   check.equal(all 'sg.model{ bodies = {}, supports = { interface = { on = slab:face "south", ',
     { "fix = ", "drive = ", "free = ", "rotate = ", "symmetry = ", "traction = ", "pressure = " })
@@ -77,12 +77,12 @@ check.case("named arguments of tables in tables, whatever the user calls them", 
   check.equal(all "sg.chart{ inset = { p", { "place = " })
 end)
 
-check.case("what a stage may hold, and what the model moves", function()
+check.case("arguments of a stage, and the supports that the model moves", function()
   check.equal(all "model:run{ { ", { "name = ", "steps = ", "grip = " })
   check.equal(all "run = model:run({ { steps = 1, grip = {0, 0} }, { name = 'slide', ", { "steps = ", "grip = " })
 end)
 
-check.case("texts of closed sets, and names of an object's parts", function()
+check.case("strings of choices, and names of an object's parts", function()
   check.equal(all 'sg.body{ patch = p, order = "N2-', { "N2-N2.1", "N2-N2.2", "N2-N4" })
   check.equal(all 'sg.model{ supports = { bed = { on = slab:face "', { "west", "east", "south", "north" })
   check.equal(all 'sg.model{ supports = { bed = { on = slab:face "south", fix = "x', { "x", "xy", "xz", "xyz" })
@@ -106,7 +106,7 @@ check.case("texts of closed sets, and names of an object's parts", function()
   end
 end)
 
-check.case("of a run and a study only what their pages name", function()
+check.case("of a run and a study only the documented fields", function()
   run = model:run { { name = "hold", steps = 1, grip = { 0, 0 } } }
   check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:residuals", "run:states" })
   check.equal(all "run.re", { "run.reason", "run.rescues", "run.residuals" })

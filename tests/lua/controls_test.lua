@@ -39,7 +39,7 @@ local function story(run, step)
   return table.concat(words, ", ")
 end
 
-check.case("other controls are tried in order, each with what it changes alone", function()
+check.case("fallbacks are tried in order, each with its own change only", function()
   local tried = {}
   local model = spring_model(function(options)
     tried[#tried + 1] = ("%s %s %g %s%s"):format(options.predictor, options.line_search, options.freeze_active_set or 0,
@@ -57,7 +57,7 @@ check.case("other controls are tried in order, each with what it changes alone",
     .. "(cycling).")
 end)
 
-check.case("attempts after one whose predictor has failed do without it for a while", function()
+check.case("after a failed predictor the next attempts do without it", function()
   local tried, model = {}, nil
   model = spring_model(function(options)
     tried[#tried + 1] = options.predictor
@@ -72,7 +72,7 @@ check.case("attempts after one whose predictor has failed do without it for a wh
   for step = 3, 12 do check.equal(run:attempts(step)[1].rescue, nil) end
 end)
 
-check.case("what changes nothing is not tried, damping only where contact alone holds a body", function()
+check.case("fallbacks without effect are not tried, damping only for unconstrained bodies", function()
   local function tried(options) return story(spring_model(function() return false end):run(one_step, options), 1) end
   check.equal(tried(sg.plain{ rescue = true }),
     "plain cycling, line search cycling, pseudo-transient cycling, frozen cycling")
@@ -82,14 +82,14 @@ check.case("what changes nothing is not tried, damping only where contact alone 
   check.equal(tried(sg.plain{}), "plain cycling")
 end)
 
-check.case("a body that nothing can catch is not damped", function()
+check.case("a body that contact cannot hold is not damped", function()
   local model = spring_model(function() return false end, true)
   function model:contact_names() return {} end
   check.equal(story(model:run(one_step, sg.plain{ rescue = true }), 1),
     "plain cycling, line search cycling, pseudo-transient cycling, frozen cycling")
 end)
 
-check.case("the first that helps ends the search, is counted, and the next step begins as before", function()
+check.case("the first fallback that converges ends the search and is counted; the next step is normal", function()
   local model
   model = spring_model(function(options) return model.accepted[1] ~= 1 or options.line_search == "residual" end)
   local run = model:run({ { steps = 3, grip = {3, 0} } }, sg.plain{ rescue = true, predictor = "linear" })
@@ -100,7 +100,7 @@ check.case("the first that helps ends the search, is counted, and the next step 
   check.equal(run:column "iterations", { 3, 25 + 25 + 3, 3 })
 end)
 
-check.case("all but the first guess wait until nothing can be cut, then try the rest and the whole step", function()
+check.case("fallbacks but the predictor wait until no step can be cut, then try rest and whole step", function()
   local model
   model = spring_model(function(options) return options.freeze_active_set and model.next[1] <= 0.5 end)
   local run = model:run(one_step, sg.plain{ rescue = true, step = { adaptive = true, min = 0.5 } })
@@ -112,7 +112,7 @@ check.case("all but the first guess wait until nothing can be cut, then try the 
   check.equal({ run.rescues, run.cutbacks, run.reason, run.cause }, { 1, 1, "minimum_step", "cycling" })
 end)
 
-check.case("deep ironing, where plain Newton cycles, is carried through", function()
+check.case("deep ironing, where plain Newton cycles, completes", function()
   local path = { { name = "press", steps = 46, grip = {0, -0.5} } }
   local run = deep():run(path, sg.plain{ rescue = true })
   check.equal({ run.failed, run.steps, run.rescues }, { false, 46, 1 })
@@ -129,7 +129,7 @@ check.case("deep ironing, where plain Newton cycles, is carried through", functi
   end
 end)
 
-check.case("points that are held do no harm: where they cannot be freed the run says so", function()
+check.case("fixed states of cycling points do no harm: if they cannot be freed the run reports it", function()
   for _, changes in ipairs { 2, 4, 8 } do
     local run = deep():run({ { name = "press", steps = 46, grip = {0, -0.5} } },
       sg.plain{ newton = { active_set_changes = changes } })
@@ -141,7 +141,7 @@ check.case("points that are held do no harm: where they cannot be freed the run 
   check.equal({ run.failed, run.steps }, { false, 46 })
 end)
 
-check.case("a body that falls is caught by damping", function()
+check.case("damping holds an unconstrained body until contact", function()
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = {0, 0.2} }, elements = {2, 2},
                         order = "N2", contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local model = sg.model{
@@ -171,7 +171,7 @@ check.case("a growing penalty ends in the states of the full one", function()
   for step = 4, 8 do check.near(forces[step], reference[step], 1e-8) end
 end)
 
-check.case("a step that fails leaves the penalty of the last one", function()
+check.case("a failed step keeps the penalty of the last accepted one", function()
   local model = ironing{ mu = 0 }
   local run = model:run({ { steps = 2, grip = {0, -0.1} } },
     { penalty = { start = 0.01, steps = 4 },
@@ -183,7 +183,7 @@ end)
 
 -- ── Callbacks ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-check.case("on_iteration sees every iteration and changes no bit", function()
+check.case("on_iteration is called after every iteration and changes no bit", function()
   local path = { { name = "press", steps = 3, grip = {0, -0.015} } }
   local plain, seen = ironing{}:run(path), {}
   local run = ironing{}:run(path, { on_iteration = function(info) seen[#seen + 1] = info end })
@@ -203,7 +203,7 @@ check.case("on_iteration sees every iteration and changes no bit", function()
   check.equal(#seen, i)
 end)
 
-check.case("on_iteration cuts an attempt, and shorter steps go on", function()
+check.case("on_iteration cuts an attempt, and shorter steps follow", function()
   local run = ironing{}:run({ { steps = 2, grip = {0, -0.01} } }, { step = { adaptive = true }, rescue = true,
     on_iteration = function(info) return info.to - info.from > 0.6 and info.iteration == 2 and "cut" or nil end })
   check.equal({ run.failed, run.steps, run.cutbacks, run.rescues }, { false, 2, 2, 0 })
@@ -211,7 +211,7 @@ check.case("on_iteration cuts an attempt, and shorter steps go on", function()
   check.equal({ run:attempts(1)[1].iterations, run:column("increments")[1] }, { 2, 2 })
 end)
 
-check.case("on_step cuts a step that was reached, and adds columns", function()
+check.case("on_step cuts an accepted step, and adds columns", function()
   local model = ironing{}
   local reference = ironing{}:run{ { steps = 4, grip = {0, -0.01} } }
   local seen = 0
@@ -249,7 +249,7 @@ check.case("figures that on_step must not return", function()
   check.fails(returning { ["grip.fx"] = 1 }, "on_step: 'grip.fx' is already a column of the run")
 end)
 
-check.case("answers of on_iteration that are none leave the model at its accepted state", function()
+check.case("invalid results of on_iteration leave the model at its accepted state", function()
   local model = ironing{}
   check.fails(function()
     model:run({ { steps = 1, grip = {0, -0.01} } }, { on_iteration = function() return "halt" end })
@@ -262,7 +262,7 @@ end)
 
 -- ── sg.robust ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-check.case("sg.robust turns on what easy runs do not pay for", function()
+check.case("sg.robust turns on controls that cost nothing in easy runs", function()
   local robust = sg.robust()
   check.equal({ robust.predictor, robust.rescue, robust.step.adaptive }, { "linear", true, true })
   robust = sg.robust { step = { adaptive = true, min = 1 / 256 }, predictor = "tangent", linear = "klu" }
@@ -281,7 +281,7 @@ check.case("sg.robust turns on what easy runs do not pay for", function()
   end
 end)
 
-check.case("easy ironing takes fewer iterations by default than with plain Newton, and is the same", function()
+check.case("easy ironing takes fewer iterations by default than with plain Newton, with the same states", function()
   local plain, robust = ironing{}:run(sixty, sg.plain{}), ironing{}:run(sixty)
   check.equal({ robust.failed, robust.rescues, robust.cutbacks }, { false, 0, 0 })
   check.equal(robust.iterations < 0.75 * plain.iterations, true)
@@ -290,7 +290,7 @@ check.case("easy ironing takes fewer iterations by default than with plain Newto
   end
 end)
 
-check.case("only a step that has converged is accepted", function()
+check.case("only a converged step is accepted", function()
   local model = ironing{}
   local function refused(...)
     check.fails(function() model:accept() end, "controls_test.lua:", "model:accept: ", ...)
@@ -320,7 +320,7 @@ check.case("only a step that has converged is accepted", function()
   check.equal(model:target "grip", {0, -0.01})
 end)
 
-check.case("targets beyond all sense end a run, which leaves the model as it was", function()
+check.case("extreme targets end a run and leave the model unchanged", function()
   local model = ironing{}
   local run = model:run({ { steps = 1, grip = {1e300, 0} } }, sg.robust{})
   check.equal({ run.failed, run.reason, run.cause, model:target "grip" }, { true, "minimum_step", "nan", {0, 0} })
@@ -332,7 +332,7 @@ end)
 
 -- ── Wrong options ────────────────────────────────────────────────────────────────────────────────────────────────────
 
-check.case("wrong options are refused before the first step, at the user's line", function()
+check.case("invalid options are rejected before the first step, at the user's line", function()
   local model = spring_model(function() return true end)
   local wrong = {
     { { predictor = "linaer" }, "predictor must be 'tangent', 'constant' or 'linear', got the string 'linaer'",
@@ -378,7 +378,7 @@ check.case("wrong options are refused before the first step, at the user's line"
   check.equal({ model.spent, #model.calls }, { 0, 0 })
 end)
 
-check.case("a real model's verbs refuse them as well", function()
+check.case("so are those of a real model's methods", function()
   local model = ironing{}
   for _, case in ipairs {
     { { predictor = "linaer" }, "predictor" }, { { line_search = 3 }, "line_search" },

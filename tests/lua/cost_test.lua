@@ -69,7 +69,7 @@ check.case("obstacles have no unknowns, and shared ones count once", function()
   check.holds(cost, "rigid obstacle, no unknowns")
 end)
 
-check.case("linear bodies, adhesion, and a body that is held everywhere", function()
+check.case("linear bodies, adhesion, and a body whose DOFs are all prescribed", function()
   local function strip(contact, law)
     local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1, corner = { 0, 1 } }, elements = { 8, 2 },
                           order = "N2", contact = "south", through = 1,
@@ -87,14 +87,14 @@ check.case("linear bodies, adhesion, and a body that is held everywhere", functi
   check.equal({ cost.unknowns, cost.nonzeros, cost.memory_of.factors }, { 0, 0, 0 })
 end)
 
-check.case("a model from a file costs what the saved one does", function()
+check.case("a loaded model has the cost of the saved one", function()
   local model, file = ironing("N4", function(X) return X[1] < 1.6 end), os.tmpname()
   model:save(file)
   check.equal(tostring(sg.load(file):cost()), tostring(model:cost()))
   os.remove(file)
 end)
 
-check.case("17,952 unknowns in space are counted", function()
+check.case("17,952 unknowns in 3D are counted", function()
   local slab = sg.body{ patch = sg.shapes.block{ size = { 4, 4, 2 } }, elements = { 16, 16, 16 }, order = "N2",
                         contact = "back", through = 1, material = soft }
   local top = sg.body{ patch = sg.shapes.block{ size = { 2, 2, 2 }, corner = { 1, 1, 2 } }, elements = { 8, 8, 8 },

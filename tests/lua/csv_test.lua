@@ -12,7 +12,7 @@ local function write_text(text)
   stream:write(text):close()
 end
 
-check.case("rows, comments and awkward values survive", function()
+check.case("rows, comments and special values are preserved", function()
   local rows = { { 1, 0.1, "N2" }, { 2, nil, 'a,"b"\nc' }, { 3, 1 / 3, "2" }, { -4, 1e300, " edges " },
                  { 5, 2 ^ -1074, "#5" }, { 6, true, "true" }, { math.maxinteger, false, "ξ" } }
   sg.csv.write(file, { columns = { "step", "fx", "label" }, rows = rows, comments = { "source: a test", "one\ntwo" } })
@@ -30,7 +30,7 @@ check.case("rows, comments and awkward values survive", function()
   check.equal(read:by("label")["2"].fx, 1 / 3)
 end)
 
-check.case("random numbers survive to the last bit", function()
+check.case("random numbers are preserved to the last bit", function()
   math.randomseed(7)
   local numbers = {}
   for i = 1, 200 do numbers[i] = (math.random() - 0.5) * 10 ^ math.random(-200, 200) end
@@ -58,7 +58,7 @@ check.case("columns need names, rows no more values than there are columns", fun
   check.equal(sg.csv.read(file):column "b", { nil, nil })
 end)
 
-check.case("aligned tables show what a cell can hold, and no more than there are columns", function()
+check.case("aligned tables show all kinds of cells, and no more than there are columns", function()
   check.equal(sg.table{ columns = { "a" }, rows = { { 1 }, {}, { "x" }, { true } } }, "   a\n   1\n   –\n   x\ntrue")
   check.fails(function() sg.table{ columns = { "a" }, rows = { { {} } } } end, "csv_test.lua",
     "sg.table: rows[1][1] must be a number, a string, true or false, got an empty table")
@@ -66,7 +66,7 @@ check.case("aligned tables show what a cell can hold, and no more than there are
     "rows[1] has an entry '2', but there is 1 column")
 end)
 
-check.case("a published table that does not exist: the names of those that do", function()
+check.case("an unknown published table: the message lists the known ones", function()
   check.fails(function() sg.reference "rings2d_error_table" end, "csv_test.lua",
     "sg.reference: there is no table 'rings2d_error_table'",
     "did you mean 'rings2d_error_table7_5'?", "hertz2d_dofs_table7_4, ironing2d_dofs_table7_2, ")
@@ -86,7 +86,7 @@ check.case("files from elsewhere: byte-order mark, carriage returns, blanks, bla
   check.equal(read.rows[2][2], nil)
 end)
 
-check.case("wrong tables are not written, and leave the old file alone", function()
+check.case("invalid tables are not written, and the old file remains", function()
   sg.csv.write(file, { a = { 1 } })
   local wrong = {
     { { columns = { "a" }, rows = { { 0 / 0 } } }, "row 1, column 'a'", "nan", "use nil for a value that" },
@@ -110,7 +110,7 @@ check.case("wrong tables are not written, and leave the old file alone", functio
   check.equal(io.open(folder .. ".part"), nil)
 end)
 
-check.case("broken files are refused with file and line", function()
+check.case("invalid files are rejected with file and line", function()
   local broken = {
     { "a,b\n1,2\n3\n", "a.csv:3: 1 field, but there are 2 columns" },
     { "a\n\"1\n", "a.csv:2: a quoted field is not closed" },
@@ -128,7 +128,7 @@ check.case("broken files are refused with file and line", function()
   check.fails(function() sg.csv.read(file):column "b" end, "no column 'b'; known: a")
 end)
 
-check.case("published tables say where they were printed", function()
+check.case("published tables name their source", function()
   local sizes = { ironing2d_dofs_table7_2 = 8, ironing2d_oscillation_table7_3 = 8, hertz2d_dofs_table7_4 = 21,
                   rings2d_error_table7_5 = 8, rings2d_time_table7_6 = 8, peeling2d_table7_8_and_B2 = 39,
                   ironing3d_oscillation_table7_10 = 8, ironing3d_dofs_table7_11 = 8 }
@@ -143,7 +143,7 @@ check.case("published tables say where they were printed", function()
   check.fails(function() sg.reference "table9" end, "table9")
 end)
 
-check.case("text tables: numbers to the right, words to the left, a dash for what is missing", function()
+check.case("text tables: numbers right-aligned, words left-aligned, a dash for missing values", function()
   check.equal(sg.table{
     columns = { "label", "Δ", "n" }, units = { "", "%" }, formats = { ["Δ"] = "%.1f" },
     rows = { { "N2", 100, 7 }, { "N2-N4", nil, 12 } },

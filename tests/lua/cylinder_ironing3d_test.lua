@@ -10,7 +10,7 @@ local script = core.home .. "/scripts/cylinder_ironing3d.lua"
 local folder = check.folder()
 local study = assert(loadfile(script))("out=" .. folder, "mesh=8x2x1/8x4x1", "labels=N2,N2-N2.1", "press=4", "slide=24")
 
-check.case("both labels run through; forces of this mesh stay what they are", function()
+check.case("both discretizations complete; forces of this mesh are unchanged", function()
   for _, case in ipairs(study.cases) do check.equal({ case.run.failed, case.run.steps }, { false, 28 }) end
   local N2, layer = study.cases.N2, study.cases["N2-N2.1"]
   check.near({ N2.pressed, N2.drag.mean, N2.drag.high }, { 0.21681, 0.22159, 0.22724 }, 1e-5)
@@ -24,7 +24,7 @@ check.case("Pz is symmetric about the slab's middle, Px its opposite", function(
   end
 end)
 
-check.case("the die's forces are the bed's, and none is across the way", function()
+check.case("the forces on the die equal those on the bed, without a lateral component", function()
   for _, case in ipairs(study.cases) do
     for _, axis in ipairs { ".fx", ".fy", ".fz" } do
       local bed, grip = case.run:column("bed" .. axis), case.run:column("grip" .. axis)
@@ -36,7 +36,7 @@ check.case("the die's forces are the bed's, and none is across the way", functio
   end
 end)
 
-check.case("a layer leaves less than a third of the amplitudes", function()
+check.case("a layer reduces the oscillations to less than a third", function()
   local layer = study.cases["N2-N2.1"]
   check.equal({ layer.first, layer.last }, { 14, 19 }) -- a pitch of 0.3125 in steps of 0.0625 about x = 1.25
   for _, force in ipairs { "dPx", "dPz" } do

@@ -48,7 +48,7 @@ check.case("fields are finite everywhere, with both materials and loads", functi
   end
 end)
 
-check.case("pictures and files are made, and one color range says what it leaves out", function()
+check.case("pictures and files are written, and one color range reports what it excludes", function()
   local folder = check.folder()
   local model = pulled(disc())
   for _, field in ipairs(fields) do

@@ -51,7 +51,7 @@ check.case("2D ironing, N2-N2.2: the balance closes to 1e-3, with shorter steps 
   end
 end)
 
-check.case("2D ironing: what shorter steps leave is due to the penetration, stiffer penalties remove it", function()
+check.case("2D ironing: the error left by shorter steps is due to penetration, stiffer penalties remove it", function()
   local soft, stiff = iron("N2-N2.2", 4, 0.2, 100), iron("N2-N2.2", 4, 0.2, 1000)
   below("soft", soft, 5e-4)
   below("stiff beside soft", stiff / soft, 0.5)
@@ -63,7 +63,7 @@ check.case("2D ironing, N2: energy error 2e-3 on the coarse face, less with stif
   below("stiff", iron("N2", 2, 0.2, 1000), 1e-3)
 end)
 
-check.case("2D ironing without friction: only the trapezoidal rule is missing", function()
+check.case("2D ironing without friction: only the error of the trapezoidal rule remains", function()
   local published, energy = iron("N2", 1, 0, 100)
   check.equal(energy.friction, 0)
   below("published steps", published, 1e-4)
@@ -93,7 +93,7 @@ local function growing(penalty)
   return (energy.stored + energy.contact - energy.work) / energy.work, growth / energy.work
 end
 
-check.case("tractions per current area leave the growth of the slave's area out of the balance", function()
+check.case("with tractions per current area the balance lacks the growth of the slave's area", function()
   local missing, growth = growing(20)
   check.within("soft", missing / growth, 1, 0.01)
   check.within("part of the work", growth, 0.0106, 1e-4)

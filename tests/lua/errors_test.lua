@@ -37,7 +37,7 @@ check.case("wrong named arguments", function()
   check.fails(function() rectangle() end, "got nothing")
 end)
 
-check.case("what is meant is said: parts of names, what has no name, tables in place of objects", function()
+check.case("suggestions: parts of names, entries without names, tables in place of objects", function()
   local body = sg.body{ patch = p, elements = {2, 2}, order = "N2", contact = "north",
                         material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   check.fails(function()
@@ -95,7 +95,7 @@ check.case("more arguments than a function takes", function()
   check.equal(#p:degrees(nil), 2)
 end)
 
-check.case("messages name the cure that helps", function()
+check.case("messages give the hint that helps", function()
   local c = sg.nurbs.line { from = { 0, 0 }, to = { 2, 0 } }
   check.fails(function() c("0.5") end,
     "xi must be a number (parametric coordinates), got the string '0.5'. Hint: remove the quotes")
@@ -170,7 +170,7 @@ check.case("errors of the library written in Lua stand at the user's line too", 
   check.holds(message, ("errors_test.lua:%d: sg.csv.write"):format(expected))
 end)
 
-check.case("a variable that was never set is an error", function()
+check.case("an undefined variable is an error", function()
   check.fails(function() return undefined_name end, "errors_test.lua", "undefined variable 'undefined_name'")
   local model = 1
   check.fails(function() return modle, model end, "undefined variable 'modle'; did you mean 'model'?")
@@ -193,7 +193,7 @@ local patch = die()
     .. "got the string '0.5'. Hint: remove the quotes", "stack traceback", "study.lua:5: in main chunk")
 end)
 
-check.case("numbers that no axis can hold are refused, and nothing hangs", function()
+check.case("numbers beyond the range of an axis are rejected", function()
   local file = os.tmpname()
   local wide, decades = "must be within ±1e300 and span at least 1e-300", "at most"
   local huge, tiny = { 1e308, -1e308, 1 }, { 1e-320, 0, 0 }
@@ -247,7 +247,7 @@ check.case("syntax errors, missing files and thrown values are reported", functi
   check.holds(output, [[undefined variable 'sg'; write local sg = require "signorini" at the top]])
 end)
 
-check.case("shapes that a far corner rounds away, lists with names", function()
+check.case("shapes that a far corner makes degenerate in floating point, lists with names", function()
   check.fails(function() sg.shapes.block { size = { 1, 1, 1 }, corner = { 1e300, 0, 0 } } end,
     "sg.shapes.block: size x = 1 is lost in rounding error next to corner x = 1e+300")
   check.fails(function() sg.shapes.rectangle { width = 1, height = 1, corner = { 0, 1e20 } } end,
@@ -255,7 +255,7 @@ check.case("shapes that a far corner rounds away, lists with names", function()
   check.fails(function() p:translate { 1, 2, Fix = 1 } end, "got a list of 2 values with the key 'Fix'")
 end)
 
-check.case("help in a script says where it is", function()
+check.case("help in a script is an error that says where to find it", function()
   check.fails(function() return help end, "undefined variable 'help'; in a script it is sg.help")
 end)
 

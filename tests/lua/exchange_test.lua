@@ -14,7 +14,7 @@ local function same(a, b)
   for d = 1, #a:degrees() do check.equal(a:knots(d), b:knots(d)) end
 end
 
-check.case("files of all forms become patches that bodies can be made of", function()
+check.case("files of all formats become patches of bodies", function()
   local patches = sg.nurbs.read(samples .. "gismo.xml")
   check.equal(#patches, 3)
   check.near(patches[1] { 0.5, 0.5 }, { 1.5 * math.sqrt(0.5), 1.5 * math.sqrt(0.5) })
@@ -25,7 +25,7 @@ check.case("files of all forms become patches that bodies can be made of", funct
   check.equal(body:dofs().total > 0, true)
 end)
 
-check.case("what is written comes back to the last bit", function()
+check.case("written patches are read back to the last bit", function()
   local disc = sg.shapes.half_annulus { inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } }
     :refine { elements = { 6, 3 }, degree = { 3, 2 } }
   local cuboid = sg.shapes.block { size = { 1, 2, 3 } }:rotate { angle = 20, axis = { 1, 1, 0 } }

@@ -25,7 +25,7 @@ end
 local rough = { mu = 0.3, penalty = 1000 }
 local press = { { name = "press", steps = 5, top = {0, -0.02} } }
 
-check.case("a gap of exactly zero, of which rounding makes open and shut, is as easy as any other", function()
+check.case("a gap of exactly zero, with signs that depend on rounding error, is as easy as any other", function()
   local force
   for _, gap in ipairs { 1e-6, 1e-14, 0, -1e-14 } do
     local run = scene(gap, rough):run(press)
@@ -38,13 +38,13 @@ check.case("a gap of exactly zero, of which rounding makes open and shut, is as 
   check.equal(scene(0, rough):run(press, sg.robust{}).rescues, 0)
 end)
 
-check.case("who touches at the start is a guess: a block that is lifted leaves at once", function()
+check.case("the initial contact set is a first guess: a block that is lifted separates at once", function()
   local run = scene(0, rough):run{ { name = "lift", steps = 1, top = {0, 0.1} } }
   check.equal({ run.reason, run:column "c.area"[1] }, { "completed", 0 })
   check.near(run:column "top.fy"[1], 0, 1e-12)
 end)
 
-check.case("arcs need a step that was accepted: without one the run fails, and says so", function()
+check.case("arc length requires an accepted step: without one the run fails and reports it", function()
   local column = rectangle(0.5, 10, {0, 0}, {1, 8}, "west")
   local model = sg.model{ bodies = { column = column }, supports = {
     bed = { on = column:face "south", fix = "xy" }, top = { on = column:face "north", drive = "y" } } }
@@ -53,7 +53,7 @@ check.case("arcs need a step that was accepted: without one the run fails, and s
   check.holds(run.report, "arc length can only start after an accepted step")
 end)
 
-check.case("a load along a contact without friction: the cure is not damping", function()
+check.case("a load along a frictionless contact: the hint is not damping", function()
   for _, options in ipairs { {}, sg.robust{} } do
     local run = scene(0, nil, { load = true }):run({ { name = "push", steps = 1, push = {0.01, -0.1} } }, options)
     check.equal({ run.failed, run.cause }, { true, "singular" })
@@ -62,7 +62,7 @@ check.case("a load along a contact without friction: the cure is not damping", f
   end
 end)
 
-check.case("a contact that never touched is named, once, with the least gap", function()
+check.case("a contact that never touched is reported once, with the smallest gap", function()
   local run = scene(0, rough, { slave = "north" }):run(press)
   check.equal({ run.reason, #run.warnings }, { "completed", 1 })
   check.holds(run.warnings[1], "contact 'c' never touched; smallest gap 0.48")
@@ -70,7 +70,7 @@ check.case("a contact that never touched is named, once, with the least gap", fu
   check.equal(#scene(0, rough):run(press).warnings, 0)
 end)
 
-check.case("a contact that gives way too much is named with its depth and the step", function()
+check.case("deep penetration is reported with its depth and the step", function()
   local function sunk(penalty)
     local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = {2, 2}, order = "N2",
                            contact = "south", material = sg.linear_elastic{ E = 1, nu = 0 } }
@@ -86,7 +86,7 @@ check.case("a contact that gives way too much is named with its depth and the st
   check.equal(sunk(4).warnings, {}) -- 0.02 of 2
 end)
 
-check.case("a closest point that was not found to tolerance is named with its place and a cure", function()
+check.case("a closest-point projection that did not converge is reported with its place and a hint", function()
   -- The line x = -(2 xi - 1)^7: Newton's method for the closest point to (0, y) takes off 1/13 in each iteration.
   local line = sg.nurbs.curve{ degree = 7, knots = { 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1 },
                                points = { {1, 0}, {-1, 0}, {1, 0}, {-1, 0}, {1, 0}, {-1, 0}, {1, 0}, {-1, 0} } }

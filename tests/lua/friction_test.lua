@@ -27,7 +27,7 @@ local function slid(steps, rigid)
   return model
 end
 
-check.case("where a point slips, |traction| is mu times the pressure, along the way of the slave", function()
+check.case("at slip, |traction| is mu times the pressure, along the motion of the slave", function()
   local profile, slips = slid(10):profile "touch", 0
   for i, state in ipairs(profile.state) do
     if state == "slip" then
@@ -45,7 +45,7 @@ local function unbalanced(model)
   return largest / math.sqrt(force[1] ^ 2 + force[2] ^ 2)
 end
 
-check.case("a slip point that follows on a curved master leaves the balance by the order of the step", function()
+check.case("slip points on a curved master cause an unbalanced force of the order of the step", function()
   local last
   for _, steps in ipairs { 10, 20, 40 } do
     local now = unbalanced(slid(steps))
@@ -54,7 +54,7 @@ check.case("a slip point that follows on a curved master leaves the balance by t
   end
 end)
 
-check.case("on a straight master an accepted step stays balanced", function()
+check.case("on a straight master an accepted step remains in equilibrium", function()
   check.at_most("residual", unbalanced(slid(10, true)), 1e-9)
 end)
 
@@ -72,7 +72,7 @@ local function landed(steps)
   return run:column "grip.fx"[steps]
 end
 
-check.case("first touch charges friction for the whole step that closes the gap: first order in its length", function()
+check.case("first contact applies friction over the whole closing step: an error of first order", function()
   local limit = landed(2) -- touches at the end of a step, as with any even number
   check.within("four steps", landed(4) / limit, 1, 1e-6)
   for _, steps in ipairs { 1, 3, 5, 9, 17 } do

@@ -27,7 +27,7 @@ check.case("a seed gives the same scene on every machine", function()
     .. "40.35 0 78.165 0.098822 0.07582 -0.22859; 3 + 10 steps")
 end)
 
-check.case("the mirror image has the same forces, and the scene itself the same bits again", function()
+check.case("the mirror image has the same forces, and the scene itself is bitwise reproducible", function()
   for _, case in ipairs { { "plane", 2 }, { "plane", 17 }, { "space", 2 } } do
     local scene = scenes.describe(table.unpack(case))
     local _, account = scenes.solve(scene, sg.robust{})
@@ -67,7 +67,7 @@ check.case("masters with sharp edges: at most one of 29 ends early; 11 did when 
     check.equal({ count, #found <= 1 or table.concat(found, ", ") }, { 29, true })
   end)
 
-check.case("pseudo-transient continuation carries past a loss of stability at an edge, and the run says so", function()
+check.case("pseudo-transient continuation passes a loss of stability at an edge, and the run reports it", function()
   local carried = 0
   for _, seed in ipairs { 219, 226, 259 } do
     local scene = scenes.describe("plane", seed)

@@ -66,7 +66,7 @@ check.case("hollow hemispheres: exact radii, the ring on top, full volume, poles
     "inner must be below outer, 1, got 2")
 end)
 
-check.case("solids swept, turned, ruled and blended fill what they should", function()
+check.case("swept, revolved, ruled and Coons solids have the expected volume", function()
   local quarter = sg.shapes.quarter_annulus { inner = 1, outer = 2, start = 0 }
   check.near(volume(sg.nurbs.extrude { patch = quarter, along = { 0.5, 0, 3 } }), 9 * math.pi / 4, 1e-7)
   -- A square at x = 2 … 3, turned a quarter about z: Pappus
@@ -85,7 +85,7 @@ check.case("solids swept, turned, ruled and blended fill what they should", func
   check.near(sg.nurbs.coons(faces) { 0.3, 0.6, 0 }, octant { 0.3, 0.6, 0 })
 end)
 
-check.case("refinement of volumes keeps the shape; grading crowds direction by direction", function()
+check.case("refinement of volumes keeps the shape; grading acts direction by direction", function()
   local p = sg.shapes.sphere_octant { inner = 0.2, outer = 1 }
   local crowd = function(at) return { elements = 0.75, length = 0.1, at = at } end
   local q = p:refine { elements = { 4, 16, 8 }, degree = { 3, 2, 2 }, grading = { false, crowd "end", crowd "start" } }
@@ -105,7 +105,7 @@ check.case("refinement of volumes keeps the shape; grading crowds direction by d
   check.equal(p:insert(3, { 0.5 }):elevate(3):degrees(), { 2, 2, 2 })
 end)
 
-check.case("what cannot be a volume says so", function()
+check.case("invalid volumes are errors", function()
   local line = sg.nurbs.line { from = { 0, 0, 0 }, to = { 1, 0, 0 } }
   local square = sg.nurbs.extrude { patch = line, along = { 0, 1, 0 } }
   local cube = sg.nurbs.extrude { patch = square, along = { 0, 0, 1 } }
@@ -129,7 +129,7 @@ local function solid(patch, elements, order, contact)
   return sg.body { patch = patch, elements = elements, order = order, contact = contact, material = soft }
 end
 
-check.case("left-handed and crossing volumes are no bodies", function()
+check.case("left-handed and self-intersecting volumes are rejected as bodies", function()
   local square = sg.nurbs.ruled { a = sg.nurbs.line { from = { 2, 0, 0 }, to = { 2, 0, 1 } },
                                   b = sg.nurbs.line { from = { 3, 0, 0 }, to = { 3, 0, 1 } } }
   local cure = "reverse one parametric direction with patch:reverse(1), or untangle the control points"
@@ -151,7 +151,7 @@ check.case("left-handed and crossing volumes are no bodies", function()
   check.fails(function() solid(square, { 1, 1 }, "N1") end, "a volume in 3D")
 end)
 
-check.case("between plane and space", function()
+check.case("conversion between 2D and 3D", function()
   local ring = sg.shapes.quarter_annulus { inner = 1, outer = 2 }
   local raised = ring:to_space { z = 3 }
   check.near(raised { 0.3, 0.5 }[3], 3)

@@ -59,7 +59,7 @@ check.case("ruled, extruded, revolved and Coons patches", function()
   check.near(square { 0.25, 0.75 }, { 0.25, 0.75 })
 end)
 
-check.case("the ready-made shapes stand where their pages say", function()
+check.case("the ready-made shapes have the documented positions", function()
   local function corners(p)
     local first, last = {}, {}
     for d = 1, #p:degrees() do
@@ -195,7 +195,7 @@ check.case("wrong directions and mirrors", function()
   check.fails(function() p:scale { factor = { -1, 1 } } end, "factors must be positive, got -1", "patch:mirror{ normal")
 end)
 
-check.case("patches outlive the garbage collector as long as Lua holds them", function()
+check.case("patches remain valid as long as Lua references them", function()
   local kept = {}
   for i = 1, 200 do
     local p = sg.shapes.rectangle { width = i, height = 1 }

@@ -132,7 +132,7 @@ if writes then
   return
 end
 
-check.case("every picture looks as its golden one", function()
+check.case("every picture agrees with its reference", function()
   local files = {}
   for _, name in ipairs(names) do
     files[#files + 1], files[#files + 2] = ("%s/%s.png"):format(folder, name), golden .. name .. ".png"
@@ -145,7 +145,7 @@ check.case("every picture looks as its golden one", function()
   end
 end)
 
-check.case("the tolerance sees a moved legend, a lost line, another range of colors", function()
+check.case("the tolerance detects a moved legend, a missing line, another range of colors", function()
   local changes = {
     chart = function(file) chart(file, { legend_title = "order" }) end,
     log_chart = function(file) chart(file, { log = "y", legend_title = "order" }) end,

@@ -28,7 +28,7 @@ end
 local held = { { name = "held" }, { name = "cycling" }, { name = "inverted" } }
 local outcomes = { { "held", "cycling", "held" }, { "held", nil, "held" } }
 
-check.case("each ending writes its kind of file, the same bytes each time", function()
+check.case("each file name ending selects a format; files are reproducible", function()
   local beginnings = { [".png"] = "\137PNG", [".svg"] = "<", [".pdf"] = "%PDF" }
   for ending, beginning in pairs(beginnings) do
     local first = draw({ title = "map" }, ending)
@@ -82,7 +82,7 @@ check.case("powers of ten do not mix with long numbers in one axis", function()
   check.holds(draw { x = { 1, 1e4, 1e5 }, y = { 1e3, "a" } }, ">1<", ">10000<", ">100000<")
 end)
 
-check.case("the least and the largest value have colors of their own on a logarithmic bar, too", function()
+check.case("the smallest and the largest value have distinct colors on a logarithmic bar, too", function()
   local seen = 0
   for digits = 101, 199 do
     local low, high = digits * 1e-10, digits * 1e-3

@@ -57,7 +57,7 @@ check.case("every public name has a page", function()
   check.equal(count > 130, true)
 end)
 
-check.case("help finds the scripts that come along, and shows what they solve", function()
+check.case("help finds the installed scripts, and shows their problems", function()
   local all = {}
   for i, script in ipairs(scripts.all()) do
     all[i] = script.name
@@ -90,7 +90,7 @@ check.case("lists give each page a line with its first sentence", function()
     { "sg.picture{ model, state, patch, states, … }", "study:with(name, make, unit)" })
 end)
 
-check.case("every page is about something", function()
+check.case("every page has a subject", function()
   for _, group in ipairs(pages.groups()) do
     for _, page in ipairs(group) do
       if not page.head and not names.value(page.name) then error(page.name .. " is no name of the language") end
@@ -117,7 +117,7 @@ check.case("every argument of a table is read by the code, and no key stands twi
   end
 end)
 
-check.case("every example runs on the scene of the examples, and gives what it says", function()
+check.case("every example runs on the scene of the examples, with the stated results", function()
   local folder = check.folder()
   local lines = { "sg = require 'signorini' help = sg.help", "local text = require('signorini.show').text",
     require("signorini.help.texts").scene, [[
@@ -163,7 +163,7 @@ check.case("every function has an example", function()
   end
 end)
 
-check.case("a word finds pages of the language only", function()
+check.case("a search finds only pages of the library", function()
   local output = check.program({}, 'help "core"\nhelp "remove_leftovers"\nhelp "_"\nhelp "jobs"\n')
   check.equal(output:find("core.", 1, true), nil)
   check.holds(output, "At the prompt:", "no page on 'remove_leftovers'", "study:execute{ jobs, limit, again = false }")
@@ -199,7 +199,7 @@ check.case("terms of other programs lead to pages, none of which has the term as
     "Scripts with 'mortar':", "  model:save(path) ")
 end)
 
-check.case("share/doc/reference.md holds what is on the pages", function()
+check.case("share/doc/reference.md agrees with the pages", function()
   if core.read_file(core.home .. "/share/doc/reference.md") ~= require "signorini.help.markdown"() then
     error "share/doc/reference.md is not what the help pages say: run scripts/reference"
   end

@@ -32,7 +32,7 @@ check.case("load P0 at m3 and on the reference: peak pressure and half-width wit
   end
 end)
 
-check.case("the figures stay what they are", function()
+check.case("the results are unchanged", function()
   check.near(force.cases["N2 m3"].peak_percent, 0.696, 2e-3)
   check.near(force.cases["N2 m3"].width_percent, -0.520, 2e-3)
   check.near(force.cases["N2-N2.2 m3"].width_percent, 0.557, 2e-3)

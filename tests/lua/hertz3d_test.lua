@@ -13,7 +13,7 @@ check.case("Hertz's values as printed in the thesis, and a quarter of the load o
   for _, case in ipairs(study.cases) do check.at_most("force in %", case.force_percent, 1e-6) end
 end)
 
-check.case("peak and radius converge to Hertz's; the layer is ahead of N2", function()
+check.case("peak and radius converge to Hertz's; the layer is more accurate than N2", function()
   for _, label in ipairs { "N2", "N2-N2.2" } do
     local coarse, fine = study.cases[label .. " m1"], study.cases[label .. " m2"]
     check.at_most(label .. " peak in %", fine.peak_percent, 3.5)
@@ -27,7 +27,7 @@ check.case("peak and radius converge to Hertz's; the layer is ahead of N2", func
   end
 end)
 
-check.case("3D is the axisymmetric scene but for quadrature, at any number of elements around the axis", function()
+check.case("3D agrees with the axisymmetric model except for quadrature, for any elements around the axis", function()
   for _, case in ipairs(study.cases) do
     check.at_most("peak apart in %", case.peak_apart, 0.05)
     check.at_most("radius apart in %", case.width_apart, 0.05)

@@ -65,7 +65,7 @@ local function type_in(lines)
   return output
 end
 
-check.case("a run that is assigned is kept; what follows on the line is not done, the next line is", function()
+check.case("an assigned run is kept; the rest of the line is not executed, the next line is", function()
   local output = type_in [[
 run = "old"
 interrupt() run = pressed():run(stages, saving) print "the rest"
@@ -79,7 +79,7 @@ print(t.run.reason)
   check.equal(select(2, output:gsub("interrupted\n", "")), 1) -- what the last line prints
 end)
 
-check.case("a recommendation that is stopped says so and is kept", function()
+check.case("an interrupted recommendation reports it and is kept", function()
   local output = type_in [[
 interrupt() r = sg.recommend{ scene = function() return pressed(), stages, saving end, error = "top.fy", at_most = 0.1 }
 print("kept", r.label, #r.tries)
@@ -87,7 +87,7 @@ print("kept", r.label, #r.tries)
   check.holds(output, "Stopped by Ctrl-C", "kept\tnil\t1")
 end)
 
-check.case("a stability map that is stopped says so and is kept, with the cells that are done", function()
+check.case("an interrupted convergence map reports it and is kept, with the finished cells", function()
   local output = type_in [[
 id = io.open "/proc/self/stat":read "n"
 axes = { x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 1 } } }
@@ -100,7 +100,7 @@ print("kept", #map.cells, map:cell(1, 1).outcome, map:cell(2, 1))
   check.equal(output:find("the rest", 1, true), nil)
 end)
 
-check.case("a script that is stopped goes on with nothing, and its status is 130", function()
+check.case("an interrupted script ends with status 130", function()
   local output, status = check.script('local sg = require "signorini"\n' .. endless .. [[
 interrupt()
 for i = 1, 3 do

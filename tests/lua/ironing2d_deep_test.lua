@@ -21,7 +21,7 @@ check.case("with 3(p + 1) points and the published steps both converge without c
   end
 end)
 
-check.case("with halving all converge; runs that need none are the same with it", function()
+check.case("with halving all converge; runs without failures are unchanged", function()
   local cured = 0
   check.equal(#study.comparisons, 8)
   for _, c in ipairs(study.comparisons) do
@@ -39,7 +39,7 @@ check.case("with halving all converge; runs that need none are the same with it"
   if cured == 0 then error "no run failed, so that halving had nothing to do" end
 end)
 
-check.case("a cured run ends where the one with twice as many steps does", function()
+check.case("a run with halved steps ends in the state of one with twice as many steps", function()
   for _, label in ipairs { "N4", "N2-N2.2" } do
     local long, short = comparison(label, 1, 2).halving.run, comparison(label, 1, 1).halving.run
     local a, b = long:column "grip.fy", short:column "grip.fy"
@@ -48,7 +48,7 @@ check.case("a cured run ends where the one with twice as many steps does", funct
   end
 end)
 
-check.case("amplitudes, a sheet and a chart of the runs with most points", function()
+check.case("oscillations, a sheet and a chart of the runs with most points", function()
   local cases = study.studies.m1.cases
   check.near(cases.N4.dPy.raw, 1.785e-2, 2e-5)
   check.near(cases["N2-N2.2"].dPx.raw, 5.37e-3, 2e-5)

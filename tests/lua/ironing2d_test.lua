@@ -19,7 +19,7 @@ check.case("Table 7.2: degrees of freedom", function()
   end
 end)
 
-check.case("Table 7.3: amplitudes within 1.5 percentage points", function()
+check.case("Table 7.3: oscillations within 1.5 percentage points", function()
   local printed = sg.reference "ironing2d_oscillation_table7_3":by "discretization"
   for _, label in ipairs { "N4", "N6", "N2-N6", "N2-N2.1", "N2-N2.2" } do
     local case, row = study.cases[label], printed[label]
@@ -28,7 +28,7 @@ check.case("Table 7.3: amplitudes within 1.5 percentage points", function()
   end
 end)
 
-check.case("amplitudes that differ from print, and N2's own, stay what they are", function()
+check.case("oscillations that differ from print, and those of N2, are unchanged", function()
   check.within("N2 dPy", study.cases.N2.dPy.raw, 1.742e-2, 1e-5)
   check.within("N2 dPx", study.cases.N2.dPx.raw, 1.300e-2, 1e-5)
   check.within("N2-N4 dPy", study.cases["N2-N4"].dPy.raw_percent, 47.69, 0.05)
@@ -62,7 +62,7 @@ check.case("a sheet of states, two charts, and a file per label that tells what 
   check.equal(#study.files, 3 + 8)
 end)
 
-check.case("two meshes: amplitudes at m2, times of pairs, charts over the mesh", function()
+check.case("two meshes: oscillations at m2, times of pairs, charts over the mesh", function()
   local both = run_study("mesh=m1,m2", "labels=N4,N2-N4", "repeat=2", "out=" .. folder)
   local m2 = both.studies.m2.cases
   check.equal({ m2.N4.die_dofs.total + m2.N4.slab_dofs.total, #m2.N4.runs }, { 470, 2 })
@@ -82,7 +82,7 @@ check.case("two meshes: amplitudes at m2, times of pairs, charts over the mesh",
     "forces_m2" })
 end)
 
-check.case("the cheapest case that is as accurate as N2 on a mesh: both amplitudes count, then time", function()
+check.case("the cheapest case as accurate as N2 on a mesh: both oscillations count, then time", function()
   local function case(label, dPy, dPx, wall)
     return { label = label, dPy = { detrended = dPy }, dPx = { detrended = dPx }, work = { wall = wall } }
   end

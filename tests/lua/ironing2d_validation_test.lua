@@ -6,7 +6,7 @@ local check = require "check"
 local folder = check.folder()
 local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("variant=validation", "mesh=24", "out=" .. folder)
 
-check.case("both labels run to the end, without a step cut", function()
+check.case("both discretizations complete without cutting a step", function()
   for _, case in ipairs(study.cases) do
     check.equal({ case.run.failed, case.run.steps, case.run.cutbacks }, { false, 210, 0 })
   end
@@ -14,7 +14,7 @@ check.case("both labels run to the end, without a step cut", function()
   check.equal(study.cases.N4.slab_dofs.total, 2 * 13 * 28)
 end)
 
-check.case("while it slides the drag is a little less than mu = 0.3 times the pressing force", function()
+check.case("during sliding the drag is slightly less than mu = 0.3 times the pressing force", function()
   for _, label in ipairs { "N2", "N4" } do
     local mean = study.cases[label].mean
     check.near(mean.Px / mean.Py, 0.2908, 2e-3)

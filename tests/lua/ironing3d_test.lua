@@ -28,7 +28,7 @@ check.case("forces are mirror images about the slab's middle", function()
   check.within("Px in the middle", case.Px[9], 0, 1e-8)
 end)
 
-check.case("amplitudes on the coarse mesh, 0.8 deep", function()
+check.case("oscillations on the coarse mesh at depth 0.8", function()
   local case = study.sets[1].cases["N2 coarse"]
   check.near({ case.dPz.raw_percent, case.dPx.raw_percent }, { 100, 100 }, 1e-9)
   check.within("dPz", case.dPz.raw, 0.12705, 1e-4)
@@ -37,7 +37,7 @@ check.case("amplitudes on the coarse mesh, 0.8 deep", function()
     math.min(table.unpack(case.run:column "grip.fx", 4)))
 end)
 
-check.case("files: a run's columns, amplitudes, two charts, a sheet of states", function()
+check.case("files: a run's columns, oscillations, two charts, a sheet of states", function()
   check.equal(#study.files, 5)
   local read = sg.csv.read(folder .. "/N2_coarse_R7.5_gap9.6.csv")
   check.equal(read:column "grip.fz", study.sets[1].cases["N2 coarse"].run:column "grip.fz")
@@ -45,7 +45,7 @@ check.case("files: a run's columns, amplitudes, two charts, a sheet of states", 
   check.pictures(folder, { "forces_R7.5_gap9.6", "amplitudes_R7.5_gap9.6", "states_R7.5_gap9.6" })
 end)
 
-check.case("without friction a state does not depend on the way to it", function()
+check.case("without friction a state does not depend on the path", function()
   local case = { label = "N2", mesh = "sparse", radius = 7.5, depth = 2 }
   local function solve(from, way)
     return problem.solve{ label = case.label, mesh = case.mesh, radius = case.radius, depth = case.depth, from = from,
@@ -56,14 +56,14 @@ check.case("without friction a state does not depend on the way to it", function
   check.within("Px", slid.Px[10], pressed.run:column "grip.fx"[10], 1e-8)
 end)
 
-check.case("the sparse mesh carries the full depth", function()
+check.case("the sparse mesh converges to the full depth", function()
   local case = depth.solve{ label = "N2", mesh = "sparse", radius = 7.5, from = 50 }
   check.equal({ case.run.failed, case.run.cutbacks, #case.states }, { false, 0, 52 })
   check.within("depth", case.states[52].depth, 10.4, 1e-12)
   check.within("Pz", case.states[52].Pz, 97.646, 1e-2)
 end)
 
-check.case("over a pitch the drag is mu times the pressing force, without friction nothing", function()
+check.case("the mean drag over a pitch is mu times the pressing force, zero without friction", function()
   local function drag(mu)
     local case = friction.solve{ label = "N2", mesh = "sparse", radius = 7.5, depth = 2, mu = mu, way = 15 }
     check.equal(case.run.failed, false)

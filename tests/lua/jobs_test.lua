@@ -21,7 +21,7 @@ check.case("each job returns a string, with bytes of any kind and more of them t
   check.equal(gather(0, 1, function() return "" end), {})
 end)
 
-check.case("they end in any order, side by side, and change nothing here", function()
+check.case("they end in any order, in parallel, and change nothing here", function()
   local touched, order, mark = false, {}, check.folder() .. "/ended"
   core.jobs(2, 2, function(i)
     touched = true

@@ -46,7 +46,7 @@ check.case("where the mesh resolves the problem, two rows are as good as all", f
   end
 end)
 
-check.case("N4 gains nothing from depth but in the drag", function()
+check.case("depth of N4 layers reduces only the oscillation of the drag", function()
   for _, name in ipairs { "peeling", "hertz", "rings" } do check.near(ratio(name, "N2-N4x2", "N2-N4"), 1, 0.03) end
   check.near(ratio("ironing", "N2-N4x2", "N2-N4", 2), 0.772, 0.005)
 end)

@@ -89,7 +89,7 @@ check.case("around an axis forces are those over the full circle", function()
   check.near(model:sample("ring", "uy", {0.5, 1}), -2 * 0.5 / 10, 1e-10)
 end)
 
-check.case("F33 is the stretch of the hoops, 1 in plane strain", function()
+check.case("F33 is the hoop stretch, 1 in plane strain", function()
   local patch = sg.shapes.rectangle{ width = 1, height = 2, corner = {1, 0} }
   for kind, hoop in pairs { axisymmetric = true, plane_strain = false } do
     local ring = sg.body{ patch = patch, elements = {2, 2}, order = "N2", contact = "south",
@@ -103,7 +103,7 @@ check.case("F33 is the stretch of the hoops, 1 in plane strain", function()
   end
 end)
 
-check.case("a load may stand among the supports", function()
+check.case("a load is also accepted among the supports", function()
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N2",
                         contact = "south", material = sg.linear_elastic{ E = 1, nu = 0 } }
   local model = sg.model{ bodies = { body = body },

@@ -18,7 +18,7 @@ local function falling(gap)
   }
 end
 
-check.case("plain Newton's tangent is singular; damped, it falls from any height into the same equilibrium", function()
+check.case("plain Newton's tangent is singular; damping leads to the same equilibrium from any height", function()
   check.equal(falling(0.5):loose_bodies(), { "block" })
   local run = falling(0.5):run({ { steps = 1, push = {0, -press} } }, sg.plain{})
   check.equal({ run.reason, run.places[1].body }, { "singular", "block" })
@@ -37,7 +37,7 @@ check.case("plain Newton's tangent is singular; damped, it falls from any height
 end)
 
 --- A ball of linear elastic material that just touches two plates, one of them driven.
-check.case("a ball between plates is carried by damping that is tried after a failure, too", function()
+check.case("damping as a fallback also holds a ball between plates", function()
   local half = sg.nurbs.ruled{ a = sg.nurbs.line{ from = {0, -1}, to = {0, 1} },
                                b = sg.nurbs.arc{ radius = 1, from = -90, to = 90 } }:swap(1, 2)
   local ball = sg.body{ patch = half, elements = {4, 16}, order = "N2", through = 2, contact = "east",
@@ -60,7 +60,7 @@ check.case("a ball between plates is carried by damping that is tried after a fa
   end
 end)
 
-check.case("pushed sideways it holds as long as friction does, and the run says what it does then", function()
+check.case("pushed sideways it is held as long as friction holds, and the run reports what follows", function()
   local model, steps, most = falling(0.01), 8, 1.7 * mu * press
   local run = model:run({
     { name = "press", steps = 2, push = {0, -press} }, { name = "shove", steps = steps, push = {most, -press} },

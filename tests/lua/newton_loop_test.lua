@@ -6,7 +6,7 @@ local check = require "check"
 core.quiet = true
 local script = core.home .. "/scripts/newton_loop.lua"
 
-check.case("the loop and model:run take the same iterations to the same bits", function()
+check.case("the loop and model:run take the same iterations with bitwise identical results", function()
   local print_to_terminal = print
   print = function() end
   local ok, result = pcall(assert(loadfile(script)), "steps=20", "slides=10")

@@ -42,7 +42,7 @@ check.case("a master that looks away from the slave is an error that names the o
     "did you mean face 'north'?")
 end)
 
-check.case("two opposite faces of one body are no contact pair", function()
+check.case("two opposite faces of one body are not a contact pair", function()
   local strip = sg.body{ patch = sg.shapes.rectangle{ width = 5, height = 0.1 }, elements = {4, 1}, order = "N2",
                          material = material }
   check.fails(function()

@@ -71,7 +71,7 @@ local function difference(a, b)
   return most
 end
 
-check.case("a loop of one's own finds the states of model:run", function()
+check.case("a user-defined loop finds the states of model:run", function()
   local own, theirs = scene(), scene()
   local targets = { { 0, -0.02 }, { 0, -0.04 }, { 0.03, -0.04 }, { 0.06, -0.04 } }
   for _, target in ipairs(targets) do
@@ -170,7 +170,7 @@ check.case("a converged step that is not accepted is not thrown away by model:sa
   os.remove(file)
 end)
 
-check.case("reactions have names beside their places", function()
+check.case("reactions are also accessible by name", function()
   local model = scene(true)
   check.equal(model:run { { steps = 1, grip = { 0.01, -0.02, 2 } } }.steps, 1)
   local force = model:reaction "grip"

@@ -5,7 +5,7 @@ local check = require "check"
 
 local folder = check.folder()
 
-check.case("no result changes side by side, and no finished case is repeated after kills", function()
+check.case("parallel execution changes no result, and no finished case is repeated after kills", function()
   local result = assert(loadfile(core.home .. "/scripts/parallel_study.lua"))("mesh=m1", "labels=N2,N2-N2.2",
     "steps=20", "rounds=1", "out=" .. folder)
   check.equal({ #result.study, result.same, result.repeated }, { 6, true, 0 })

@@ -72,7 +72,7 @@ check.case("cells of a .vtu file are the patch's elements with control points of
   same({ block, block:refine{ elements = { 2, 1, 1 } } }, 8 + 16, 3)
 end)
 
-check.case("what is refused", function()
+check.case("invalid arguments", function()
   local file = folder .. "/no.png"
   check.fails(function() sg.picture{ patch = ring, field = "uy", file = file } end,
     "field cannot be combined with patch, it is for models. Hint: leave one of them out")

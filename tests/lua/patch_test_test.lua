@@ -17,7 +17,7 @@ local function name(case)
     case.points)
 end
 
-check.case("without kinks inside the slave's elements all is uniform to rounding, in 2D and 3D", function()
+check.case("without kinks inside the slave's elements the stress is uniform to rounding error, in 2D and 3D", function()
   local seen = 0
   for _, study in ipairs { plane, solid, free } do
     for _, case in ipairs(study.exact) do
@@ -30,14 +30,14 @@ check.case("without kinks inside the slave's elements all is uniform to rounding
   check.equal(seen, 1 * 2 * 5 * 3 * 2 + 1 * 2 * 1 * 3 * 2 + 1 * 1 * 1 * 3 * 2)
 end)
 
-check.case("the whole force goes through every contact", function()
+check.case("the whole force is transmitted by every contact", function()
   for _, study in ipairs { plane, solid, free } do
     for _, case in ipairs(study.exact) do check.at_most(name(case), case.force_error, 1e-11) end
     for _, case in ipairs(study.cases) do check.at_most(name(case), case.force_error, 1e-9) end
   end
 end)
 
-check.case("with kinks the error can be seen, and has the exponent of Gauss' rule for a kink", function()
+check.case("with kinks the error is visible, with the exponent of Gauss' rule for a kink", function()
   for _, case in ipairs(solid.cases) do assert(case.pressure_error > 1e-6, name(case)) end
   check.equal(#plane.rates, 10)
   for _, rate in ipairs(plane.rates) do
@@ -62,7 +62,7 @@ check.case("in 3D two directions add up what one has in 2D", function()
   end
 end)
 
-check.case("the figures stay what they are", function()
+check.case("the results are unchanged", function()
   check.near(error_at(plane, 2, "lower", 9), 2.3e-3, 0.1e-3)
   check.near(error_at(plane, 2, "upper", 9), 3.4e-5, 0.1e-5)
   check.near(error_at(plane, 2, "upper", 9, "stress_error"), 7.0e-6, 0.1e-6)

@@ -22,13 +22,13 @@ local function always() return true end
 
 -- ── The line in the table ────────────────────────────────────────────────────────────────────────────────────────────
 
-check.case("a run whose steps all converge at once says nothing of its controls", function()
+check.case("a run whose steps all converge at once reports no controls", function()
   local run = pull(3, always)
   check.equal(tostring(run):find("controls", 1, true), nil)
   check.equal({ next(run.fallbacks), #run.warnings }, { nil, 0 })
 end)
 
-check.case("controls that are not the default ones are named", function()
+check.case("controls that differ from the defaults are named", function()
   check.holds(tostring(pull(3, always, sg.plain{})), "\ncontrols: tangent predictor; no fallbacks; no cuts")
   check.holds(tostring(pull(3, always, { predictor = "constant" })), "\ncontrols: constant predictor")
   check.holds(tostring(pull(3, always, { rescue = false })), "\ncontrols: no fallbacks")
@@ -46,7 +46,7 @@ end)
 
 -- ── Fallbacks that may leave the branch ──────────────────────────────────────────────────────────────────────────────
 
-check.case("a fallback that carries a step which cannot be cut is a warning", function()
+check.case("a fallback that solves a step which cannot be cut is a warning", function()
   local run = pull(3, function(options, _, from) return from ~= 1 or options.line_search == "residual" end)
   check.equal({ run.failed, run.fallbacks["line search"] }, { false, 1 })
   check.equal(#run.warnings, 1)
@@ -55,7 +55,7 @@ check.case("a fallback that carries a step which cannot be cut is a warning", fu
   check.holds(tostring(run), run.warnings[1])
 end)
 
-check.case("so is the rest of a step that was taken at once, as the last resort", function()
+check.case("so is the rest of a step in one increment, as the last resort", function()
   local run = pull(3, function(_, length, from) return from ~= 1 or length == 1 end, { predictor = "tangent" })
   check.equal(run.warnings, {}) -- at once, before anything was cut
   local tried = 0
@@ -68,7 +68,7 @@ check.case("so is the rest of a step that was taken at once, as the last resort"
   check.holds(run.warnings[1], "the rest of the step in one increment", "in step 2")
 end)
 
-check.case("where its accepted part leads nowhere, a step is taken from its start again", function()
+check.case("if its accepted part leads to no further state, a step is repeated from its start", function()
   local function stuck_at_half(tries)
     local tried = 0
     return pull(3, function(_, length, from)
@@ -118,7 +118,7 @@ local function drag(finer)
   return run, math.abs(energy.work - energy.stored - energy.contact - energy.friction) / energy.work
 end
 
-check.case("steps that are too long leave work out of the balance: a warning names the stage and the steps", function()
+check.case("too long steps leave an error in the energy balance: a warning names the stage and the steps", function()
   local run, missing = drag(1)
   check.equal(#run.warnings, 1)
   check.holds(run.warnings[1], "the energy balance is off by", "of the work in stage 'slide'", "(steps = 4)")
@@ -151,7 +151,7 @@ local function balance_warnings(run)
   return count
 end
 
-check.case("more steps do not help where a load acts at once, and nothing is missing in a closed cycle", function()
+check.case("no such hint if a load acts at once; no error in a closed cycle", function()
   local run, energy = loaded(1, { { steps = 2 } })
   check.equal(energy.work > 1.2 * (energy.stored + energy.contact), true) -- summed over one step
   check.equal(balance_warnings(run), 0)

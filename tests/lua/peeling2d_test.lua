@@ -41,7 +41,7 @@ check.case("energy of a bent section: at small curvature the thin strip's; its d
   check.within_share("balance", stiffness * curvature ^ 2 / 2, steady.work_of_adhesion(), 1e-12)
 end)
 
-check.case("the plateau is the energy balance's moment at finite strains, and not the thin strip's", function()
+check.case("the plateau is the moment of the energy balance at finite strains, and not the thin strip's", function()
   local finite, thin = steady.finite_moment(), steady.thin_moment()
   for _, case in ipairs(study.cases) do
     check.within_share(case.label, case.window.mean, finite, 5e-4)
@@ -49,7 +49,7 @@ check.case("the plateau is the energy balance's moment at finite strains, and no
   end
 end)
 
-check.case("amplitudes and slopes stay what they are; the layer's are a fraction", function()
+check.case("oscillations and slopes are unchanged; the layer's are a fraction", function()
   local pinned = { ["N2 m1"] = { 13.080e-3, 17.073e-3, -83.10e-3 },
                    ["N2-N2.1 m1"] = { 2.2036e-3, 1.8068e-3, -2.818e-3 } }
   for name, values in pairs(pinned) do
@@ -61,7 +61,7 @@ check.case("amplitudes and slopes stay what they are; the layer's are a fraction
   end
 end)
 
-check.case("a coarse mesh stops where its path turns back, and goes on by arcs", function()
+check.case("a coarse mesh stops at a turning point, and continues by arc length", function()
   local case = coarse.cases[1]
   check.equal({ case.rotation.failed, case.rotation.reason }, { true, "turning_point" })
   local stopped, turn = case.angle[case.rotation.rows], measure.reported_turn(case.rotation)
@@ -78,7 +78,7 @@ check.case("a coarse mesh stops where its path turns back, and goes on by arcs",
   check.within_share("plateau", case.window.mean, steady.finite_moment(), 0.01)
 end)
 
-check.case("measures of a path: whole steps alone, snap-backs in order", function()
+check.case("measures of a path: whole steps only, snap-backs in order", function()
   local case = { step = { 1, 2, 2.6, 2.4, 2.1, 2.5, 3, 4 }, angle = { 1, 2, 2.6, 2.4, 2.1, 2.5, 3, 4 },
                  moment = { 0, 1, 1.5, 1, -1, -0.5, 0.2, 0.4 } }
   local window = measure.window(case, { 1, 4 })

@@ -67,7 +67,7 @@ check.case("two fields of a solid stand side by side", function()
   check.equal(pair.width > 1.5 * pair.height, true)
 end)
 
-check.case("no obstacle and no reference shape tints a field", function()
+check.case("obstacles and reference shapes do not change the colors of a field", function()
   local above = { model = model, field = "szz", camera = "top", crop = { 1, 1.4, 0.3, 0.5, 0, 1.2 } }
   local function drawn_with(key, value)
     above.obstacles, above.undeformed = false, false
@@ -82,7 +82,7 @@ check.case("no obstacle and no reference shape tints a field", function()
   check.equal(drawn_with("obstacles", true) == drawn_with("obstacles", false), false)
 end)
 
-check.case("what says the same draws the same", function()
+check.case("equivalent arguments give the same picture", function()
   local m = model
   check.equal(drawn_alike({ model = m }, { model = m }), true)
   check.equal(drawn_alike({ model = m }, { model = m, camera = "iso", bodies = { "block" } }), true)
@@ -99,7 +99,7 @@ check.case("what says the same draws the same", function()
                           { model = m, field = "szz", cut = { normal = { 0, -3, 0 }, point = { 7, 0.5, -2 } } }), true)
 end)
 
-check.case("a quarter and its images are the whole model, cut open as well", function()
+check.case("a quarter and its images are the whole model, also in a section", function()
   local symmetry = { left = { "west", "x" }, near = { "south", "y" } }
   local quarter = pressed({ 1, 0.5, 1 }, { 0, 0, 0 }, symmetry, ball(0, 0), 0.1)
   local whole
@@ -146,7 +146,7 @@ check.case("pictures of solids share a sheet and keep their cut and camera", fun
   check.equal(draw_sheet{ first, front, columns = 2 }.bytes == row.bytes, false)
 end)
 
-check.case("a film around a model has pictures of one size", function()
+check.case("a film around a model has frames of one size", function()
   local turns = {}
   for i = 1, 3 do
     turns[i] = sg.picture{ model = model, field = "uz", size = { 200, 160 },

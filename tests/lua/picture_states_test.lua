@@ -35,7 +35,7 @@ local function draw(arguments)
   return bytes "one.png"
 end
 
-check.case("a run keeps the states that are asked for", function()
+check.case("a run keeps the requested states", function()
   check.equal(steps(run()), { 0, 4, 6 })
   check.equal(steps(run(3)), { 0, 3, 6 })
   check.equal(steps(run(20)), { 0, 1, 2, 3, 4, 5, 6 })
@@ -51,7 +51,7 @@ check.case("a run keeps the states that are asked for", function()
   end
 end)
 
-check.case("a sheet of states is the sheet of their pictures, and leaves the model as it was", function()
+check.case("a sheet of states is the sheet of their pictures, and does not change the model", function()
   model:restore(at_rest)
   local pictures = { sg.picture{ model = model, field = "uy", title = "start" } }
   local kept = run({ 0, 4 }, function(info)
@@ -122,7 +122,7 @@ local function read_ogv(ogg)
   return { width, height, rate / per, packets - 3 } -- three packets of headers
 end
 
-check.case("films are made by VTK alone, of even size, whole or not at all", function()
+check.case("films are made by VTK only, of even size, written atomically", function()
   core.mkdir(folder .. "/film")
   local film = { states = run(20):states(), field = "uy", size = { 301, 203 }, fps = 5,
                  file = folder .. "/film/x'y.ogv" }
@@ -166,7 +166,7 @@ check.case("several fields, insets, scale and ground", function()
   check.equal({ single:byte(26), draw{ model = model, transparent = true }:byte(26) }, { 2, 6 })
 end)
 
-check.case("stresses are continuous where elements are joined with C1, and jump where they are not", function()
+check.case("stresses are continuous across C¹ element boundaries, and jump across others", function()
   run()
   local function jump(field, xi, d)
     local before, after = { xi[1], xi[2] }, { xi[1], xi[2] }

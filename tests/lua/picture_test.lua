@@ -100,7 +100,7 @@ check.case("contact pressure is drawn along slave faces, and sampled there", fun
   end
 end)
 
-check.case("what is magnified is drawn anew where it is curved, in sheets as well", function()
+check.case("magnified parts are sampled again where they are curved, also in sheets", function()
   local function drawn(shape, crop)
     local body = sg.body{ patch = shape, elements = { 2, 1 }, order = "N2", contact = "south",
                           material = sg.neo_hookean{ E = 2, nu = 0.3 } }
@@ -142,7 +142,7 @@ check.case("components change their sign in the mirror as they do in a model tha
   end
 end)
 
-check.case("a picture is no larger than what it shows", function()
+check.case("a picture is no larger than its content", function()
   local long, high = strip(200, 10), strip(10, 200)
   local flat = draw{ model = long, field = "uy" }
   check.equal(flat.width, 1600)
@@ -189,7 +189,7 @@ check.case("a sheet has one range of colors for each field, unless each picture 
   check.equal({ mixed.width > 1.5 * mixed.height, mixed.width <= 1200 }, { true, true })
 end)
 
-check.case("marks may hold what the places of a failed run hold, and belong to their picture", function()
+check.case("marks accept the places of a failed run, and belong to their picture", function()
   local place = { x = { 2, 0.5 }, X = { 2, 0.4 }, text = "J = -0.2", kind = "inverted", body = "strip",
                   element = { 3, 1 }, contact = "touch", value = -0.2 }
   local marked = draw{ model = model, marks = { place } }

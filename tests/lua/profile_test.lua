@@ -156,7 +156,7 @@ check.case("wrong inputs name the argument, its value, the expectation, and a hi
   check.fails(function() sg.profile_edges{ profile = 1 } end, "sg.profile_edges: profile must be a contact profile")
 end)
 
-check.case("a profile has no other names than its lists, and is read, written and kept as a table", function()
+check.case("a profile has only its lists, and is read, written and stored as a table", function()
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N1",
     contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local model = sg.model{ bodies = { slab = slab }, supports = { grip = { on = slab:face "north", drive = "xy" } },

@@ -110,7 +110,7 @@ check.case("cut, where no shorter steps are allowed", function()
   check.equal(#run:attempts(2), 1) -- who wants a cut wants no rescue
 end)
 
-check.case("interrupted: Ctrl-C ends the run at its last step, and the model can go on", function()
+check.case("interrupted: Ctrl-C ends the run at its last step, and the model can be used further", function()
   local output, status = check.program({}, ("file = %q\n"):format(check.folder() .. "/run.sgn") .. [==[
     b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {16, 16}, order = "N2",
       contact = "south", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
@@ -146,7 +146,7 @@ check.case("iterations: too few, with the largest unbalanced forces", function()
   check.holds(place.text, "unbalanced force")
 end)
 
-check.case("diverged: a soft body falls onto one that is harder than numbers can tell", function()
+check.case("diverged: a soft body falls onto one of extreme stiffness", function()
   local soft = sg.linear_elastic{ E = 1, nu = 0.3 }
   local upper = block{ corner = {0, 1.5}, material = soft }
   local lower = block{ width = 2, corner = {-0.5, 0}, elements = {2, 4}, contact = "north", material = soft }
@@ -163,7 +163,7 @@ check.case("diverged: a soft body falls onto one that is harder than numbers can
   check.near(place.X[2], place.body == "upper" and 1.5 or 1, 1e-12) -- on the faces that meet
 end)
 
-check.case("cycling: points of deep ironing go back and forth", function()
+check.case("cycling: points of deep ironing alternate", function()
   local run = deep_ironing():run({ { name = "press", steps = 46, grip = {0, -0.5} } }, sg.plain{})
   local last = run.steps
   check.equal(last > 20, true) -- which step has such a point depends on the first guesses before it
@@ -194,7 +194,7 @@ check.case("inverted: a block pressed flat and farther", function()
   check.equal(place.element, i + 2 * j)
 end)
 
-check.case("singular: nothing holds a body, and what it does is named", function()
+check.case("singular: an unconstrained body, and its motion", function()
   local run = windy(function(body) return { wall = { on = body:face "west", fix = "x" } } end)
     :run({ { steps = 1, wind = {0, -0.1} } }, sg.plain{})
   local place = expect(run, "singular", 0,
@@ -218,13 +218,13 @@ check.case("indefinite: a column beyond Euler's load", function()
   check.equal({ place.kind, place.body, place.X[2] > 8 }, { "control point", "column", true }) -- it swerves at the top
 end)
 
-check.case("nan: forces whose squares are no numbers", function()
+check.case("nan: forces whose squares overflow", function()
   local run = windy(on_bed):run({ { steps = 1, wind = {1e200, 0} } }, sg.plain{})
   local place = expect(run, "nan", 0, "the residual is not a finite number", "Hint: take smaller steps")
   check.equal({ place.kind, place.body, place.X[2] }, { "control point", "block", 1.0 })
 end)
 
-check.case("line_search: no part of the move helps where a point comes and goes", function()
+check.case("line_search: no part of the move helps where a point opens and closes", function()
   local run = bar_on_ramp():run({ { name = "lower", steps = 2, top = -0.15 } },
     sg.plain{ newton = { line_search = "residual" } })
   local place = expect(run, "line_search", 1, "line search failed: no step length down to 1/128",
@@ -249,7 +249,7 @@ end)
 
 -- ── Paths ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-check.case("turning_point: an arch under a load that it cannot carry", function()
+check.case("turning_point: an arch under a load above its limit load", function()
   local function line(offset)
     return sg.nurbs.arc{ center = {0, -40}, radius = 40 + offset, from = 100, to = 80 }
   end
@@ -270,7 +270,7 @@ check.case("turning_point: an arch under a load that it cannot carry", function(
   check.equal({ reached > 0.005, turn >= reached - 1e-9, turn < reached + 0.001 }, { true, true, true })
 end)
 
-check.case("minimum_step: shorter steps are not allowed; the cause stands beside it", function()
+check.case("minimum_step: shorter steps are not allowed; the cause is also given", function()
   local run = press():run({ { name = "crush", steps = 1, top = -1.2 } }, { step = { adaptive = true, min = 0.25 } })
   check.equal({ run.failed, run.reason, run.cause, run.steps, run.cutbacks },
     { true, "minimum_step", "inverted", 0, 2 })

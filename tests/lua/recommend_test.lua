@@ -31,7 +31,7 @@ check.case("for 2 % it finds a case that is within 2 % of Hertz", function()
   check.equal(off <= found.error + 0.0075, true) -- 0.7 % is the ring's finite size and its penalty, on any mesh
 end)
 
-check.case("estimates hold: each case is as near to the finest mesh as it says", function()
+check.case("estimates are reliable: each case is as close to the finest mesh as estimated", function()
   local found = recommend{ at_most = 1e-3 }
   local model, stages = scene("N2-N2.2", "m5")
   local exact = model:run(stages):column "ground.max_pressure"[steps]
@@ -46,7 +46,7 @@ check.case("estimates hold: each case is as near to the finest mesh as it says",
   check.holds(tostring(found), "estimated error", "chosen", "estimated from the next level; allowed 0.001")
 end)
 
-check.case("lists of numbers; none that is enough; labels that are dominated; a limit", function()
+check.case("lists of numbers; no case within the tolerance; dominated orders; a limit", function()
   local function pressures(model)
     local profile, list = model:profile "ground", {}
     for k = 0, 4 do
@@ -69,7 +69,7 @@ check.case("lists of numbers; none that is enough; labels that are dominated; a 
   check.equal(short.tries[#short.tries].mesh, "m2")
 end)
 
-check.case("runs that fail are told and passed over", function()
+check.case("failed runs are reported and skipped", function()
   local found = recommend{ labels = { "N2", "N2-N2.1", "N4" }, scene = function(label, mesh)
     local model, stages = scene(label, mesh)
     return model, stages, label == "N4" and sg.plain{ newton = { iterations = 1 } } or nil

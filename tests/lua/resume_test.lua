@@ -45,12 +45,12 @@ local function taken_up(make, stages, options, stops)
   return run, model
 end
 
-check.case("a run that is taken up after any step ends as if it had never been interrupted", function()
+check.case("a run resumed after any step ends as if it had not been interrupted", function()
   local run = taken_up(ironing, path, {}, { 1, 7, 8, 9, 15, 19, 20 })
   check.equal({ run.failed, run.steps }, { false, 20 })
 end)
 
-check.case("with a checkpoint after every few steps it goes on from the last of them", function()
+check.case("with a checkpoint after every few steps it continues from the last one", function()
   taken_up(ironing, path, { checkpoint = { file = file, every = 6 } }, { 5, 6, 11, 18, 20 })
 end)
 
@@ -63,7 +63,7 @@ check.case("increments keep their length", function()
   assert(shorter > 3)
 end)
 
-check.case("whatever the controls are", function()
+check.case("with any controls", function()
   for _, options in ipairs {
     { predictor = "linear" }, { predictor = "constant", newton = { line_search = "energy" } },
     { newton = { freeze_active_set = true } }, { newton = { active_set_changes = 5 } }, { damping = true },
@@ -74,13 +74,13 @@ check.case("whatever the controls are", function()
   end
 end)
 
-check.case("so do arcs, which lead through a snap-back in step 145", function()
+check.case("also with arc length through a snap-back in step 145", function()
   local run = taken_up(bonded.model, { { name = "peel", steps = 152, edge = 76 } },
     { checkpoint = { file = file, every = 5 }, arc_length = true, newton = { iterations = 10 } }, { 143, 145, 149 })
   check.equal({ run.reason, run.steps, #run.controls }, { "completed", 152, 2 })
 end)
 
-check.case("a step that fails leaves the last file; taken up it fails in the same way", function()
+check.case("a failed step leaves the last file; the resumed run fails in the same way", function()
   os.remove(file)
   local far = { { name = "press", steps = 6, grip = {0, -0.15} }, { name = "leap", steps = 1, grip = {2.5, -0.9} } }
   local model, other = ironing(), ironing()
@@ -122,7 +122,7 @@ check.case("a path from a state that is not the first one, in two runs of one mo
   alike(run, again, model, other)
 end)
 
-check.case("files that do not fit are errors at the user's own line", function()
+check.case("unsuitable files are errors at the user's line", function()
   local function refused(model, stages, ...)
     local before = model:reaction "grip"
     check.fails(function() model:run(stages, { checkpoint = file, resume = true }) end, "resume_test.lua:",

@@ -20,7 +20,7 @@ check.case("Table 7.5 at m1: both tractions within 10 %", function()
   end
 end)
 
-check.case("Table 7.5 at m2: within 15 %, but for N2-N2.1, which depends on the rule of the integral", function()
+check.case("Table 7.5 at m2: within 15 %, except N2-N2.1, which depends on the rule of the integral", function()
   for _, label in ipairs { "N2", "N4", "N2-N4" } do
     local case, row = study.cases[label .. " m2"], printed[label .. " m2"]
     check.within_share(label .. " p_N", case.pN_error, row.pN, 0.15)
@@ -32,7 +32,7 @@ check.case("Table 7.5 at m2: within 15 %, but for N2-N2.1, which depends on the 
   check.within_share("N2-N2.1 on the reference's points", case.errors[5], printed["N2-N2.1 m2"].pN, 0.1)
 end)
 
-check.case("the labels stand in the published order", function()
+check.case("the orders rank as published", function()
   for _, order in ipairs { { "N2 m1", "N4 m1", "N2-N4 m1", "N2-N2.1 m1" },
                            { "N2 m2", "N2-N4 m2", "N4 m2", "N2-N2.1 m2" } } do
     for i = 2, #order do
@@ -44,7 +44,7 @@ check.case("the labels stand in the published order", function()
   end
 end)
 
-check.case("what slips carries p_T = mu p_N, and only points at the apex stick", function()
+check.case("slipping points carry p_T = mu p_N, and only points at the apex stick", function()
   for _, case in ipairs(study.cases) do
     if case.coulomb.sticking > 3 or case.coulomb.deviation > 3e-3 then
       error(("%s %s: %d points stick, p_T differs by %g"):format(case.label, case.mesh, case.coulomb.sticking,

@@ -16,7 +16,7 @@ local two_stages = {
   { name = "press", steps = 4, grip = { 0, -0.4 } }, { name = "slide", steps = 2, grip = { 1, -0.4 } },
 }
 
-check.case("each stage goes linearly from where the support is to its target", function()
+check.case("each stage moves linearly from the present position of the support to its target", function()
   local model = model_of()
   local run = model:run(two_stages)
   check.near(run:column "grip.fy", { -0.3, -0.6, -0.9, -1.2, -1.2, -1.2 }, 1e-15)
@@ -33,7 +33,7 @@ check.case("each stage goes linearly from where the support is to its target", f
   check.equal(#run:column "wall", 6)
 end)
 
-check.case("a second run goes on from the accepted state; a support that is not named stays", function()
+check.case("a second run continues from the accepted state; an unlisted support stays", function()
   local model = model_of()
   model:run(two_stages)
   local run = model:run{ { steps = 3 }, { steps = 2, grip = { 2, 0 } } }
@@ -70,7 +70,7 @@ check.case("a run that fails at once has columns, all empty", function()
   check.holds(tostring(run), "interrupted")
 end)
 
-check.case("on_step sees every accepted step and may end the run", function()
+check.case("on_step is called after every accepted step and may end the run", function()
   local model, seen = model_of(), {}
   local run = model:run(two_stages, { on_step = function(info)
     seen[#seen + 1] = ("%s %d %g"):format(info.stage, info.step, info["grip.fx"])
@@ -93,7 +93,7 @@ check.case("on_step's own time is not the run's", function()
   check.equal(run.wall, 0)
 end)
 
-check.case("long runs are told in minutes", function()
+check.case("times of long runs are in minutes", function()
   local now, clock = core.now, 0
   core.now = function()
     clock = clock + 40.3
@@ -125,7 +125,7 @@ check.case("columns: their names, and what is not one", function()
   check.equal(run:column("step")[1], 1)
 end)
 
-check.case("the table and the file tell the same", function()
+check.case("the table and the file agree", function()
   local run = model_of():run(two_stages)
   check.holds(tostring(run), "press      4          12      3.00", "total      6          18      3.00",
     "factorization and solve")
@@ -139,7 +139,7 @@ check.case("the table and the file tell the same", function()
   for _, column in ipairs(read.columns) do check.equal(read:column(column), run:column(column)) end
 end)
 
-check.case("wrong stages and options are refused before the first step", function()
+check.case("invalid stages and options are rejected before the first step", function()
   local model = model_of()
   local wrong = {
     { nil, "stages (parts of the load path) is missing" },
@@ -209,7 +209,7 @@ local function rough(low, high, limit)
   return function(x) return x > low - 1e-12 and x < high - 1e-12 and limit or 1 end
 end
 
-check.case("a failed step is cut in half; rows are the steps, work is all attempts", function()
+check.case("a failed step is halved; rows are the steps, work is all attempts", function()
   local run, model, points = climb(4, rough(1, 2, 0.25), { adaptive = true, growth = 1 })
   check.near(points, { 1, 1.25, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.25, 3.5, 3.75, 4 })
   check.equal({ run.failed, run.steps, run.cutbacks, run.stages[1].cutbacks }, { false, 4, 2, 2 })
@@ -259,7 +259,7 @@ check.case("steps are cut unless options say otherwise", function()
   end
 end)
 
-check.case("a step that cannot be reached leaves the model at its last increment, and says what was tried", function()
+check.case("a failed step leaves the model at its last increment, and the report lists the attempts", function()
   -- The end of the road is at 1.7; increments of 1/8 are allowed.
   local run, model = climb(4, function(x) return x < 1.5 and 0.25 or 1.7 - x end, { min = 1 / 8 })
   check.equal({ run.failed, run.reason, run.cause, run.steps }, { true, "minimum_step", "diverged", 1 })
@@ -285,13 +285,13 @@ check.case("a step in which nothing moves is not cut: shorter ones would be the 
   check.equal({ run.reason, run.cause, run.cutbacks, #run:attempts(1) }, { "cycling", "cycling", 0, 5 })
 end)
 
-check.case("an interrupted step is not tried again", function()
+check.case("an interrupted step is not repeated", function()
   local model = model_of(function() return "interrupted" end)
   local run = model:run({ { steps = 2, grip = { 1, 0 } } }, { step = { adaptive = true } })
   check.equal({ run.reason, run.cutbacks, model.spent }, { "interrupted", 0, 1 })
 end)
 
-check.case("arcs that all leave the path have strayed", function()
+check.case("arc-length increments that all leave the path end the run with 'strayed'", function()
   local model = model_of(function() return "iterations" end)
   local last = 1
   function model:last_length() return last end
@@ -318,7 +318,7 @@ check.case("with on_iteration steps are taken iteration by iteration", function(
   check.equal({ #seen, seen[1], seen[3], seen[18] }, { 18, "1 1 iterating", "1 3 converged", "6 3 converged" })
 end)
 
-check.case("one step is told as one", function()
+check.case("a single step is not plural", function()
   local output = check.script [[
 local sg = require "signorini"
 local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N2",
@@ -331,7 +331,7 @@ print(model)
   check.holds(output, "stage 1: 1 step, ", "12 of them free, 1 support, 0 contacts")
 end)
 
-check.case("keys among the stages that would be without effect", function()
+check.case("keys among the stages that would have no effect", function()
   local stage = { steps = 2, grip = { 0, -0.1 } }
   for key, message in pairs {
     newton = "options are the second argument, model:run({ … }, { newton = … })",
@@ -345,7 +345,7 @@ check.case("keys among the stages that would be without effect", function()
     "model:run: options.step: min has no effect with adaptive = false")
 end)
 
-check.case("a run and what on_step sees are strict about names", function()
+check.case("a run and the argument of on_step are strict about names", function()
   local seen
   local run = model_of():run(two_stages, { on_step = function(info) seen = info end })
   check.fails(function() return run.faild end, "a run has no 'faild'; did you mean 'failed'?")

@@ -15,7 +15,7 @@ end
 
 -- ── Bodies ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-check.case("bodies tell their size, faces, edges and corners", function()
+check.case("bodies report their size, faces, edges and corners", function()
   local b = sg.body{ patch = sg.shapes.block{ size = {2, 1, 3} }, elements = {4, 3, 2}, order = "N2", contact = "back",
                      material = soft }
   -- N2 along x and y: 4 + 2 and 3 + 2 functions; through the body, in z, as well: 2 + 2
@@ -35,7 +35,7 @@ check.case("bodies tell their size, faces, edges and corners", function()
   check.equal(tostring(flat), "plane body: 2 x 2 elements, degree 2 x 2, 32 degrees of freedom, E = 10, nu = 0.3")
 end)
 
-check.case("an edge and a corner are where their faces meet", function()
+check.case("an edge and a corner are intersections of their faces", function()
   local b = sg.body{ patch = sg.shapes.block{ size = {2, 1, 3} }, elements = {2, 2, 2}, order = "N2", contact = "back",
                      material = linear }
   -- Only what is held does not move under a pull: read off which points these are.
@@ -70,7 +70,7 @@ check.case("labels per direction along the face count as they say", function()
   check.equal(dofs({"N2", "N3", "N4"}).total, 3 * 6 * 6 * 6)
 end)
 
-check.case("Table 7.11 comes out exactly", function()
+check.case("Table 7.11 is reproduced exactly", function()
   local printed = sg.reference "ironing3d_dofs_table7_11"
   local at = {}
   for i, name in ipairs(printed.columns) do at[name] = i end
@@ -186,7 +186,7 @@ check.case("a block on a block, one mesh twice as fine: the same pressure at eve
   end
 end)
 
-check.case("a contact that acts on a part of the face, with points as many as one asks for", function()
+check.case("a contact on a part of the face, with a given number of points", function()
   local b = sg.body{ patch = sg.shapes.block{ size = {2, 1, 3} }, elements = {4, 3, 1}, order = "N2", contact = "back",
                      material = soft }
   local seen = {}
@@ -302,7 +302,7 @@ check.case("pure bending: the moment of a face that turns about y is EIθ/L", fu
   end
 end)
 
-check.case("a bar twisted by small angles: moment and energy belong together, the foot holds against it", function()
+check.case("a bar twisted by small angles: moment and energy agree, and the foot reacts", function()
   local b, grip = turning(linear, "z", { fix = "xy" })
   local model = sg.model{ bodies = { b = b },
     supports = { bed = { on = b:face "front", fix = "xyz" }, grip = grip } }
@@ -332,7 +332,7 @@ end)
 
 -- ── In words ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-check.case("obstacles and models tell what they are", function()
+check.case("obstacles and models print their properties", function()
   check.equal(tostring(sg.rigid.plane{ point = {0, 0, 1}, normal = {0, 0, 2} }),
               "rigid plane through (0, 0, 1), normal (0, 0, 1)")
   check.equal(tostring(sg.rigid.sphere{ center = {1, 2, 3}, radius = 4 }), "rigid sphere about (1, 2, 3), radius 4")

@@ -18,7 +18,7 @@ local function two_blocks(friction)
   }, low, high
 end
 
-check.case("bodies tell their degrees of freedom, faces and corners", function()
+check.case("bodies report their degrees of freedom, faces and corners", function()
   local _, low, high = two_blocks()
   local dofs = high:dofs()
   -- N2.1 on 3 elements: 4 + 2·2 functions on the face; N2: 5 in each of the three other rows
@@ -52,7 +52,7 @@ check.case("reactions, contact resultant, profile, energy and samples of a press
   check.near(model:target "lid", { 0, -0.2 })
 end)
 
-check.case("a step that fails leaves the accepted state", function()
+check.case("a failed step leaves the accepted state", function()
   local model = two_blocks{ mu = 0.3, penalty = 50 }
   model:run{ { name = "press", steps = 4, lid = {0, -0.2} } }
   local before = model:reaction "lid"

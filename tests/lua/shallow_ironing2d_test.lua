@@ -16,7 +16,7 @@ check.case("degrees of freedom; the nose is a circle of radius 0.75", function()
   for i, x in ipairs(profile.X) do check.near((x - 0.8) ^ 2 + (profile.Y[i] - 4.95) ^ 2, 0.75 ^ 2, 1e-13) end
 end)
 
-check.case("both labels arrive with steps of 0.04 mm; those of 0.08 mm are too long and are halved", function()
+check.case("both discretizations complete with steps of 0.04 mm; those of 0.08 mm fail and are halved", function()
   for _, case in ipairs(study.cases) do
     check.equal({ case.run.failed, case.run.steps, case.run.cutbacks <= 3 }, { false, 300, true }) -- none or one
   end

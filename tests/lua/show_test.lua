@@ -10,7 +10,7 @@ local model = sg.model { bodies = { slab = slab }, supports = { grip = { on = sl
   contacts = { ground = { slave = slab:face "south",
     master = sg.rigid.plane { point = { 0, -0.05 }, normal = { 0, 1 } }, penalty = 10 } } }
 
-check.case("a patch and a body, with where they are", function()
+check.case("a patch and a body, with their positions", function()
   check.equal(show.text(sg.shapes.rectangle { width = 3, height = 1, corner = { -1, 0 } }),
     "NURBS surface in 2D: degree 1 x 1, elements 1 x 1, 4 control points\n  control points in x -1 … 2, y 0 … 1\n"
       .. "  faces: west in x = -1; east in x = 2; south in y = 0; north in y = 1")

@@ -27,7 +27,7 @@ local function make(changes)
   return sg.stability_map(options)
 end
 
-check.case("cells hold how far each run came, what it cost, and why it failed", function()
+check.case("cells contain how far each run came, its cost, and why it failed", function()
   local map = make{ figures = function(model, run) return { pull = -model.accepted[2] * run.steps, none = 0 / 0 } end }
   check.equal(#map.cells, 4)
   local good, bad = map:cell("good", 10), map:cell("diverged", 4)
@@ -42,7 +42,7 @@ check.case("cells hold how far each run came, what it cost, and why it failed", 
   check.equal({ map.cells[1].x, map.cells[1].y, map.cells[2].x, map.cells[3].y }, { "good", 4, "diverged", 10 })
 end)
 
-check.case("the part of a step that cut-backs accepted counts", function()
+check.case("the fraction of a step that was accepted after cut-backs counts", function()
   local map = make{ path = function(_, _, steps)
     return { { steps = steps, grip = { 0, -1 } } }, { step = { adaptive = true, min = 1 / 4 } }
   end, y = { name = "steps", values = { 3 } } }
@@ -51,7 +51,7 @@ check.case("the part of a step that cut-backs accepted counts", function()
   check.equal({ bad.steps, bad.increments, bad.cutbacks }, { 1, 2, 2 })
 end)
 
-check.case("rescues and the place of a failure come from the run", function()
+check.case("fallbacks and the place of a failure come from the run", function()
   local map = make{ scene = function(order)
     local model = scene(order)
     function model:run(stages)
@@ -66,7 +66,7 @@ check.case("rescues and the place of a failure come from the run", function()
   check.equal(map:cell("diverged", 4).place, "J = -0.2 in element 7")
 end)
 
-check.case("errors, crashes and endless loops are outcomes of their cells alone", function()
+check.case("errors, crashes and endless loops are outcomes of their cells only", function()
   local map = make{ limit = 0.5, x = { name = "order", values = { "good", "wrong", "none", "crash", "endless" } },
     y = { name = "steps", values = { 4 } },
     scene = function(order)
@@ -148,7 +148,7 @@ check.case("a file keeps finished cells; a second call solves only those that ar
   os.remove(trace)
 end)
 
-check.case("what another map that the functions refer to depends on counts, not how long it took", function()
+check.case("the inputs of another map that the functions refer to count, not its times", function()
   local file, trace = os.tmpname(), os.tmpname()
   os.remove(file)
   local function solve(force)

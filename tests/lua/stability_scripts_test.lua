@@ -66,7 +66,7 @@ check.case("deep ironing: a picture shows where N4 cycles", function()
   check_files(result, 4)
 end)
 
-check.case("Hertz over the penalty: a high one makes the pressure oscillate, a layer calms it", function()
+check.case("Hertz over the penalty: a high one makes the pressure oscillate, a layer less so", function()
   local result = study("penalty_hertz", "labels=N2,N2-N2.2", "penalties=1e2,1e4,1e6", "mesh=m2")
   local plain, robust = result.maps.plain, result.maps.robust
   check.equal(outcomes(plain), { "completed", "completed", "completed", "completed", "completed", "cycling" })
@@ -78,7 +78,7 @@ check.case("Hertz over the penalty: a high one makes the pressure oscillate, a l
   check_files(result, 5)
 end)
 
-check.case("peeling: rotation control meets a turning point on the coarse mesh, arcs follow the path", function()
+check.case("peeling: rotation control fails at a turning point on the coarse mesh, arc length does not", function()
   local result = study("peeling", "meshes=m0", "labels=N2,N2-N2.1", "angle=40", "pitch=0.4")
   check.equal(outcomes(result.maps.rotation.plain), { "turning_point", "completed" })
   check.near(result.maps.rotation.plain:cell("N2", "m0").reached, 0.65, 0.02)
@@ -110,7 +110,7 @@ check.case("locking: the force of L1 is too high the nearer nu comes to 0.5, tha
   check_files(result, 4)
 end)
 
-check.case("first touch: a free body is singular before it touches; damping carries it there", function()
+check.case("first contact: an unconstrained body is singular before it touches; damping converges", function()
   local result = study("first_touch", "under=plane,slab", "friction=0.3", "gaps=-1e-3,1e-3", "loads=1e-3")
   for _, key in ipairs { "plane_mu0.3", "slab_mu0.3" } do
     local plain = result.maps[key].plain
@@ -135,7 +135,7 @@ check.case("cost: controls take no more iterations where nothing fails; the line
   check_files(result, 1)
 end)
 
-check.case("augmented: no penetration is left; what that does to the pressure depends on the layer", function()
+check.case("augmented: no penetration remains; the effect on the pressure depends on the layer", function()
   local result = study("augmented", "penalties=1e2", "reference=m4")
   local function figures(label)
     local plain, augmented = result.cases[label .. " 100 penalty"], result.cases[label .. " 100 augmented"]
@@ -148,7 +148,7 @@ check.case("augmented: no penetration is left; what that does to the pressure de
   check_files(result, 3)
 end)
 
-check.case("one control at a time: cutting does not carry a free body to its first contact, rescues do", function()
+check.case("single controls: for an unconstrained body cutting alone fails, fallbacks converge", function()
   local words = { "under=plane", "friction=0", "gaps=1e-3", "loads=1e-3" }
   local function outcome(way)
     return study("first_touch", "with=" .. way, table.unpack(words)).maps.plane_mu0.robust.cells[1].outcome
@@ -156,7 +156,7 @@ check.case("one control at a time: cutting does not carry a free body to its fir
   check.equal({ outcome "cutting", outcome "rescue" }, { "minimum_step", "completed" })
 end)
 
-check.case("a second call takes up the cells when it is told to", function()
+check.case("a second call continues with the cells on request", function()
   local words = { "labels=N2", "penalties=1e2", "mesh=m1" }
   local first = study("penalty_hertz", table.unpack(words))
   local wall = first.maps.plain.cells[1].wall

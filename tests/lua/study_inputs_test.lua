@@ -62,7 +62,7 @@ local function object_study(folder, text)
     end }:execute{}]]):format(text), folder))
 end
 
-check.case("all that a captured object holds is seen: of a model its laws, obstacles, supports and state", function()
+check.case("all data of a captured object count: of a model its laws, obstacles, supports and state", function()
   for _, texts in ipairs {
     { "pressed(10)", "pressed(1000)", "pressed(1000, 0.4)", "pressed(1000, 0.4, nil, 'west')",
       "pressed(10, 0.5, { { steps = 1, push = { -0.01 } } })", "pressed(10, 0.5, { { steps = 1, push = { -0.02 } } })",
@@ -80,7 +80,7 @@ check.case("all that a captured object holds is seen: of a model its laws, obsta
   end
 end)
 
-check.case("another version of the program solves again, unless inputs say what counts", function()
+check.case("another version of the program solves again, unless inputs are given", function()
   for given, expected in pairs { [""] = "1 because the program's version changed", ["inputs = {}, "] = "0 solved" } do
     local folder = check.folder()
     local function output()

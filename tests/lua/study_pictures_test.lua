@@ -92,14 +92,14 @@ check.case("a heat map: axes in the parameters' order, values with texts, failed
   check.near(got.values[2], { 2 / 3, 1 / 3 })
 end)
 
-check.case("more than one case in a cell says which filter is missing", function()
+check.case("more than one case in a cell names the missing filter", function()
   local one = study()
   one.rows[5] = { order = "N2", mesh = { 6, 2 }, steps = 20, wall = 1, dPx = 0.1 }
   check.fails(function() heatmap({ x = "order", y = "mesh", value = "dPx" }, one) end, "study:heatmap",
     "more than one case at order = N2, mesh = 6×2", "steps (10, 20)", "study:where")
 end)
 
-check.case("they draw", function()
+check.case("pictures are drawn", function()
   local folder = check.folder()
   study():chart({ x = "mesh", y = "dPx", series = "order", file = folder .. "/chart.svg" })
   study():heatmap({ x = "order", y = "mesh", value = "dPx", file = folder .. "/map.svg" })

@@ -100,7 +100,7 @@ local function calls(folder)
   return lines
 end
 
-check.case("figures, failures, errors and crashes become rows; what is done does not run again", function()
+check.case("figures, failures, errors and crashes become rows; finished cases do not run again", function()
   local folder = new_folder()
   local function study()
     return noted(folder, sg.grid{ a = { 1, 2, 3, 4, 5 } }, function(case)
@@ -147,7 +147,7 @@ check.case("the file of a case is JSON with inputs, figures, version, host and t
   check.equal(record.wall > 0, true)
 end)
 
-check.case("cases that ask for it run last, and alone", function()
+check.case("cases that request it run last, and alone", function()
   local folder = new_folder()
   local study = noted(folder, sg.grid{ a = { 1, 2, 3, 4 } }, function() return {} end,
     { alone = function(case) return case.a <= 2 end })
@@ -177,7 +177,7 @@ check.case("an error of a case is told aloud and makes the status 1; a case that
   check.equal({ select(2, run('error "no luck"', "os.exit(true)")) }, { 0 })
 end)
 
-check.case("a limit gives a case up; more time takes it up again", function()
+check.case("a limit ends a case; with more time it runs again", function()
   local folder = new_folder()
   local function study() return noted(folder, { { a = 1 } }, function() os.execute "sleep 0.4" return { b = 1 } end) end
   local late = study():execute{ limit = 0.1 }
@@ -187,7 +187,7 @@ check.case("a limit gives a case up; more time takes it up again", function()
   check.equal(study():execute{ limit = 20 }.rows[1].b, 1)
 end)
 
-check.case("two jobs run two cases side by side", function()
+check.case("two jobs run two cases in parallel", function()
   local folder = new_folder()
   local function mark(a) return ("%s/begun_%d"):format(folder, a) end
   local study = sg.study{ name = "t", folder = folder, cases = sg.grid{ a = { 1, 2, 3, 4 } }, inputs = {},
@@ -206,7 +206,7 @@ check.case("two jobs run two cases side by side", function()
   check.equal(met, { 1, 1, 1, 1 })
 end)
 
-check.case("killed three times and taken up again it ends with the same table and repeats no finished case", function()
+check.case("killed three times and resumed it ends with the same table and repeats no finished case", function()
   local script = ([[
     local sg = require "signorini"
     local folder = arg[1]
@@ -234,7 +234,7 @@ check.case("killed three times and taken up again it ends with the same table an
   os.remove(name)
 end)
 
-check.case("Ctrl-C ends it with what is done, and lets go of the folder", function()
+check.case("Ctrl-C ends it with the finished cases, and unlocks the folder", function()
   local folder, name = new_folder(), os.tmpname()
   core.write_file(name, ([[
     local sg = require "signorini"
@@ -290,7 +290,7 @@ check.case("two studies cannot use a folder: neither of different names, nor the
   check.equal(files_in(folder), 1)
 end)
 
-check.case("a file that cannot be read is solved again; what a killed process left goes", function()
+check.case("an unreadable file is solved again; leftovers of a killed process are removed", function()
   local folder = new_folder()
   local function study() return noted(folder, sg.grid{ a = { 1, 2 } }, function(case) return { b = case.a } end) end
   study():execute{}
@@ -312,7 +312,7 @@ local function with_disk(folder, options, command)
   print "this machine allows no small file systems: full disks are left out"
 end
 
-check.case("on a disk that fills up nothing finished is lost, and with more room it goes on", function()
+check.case("on a full disk no finished case is lost, and with more space it continues", function()
   local folder, name = new_folder(), os.tmpname()
   core.write_file(name, ([[
     local sg = require "signorini"

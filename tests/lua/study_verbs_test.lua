@@ -14,7 +14,7 @@ local function new(cases, run, units)
                    units = units }
 end
 
-check.case("where no case came out, whoever asks for a figure learns why", function()
+check.case("if no case has a result, the message about a missing figure gives the reason", function()
   local function study(run) return new(sg.grid{ a = { 1, 2 } }, run) end
   local failed = study(function() return { failed = true, reason = "penalty = -5" } end):execute{}
   local grid = new(sg.grid{ a = { 1 }, b = { 2 } }, function() return { failed = true } end):execute{}
@@ -88,7 +88,7 @@ check.case("where, row, by, with, column and median", function()
   check.fails(function() study:table{ columns = { "costs" } } end, "columns[1]", "did you mean 'cost'?")
 end)
 
-check.case("long texts are cut where they are printed, and whole in rows and files", function()
+check.case("long texts are shortened in print, and complete in rows and files", function()
   local long, file = ("ä"):rep(59) .. "bcdef", scratch .. "/long.csv"
   local study = new({ { a = 1 } }, function() return { failed = true, reason = long } end):execute{}
   check.equal(study:table{ columns = { "reason" } }, "reason\n\n" .. ("ä"):rep(59) .. "…")
@@ -101,7 +101,7 @@ check.case("long texts are cut where they are printed, and whole in rows and fil
   check.holds(sg.work_precision(two, { error = "error" }), "Left out:\n  a = 1: failed: " .. ("x"):rep(71) .. "…")
 end)
 
-check.case("csv writes what table shows", function()
+check.case("csv writes the columns of table", function()
   local study, file = sample():median "round", scratch .. "/study.csv"
   study:csv(file, { sort = { "mesh", "order" } })
   local data = sg.csv.read(file)

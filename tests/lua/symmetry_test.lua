@@ -39,7 +39,7 @@ local function ironing(part, label)
                                friction = { mu = 0.2, penalty = 100 } } } }
 end
 
-check.case("half a model in the plane has half of the force", function()
+check.case("half a model in 2D has half of the force", function()
   local press = { { steps = 5, grip = { -0.15 } } }
   for _, label in ipairs { "N2", "N4", "N2-N4" } do
     local whole, half = grip(ironing("whole", label), press), grip(ironing("half", label), press)
@@ -48,7 +48,7 @@ check.case("half a model in the plane has half of the force", function()
   end
 end)
 
-check.case("symmetry holds what fix of the normal component does, to the last bit", function()
+check.case("symmetry is bitwise equal to fix of the normal component", function()
   local press = { { steps = 2, grip = { -0.1 } } }
   local half, fixed = ironing("half", "N2"), ironing("fixed", "N2")
   check.equal(grip(half, press), grip(fixed, press))
@@ -125,7 +125,7 @@ for _, case in ipairs {
   end)
 end
 
-check.case("the axis and planes across it in an axisymmetric model; symmetry = false is as if left out", function()
+check.case("the axis and planes across it in an axisymmetric model; symmetry = false is the same as none", function()
   local patch = sg.shapes.rectangle{ width = 1, height = 1 }
   local function pipe(axis, middle)
     local body = sg.body{ patch = patch, elements = { 2, 2 }, order = "N2", material = soft }

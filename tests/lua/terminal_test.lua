@@ -52,7 +52,7 @@ check.case("after Ctrl-Z and fg the line can be edited as before", function()
   check.holds(output, "Stopped", "\n4\n")
 end)
 
-check.case("the line is laid out for the terminal's width of now", function()
+check.case("the line follows the present width of the terminal", function()
   local long = '"' .. ("x"):rep(60) .. '"'
   local output = session("os.execute 'stty cols 100'\n", long .. "\n", "os.execute 'stty cols 40'\n", long .. "\n",
     "\4")
@@ -61,7 +61,7 @@ check.case("the line is laid out for the terminal's width of now", function()
   check.equal(narrow:find("sg> " .. long, 1, true), nil)
 end)
 
-check.case("Ctrl-C leaves the run that it has stopped", function()
+check.case("Ctrl-C keeps the run that it has stopped", function()
   local file = check.folder() .. "/run.sgn" -- there once eleven steps are
   local output = session('b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, '
     .. 'order = "N1", material = sg.neo_hookean{ E = 1, nu = 0.3 } }\n',

@@ -43,13 +43,13 @@ check.case("the hemisphere's torque rises, then levels at full slip at μ∫pr d
   check.near(case.ratio, 1, 0.01)
 end)
 
-check.case("the figures stay what they are", function()
+check.case("the results are unchanged", function()
   check.near(turned.cases[1].level, 0.3984, 0.0010)
   check.near(turned.cases[1].rows[35].force, 1.3100, 0.0030)
   check.near({ turned.punches[1].moment, turned.punches[2].moment }, { 0.139660, 0.083779 }, 1e-6)
 end)
 
-check.case("the missing energy falls with the steps", function()
+check.case("the energy error decreases with the steps", function()
   for i = 2, 3 do
     assert(math.abs(balance[i].imbalance) < 0.6 * math.abs(balance[i - 1].imbalance), balance[i].imbalance)
   end

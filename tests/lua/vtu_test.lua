@@ -255,7 +255,7 @@ check.case("bodies of revolution have the hoop direction across", function()
   if most < 1e-3 then error "no hoop strain" end
 end)
 
-check.case("a series lists its states, also while it grows", function()
+check.case("a series lists its states, also during the run", function()
   local model = ironing { E = 20 }
   local file = folder .. "/series & more.pvd"
   local series = sg.pvd(file)
@@ -279,7 +279,7 @@ check.case("a series lists its states, also while it grows", function()
     "sg.mkdir")
 end)
 
-check.case("a series is taken up where a run was broken off", function()
+check.case("a series is continued after an interruption", function()
   local model, file = ironing { E = 20 }, folder .. "/long <1>.pvd"
   local first = sg.pvd(file, { resume = true })
   for time = 1, 4 do first:add { model = model, time = time } end
@@ -301,7 +301,7 @@ check.case("a series is taken up where a run was broken off", function()
   check.fails(function() sg.pvd(file, { resum = true }) end, "unknown argument 'resum'", "did you mean 'resume'")
 end)
 
-check.case("wrong calls are errors that name the argument, and leave no file", function()
+check.case("invalid calls are errors that name the argument, and leave no file", function()
   local model = ironing()
   local wrong = {
     { { model = model }, "file" }, { { file = folder .. "/a.vtu" }, "model" },

@@ -26,7 +26,7 @@ local function only(model)
   return run.warnings[1]
 end
 
-check.case("a sound scene has no warnings", function()
+check.case("a correct scene has no warnings", function()
   local model = pressed{ friction = { mu = 0.8, penalty = 100 } }
   check.equal({ #model:warnings(), #model:run({ { steps = 1, push = -0.002 } }).warnings }, { 0, 0 })
 end)
@@ -64,7 +64,7 @@ check.case("degree 1 in any direction of a nearly incompressible body", function
   check.equal(#warnings{ elements = {4, 2}, order = "N2", nu = 0.47 }, 0)
 end)
 
-check.case("a penalty beyond what rounding allows is named before the run and as the cause of its failure", function()
+check.case("a penalty beyond rounding is reported before the run and as the cause of its failure", function()
   local model = pressed{ penalty = 1e20 }
   check.holds(model:warnings()[1], "contacts.c: penalty = 1e+20 is 2.5e+19 times the stiffness E/h", "rounding error",
     "10 to 1000 times E/h = 4 is usual")
@@ -132,7 +132,7 @@ check.case("the same pair of faces in two contacts", function()
   check.equal(#parted:warnings(), 0)
 end)
 
-check.case("a linear elastic body that is turned inside out", function()
+check.case("a linear elastic body with inverted elements", function()
   for _, factor in ipairs { 1, 3 } do
     local slab = slab_on("N2", 0.3, sg.linear_elastic)
     local model = sg.model{ bodies = { slab = slab }, supports = {
@@ -145,7 +145,7 @@ check.case("a linear elastic body that is turned inside out", function()
   end
 end)
 
-check.case("a load that no stage changes is named once, one that a stage changes is not", function()
+check.case("a load that no stage changes is reported once, one that a stage changes is not", function()
   local function loaded()
     local slab = slab_on()
     return sg.model{ bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" } },
@@ -160,13 +160,13 @@ check.case("a load that no stage changes is named once, one that a stage changes
   check.equal(#loaded():run({ { steps = 1, dead = {0, -0.02} } }).warnings, 0)
 end)
 
-check.case("a tolerance that leaves no accuracy", function()
+check.case("a loose tolerance", function()
   local run = pressed():run({ { steps = 1, push = -0.002 } }, { newton = { tolerance = 1 } })
   check.equal(#run.warnings, 1)
   check.holds(run.warnings[1], "newton.tolerance = 1:", "expected at most 0.001", "the default is 1e-10")
 end)
 
-check.case("a contact that touches between the last step and the failure has touched", function()
+check.case("contact between the last step and the failure counts", function()
   local beam = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 0.8 }, elements = {10, 1}, order = "N2",
                         contact = "south", through = 2, material = sg.neo_hookean{ E = 2000, nu = 0.35 } }
   local nose = sg.rigid.cylinder{ center = {11.2, -0.2}, radius = 0.6 }
@@ -198,7 +198,7 @@ check.case("a face that is listed twice is an error", function()
     fix = "xy" } } }
 end)
 
-check.case("advice does not name what is on already", function()
+check.case("hints do not name controls that are on", function()
   local slab = slab_on()
   local model = sg.model{ bodies = { slab = slab }, supports = { -- pressed flat and farther
     bed = { on = slab:face "south", fix = "xy" }, lid = { on = slab:face "north", drive = "y" } } }
@@ -216,7 +216,7 @@ check.case("advice does not name what is on already", function()
   check.holds(run.report, "allow more iterations", "allow smaller steps (step = { min = … })")
 end)
 
-check.case("many elements are announced before they are made, and too many are refused", function()
+check.case("a large number of elements is announced before they are made, and too many are rejected", function()
   local script = check.folder() .. "/large.lua"
   local file = assert(io.open(script, "w"))
   -- Contact faces that are not opposite ones stop it before the tables are made.

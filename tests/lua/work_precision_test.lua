@@ -40,7 +40,7 @@ local function compare(rows, more)
   return sg.work_precision(rows, options)
 end
 
-check.case("power laws: at equal error the ratio of times is that of their formulas", function()
+check.case("power laws: the cost ratio at equal error is that of their formulas", function()
   -- N2: e = t^-1 from 1 to 1/8; N4: e = 3 t^-2 from 3/4 to 3/64: t2/t4 = (1/e) / sqrt(3/e) = 1 / sqrt(3 e).
   local both = joined(power("N2", { 1, 2, 4, 8 }, 1, 1), power("N4", { 2, 4, 8 }, 3, 2))
   local ratio = compare(both).ratios[1]
@@ -94,7 +94,7 @@ check.case("equal times and single cases divide by nothing", function()
   check.equal(#compare(joined(cases("N2", { 1 }, { 0.1 }))).ratios, 0)
 end)
 
-check.case("the Pareto front: all that no other case beats in error and time", function()
+check.case("the Pareto front: all cases that no other case beats in error and time", function()
   local result = compare(joined(cases("N2", { 1, 2, 4, 9 }, { 0.4, 0.3, 0.1, 0.1 }), cases("N4", { 2, 3, 5, 8 },
     { 0.2, 0.25, 0.1, 0.01 })))
   local front = {}
@@ -103,7 +103,7 @@ check.case("the Pareto front: all that no other case beats in error and time", f
   check.holds(result:front(), "order  mesh  wall   dPx", "N2     m3       4   0.1")
 end)
 
-check.case("cases that failed, or have no place on the axes, are left out and listed", function()
+check.case("cases that failed, or cannot be shown on the axes, are left out and listed", function()
   local rows = cases("N2", { 1, 2, 4, 8 }, { 0.4, 0.2, 0.1, 0.05 })
   rows[5] = { order = "N2", mesh = "m5", wall = 3, failed = true, reason = "diverged\nat step 3" }
   rows[6] = { order = "N2", mesh = "m6", wall = 3 }
