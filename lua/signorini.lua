@@ -13,7 +13,7 @@ sg.reference = require("signorini.reference").read
 sg.grid = require "signorini.study.grid"
 sg.study = require("signorini.study").new
 sg.recommend = require "signorini.recommend"
-sg.stability_map = require "signorini.stability_map"
+sg.convergence_map = require "signorini.convergence_map"
 sg.work_precision = require "signorini.work_precision"
 sg.cheapest = require "signorini.cheapest"
 sg.pvd = require "signorini.pvd"
@@ -35,7 +35,7 @@ methods.guard("model", "run cost energy profile")
 methods.guard("run", "attempts column columns csv residuals states")
 methods.guard("study", "by chart column csv execute heatmap median read row table where with")
 methods.guard("comparison", "front table")
-methods.guard("map", "cell compare csv figure held picture table")
+methods.guard("map", "cell compare converged csv figure picture table")
 methods.guard("files", "draw report")
 methods.guard("data", "by column")
 methods.guard("series", "add")

@@ -30,7 +30,7 @@ local options = sg.arguments{
   plane = { { "m1", "m2", "m3", "m4", "m5" }, choices = problems.plane.meshes, none = true },
   solid = { { "sparse", "coarse", "middle", "fine" }, choices = problems.solid.meshes, none = true },
   solvers = { solvers.names, choices = solvers.names, none = true },
-  label = "N2", steps = 3, repeats = 3, linear = { "umfpack", choices = { "auto", "klu", "umfpack", "kept" } },
+  label = "N2", steps = 3, repeats = 3, linear = { "umfpack", choices = { "auto", "klu", "umfpack", "reuse" } },
   element = 8, out = "out/benchmark", page = "none",
 }
 local files = sg.files(options.out)

@@ -31,13 +31,14 @@
 --           stay sharp (see share/doc/problems/block_ironing3d.md). variant=sixty: N2-N2.1 with degree 2 in the
 --           thickness direction and 4 points gives 5.846 on average on 2x2x1/8x4x2 (part=whole), and 5.826 with
 --           part=half.
--- Run: signorini scripts/block_ironing3d.lua [labels=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]
+-- Run: signorini scripts/block_ironing3d.lua [orders=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]
 --      [press=10] [slide=125] [linear=auto] [out=out/block_ironing3d]; mesh: elements of block/slab; press, slide:
 --      number of steps.
---      signorini scripts/block_ironing3d.lua variant=sixty [labels=N2,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4] [through=1]
---      [points=auto] [part=half] [line_search=energy] [linear=auto] [out=out/block_ironing3d_sixty]; all but the last
---      three can be lists; through: degree in the thickness direction (top to bottom); points: Gauss points per
---      direction of a contact element, auto is 3(p + 1); part: half model up to the plane of symmetry, or whole.
+--      signorini scripts/block_ironing3d.lua variant=sixty [orders=N2,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]
+--      [thickness_degree=1] [points=auto] [part=half] [line_search=energy] [linear=auto]
+--      [out=out/block_ironing3d_sixty]; all but the last three can be lists; through: degree in the thickness direction
+--      (top to bottom); points: Gauss points per direction of a contact element, auto is 3(p + 1); part: half model up
+--      to the plane of symmetry, or whole.
 
 local sg = require "signorini"
 local labels = require "solid_ironing.labels"
@@ -55,12 +56,14 @@ function problem.scene(case)
   local across = case.half and half_of or function(elements) return elements end
   local slab = sg.body{
     patch    = sg.shapes.block{ size = {20, 10 * width, 10} },
-    elements = across(case.mesh.slab), order = case.label, contact = "back", through = case.through or 1,
+    elements = across(case.mesh.slab), order = case.label, contact = "back",
+    thickness_degree = case.thickness_degree or 1,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local block = sg.body{
     patch    = sg.shapes.block{ size = {4, 4 * width, 4}, corner = {problem.start - 2, 3, 10} },
-    elements = across(case.mesh.die), order = case.label, contact = "front", through = case.through or 1,
+    elements = across(case.mesh.die), order = case.label, contact = "front",
+    thickness_degree = case.thickness_degree or 1,
     material = sg.neo_hookean{ E = 10, nu = 0.3 },
   }
   local supports = { bed  = { on = slab:face "front", fix = "xyz" },
@@ -77,9 +80,9 @@ end
 local function is_count(text) return text == "auto" or (math.tointeger(tonumber(text)) or 0) >= 1 end
 local options = sg.arguments{
   linear = "auto", variant = { "standard", variants = {
-    standard = { labels = { "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2" },
+    standard = { orders = { "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2" },
                  mesh = mesh.argument "4x4x4/8x4x4", press = 10, slide = 125, out = "out/block_ironing3d" },
-    sixty = { labels = { "N2", "N2-N2.1", "N2-N2.2" }, mesh = mesh.argument{ "4x4x4/8x4x4" }, through = { 1 },
+    sixty = { orders = { "N2", "N2-N2.1", "N2-N2.2" }, mesh = mesh.argument{ "4x4x4/8x4x4" }, thickness_degree = { 1 },
               points = { { "auto" }, check = is_count, expected = "whole numbers of at least 1, or auto" },
               part = { { "half" }, choices = { "half", "whole" } },
               line_search = { "energy", choices = { "energy", "residual", "none" } },

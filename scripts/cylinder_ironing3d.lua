@@ -24,7 +24,7 @@
 --           1.95e-3 and 1.00e-3 for N2; in % of these, 54 and 95 for N3, 56 and 94 for N2-N3, 10 and 8 for N2-N2.1.
 --           Curves are symmetric about the middle of the path, since without friction a state does not depend on the
 --           path.
--- Run: signorini scripts/cylinder_ironing3d.lua [labels=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2]
+-- Run: signorini scripts/cylinder_ironing3d.lua [orders=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2]
 --      [mesh=12x6x2/18x12x4] [press=10] [slide=108] [linear=auto] [out=out/cylinder_ironing3d]; mesh: elements of
 --      die/slab; press, slide: number of steps.
 
@@ -37,13 +37,13 @@ local problem = { title = "Cylinder ironing", length = 2.5, start = 0.5, depth =
 function problem.scene(case)
   local slab = sg.body{
     patch    = sg.shapes.block{ size = {2.5, 1, 0.6} },
-    elements = case.mesh.slab, order = case.label, contact = "back", through = 1,
+    elements = case.mesh.slab, order = case.label, contact = "back", thickness_degree = 1,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local die = sg.body{
     patch    = sg.shapes.half_cylinder_shell{ inner = 0.4, outer = 0.5, width = 0.6,
                                               center = {problem.start, 0.2, 0.6 + 0.5} },
-    elements = case.mesh.die, order = case.label, contact = "front", through = 1,
+    elements = case.mesh.die, order = case.label, contact = "front", thickness_degree = 1,
     material = sg.neo_hookean{ E = 100, nu = 0.3 },
   }
   local model = sg.model{
@@ -56,7 +56,7 @@ function problem.scene(case)
 end
 
 local options = sg.arguments{
-  labels = { "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2" }, mesh = mesh.argument "12x6x2/18x12x4",
+  orders = { "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2" }, mesh = mesh.argument "12x6x2/18x12x4",
   press = 10, slide = 108, linear = "auto", out = "out/cylinder_ironing3d",
 }
 local files = sg.files(options.out)

@@ -22,7 +22,7 @@
 --           42.5 % and 43.7 % less time in print. The difference from the Hertz solution decreases with increasing R/a:
 --           half of it at twice R/a.
 -- Run: signorini scripts/hertz2d.lua [load=displacement] [meshes=m1,m2,m3,m4,m5]
---      [labels=L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2,N2-N3.2] [reference=m6] [sizes=1,2,4] [steps=10] [repeats=3]
+--      [orders=L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2,N2-N3.2] [reference=m6] [sizes=1,2,4] [steps=10] [repeats=3]
 --      [linear=auto] [out=out/hertz2d]; sizes: multiples of R/a for the study of the finite size (sizes=1: none);
 --      repeats: number of runs, of which the time is the median.
 
@@ -112,7 +112,7 @@ local function size_study(options)
   local cases, rows = {}, {}
   for _, stiffer in ipairs { 1, 10 } do
     for _, size in ipairs(options.sizes) do
-      local o = { label = "N2-N2.2", mesh = "m4", load = "force", size = size, stiffer = stiffer, through = 2 }
+      local o = { label = "N2-N2.2", mesh = "m4", load = "force", size = size, stiffer = stiffer, thickness_degree = 2 }
       local case = solve(o, options.steps, options.linear)
       case.size, case.stiffer = size, stiffer
       cases[#cases + 1] = case
@@ -170,7 +170,7 @@ local levels = { "m1", "m2", "m3", "m4", "m5", "m6" }
 local options = sg.arguments{
   load = { "displacement", choices = { "force", "displacement" } },
   meshes = { { "m1", "m2", "m3", "m4", "m5" }, choices = levels },
-  labels = { "L1", "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N3.2" },
+  orders = { "L1", "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N3.2" },
   reference = { "m6", choices = levels }, sizes = { { 1.0, 2.0, 4.0 }, at_least = 1 },
   steps = 10, repeats = 3, linear = "auto", out = "out/hertz2d",
 }
@@ -184,7 +184,7 @@ end
 
 local list = { { "N2", options.reference } }
 for _, mesh in ipairs(options.meshes) do
-  for _, label in ipairs(options.labels) do list[#list + 1] = { label, mesh } end
+  for _, label in ipairs(options.orders) do list[#list + 1] = { label, mesh } end
 end
 local solved = solve_all(list, options)
 local finest = solved[1]

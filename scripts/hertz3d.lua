@@ -21,7 +21,7 @@
 --           under the load p = pi Ro² P0, P0 = 1e-4, both to 3 % on m3. The weights around z are those of a circle, so
 --           the 3D function space contains every axisymmetric state of the meridian mesh, and 3D adds only quadrature
 --           error: any number of elements around z gives the pressure of the axisymmetric model.
--- Run: signorini scripts/hertz3d.lua [meshes=m1,m2,m3] [labels=N2,N2-N2.2] [around=1,2,4] [steps=10] [linear=auto]
+-- Run: signorini scripts/hertz3d.lua [meshes=m1,m2,m3] [orders=N2,N2-N2.2] [around=1,2,4] [steps=10] [linear=auto]
 --      [out=out/hertz3d]; around: numbers of elements around z to compare, at the first mesh.
 
 local sg = require "signorini"
@@ -49,7 +49,7 @@ local function solid_scene(o)
   local ball = sg.body{
     patch    = sg.shapes.sphere_octant{ inner = inner, outer = outer },
     elements = { o.around or n // 4, n, n }, grading = { false, crowded "end", crowded "start" },
-    order    = o.label, contact = "front", through = 1,
+    order    = o.label, contact = "front", thickness_degree = 1,
     material = sg.linear_elastic{ E = young, nu = poisson },
   }
   local model = sg.model{
@@ -68,7 +68,7 @@ local function revolved_scene(o)
   local ball = sg.body{
     patch    = sg.shapes.quarter_annulus{ inner = inner, outer = outer, start = 270 },
     elements = { n, n }, grading = { crowded "start", crowded "start" }, order = o.label, contact = "south",
-    through = 1,
+    thickness_degree = 1,
     material = sg.linear_elastic{ E = young, nu = poisson },
   }
   local model = sg.model{
@@ -218,13 +218,13 @@ end
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local options = sg.arguments{
-  meshes = { { "m1", "m2", "m3" }, choices = { "m1", "m2", "m3", "m4", "m5" } }, labels = { "N2", "N2-N2.2" },
+  meshes = { { "m1", "m2", "m3" }, choices = { "m1", "m2", "m3", "m4", "m5" } }, orders = { "N2", "N2-N2.2" },
   around = { 1, 2, 4 }, steps = 10, linear = "auto", out = "out/hertz3d",
 }
 local files, cases, turns = sg.files(options.out), {}, {}
 
 for _, mesh in ipairs(options.meshes) do
-  for _, label in ipairs(options.labels) do
+  for _, label in ipairs(options.orders) do
     local case = solve_both({ label = label, mesh = mesh }, options)
     local data = { columns = { "r", "pressure", "gap" }, r = case.profile.x, pressure = case.profile.pressure,
                    gap = case.profile.gap }
@@ -233,7 +233,7 @@ for _, mesh in ipairs(options.meshes) do
   end
 end
 for _, around in ipairs(options.around) do
-  local o = { label = options.labels[1], mesh = options.meshes[1], around = around }
+  local o = { label = options.orders[1], mesh = options.meshes[1], around = around }
   turns[#turns + 1] = solve(o, solid_scene(o), options)
 end
 
@@ -243,7 +243,7 @@ print "\nThe axisymmetric model with the same meridian mesh, and the difference 
 print(twin_table(cases))
 print "\nElements around the axis"
 print(case_table(turns))
-for _, label in ipairs(options.labels) do draw_pressure(cases, label, files(("pressure_%s.png"):format(label))) end
+for _, label in ipairs(options.orders) do draw_pressure(cases, label, files(("pressure_%s.png"):format(label))) end
 draw_states(cases[#cases], files)
 files:report()
 

@@ -19,7 +19,7 @@
 -- Expected: radius of contact a = (3 p R (1 − nu²)/(4 E))^(1/3) = 0.05985 and peak pressure 3 p/(2 pi a²) = 0.04187
 --           under the load p = pi Ro² P0, P0 = 1e-4, both to 1.5 % on m3 and m4. The remaining difference in the peak
 --           is due to the finite size: half of it at twice R/a.
--- Run: signorini scripts/hertz_sphere.lua [meshes=m1,m2,m3,m4] [labels=N2,N2-N2.2] [sizes=1,2,4] [steps=10]
+-- Run: signorini scripts/hertz_sphere.lua [meshes=m1,m2,m3,m4] [orders=N2,N2-N2.2] [sizes=1,2,4] [steps=10]
 --      [linear=auto] [out=out/hertz_sphere]; sizes: multiples of R/a for the study of the finite size (1: none).
 
 local sg = require "signorini"
@@ -41,7 +41,7 @@ local function scene(o)
   local ball = sg.body{
     patch    = sg.shapes.quarter_annulus{ inner = inner, outer = outer, start = 270 },
     elements = { count, count }, grading = { graded, graded }, order = o.label, contact = "south",
-    through = o.through or 1,
+    thickness_degree = o.thickness_degree or 1,
     material = sg.linear_elastic{ E = young, nu = poisson },
   }
   -- Under a given force the body is unconstrained until it is in contact. The height of the plane does not affect the
@@ -107,7 +107,8 @@ local function size_study(options)
   local cases = {}
   for _, stiffer in ipairs { 1, 10 } do
     for _, size in ipairs(options.sizes) do
-      cases[#cases + 1] = solve({ label = "N2-N2.2", mesh = "m3", size = size, stiffer = stiffer, through = 2 },
+      cases[#cases + 1] = solve({ label = "N2-N2.2", mesh = "m3", size = size, stiffer = stiffer,
+                                  thickness_degree = 2 },
         options.steps, options.linear)
     end
   end
@@ -137,13 +138,13 @@ end
 
 local options = sg.arguments{
   meshes = { { "m1", "m2", "m3", "m4" }, choices = { "m1", "m2", "m3", "m4", "m5", "m6" } },
-  labels = { "N2", "N2-N2.2" }, sizes = { { 1.0, 2.0, 4.0 }, at_least = 1 }, steps = 10, linear = "auto",
+  orders = { "N2", "N2-N2.2" }, sizes = { { 1.0, 2.0, 4.0 }, at_least = 1 }, steps = 10, linear = "auto",
   out = "out/hertz_sphere",
 }
 local files, cases = sg.files(options.out), {}
 
 for _, mesh in ipairs(options.meshes) do
-  for _, label in ipairs(options.labels) do
+  for _, label in ipairs(options.orders) do
     local case = solve({ label = label, mesh = mesh }, options.steps, options.linear)
     local data = { columns = { "x", "y", "pressure", "gap" } }
     for _, name in ipairs(data.columns) do data[name] = case.profile[name] end
@@ -160,7 +161,7 @@ if #options.sizes > 1 then
   print "\nFinite size: degree 2 in the thickness direction"
   print(case_table(sizes))
 end
-for _, label in ipairs(options.labels) do draw_pressure(cases, label, files(("pressure_%s.png"):format(label))) end
+for _, label in ipairs(options.orders) do draw_pressure(cases, label, files(("pressure_%s.png"):format(label))) end
 local last = cases[#cases]
 sg.picture{ model = last.model, field = "syy", file = files "syy.png", mesh = true, crop = { 0, 0.15, -1.003, -0.9 },
             title = ("Hertz, sphere, %s at %s: stress near the contact"):format(last.label, last.mesh) }

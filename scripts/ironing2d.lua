@@ -26,12 +26,12 @@
 --           the middle of the slab. Deep: all discretizations converge with 3(p + 1) contact points, N4 does not with
 --           p + 1; with halved steps all converge (thesis: N2 fails at m1). Validation: Py = 0.054, Px = 0.29 Py in the
 --           middle of the sliding, for both N2 and N4.
--- Run: signorini scripts/ironing2d.lua [mesh=m1] [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [repeat=1]
+-- Run: signorini scripts/ironing2d.lua [mesh=m1] [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [repeat=1]
 --      [linear=auto] [out=out/ironing2d]; several meshes (mesh=m1,m2,m3,m4) add charts over the mesh and times at equal
 --      accuracy; times are medians of `repeat` runs; linear: sparse solver, as for model:run.
---      signorini scripts/ironing2d.lua variant=deep [mesh=m1] [labels=…] [points=1,2,3] [coarser=1,2]; points:
+--      signorini scripts/ironing2d.lua variant=deep [mesh=m1] [orders=…] [points=1,2,3] [coarser=1,2]; points:
 --      multiples of p + 1; coarser: factors on the step size.
---      signorini scripts/ironing2d.lua variant=validation [mesh=48] [labels=N2,N4]; mesh: spans along both faces.
+--      signorini scripts/ironing2d.lua variant=validation [mesh=48] [orders=N2,N4]; mesh: spans along both faces.
 
 local sg = require "signorini"
 local amplitude = require "ironing2d.amplitude"
@@ -62,7 +62,7 @@ local function solve_all(options, suffix, files)
     for m, mesh in ipairs(options.mesh) do
       local study = studies[m] or { mesh = mesh, cases = {} }
       studies[m], studies[mesh] = study, study
-      for i, label in ipairs(options.labels) do
+      for i, label in ipairs(options.orders) do
         local case = problem.solve{ set_up = problem.variants.standard, label = label, mesh = mesh,
                                     linear = options.linear, on_step = round * m * i == 1 and keep or nil }
         case.model = nil
@@ -79,7 +79,7 @@ local function solve_all(options, suffix, files)
     end
   end
   files:draw("states.png", "an accepted step", function(file)
-    return draw_states(file, ("Ironing, %s at %s"):format(options.labels[1], options.mesh[1]), 2)
+    return draw_states(file, ("Ironing, %s at %s"):format(options.orders[1], options.mesh[1]), 2)
   end)
   for _, study in ipairs(studies) do
     for _, case in ipairs(study.cases) do case.work = median_run(case.runs) end
@@ -113,18 +113,18 @@ local function standard(options, files)
   local studies = solve_all(options, suffix, files)
   for _, study in ipairs(studies) do report_mesh(options, study, suffix, files) end
   if not several then return { mesh = studies[1].mesh, cases = studies[1].cases, studies = studies } end
-  local savings, cheapest = convergence.report(studies, options.labels, files)
+  local savings, cheapest = convergence.report(studies, options.orders, files)
   return { studies = studies, savings = savings, cheapest = cheapest }
 end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local options = sg.arguments{
-  mesh = problem.meshes{ "m1" }, labels = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
+  mesh = problem.meshes{ "m1" }, orders = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
   linear = "auto", variant = { "standard", variants = {
     standard = { ["repeat"] = 1, out = "out/ironing2d" },
     deep = { points = { 1, 2, 3 }, coarser = { 1, 2 }, out = "out/ironing2d_deep" },
-    validation = { mesh = problem.meshes "48", labels = { "N2", "N4" }, out = "out/ironing2d_validation" },
+    validation = { mesh = problem.meshes "48", orders = { "N2", "N4" }, out = "out/ironing2d_validation" },
   } },
 }
 local files = sg.files(options.out)

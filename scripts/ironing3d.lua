@@ -28,16 +28,16 @@
 --           29.4/34.9 and 27.4/34.5 % of N2's dPz/dPx (printed: 27.5/33.1 and 26.8/33.1), N2-N2.1 32.9/51.7 (6.6/14.4);
 --           at R = 7.5, N2-N3 57.9/53.6, N2-N2.1 10.8/32.1. Friction: Px/Pz = 0.306 on average for mu = 0.3. Depth: N2
 --           at R = 25.5 has a turning point at 8.43 (see share/doc/problems/ironing3d.md).
--- Run: signorini scripts/ironing3d.lua [labels=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [fine=N2] [radius=25.5] [gap=5]
+-- Run: signorini scripts/ironing3d.lua [orders=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [fine=N2] [radius=25.5] [gap=5]
 --      [slide=window] [down=0.2] [cap=1] [linear=auto] [out=out/ironing3d]; radius and gap can be lists; fine:
 --      discretizations on the doubled mesh, or none; slide=full: the whole path; down: step length of pressing; cap:
 --      biquadratic spans per direction that represent the sphere.
---      signorini scripts/ironing3d.lua variant=friction [labels=N2] [radius=7.5] [gap=5] [mu=0,0.3] [way=30] [finer=1]
+--      signorini scripts/ironing3d.lua variant=friction [orders=N2] [radius=7.5] [gap=5] [mu=0,0.3] [way=30] [finer=1]
 --      [penalty=100]; way: sliding distance through the middle of the slab; finer: divides the steps; penalty: normal
 --      and tangential.
---      signorini scripts/ironing3d.lua variant=depth [labels=N2] [radius=7.5,12,25.5] [from=50,47.3]; from: x of the
+--      signorini scripts/ironing3d.lua variant=depth [orders=N2] [radius=7.5,12,25.5] [from=50,47.3]; from: x of the
 --      center of the indenter.
---      signorini scripts/ironing3d.lua variant=cost [labels=N2] [mesh=sparse,coarse,middle,fine] [layered=N2-N2.2]
+--      signorini scripts/ironing3d.lua variant=cost [orders=N2] [mesh=sparse,coarse,middle,fine] [layered=N2-N2.2]
 --      Threads: signorini --threads 2 scripts/ironing3d.lua …
 
 local sg = require "signorini"
@@ -55,8 +55,8 @@ local function gaps(default) return { default, at_least = 0, below = problem.pub
 local down = { problem.down, at_least = 0.01 }
 
 local options = sg.arguments{
-  labels = { "N2" }, linear = "auto", variant = { "standard", variants = {
-    standard = { labels = { "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2" },
+  orders = { "N2" }, linear = "auto", variant = { "standard", variants = {
+    standard = { orders = { "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2" },
                  fine = { { "N2" }, none = true }, radius = radii{ 25.5 }, gap = gaps{ 5.0 }, cap = 1,
                  slide = { "window", choices = { "window", "full" } }, down = down, out = "out/ironing3d" },
     friction = { radius = radii{ 7.5 }, gap = gaps{ 5.0 }, mu = { { 0, 0.3 }, at_least = 0 }, cap = 1,

@@ -68,7 +68,7 @@ end
 --- one that of no layer.
 local function study(name, options)
   local problem = problems[name]
-  local cases, labels = { { layer = base, depth = "0", label = base } }, { base }
+  local cases, orders = { { layer = base, depth = "0", label = base } }, { base }
   for _, layer in ipairs(options.layers) do
     for _, depth in ipairs(options.rows) do
       local label = label_of(layer, depth)
@@ -77,7 +77,7 @@ local function study(name, options)
   end
   local words = {}
   for word in options[name]:gmatch "[^;]+" do words[#words + 1] = word end
-  words[#words + 1] = "labels=" .. table.concat(labels, ",")
+  words[#words + 1] = "orders=" .. table.concat(labels, ",")
   words[#words + 1] = "linear=" .. options.linear
   if problem.repeats then words[#words + 1] = ("%s=%d"):format(problem.repeats, options["repeat"]) end
   words[#words + 1] = ("out=%s/%s"):format(options.out, name)

@@ -10,7 +10,7 @@
 -- Units: seconds of wall time.
 -- Expected: with two jobs on two processors at most 0.6 of the time of one, if nothing else uses them; after the kills
 --           the same table, and no finished case repeated.
--- Run: signorini scripts/parallel_study.lua [jobs=2] [rounds=3] [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3]
+-- Run: signorini scripts/parallel_study.lua [jobs=2] [rounds=3] [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3]
 --      [mesh=m2] [steps=130] [out=out/parallel_study]; times are medians of `rounds`; steps: number of steps of the
 --      path.
 --      signorini scripts/parallel_study.lua once=FOLDER jobs=2 executes the study in a folder and prints its table;
@@ -20,7 +20,7 @@ local sg = require "signorini"
 local ironing = require "ironing2d.problem"
 
 local options = sg.arguments{
-  jobs = 2, rounds = 3, labels = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
+  jobs = 2, rounds = 3, orders = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
   mesh = ironing.meshes "m2", steps = 130, out = "out/parallel_study", once = "",
 }
 
@@ -41,7 +41,7 @@ end
 local function new_study(folder)
   return sg.study{
     name = "ironing", folder = folder, units = { drag = "N/mm", press = "N/mm" }, run = solve,
-    cases = sg.grid{ label = options.labels, points = { 1, 2, 3 }, steps = { options.steps },
+    cases = sg.grid{ label = options.orders, points = { 1, 2, 3 }, steps = { options.steps },
                      mesh = { options.mesh } },
   }
 end
@@ -65,7 +65,7 @@ local files = sg.files(options.out)
 local function time(jobs)
   local folder = ("%s/%d_at_once"):format(options.out, jobs)
   local study, began = new_study(folder), sg.wall_time()
-  study:execute{ jobs = jobs, again = true }
+  study:execute{ jobs = jobs, rerun = true }
   return sg.wall_time() - began, table_of(study), study
 end
 
@@ -109,8 +109,8 @@ local function quoted(word) return "'" .. word:gsub("'", [['\'']]) .. "'" end
 --- The command that executes the study in the folder of the kills.
 local function command()
   local script = assert(package.searchpath("parallel_study", package.path))
-  return ("%s -q %s once=%s jobs=%d mesh=%s steps=%d labels=%s"):format(quoted(arg[-1]), quoted(script),
-    quoted(folder), options.jobs, options.mesh, options.steps, table.concat(options.labels, ","))
+  return ("%s -q %s once=%s jobs=%d mesh=%s steps=%d orders=%s"):format(quoted(arg[-1]), quoted(script),
+    quoted(folder), options.jobs, options.mesh, options.steps, table.concat(options.orders, ","))
 end
 
 os.execute("rm -rf " .. quoted(folder))

@@ -23,7 +23,7 @@
 --           error decreases with the number n of points as n^-(k+1), where the k-th derivative of the master's
 --           functions is the first that jumps (1 for N1 and L2, 2 for N2 and N2-N2.2, 3 for N3), since Gauss quadrature
 --           is not exact for (x − c)^k on x > c.
--- Run: signorini -q scripts/patch_test.lua [dimensions=2,3] [materials=linear,neo_hooke] [labels=N1,L2,N2,N3,N2-N2.2]
+-- Run: signorini -q scripts/patch_test.lua [dimensions=2,3] [materials=linear,neo_hooke] [orders=N1,L2,N2,N3,N2-N2.2]
 --      [points=20] [sides=guided] [penalties=10,100,1000,10000] [out=out/patch_test]; points: largest number of points
 --      per direction, from p + 1 on, p the degree on the face.
 
@@ -53,7 +53,7 @@ local function block(o, side, young)
     patch    = flat and sg.shapes.rectangle{ width = 2, height = 1, corner = { 0, height } } or
                sg.shapes.block{ size = { 2, 2, 1 }, corner = { 0, 0, height } },
     elements = flat and { count, 2 } or { count, count, 2 }, order = o.label,
-    contact  = flat and (lower and "north" or "south") or (lower and "back" or "front"), through = 1,
+    contact  = flat and (lower and "north" or "south") or (lower and "back" or "front"), thickness_degree = 1,
     material = materials[o.material]{ E = young, nu = o.sides == "free" and 0 or 0.3 },
   }
 end
@@ -122,7 +122,7 @@ local function solve_all(options, list, points)
   local cases = {}
   for _, dimension in ipairs(options.dimensions) do
     for _, material in ipairs(options.materials) do
-      for _, label in ipairs(options.labels) do
+      for _, label in ipairs(options.orders) do
         for _, pair in ipairs(list) do
           for _, count in ipairs(points(smoothness(label))) do
             local case = solve{ dimension = dimension, material = material, label = label, sides = options.sides,
@@ -168,7 +168,7 @@ local function rate_study(options)
   for _, pair in ipairs(pairs_with_kinks) do
     if pair[1] == "non-matching" then list[#list + 1] = pair end
   end
-  local plane = { dimensions = { 2 }, materials = { "linear" }, labels = options.labels, sides = options.sides }
+  local plane = { dimensions = { 2 }, materials = { "linear" }, labels = options.orders, sides = options.sides }
   local cases = solve_all(plane, list, function()
     local counts = {}
     for count = 8, 63 do counts[#counts + 1] = count end
@@ -277,8 +277,8 @@ local function draw_errors(series, dimension, material, slave, file)
 end
 
 local function draw_pressure(options, file)
-  local label = options.labels[1]
-  for _, name in ipairs(options.labels) do label = name == "N2" and name or label end
+  local label = options.orders[1]
+  for _, name in ipairs(options.orders) do label = name == "N2" and name or label end
   local degree = smoothness(label)
   local chart = { file = file, title = ("Patch test in 2D, %s: 3 elements under 5, slave upper"):format(label),
                   xlabel = "x", ylabel = "p / p_0" }
@@ -297,7 +297,7 @@ end
 local options = sg.arguments{
   dimensions = { { 2, 3 }, choices = { 2, 3 } },
   materials = { { "linear", "neo_hooke" }, choices = { "linear", "neo_hooke" } },
-  labels = { "N1", "L2", "N2", "N3", "N2-N2.2" }, points = 20, sides = { "guided", choices = { "guided", "free" } },
+  orders = { "N1", "L2", "N2", "N3", "N2-N2.2" }, points = 20, sides = { "guided", choices = { "guided", "free" } },
   penalties = { { 10.0, 100.0, 1000.0, 10000.0 }, above = 0 }, out = "out/patch_test",
 }
 local files = sg.files(options.out)

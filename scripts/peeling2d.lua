@@ -24,7 +24,7 @@
 --           in peeling2d/steady.lua). Oscillations and slopes in 120° to 140° at m2 near Table 7.8: dM N2 4.28, N4
 --           2.88, N2-N4 2.85, N2-N2.1 0.336, N2-N2.2 0.250 (1e-3). Under rotation control, N2 at m1 stops at a turning
 --           point of its path, as do other coarse discretizations at larger angles; arc-length continuation passes it.
--- Run: signorini scripts/peeling2d.lua [mesh=m2] [labels=N2,N4,N2-N4,N2-N2.1,N2-N2.2] [steps=1500] [control=arc]
+-- Run: signorini scripts/peeling2d.lua [mesh=m2] [orders=N2,N4,N2-N4,N2-N2.1,N2-N2.2] [steps=1500] [control=arc]
 --      [repeat=1] [window=120,140] [length=200] [bonded=150] [iterations=30] [linear=auto] [out=out/peeling2d];
 --      mesh can be several (m1,m2,m3: adds a chart over the mesh); control=rotation ends a run at the first failed
 --      step, control=arc continues from there by arc length; window: degrees; length, bonded: lengths of the strip and
@@ -45,7 +45,7 @@ local function is_window(_, options)
   return #window == 2 and window[1] < window[2]
 end
 local options = sg.arguments{
-  mesh = { { "m2" }, choices = { "m0", "m1", "m2", "m3" } }, labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
+  mesh = { { "m2" }, choices = { "m0", "m1", "m2", "m3" } }, orders = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
   steps = 1500, control = { "arc", choices = { "rotation", "arc" } }, ["repeat"] = 1,
   window = { { 120.0, 140.0 }, check = is_window, expected = "two increasing angles in degrees such as 120,140" },
   length = { problem.length, above = 0 },
@@ -98,7 +98,7 @@ local function write(case)
 end
 
 for _, mesh in ipairs(options.mesh) do
-  for _, label in ipairs(options.labels) do
+  for _, label in ipairs(options.orders) do
     local case = solve(label, mesh, #cases == 0 and keep_state or nil)
     tell(case)
     write(case)
@@ -130,7 +130,7 @@ end
 
 for _, mesh in ipairs(options.mesh) do
   local shown = {}
-  for i, label in ipairs(options.labels) do shown[i] = case_of(label, mesh) end
+  for i, label in ipairs(options.orders) do shown[i] = case_of(label, mesh) end
   output.draw_moment(files(("moment_%s.png"):format(mesh)), case_of("N2", mesh) or shown[1], finite, options.window)
   for name, wanted in pairs { standard = function(label) return not label:find "-" end,
                               layer = function(label) return label:find "-" ~= nil end } do
@@ -143,7 +143,7 @@ for _, mesh in ipairs(options.mesh) do
   end
 end
 if #options.mesh > 1 then
-  draw("amplitude_over_mesh.png", output.draw_over_mesh, options.labels, options.mesh, case_of)
+  draw("amplitude_over_mesh.png", output.draw_over_mesh, options.orders, options.mesh, case_of)
 end
 if #pictures > 0 then
   sg.sheet{ pictures, file = files "states.png", columns = math.min(2, #pictures),

@@ -19,7 +19,7 @@
 --           0.0343 to 5 %, N4 and N2-N4 to 15 %; N2-N2.1 at m2 is 1.0 to 3.1 times the printed 0.0034, depending on the
 --           integration rule. All points slip except one to three at the apex: p_T = mu p_N, with a tenth of its
 --           errors.
--- Run: signorini scripts/rings2d.lua [meshes=m1,m2] [labels=N2,N4,N2-N4,N2-N2.1] [reference=m3] [coordinate=x]
+-- Run: signorini scripts/rings2d.lua [meshes=m1,m2] [orders=N2,N4,N2-N4,N2-N2.1] [reference=m3] [coordinate=x]
 --      [repeats=3] [linear=auto] [out=out/rings2d]; reference: mesh of the N2 reference solution; coordinate: x
 --      (deformed) or X (undeformed); repeats: number of runs, of which the time is the median.
 
@@ -180,7 +180,7 @@ end
 
 local levels = { "m1", "m2", "m3", "m4", "m5" }
 local options = sg.arguments{
-  meshes = { { "m1", "m2" }, choices = levels }, labels = { "N2", "N4", "N2-N4", "N2-N2.1" },
+  meshes = { { "m1", "m2" }, choices = levels }, orders = { "N2", "N4", "N2-N4", "N2-N2.1" },
   reference = { "m3", choices = levels }, coordinate = { "x", choices = { "x", "X" } }, repeats = 3, linear = "auto",
   out = "out/rings2d",
 }
@@ -195,7 +195,7 @@ end
 
 local list = { { "N2", options.reference } }
 for _, mesh in ipairs(options.meshes) do
-  for _, label in ipairs(options.labels) do list[#list + 1] = { label, mesh } end
+  for _, label in ipairs(options.orders) do list[#list + 1] = { label, mesh } end
 end
 local solved = in_turns(list, options.repeats,
   function(pair) return problem.solve(pair[1], pair[2], options.linear) end)
@@ -207,7 +207,7 @@ for i = 2, #solved do
   write_profile(case, files(("%s_%s.csv"):format(case.label, case.mesh)))
   cases[i - 1], cases[case.label .. " " .. case.mesh] = case, case
 end
-problem.solve(options.labels[1], options.meshes[1], options.linear, keep_state)
+problem.solve(options.orders[1], options.meshes[1], options.linear, keep_state)
 
 print(("\nL2 errors of the contact tractions against %s at %s over %s, with Table 7.5 (N/m²·√m)")
   :format(finest.label, finest.mesh, options.coordinate))
@@ -219,7 +219,7 @@ print(time_table(cases))
 
 write_errors(cases, files "errors.csv")
 sg.sheet{ pictures, columns = 3, file = files "states.png",
-          title = ("Rings, %s at %s"):format(options.labels[1], options.meshes[1]) }
+          title = ("Rings, %s at %s"):format(options.orders[1], options.meshes[1]) }
 for _, mesh in ipairs(options.meshes) do
   draw_traction(cases, finest, mesh, "pressure", options.coordinate, files(("pressure_%s.png"):format(mesh)))
   draw_traction(cases, finest, mesh, "traction", options.coordinate, files(("traction_%s.png"):format(mesh)))

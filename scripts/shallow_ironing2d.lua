@@ -22,7 +22,8 @@
 -- Expected: V = 316 and H = 67 at time 1, V = 402 and H = 134 at time 1.5 (N2 at m2; at m3 314, 66, 400 and 131). V is
 --           within the range of the published curves, closest to Hartmann et al.; H/V = 0.33 is closest to 0.34 of
 --           Code_Aster (0.30 to 0.52 in all).
--- Run: signorini scripts/shallow_ironing2d.lua [mesh=m2] [labels=N2,N2-N2.2] [through=1] [penalty=1e5] [steps=50]
+-- Run: signorini scripts/shallow_ironing2d.lua [mesh=m2] [orders=N2,N2-N2.2] [thickness_degree=1] [penalty=1e5]
+-- [steps=50]
 --      [linear=auto] [out=out/shallow_ironing2d]; meshes: die 3 × 2 and block 30 × 8 (m1), each further mesh halves the
 --      elements; through: degree in the thickness direction; steps: number of pressing steps; sliding takes five times
 --      as many.
@@ -55,11 +56,11 @@ local function scene(label, options)
   local n = 1 << (math.tointeger(tonumber(options.mesh:sub(2))) - 1)
   local die = sg.body{
     patch = die_patch(0.2, 4.2), elements = { 3 * n, 2 * n }, order = label, contact = "south",
-    through = options.through, material = sg.neo_hookean{ E = 6896, nu = 0.32 },
+    thickness_degree = options.thickness_degree, material = sg.neo_hookean{ E = 6896, nu = 0.32 },
   }
   local block = sg.body{
     patch = sg.shapes.rectangle{ width = 12, height = 4 }, elements = { 30 * n, 8 * n }, order = label,
-    contact = "north", through = options.through, material = sg.neo_hookean{ E = 689.6, nu = 0.32 },
+    contact = "north", thickness_degree = options.thickness_degree, material = sg.neo_hookean{ E = 689.6, nu = 0.32 },
   }
   return sg.model{
     bodies   = { die = die, block = block },
@@ -194,13 +195,13 @@ end
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local options = sg.arguments{
-  mesh = { "m2", choices = { "m1", "m2", "m3", "m4", "m5" } }, labels = { "N2", "N2-N2.2" }, through = 1,
+  mesh = { "m2", choices = { "m1", "m2", "m3", "m4", "m5" } }, orders = { "N2", "N2-N2.2" }, thickness_degree = 1,
   penalty = { 1e5, above = 0 }, steps = 50, linear = "auto", out = "out/shallow_ironing2d",
 }
 local files, cases = sg.files(options.out), {}
 
 local published = sg.reference "shallow_ironing2d_forces"
-for i, label in ipairs(options.labels) do
+for i, label in ipairs(options.orders) do
   print(("%s at %s"):format(label, options.mesh))
   local case = solve(label, options)
   print(case.run)
@@ -217,7 +218,7 @@ print(force_table(cases, published))
 files:draw("forces.png", "an accepted step", function(file) return draw_forces(cases, published, file) end)
 if #cases[1].pictures > 0 then
   sg.sheet{ cases[1].pictures, columns = 2, file = files "states.png",
-            title = ("Shallow ironing, %s at %s"):format(options.labels[1], options.mesh) }
+            title = ("Shallow ironing, %s at %s"):format(options.orders[1], options.mesh) }
 end
 files:report()
 

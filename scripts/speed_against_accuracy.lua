@@ -22,7 +22,7 @@
 --           thesis prints 56.62 and 72.78 % less time for ironing (N2-N2.2 at m1, m2 compared with N2 at m3, m4), here
 --           over 90; 42.48 and 43.74 % for Hertz (at m3, m4 compared with N2 at m4, m5), here about 50. About 20
 --           minutes on one processor.
--- Run: signorini scripts/speed_against_accuracy.lua [problems=ironing,hertz,rings,peeling,ironing3d] [labels=all]
+-- Run: signorini scripts/speed_against_accuracy.lua [problems=ironing,hertz,rings,peeling,ironing3d] [orders=all]
 --      [meshes=all] [rounds=0] [time=wall] [out=out/speed_against_accuracy] [page=none]; labels, meshes: all of a
 --      problem, or a list (any discretizations; meshes of the problem); rounds: runs per case, for medians, 0 is the
 --      default of each problem (3, expensive ones 1); time: wall, or cpu on a machine under other load; page: folder of
@@ -48,7 +48,7 @@ local function is_mesh(mesh, options)
 end
 
 local options = sg.arguments{
-  problems = { names, choices = names }, labels = { "all" },
+  problems = { names, choices = names }, orders = { "all" },
   meshes = { { "all" }, check = is_mesh, expected = "all, or meshes that one of the problems has" },
   rounds = { 0, at_least = 0 },
   time = { "wall", choices = { "wall", "cpu" } }, out = "out/speed_against_accuracy", page = "none",

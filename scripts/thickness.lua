@@ -1,8 +1,8 @@
 -- Degree in the thickness direction: linear or that of the bulk? Error over time of both.
 --
 -- Problem: the order label of a body applies along its contact face. In the thickness direction, from the contact face
---          to the opposite one, the functions have the degree of the bulk (default) or another one (`through`); the
---          thesis uses 1.
+--          to the opposite one, the functions have the degree of the bulk (default) or another one
+--          (`thickness_degree`); the thesis uses 1.
 --
 --          ironing of ironing2d.lua: oscillation of the drag; Hertz line contact of hertz2d.lua: L2 error of the
 --          pressure against N2-N2.2 at m6 with degree 2 in the thickness direction; a cantilever 10 × 1, clamped at one
@@ -20,9 +20,9 @@
 --           elements in the thickness direction leave an error of 4e-3. Cantilever: degree 1 needs about six times as
 --           many elements in the thickness direction for the same deflection at nu = 0.3; at nu = 0.49 it loses 91 % of
 --           the deflection with one element and 16 % with eight.
--- Run: signorini scripts/thickness.lua [problems=ironing,hertz,cantilever,cantilever49] [labels=N2,N2-N2.2]
---      [through=1,2] [meshes=m1,m2,m3] [rounds=1] [time=cpu] [out=out/thickness]; rounds: runs per case, for medians;
---      time: cpu, or wall on a machine without other load. Finished cases are kept in `out`.
+-- Run: signorini scripts/thickness.lua [problems=ironing,hertz,cantilever,cantilever49] [orders=N2,N2-N2.2]
+--      [thickness_degree=1,2] [meshes=m1,m2,m3] [rounds=1] [time=cpu] [out=out/thickness]; rounds: runs per case, for
+--      medians; time: cpu, or wall on a machine without other load. Finished cases are kept in `out`.
 
 local sg = require "signorini"
 local amplitude = require "ironing2d.amplitude"
@@ -37,7 +37,7 @@ local function deflection(case, nu)
   local ny = 1 << (math.tointeger(case.mesh:sub(2)) - 1)
   local beam = sg.body{
     patch    = sg.shapes.rectangle{ width = 10, height = 1 }, elements = { 10 * ny, ny }, order = case.order,
-    contact  = "south", through = case.through, material = sg.linear_elastic{ E = 1, nu = nu },
+    contact  = "south", thickness_degree = case.thickness_degree, material = sg.linear_elastic{ E = 1, nu = nu },
   }
   local model = sg.model{ bodies = { beam = beam }, supports = { wall = { on = beam:face "west", fix = "xy" } },
                           loads = { tip = { on = beam:face "east", traction = { 0, -1e-4 } } } }
@@ -47,7 +47,7 @@ end
 
 local function bending(title, nu)
   return {
-    title = title, error = "error of the deflection", reference = { order = "N4", through = 4, mesh = "m5" },
+    title = title, error = "error of the deflection", reference = { order = "N4", thickness_degree = 4, mesh = "m5" },
     solve = function(case) return deflection(case, nu) end,
     of = function(row, reference) return math.abs(row.value / reference.value - 1) end,
   }
@@ -58,7 +58,7 @@ local problems = {
     title = "Ironing", error = "oscillation of the drag", unit = "N/mm",
     solve = function(case)
       local solved = ironing.solve{ set_up = ironing.variants.standard, label = case.order, mesh = case.mesh,
-                                    through = case.through }
+                                    thickness_degree = case.thickness_degree }
       local run = solved.run
       return { oscillation = amplitude.of(run:column "grip.fx").detrended, iterations = run.iterations,
                dofs = solved.die_dofs.total + solved.slab_dofs.total,
@@ -67,9 +67,11 @@ local problems = {
     of = function(row) return row.oscillation end,
   },
   hertz = {
-    title = "Hertz", error = "L₂ error of the pressure", reference = { order = "N2-N2.2", through = 2, mesh = "m6" },
+    title = "Hertz", error = "L₂ error of the pressure", reference = { order = "N2-N2.2", thickness_degree = 2,
+    mesh = "m6" },
     solve = function(case)
-      local model, stage, ring = hertz.scene{ label = case.order, mesh = case.mesh, through = case.through,
+      local model, stage, ring = hertz.scene{ label = case.order, mesh = case.mesh,
+                                              thickness_degree = case.thickness_degree,
                                               load = "displacement" }
       stage.steps = 10
       local run = model:run{ stage }
@@ -92,28 +94,29 @@ local names = { "ironing", "hertz", "cantilever", "cantilever49" }
 -- ── Study ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local options = sg.arguments{
-  problems = { names, choices = names }, labels = { "N2", "N2-N2.2" }, through = { 1, 2 },
+  problems = { names, choices = names }, orders = { "N2", "N2-N2.2" }, thickness_degree = { 1, 2 },
   meshes = { { "m1", "m2", "m3" }, choices = { "m1", "m2", "m3", "m4", "m5" } }, rounds = 1,
   time = { "cpu", choices = { "cpu", "wall" } }, out = "out/thickness",
 }
 local files = sg.files(options.out)
 
---- "N2, through = 1"
-local function space_of(row) return ("%s, through = %d"):format(row.order, row.through) end
+--- "N2, thickness_degree = 1"
+local function space_of(row) return ("%s, through = %d"):format(row.order, row.thickness_degree) end
 
 local function measured(name)
   local problem = problems[name]
   local list = {}
   for round = 1, options.rounds do
-    list[round] = sg.grid({ round = { round } }, { mesh = options.meshes }, { order = options.labels },
-      { through = options.through })
+    list[round] = sg.grid({ round = { round } }, { mesh = options.meshes }, { order = options.orders },
+      { thickness_degree = options.thickness_degree })
   end
   local wanted = problem.reference
   if wanted then
-    list[#list + 1] = { { round = 0, mesh = wanted.mesh, order = wanted.order, through = wanted.through } }
+    list[#list + 1] = { { round = 0, mesh = wanted.mesh, order = wanted.order,
+                          thickness_degree = wanted.thickness_degree } }
   end
   local study = sg.study{
-    name = "thickness: " .. name, cases = list, alone = true, folder = ("%s/%s"):format(options.out, name),
+    name = "thickness: " .. name, cases = list, sequential = true, folder = ("%s/%s"):format(options.out, name),
     units = { cpu = "s" },
     run = function(case)
       local figures, spent = timed(function() return problem.solve(case) end)
@@ -132,8 +135,8 @@ end
 for _, name in ipairs(options.problems) do
   local problem, cases = problems[name], measured(name)
   print(("\n── %s: %s ──\n"):format(problem.title, problem.error))
-  print(cases:table{ columns = { "order", "through", "mesh", "dofs", "iterations", options.time, "error" },
-                     sort = { "order", "through", "mesh" } })
+  print(cases:table{ columns = { "order", "thickness_degree", "mesh", "dofs", "iterations", options.time, "error" },
+                     sort = { "order", "thickness_degree", "mesh" } })
   local comparison = sg.work_precision(cases, {
     time = options.time, error = "error", series = "space", marker = "mesh", size = { 1600, 1000 },
     files = { files(name .. ".svg"), files(name .. ".png") },

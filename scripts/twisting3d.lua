@@ -23,7 +23,7 @@
 --           the contact profile once all points slip. Punches: M = mu ∫ p r dA to 1 %, and to 1 % the torque of a
 --           uniform pressure: mu N (√2 + ln(1 + √2))/3 for the square, mu N 2/3 (Ro³ − Ri³)/(Ro² − Ri²) for the tube.
 --           The difference in energy, work − stored − contact − friction, decreases with the step size.
--- Run: signorini scripts/twisting3d.lua [parts=twist,punch,balance] [labels=N2,N4,N2-N4,N2-N2.2] [meshes=m1]
+-- Run: signorini scripts/twisting3d.lua [parts=twist,punch,balance] [orders=N2,N4,N2-N4,N2-N2.2] [meshes=m1]
 --      [press=10] [twist=90] [angle=180] [slave=hemisphere] [poles=ends] [linear=auto] [out=out/twisting3d]; slave:
 --      hemisphere or cube; poles: ends or bottom, see help(sg.shapes.hollow_hemisphere).
 
@@ -38,11 +38,11 @@ local meshes = { m1 = { {4, 4, 1}, {4, 4, 2} }, m2 = { {6, 6, 2}, {6, 6, 3} }, m
 local function scene(o, options)
   local cube = sg.body{
     patch    = sg.shapes.block{ size = { 2, 2, 2 }, corner = { -1, -1, -2 } }, elements = meshes[o.mesh][2],
-    order    = o.label, contact = "back", through = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 },
+    order    = o.label, contact = "back", thickness_degree = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local hemisphere = sg.body{
     patch    = sg.shapes.hollow_hemisphere{ inner = 2 / 3, outer = 1, center = { 0, 0, 1 }, poles = options.poles },
-    elements = meshes[o.mesh][1], order = o.label, contact = "front", through = 2,
+    elements = meshes[o.mesh][1], order = o.label, contact = "front", thickness_degree = 2,
     material = sg.neo_hookean{ E = 5, nu = 0.3 },
   }
   local ring = options.poles == "ends" and { hemisphere:face "west", hemisphere:face "east" } or hemisphere:face "south"
@@ -64,13 +64,13 @@ local function punch_scene(shape)
   local material = sg.neo_hookean{ E = 10, nu = 0 }
   if shape == "square" then
     body = sg.body{ patch = sg.shapes.block{ size = { 2, 2, 1 }, corner = { -1, -1, 0 } }, elements = { 4, 4, 2 },
-                    order = "N2", contact = "front", through = 1, material = material }
+                    order = "N2", contact = "front", thickness_degree = 1, material = material }
     foot, grip, arm = body:face "front", body:face "back", (math.sqrt(2) + math.log(1 + math.sqrt(2))) / 3
   else
     local meridian = sg.nurbs.surface{ degrees = { 1, 1 }, knots = { { 0, 0, 1, 1 }, { 0, 0, 1, 1 } },
                                        points = { { inner, 0, 0 }, { inner, 0, 1 }, { 1, 0, 0 }, { 1, 0, 1 } } }
     body = sg.body{ patch = sg.nurbs.revolve{ patch = meridian }, elements = { 2, 4, 8 }, order = "N2",
-                    contact = "west", through = 1, material = material }
+                    contact = "west", thickness_degree = 1, material = material }
     foot, grip, arm = body:face "west", body:face "east", 2 / 3 * (1 - inner ^ 3) / (1 - inner ^ 2)
   end
   local plane = sg.rigid.plane{ point = { 0, 0, 0 }, normal = { 0, 0, 1 } }
@@ -243,7 +243,7 @@ end
 
 local options = sg.arguments{
   parts = { { "twist", "punch", "balance" }, choices = { "twist", "punch", "balance" } },
-  labels = { "N2", "N4", "N2-N4", "N2-N2.2" }, meshes = { { "m1" }, choices = { "m1", "m2", "m3" } }, press = 10,
+  orders = { "N2", "N4", "N2-N4", "N2-N2.2" }, meshes = { { "m1" }, choices = { "m1", "m2", "m3" } }, press = 10,
   twist = 90, angle = { 180.0, above = 0 }, slave = { "hemisphere", choices = { "hemisphere", "cube" } },
   poles = { "ends", choices = { "ends", "bottom" } }, linear = "auto", out = "out/twisting3d",
 }
@@ -260,7 +260,7 @@ end
 if wanted.twist then
   local whole, cut = {}, {}
   for _, mesh in ipairs(options.meshes) do
-    for _, label in ipairs(options.labels) do
+    for _, label in ipairs(options.orders) do
       local case = twist({ label = label, mesh = mesh, press = options.press, twist = options.twist,
                            on_step = #cases == 0 and keep_states(whole, cut, options) or nil }, options)
       if case.run.failed then print(("%s at %s: %s"):format(label, mesh, case.run.report)) end
@@ -273,12 +273,12 @@ if wanted.twist then
   print(twist_table(cases))
   draw(cases, "moment", "torque", files "torque.png")
   draw(cases, "force", "vertical force", files "force.png")
-  draw_states(whole, cut, ("%s at %s"):format(options.labels[1], options.meshes[1]), files)
+  draw_states(whole, cut, ("%s at %s"):format(options.orders[1], options.meshes[1]), files)
 end
 
 if wanted.balance then
   for i, factor in ipairs { 1, 2, 4 } do
-    balance[i] = twist({ label = options.labels[1], mesh = options.meshes[1], press = factor * options.press,
+    balance[i] = twist({ label = options.orders[1], mesh = options.meshes[1], press = factor * options.press,
                          twist = factor * options.twist }, options)
   end
   print "\nThe energies' balance with smaller steps"

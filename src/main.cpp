@@ -44,20 +44,20 @@ int main(int argc, char** argv) {
   try {
     const repl::CommandLine line = repl::parse({argv + 1, argv + argc});
     bind::set_threads(line.threads);
-    switch (line.wish) {
-    case repl::CommandLine::Wish::version:
+    switch (line.action) {
+    case repl::CommandLine::Action::version:
       std::cout << "signorini " SIGNORINI_VERSION "\n";
       return success;
-    case repl::CommandLine::Wish::help:
+    case repl::CommandLine::Action::help:
       std::cout << repl::usage();
       return success;
-    case repl::CommandLine::Wish::doctor:
+    case repl::CommandLine::Action::doctor:
       return bind::doctor(std::cout, line.threads, repl::readline_version()) ? success : failure;
-    case repl::CommandLine::Wish::new_study:
+    case repl::CommandLine::Action::new_study:
       bind::write_new_study(line.new_study);
       std::cout << "Written: " << line.new_study << "; run it with: signorini " << line.new_study << "\n";
       return success;
-    case repl::CommandLine::Wish::run:
+    case repl::CommandLine::Action::run:
       break;
     }
     const bool ok = run(line, argv[0]);

@@ -9,7 +9,7 @@ local controls = {}
 --- arguments that differ from those of the failed attempt. `loose`: only for unconstrained bodies. `early`: tried
 --- before a step is cut, always or for that reason. The others are tried only where the step cannot be cut any more,
 --- because on a long step they may converge to an equilibrium on another branch.
-local rescues = {
+local fallbacks = {
   { name = "tangent", change = { predictor = "tangent" }, early = true },
   { name = "damping", change = { predictor = "tangent", damping = true }, loose = true, early = "singular" },
   { name = "line search", change = { predictor = "tangent", line_search = "residual", pseudo_transient = false } },
@@ -20,7 +20,7 @@ local rescues = {
 
 --- Whether a fallback converges to the equilibrium on the followed branch, as far as is known.
 function controls.keeps_branch(name)
-  return lists.any(rescues, function(rescue) return rescue.name == name and rescue.early ~= nil end)
+  return lists.any(fallbacks, function(fallback) return fallback.name == name and fallback.early ~= nil end)
 end
 
 --- A solver's arguments with changes, and whether these make a difference.
@@ -31,13 +31,13 @@ function controls.changed(solver, change)
 end
 
 --- The fallbacks for a solver, a list of { name, solver, early } that is also a table by name.
-function controls.rescues(model, solver)
-  local tries, loose = {}, #model:contact_names() > 0 and #model:loose_bodies() > 0
-  for _, rescue in ipairs(rescues) do
-    local changed, differs = controls.changed(solver, rescue.change)
-    if differs and (loose or not rescue.loose) then
-      tries[rescue.name] = { name = rescue.name, solver = changed, early = rescue.early }
-      tries[#tries + 1] = tries[rescue.name]
+function controls.fallbacks(model, solver)
+  local tries, loose = {}, #model:contact_names() > 0 and #model:unconstrained_bodies() > 0
+  for _, fallback in ipairs(fallbacks) do
+    local changed, differs = controls.changed(solver, fallback.change)
+    if differs and (loose or not fallback.loose) then
+      tries[fallback.name] = { name = fallback.name, solver = changed, early = fallback.early }
+      tries[#tries + 1] = tries[fallback.name]
     end
   end
   return tries

@@ -16,7 +16,7 @@ end
 function path_controls.counts(histories)
   local counts = {}
   for _, attempt in ipairs(path_controls.accepted(histories)) do
-    local name = attempt.rescue
+    local name = attempt.fallback
     if name then counts[name] = (counts[name] or 0) + 1 end
   end
   return counts
@@ -36,10 +36,10 @@ end
 local function departure(attempts, index)
   local attempt = attempts[index]
   if not attempt.converged then return nil end
-  local with = attempt.rescue and " with " .. attempt.rescue or ""
-  if attempt.again then return "the whole step again from its start" .. with end
+  local with = attempt.fallback and " with " .. attempt.fallback or ""
+  if attempt.restarted then return "the whole step again from its start" .. with end
   if is_leap(attempts, index) then return "the rest of the step in one increment" .. with end
-  return attempt.rescue and not controls.keeps_branch(attempt.rescue) and attempt.rescue or nil
+  return attempt.fallback and not controls.keeps_branch(attempt.fallback) and attempt.fallback or nil
 end
 
 --- The steps that a fallback has solved which may leave the branch: a list of { step, how }.
@@ -72,7 +72,7 @@ local function solver_text(run)
   for name, count in pairs(run.fallbacks) do counts[#counts + 1] = ("%s %d"):format(name, count) end
   table.sort(counts)
   if #counts > 0 then texts[#texts + 1] = "fallbacks " .. table.concat(counts, ", ") end
-  if not used.rescue then texts[#texts + 1] = "no fallbacks" end
+  if not used.fallback then texts[#texts + 1] = "no fallbacks" end
   if run.cutbacks > 0 then texts[#texts + 1] = counted(run.cutbacks, "cut") end
   if not used.adaptive then texts[#texts + 1] = "no cuts" end
   return #texts > 0 and "controls: " .. table.concat(texts, "; ") or nil

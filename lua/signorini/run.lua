@@ -27,8 +27,8 @@ local longest_chord = 1.25 -- of an increment, in units of its length along the 
 local function controls_on(options)
   local newton = options.newton
   local is_on = {
-    step = options.step.adaptive, line_search = newton.line_search ~= "none" or options.rescue,
-    damping = options.damping or options.rescue, pseudo_transient = options.pseudo_transient or options.rescue,
+    step = options.step.adaptive, line_search = newton.line_search ~= "none" or options.fallback,
+    damping = options.damping or options.fallback, pseudo_transient = options.pseudo_transient or options.fallback,
     active_set_changes = newton.active_set_changes > 0, arc_length = options.arc_length, penalty = options.penalty,
   }
   return lists.filter(lists.sorted_names(is_on), function(name) return is_on[name] end)
@@ -44,7 +44,7 @@ local function read_options(model, options, path, total)
   options.on, options.keeper = controls_on(options), checkpoint(options)
   options.policy = options.step.adaptive and steps.halving(options.step) or steps.plain()
   if options.arc_length then options.policy = arc_length.policy(options.policy) end
-  options.tries = options.rescue and controls.rescues(model, options.solver) or {}
+  options.tries = options.fallback and controls.fallbacks(model, options.solver) or {}
   options.states = states.read(where, options.states, path, total)
   if options.threads then core.set_threads(options.threads) end -- last, so that a rejected call does not set them
   return options
@@ -116,9 +116,9 @@ function Step:solve(solver, to)
   return result
 end
 
---- One attempt with given controls: accepts or rolls back, diagnoses a failure. `rescue`: name of the fallback, if
+--- One attempt with given controls: accepts or rolls back, diagnoses a failure. `fallback`: name of the fallback, if
 --- another attempt has failed before.
-function Step:try(solver, to, rescue)
+function Step:try(solver, to, fallback)
   local began = core.now()
   self:set_targets(to)
   self:set_penalty(to)
@@ -131,7 +131,7 @@ function Step:try(solver, to, rescue)
     if not steps.is_wanted(result) then result.diagnosis = self.model:diagnose(self.options.on) end
     self.model:rollback()
   end
-  self.run:record_attempt(self.done, to, result, core.now() - began, rescue, nil, self.again)
+  self.run:record_attempt(self.done, to, result, core.now() - began, fallback, nil, self.again)
   return result
 end
 
@@ -146,10 +146,10 @@ function Step:attempt(to, shorter)
   local first = self:try(plain and plain.solver or self.solver, to)
   run.wary = math.max(0, run.wary - 1)
   local result = first
-  for _, rescue in ipairs(tries) do
+  for _, fallback in ipairs(tries) do
     if result.converged or steps.is_wanted(result) then break end
-    local now = rescue.early == true or rescue.early == result.reason or last
-    if now and rescue ~= plain then result = self:try(rescue.solver, to, rescue.name) end
+    local now = fallback.early == true or fallback.early == result.reason or last
+    if now and fallback ~= plain then result = self:try(fallback.solver, to, fallback.name) end
   end
   if first ~= result and not plain then run.wary = wariness end
   if not result.converged and not steps.is_wanted(result) then return first end
@@ -198,7 +198,7 @@ function Step:solve_arc(length, iterations, diagnoses)
   if result.converged then model:accept() else model:rollback() end
   if result.converged and model:last_length() > longest_chord * length then
     model:restore(kept)
-    result.converged, result.reason = false, "strayed"
+    result.converged, result.reason = false, "left_path"
   end
   return result, self.done + result.fraction, kept
 end
@@ -216,7 +216,7 @@ function Step:moves()
 end
 
 --- Whether there are fallbacks for the rest of a step.
-function Step:has_rescues() return #self.options.tries > 0 and not self.options.arc_length end
+function Step:has_fallbacks() return #self.options.tries > 0 and not self.options.arc_length end
 
 --- An arc-length increment, accepted unless it passes the end of the step.
 function Step:attempt_arc(length, iterations)
@@ -329,7 +329,7 @@ return function(model, stages, options)
   for _, warning in ipairs(model:warnings()) do said[warning] = true end
   local run = Run.new(model)
   local place = keeper:begin(model, run, path, policy)
-  run.used = { predictor = options.predictor, rescue = options.rescue, adaptive = options.step.adaptive,
+  run.used = { predictor = options.predictor, fallback = options.fallback, adaptive = options.step.adaptive,
                arcs = options.arc_length }
   local display = progress(total - run.steps)
   if options.states.wants(run.steps) then run:keep_state(model, path[place.stage].name) end

@@ -91,7 +91,8 @@ end
 --- A run without steps. Columns are created once, so that a step only appends numbers.
 function Run.new(model)
   local run = setmetatable({
-    failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, rescues = 0, wary = 0,
+    failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, fallback_steps = 0,
+    wary = 0,
     places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, kept = {}, before = model:timings(), warnings = {},
     unsettled = {}, crossed = {}, jumps = jumps.record(),
@@ -117,19 +118,19 @@ function Run:begin_step()
   self.histories[#self.histories + 1] = {}
 end
 
---- Records an attempt to get from one fraction of the step to another in `seconds`; `rescue`: the fallback that it
+--- Records an attempt to get from one fraction of the step to another in `seconds`; `fallback`: the fallback that it
 --- tried after a failure; `arc`: arc-length increment; `again`: it began at the start of the step although a fraction
 --- of the step was accepted.
-function Run:record_attempt(from, to, result, seconds, rescue, arc, again)
+function Run:record_attempt(from, to, result, seconds, fallback, arc, again)
   for _, account in ipairs { self, self.stages[#self.stages], self.step } do
     account.iterations, account.wall = account.iterations + result.iterations, account.wall + seconds
   end
   if result.converged then self.step.increments = self.step.increments + 1 end
   local attempts = self.histories[#self.histories]
   attempts[#attempts + 1] = { from = from, to = to, converged = result.converged, reason = result.reason,
-                              iterations = result.iterations, residuals = result.residuals, rescue = rescue,
-                              arc = arc, again = again }
-  if rescue and result.converged then self.rescues = self.rescues + 1 end
+                              iterations = result.iterations, residuals = result.residuals, fallback = fallback,
+                              arc = arc, restarted = again }
+  if fallback and result.converged then self.fallback_steps = self.fallback_steps + 1 end
 end
 
 --- Adds to an account of the run and of the stage: "cutbacks", or the "wall" time of a diagnosis.
@@ -203,10 +204,10 @@ local function tried_text(attempts, done)
   local tried = lists.filter(attempts, function(attempt) return not attempt.converged and attempt.from == done end)
   if #tried < 2 then return "" end
   local texts = lists.map(tried, function(attempt)
-    local how = attempt.rescue and (" with %s"):format(attempt.rescue) or ""
+    local how = attempt.fallback and (" with %s"):format(attempt.fallback) or ""
     return ("%g%s (%s)"):format(attempt.to - done, how, attempt.reason)
   end)
-  local again = attempts[#attempts].again and " The whole step was also tried from its start." or ""
+  local again = attempts[#attempts].restarted and " The whole step was also tried from its start." or ""
   return (" Attempts, by fraction of the step: %s.%s"):format(table.concat(texts, ", "), again)
 end
 

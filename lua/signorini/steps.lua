@@ -6,7 +6,7 @@
 --                      the result. `shorter`: a shorter attempt follows a failure
 --   step:attempt_from_start()  solves for the whole step from the state before it; after a failure nothing has changed
 --   step:moves()       whether anything that is prescribed changes in the step
---   step:has_rescues() whether there are fallbacks for a failed attempt
+--   step:has_fallbacks() whether there are fallbacks for a failed attempt
 --   step:cut_back()    counts a failed attempt that is repeated with a shorter one
 -- and shorten(step), which halves the length of the next attempts at this step and returns whether that is possible.
 -- Data that a policy keeps from one step to the next is in its table `memory`, as plain data, which checkpoints save.
@@ -54,7 +54,7 @@ local function is_easy(result, solver) return 2 * result.iterations <= solver.it
 --- The last resort if the smallest increment fails: the rest of the step at once, with all fallbacks; then the whole
 --- step from its start, because its accepted increments may have led to a state without a neighboring equilibrium.
 local function leap(step, failed)
-  if not step:has_rescues() then return failed end
+  if not step:has_fallbacks() then return failed end
   local result = step:attempt(1)
   if step.done > 0 and not result.converged and not steps.is_asked_for(result) then
     result = step:attempt_from_start()

@@ -8,7 +8,7 @@ local lists = require "signorini.lists"
 local named = require "signorini.named"
 local read_cases = require("signorini.study.cases").read
 local store = require "signorini.study.store"
-local verbs = require "signorini.study.verbs"
+local verbs = require "signorini.study.methods"
 
 local where = "sg.study"
 
@@ -57,7 +57,7 @@ end
 --- records of cases were read or written.
 local function make(study)
   study.records, study.unsaved, study.rows, study.figures = {}, {}, {}, {}
-  study.alone, study.units = study.alone or false, study.units or {}
+  study.sequential, study.units = study.sequential or false, study.units or {}
   study.units.wall = study.units.wall or "s"
   study.cases, study.parameters = read_cases(study.cases)
   return setmetatable(study, Study)

@@ -96,7 +96,8 @@ end
 --- neo-Hookean block of n³ elements that is sheared: median of repeats.
 function measure.element(n, repeats)
   local block = sg.body{
-    patch = sg.shapes.block{ size = { 1, 1, 1 } }, elements = { n, n, n }, order = "N2", contact = "back", through = 2,
+    patch = sg.shapes.block{ size = { 1, 1, 1 } }, elements = { n, n, n }, order = "N2", contact = "back",
+    thickness_degree = 2,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local model = sg.model{ bodies = { block = block }, supports = {

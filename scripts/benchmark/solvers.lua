@@ -7,7 +7,7 @@ local measure = require "benchmark.measure"
 local peeling = require "peeling2d.problem"
 local rings = require "rings2d.problem"
 
-local solvers = { kinds = { "klu", "umfpack", "kept", "condensed", "auto" } }
+local solvers = { kinds = { "klu", "umfpack", "reuse", "condensed", "auto" } }
 
 -- ── Scenes: begin(steps) → model, stages ─────────────────────────────────────────────────────────────────────────────
 
@@ -37,7 +37,7 @@ end
 
 local function square(steps)
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 64, 64 }, order = "N2",
-                        contact = "north", through = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+                        contact = "north", thickness_degree = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local model = sg.model{ bodies = { body = body }, supports = {
     bed = { on = body:face "south", fix = "xy" }, lid = { on = body:face "north", drive = "xy" } } }
   return model, { { name = "press", steps = steps, lid = { 0, -0.02 * steps } } }

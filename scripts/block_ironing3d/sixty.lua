@@ -19,13 +19,14 @@ local function result_table(cases)
   for i, case in ipairs(cases) do
     local run, drag = case.run, case.drag or {}
     local inside = drag.mean and drag.mean >= sixty.range[1] and drag.mean <= sixty.range[2]
-    rows[i] = { case.label, case.mesh.name, case.part, case.through, case.points or "3(p+1)", case.dofs.total,
+    rows[i] = { case.label, case.mesh.name, case.part, case.thickness_degree, case.points or "3(p+1)", case.dofs.total,
                 run.iterations, run.cutbacks, run.failed and run.reason or "complete", case.user, case.pressed,
                 drag.mean, drag.low, drag.high, drag.mean and (inside and "yes" or "no"), case.user / sixty.febio,
                 case.user / sixty.getfem }
   end
   return sg.table{
-    columns = { "label", "mesh", "part", "through", "points", "DOFs", "iterations", "cut-backs", "end", "user", "Pz",
+    columns = { "label", "mesh", "part", "thickness_degree", "points", "DOFs", "iterations", "cut-backs", "end",
+                "user", "Pz",
                 "Pz", "Pz", "Pz", "5.75-5.85", "user", "user" },
     units = { "", "", "", "degree", "", "", "", "", "", "s", "pressed", "mean", "least", "greatest", "", "of FEBio's",
               "of GetFEM's" }, rows = rows,
@@ -47,12 +48,13 @@ function sixty.cheapest(cases)
 end
 
 local function csv(file, cases)
-  local data = { columns = { "label", "mesh", "part", "through", "points", "dofs", "iterations", "cutbacks", "user",
+  local data = { columns = { "label", "mesh", "part", "thickness_degree", "points", "dofs", "iterations", "cutbacks",
+                             "user",
                              "pressed", "drag_mean", "drag_low", "drag_high" },
                  comments = { ("user time in s; FEBio %g, GetFEM %g"):format(sixty.febio, sixty.getfem) }, rows = {} }
   for i, case in ipairs(cases) do
     local drag = case.drag or {}
-    data.rows[i] = { case.label, case.mesh.name, case.part, case.through, case.points, case.dofs.total,
+    data.rows[i] = { case.label, case.mesh.name, case.part, case.thickness_degree, case.points, case.dofs.total,
                      case.run.iterations, case.run.cutbacks, case.user, case.pressed, drag.mean, drag.low, drag.high }
   end
   sg.csv.write(file, data)
@@ -61,8 +63,9 @@ end
 --- Runs all combinations of the lists labels, mesh, part ("half" or "whole"), through, points (texts: a number or
 --- "auto", 3(p + 1)). Returns { cases, cheapest }.
 function sixty.run(problem, options, files)
-  local cases = sg.grid({ mesh = options.mesh }, { part = options.part }, { through = options.through },
-                        { points = options.points }, { label = options.labels })
+  local cases = sg.grid({ mesh = options.mesh }, { part = options.part },
+                        { thickness_degree = options.thickness_degree },
+                        { points = options.points }, { label = options.orders })
   for i, case in ipairs(cases) do
     local name, points = case.mesh, case.points
     case.mesh, case.points = meshes.read(name), math.tointeger(tonumber(points))
@@ -74,7 +77,7 @@ function sixty.run(problem, options, files)
     case.press, case.slide, case.line_search, case.linear = press, slide, options.line_search, options.linear
     cases[i] = study.solve(problem, case)
     print(("%s at %s (%s), thickness degree %d, points %s: %.2f s of user time")
-      :format(case.label, name, case.part, case.through, points, case.user))
+      :format(case.label, name, case.part, case.thickness_degree, points, case.user))
     print(case.run)
   end
   print(("\n%d + %d steps; pressing force at full depth and during sliding; user time compared with FEBio's %g s ")
@@ -90,7 +93,7 @@ function sixty.run(problem, options, files)
     local named = {}
     for i, case in ipairs(cases) do
       named[i] = setmetatable({ label = ("%s %s %s q=%d %s"):format(case.label, case.mesh.name, case.part,
-        case.through, case.points or "3(p+1)") }, { __index = case })
+        case.thickness_degree, case.points or "3(p+1)") }, { __index = case })
     end
     return output.draw_force(file, named, "Pz", {
       title = "Block ironing in 60 steps: pressing force", ylabel = "Pz",

@@ -20,7 +20,7 @@ function problem.scene(o)
   local ring = sg.body{
     patch    = sg.shapes.quarter_annulus{ inner = problem.inner, outer = problem.outer, start = 270 },
     elements = { math.floor(9 * refined * growth + 0.5), math.floor(48 * growth + 0.5) }, grading = { graded, graded },
-    order = o.label, contact = "south", through = o.through or 1,
+    order = o.label, contact = "south", thickness_degree = o.thickness_degree or 1,
     material = sg.linear_elastic{ E = problem.young, nu = problem.poisson },
   }
   local force, cut = o.load == "force", ring:face "east"

@@ -74,7 +74,7 @@ local function study_mesh(options, mesh, coarser, files)
   local most = options.points[#options.points]
   local keep, draw_states = output.record_states(picture_steps)
   for _, multiple in ipairs(options.points) do
-    for i, label in ipairs(options.labels) do
+    for i, label in ipairs(options.orders) do
       local shown = coarser == 1 and multiple == most
       local c = compare(options, label, mesh, multiple, coarser, shown and i == 1 and keep or nil)
       comparisons[#comparisons + 1] = c
@@ -91,7 +91,7 @@ local function study_mesh(options, mesh, coarser, files)
   print(outcome_table(comparisons))
   if coarser == 1 then
     files:draw(("states_%s.png"):format(mesh), "an accepted step", function(file)
-      return draw_states(file, ("Deep ironing, %s at %s"):format(options.labels[1], mesh), 2)
+      return draw_states(file, ("Deep ironing, %s at %s"):format(options.orders[1], mesh), 2)
     end)
   end
   return comparisons, best
@@ -122,7 +122,7 @@ function deep.run(options, files)
     if #studies > 1 then
       files:draw(force .. "_over_mesh.png", "runs that reach the window", function(file)
         return output.draw_over_mesh({ file = file, ylabel = ("oscillation d%s (N/mm)"):format(force),
-          title = ("Deep ironing: oscillation of %s"):format(force) }, studies, options.labels,
+          title = ("Deep ironing: oscillation of %s"):format(force) }, studies, options.orders,
           function(case) return case["d" .. force].raw end)
       end)
     end

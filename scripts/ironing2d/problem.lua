@@ -58,12 +58,12 @@ end
 function problem.scene(set_up, label, elements, points, through)
   local die = sg.body{
     patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { set_up.start, 1.5 } },
-    elements = elements.die, order = label, contact = "south", through = through or 1,
+    elements = elements.die, order = label, contact = "south", thickness_degree = through or 1,
     material = sg.neo_hookean{ E = set_up.die_modulus, nu = 0.3 },
   }
   local slab = sg.body{
     patch    = sg.shapes.rectangle{ width = 3, height = 1 },
-    elements = elements.slab, order = label, contact = "north", through = through or 1,
+    elements = elements.slab, order = label, contact = "north", thickness_degree = through or 1,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local model = sg.model{
@@ -76,13 +76,13 @@ function problem.scene(set_up, label, elements, points, through)
   return model, die, slab
 end
 
---- Runs one case { set_up, label, mesh }, also with `points`, `through`, `coarser` (steps that many times as long), and
---- `step`, `linear` and `on_step(model, info)` as model:run takes them. Returns { label, mesh, run, model, die_dofs,
---- slab_dofs }.
+--- Runs one case { set_up, label, mesh }, also with `points`, `thickness_degree`, `coarser` (steps that many times as
+--- long), and `step`, `linear` and `on_step(model, info)` as model:run takes them. Returns { label, mesh, run, model,
+--- die_dofs, slab_dofs }.
 function problem.solve(case)
   local set_up = case.set_up
   local model, die, slab = problem.scene(set_up, case.label, problem.elements(case.mesh), case.points,
-    case.through)
+    case.thickness_degree)
   local run = model:run(problem.path(set_up, case.coarser or 1), sg.plain{ linear = case.linear, step = case.step,
      on_step = case.on_step and function(info) return case.on_step(model, info) end })
   return { label = case.label, mesh = case.mesh, run = run, model = model,

@@ -68,7 +68,7 @@ end
 function validation.run(options, files)
   local set_up, mesh, cases = problem.variants.validation, options.mesh, {}
   local keep, draw_states = output.record_states(picture_steps)
-  for i, label in ipairs(options.labels) do
+  for i, label in ipairs(options.orders) do
     print(("%s at %s spans"):format(label, mesh))
     local case = problem.solve{ set_up = set_up, label = label, mesh = mesh, linear = options.linear,
                                 step = { adaptive = true }, on_step = i == 1 and keep or nil }
@@ -82,7 +82,7 @@ function validation.run(options, files)
     :format(first, last, set_up.mu))
   print(force_table(cases))
   files:draw("states.png", "an accepted step", function(file)
-    return draw_states(file, ("Ironing for validation, %s at %s spans"):format(options.labels[1], mesh), 2)
+    return draw_states(file, ("Ironing for validation, %s at %s spans"):format(options.orders[1], mesh), 2)
   end)
   files:draw("forces.png", "an accepted step", function(file)
     return output.draw_forces(file, cases, ("Ironing for validation, %s spans"):format(mesh))

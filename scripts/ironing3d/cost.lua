@@ -67,7 +67,7 @@ function cost.run(options, files)
     table.insert(all, case)
   end
   for _, label in ipairs(options.layered) do add(layered, label, "coarse") end
-  for _, mesh in ipairs(options.mesh) do add(cases, options.labels[1], mesh) end
+  for _, mesh in ipairs(options.mesh) do add(cases, options.orders[1], mesh) end
   print "Time of a Newton iteration (linear: factorization and solve), largest memory of the process so far"
   print(result_table(all))
   files:draw("cost.png", "a mesh", function(file) return draw(file, cases) end)

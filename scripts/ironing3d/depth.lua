@@ -55,7 +55,7 @@ end
 function depth.run(options, files)
   local cases, pictures = {}, {}
   for _, radius in ipairs(options.radius) do
-    for _, label in ipairs(options.labels) do
+    for _, label in ipairs(options.orders) do
       for _, from in ipairs(options.from) do
         local case = depth.solve{ label = label, radius = radius, from = from, cap = options.cap, down = options.down,
                                   linear = options.linear }

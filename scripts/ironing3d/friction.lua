@@ -74,7 +74,7 @@ end
 --- The study: each label with each mu. Returns { cases }.
 function friction.run(options, files)
   local cases, radius, depth = {}, options.radius[1], problem.published_depth - options.gap[1]
-  for _, label in ipairs(options.labels) do
+  for _, label in ipairs(options.orders) do
     for _, mu in ipairs(options.mu) do
       local case = friction.solve{
         label = label, mesh = "coarse", radius = radius, depth = depth, mu = mu, way = options.way, cap = options.cap,

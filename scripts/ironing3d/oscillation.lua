@@ -70,7 +70,7 @@ local function solve_set(options, radius, gap, files)
     table.insert(set.cases, case)
     set.cases[label .. " " .. mesh] = case
   end
-  for _, label in ipairs(options.labels) do solve(label, "coarse") end
+  for _, label in ipairs(options.orders) do solve(label, "coarse") end
   for _, label in ipairs(options.fine) do solve(label, "fine") end
   files:draw(("states_R%g_gap%g.png"):format(radius, gap), "an accepted step", function(file)
     return draw_states(file, ("%s, R = %g, depth %g"):format(set.cases[1].label, radius, depth))

@@ -26,11 +26,11 @@ function problem.bodies(case, center)
   local indenter = sg.body{
     patch    = sg.shapes.spherical_indenter{ width = 10, depth = 10, height = 11, radius = case.radius,
                                              elements = case.cap or 1, corner = { center - 5, 10, 22 } },
-    elements = elements.indenter, order = case.label, contact = "front", through = 1, material = material,
+    elements = elements.indenter, order = case.label, contact = "front", thickness_degree = 1, material = material,
   }
   local slab = sg.body{
     patch    = sg.shapes.block{ size = { 100, 30, 22 } },
-    elements = elements.slab, order = case.label, contact = "back", through = 1, material = material,
+    elements = elements.slab, order = case.label, contact = "back", thickness_degree = 1, material = material,
   }
   return indenter, slab
 end

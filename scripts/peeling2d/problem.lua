@@ -28,7 +28,7 @@ function problem.equilibrium_distance() return 15 ^ (-1 / 6) * problem.r0 end
 function problem.scene(label, mesh, length, bonded)
   local strip = sg.body{
     patch    = sg.shapes.rectangle{ width = length, height = problem.height },
-    elements = problem.elements(mesh, length), order = label, contact = "south", through = 1,
+    elements = problem.elements(mesh, length), order = label, contact = "south", thickness_degree = 1,
     material = sg.neo_hookean{ E = problem.modulus, nu = problem.poisson },
   }
   -- The substrate transmits no shear, and the edge is free to move, so one point of the strip is fixed in x.

@@ -9,12 +9,12 @@ function problem.scene(label, mesh)
   local refined = 1 << (math.tointeger(mesh:sub(2)) - 1)
   local upper = sg.body{
     patch    = sg.shapes.quarter_annulus{ inner = 8, outer = 10, center = {0, 22}, start = 270 },
-    elements = { 12 * refined, 3 }, order = label, contact = "south", through = 1,
+    elements = { 12 * refined, 3 }, order = label, contact = "south", thickness_degree = 1,
     material = sg.neo_hookean{ E = 100, nu = 0.3 },
   }
   local lower = sg.body{
     patch    = sg.shapes.quarter_annulus{ inner = 10, outer = 12, start = 0 },
-    elements = { 20 * refined, 3 }, order = label, contact = "south", through = 1,
+    elements = { 20 * refined, 3 }, order = label, contact = "south", thickness_degree = 1,
     material = sg.neo_hookean{ E = 300, nu = 0.3 },
   }
   local model = sg.model{

@@ -5,7 +5,7 @@ local meshes = require "solid_ironing.mesh"
 local output = require "solid_ironing.output"
 local study = require "solid_ironing.study"
 
-local labels = {}
+local orders = {}
 
 local reference_label = "N2"
 
@@ -13,7 +13,7 @@ local reference_label = "N2"
 function labels.run(problem, options, files)
   local mesh, press, slide = meshes.read(options.mesh), options.press, options.slide
   local cases, states = {}, {}
-  for i, label in ipairs(options.labels) do
+  for i, label in ipairs(options.orders) do
     local case = { label = label, mesh = mesh, press = press, slide = slide, linear = options.linear }
     if i == 1 then case.on_step, states = study.record_states(case, "uz", "displacement u_z") end
     study.solve(problem, case)

@@ -11,7 +11,7 @@ return {
   about = [[
 A linear elastic quarter ring is pressed onto a rigid plane in ten steps. The error is the L₂ norm of p/p_ref over
 x/a_ref at the last of them, against N2 at m6.]],
-  labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "L1" },
+  orders = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "L1" },
   meshes = { "m1", "m2", "m3", "m4", "m5" }, rounds = 3,
   reference = { order = "N2", mesh = "m6" },
   errors = { {

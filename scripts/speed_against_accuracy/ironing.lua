@@ -13,7 +13,7 @@ return {
 A stiff half ring is pressed into a soft slab in 46 steps and dragged along it in 250, with friction. The exact forces
 are nearly constant during sliding, so the error is the oscillation over one element of m1 in the slab's middle, minus
 the best-fit parabola.]],
-  labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N2.2x2" },
+  orders = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N2.2x2" },
   meshes = { "m1", "m2", "m3", "m4" }, rounds = 3,
   once = { m4 = true }, -- long runs, on which disturbances have little effect
   errors = {

@@ -25,7 +25,7 @@ return {
 A soft block with a spherical bottom (R = 7.5) is pressed into an equally soft slab by 5.4 and dragged over the length
 of one element of the sparse mesh, without friction. The exact forces are nearly constant, so the error is
 their oscillation. Failed steps are halved, and their time counts.]],
-  labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
+  orders = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
   meshes = { "sparse", "coarse", "middle" }, rounds = 1,
   -- The middle mesh serves for comparison with layers on coarser ones; with layers it would take minutes.
   affordable = function(order, mesh) return mesh ~= "middle" or order == "N2" end,

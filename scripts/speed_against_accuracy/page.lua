@@ -100,7 +100,7 @@ local run_head = [[
 
 writes this page. Finished cases are kept in the folder `out`: an interrupted run continues with the others, and a
 complete one only draws and writes. Times are meaningful only on an otherwise idle machine.
-`problems=hertz labels=N2,N2-N2.3 meshes=m1,m2` runs a part; any order label is possible.]]
+`problems=hertz orders=N2,N2-N2.3 meshes=m1,m2` runs a part; any order label is possible.]]
 
 --- The text of the page; `folder` is that of its charts, relative to the page.
 function page.text(results, options, folder)

@@ -12,7 +12,7 @@ return {
   about = [[
 A strip that adheres to a flat substrate is peeled off by rotating its end to 140° in 1400 steps, with arc length where
 rotation control fails. The exact moment is constant from 120° to 140°, so the error is its oscillation.]],
-  labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N2.2x2" },
+  orders = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N2.2x2" },
   meshes = { "m0", "m1", "m2", "m3" }, rounds = 1,
   -- N2 needs m3 for the error of N2-N2.2 at m0; the others are not needed on m3.
   affordable = function(order, mesh) return mesh ~= "m3" or order == "N2" end,

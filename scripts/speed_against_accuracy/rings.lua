@@ -24,7 +24,7 @@ return {
   about = [[
 Two elastic half rings are pushed into each other in 40 steps, with friction. The error is the L₂ norm of p_N − p_ref
 at the last of them, against N2 at m6.]],
-  labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N2.2x2" },
+  orders = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N2.2x2" },
   meshes = { "m1", "m2", "m3", "m4" }, rounds = 3,
   reference = { order = "N2", mesh = "m6" },
   errors = { {

@@ -74,13 +74,13 @@ end
 --- errors, without a reference that was not asked for), labels, meshes, rounds }; nothing when no mesh is one of the
 --- problem's.
 function study.of(problem, options)
-  local labels, meshes = chosen(problem.labels, options.labels, true), chosen(problem.meshes, options.meshes)
+  local labels, meshes = chosen(problem.labels, options.orders, true), chosen(problem.meshes, options.meshes)
   if #meshes == 0 then return nil end
   local rounds = options.rounds > 0 and options.rounds or problem.rounds
   local executed = sg.study{
-    name = "speed against accuracy: " .. problem.name, run = problem.run, alone = true,
+    name = "speed against accuracy: " .. problem.name, run = problem.run, sequential = true,
     folder = ("%s/%s"):format(options.out, problem.name), units = { cpu = "s" },
-    cases = make_cases(problem, labels, meshes, rounds, options.labels[1] == "all"),
+    cases = make_cases(problem, labels, meshes, rounds, options.orders[1] == "all"),
   }
   executed:execute()
   local cases = measure(problem, executed:median "round"):where(function(row)

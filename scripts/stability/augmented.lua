@@ -13,7 +13,7 @@
 --           constraint, which over-constrains the problem. With N2-N2.2 it is not over-constrained: with the softest
 --           penalty the error decreases from 0.099 to 0.010 of Hertz's peak pressure; the best penalty without
 --           augmentation, 2000, has 0.008.
--- Run: signorini scripts/stability/augmented.lua [labels=N2,N2-N2.2] [mesh=m3] [penalties=1e2,5e2,2e3,1e4,1e5,1e6]
+-- Run: signorini scripts/stability/augmented.lua [orders=N2,N2-N2.2] [mesh=m3] [penalties=1e2,5e2,2e3,1e4,1e5,1e6]
 --      [penetration=1e-6] [loops=500] [steps=4] [reference=m5] [out=out/stability/augmented]
 
 local sg = require "signorini"
@@ -21,11 +21,11 @@ local hertz = require "hertz2d.problem"
 
 local levels = { "m1", "m2", "m3", "m4", "m5", "m6" }
 local options = sg.arguments{
-  labels = { "N2", "N2-N2.2" }, mesh = { "m3", choices = levels },
+  orders = { "N2", "N2-N2.2" }, mesh = { "m3", choices = levels },
   penalties = { { 1e2, 5e2, 2e3, 1e4, 1e5, 1e6 }, above = 0 }, penetration = { 1e-6, above = 0 }, loops = 500,
   steps = 4, reference = { "m5", choices = levels }, out = "out/stability/augmented",
 }
-local labels, penalties, penetration, loops = options.labels, options.penalties, options.penetration, options.loops
+local labels, penalties, penetration, loops = options.orders, options.penalties, options.penetration, options.loops
 local reference_penalty = 1e4
 
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────

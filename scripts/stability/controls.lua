@@ -3,9 +3,9 @@
 local sg = require "signorini"
 
 local controls = {
-  names = { "robust", "cutting", "rescue", "prediction" },
+  names = { "robust", "cutting", "fallback", "prediction" },
   titles = { plain = "plain Newton", robust = "with controls", cutting = "with step cutting only",
-             rescue = "with fallbacks only", prediction = "with prediction only" },
+             fallback = "with fallbacks only", prediction = "with prediction only" },
 }
 
 --- A way that turns on one control of plain Newton, with whatever a study needs on top.
@@ -21,7 +21,7 @@ end
 controls.plain = sg.plain
 controls.robust = sg.robust
 controls.cutting = with("step", { adaptive = true })
-controls.rescue = with("rescue", true)
+controls.fallback = with("fallback", true)
 controls.prediction = with("predictor", "linear")
 
 return controls

@@ -10,7 +10,7 @@
 -- Expected: with all controls no run takes more iterations than without (limit: 1.05 times as many); ironing takes 0.69
 --           to 0.86 times as many, Hertz 0.89 to 0.96. The linear predictor saves 11 to 31 % of the iterations of the
 --           sliding stage.
--- Run: signorini scripts/stability/cost.lua [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [mesh=m1]
+-- Run: signorini scripts/stability/cost.lua [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [mesh=m1]
 --      [hertz=L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2] [rings=m3] [steps=10] [coarser=1] [repeats=3] [out=out/stability/cost];
 --      rings, steps: mesh and number of steps of Hertz; coarser: factor on the step size of ironing; times are medians
 --      of repeats.
@@ -20,7 +20,7 @@ local hertz = require "hertz2d.problem"
 local ironing = require "ironing2d.problem"
 
 local options = sg.arguments{
-  labels = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" }, mesh = ironing.meshes "m1",
+  orders = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" }, mesh = ironing.meshes "m1",
   hertz = { "L1", "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
   rings = { "m3", choices = { "m1", "m2", "m3", "m4", "m5", "m6" } }, steps = 10, coarser = { 1.0, above = 0 },
   repeats = 3, out = "out/stability/cost",
@@ -75,7 +75,7 @@ local function add(case)
   rows[#rows + 1] = { cost.problem, cost.label, cost.plain, cost.controls, cost.ratio, cost.time_ratio,
                       cost.failed and "fails" or "" }
 end
-for _, label in ipairs(options.labels) do add(ironing_case(label)) end
+for _, label in ipairs(options.orders) do add(ironing_case(label)) end
 for _, load in ipairs { "force", "displacement" } do
   for _, label in ipairs(options.hertz) do add(hertz_case(load, label)) end
 end
@@ -87,7 +87,7 @@ print(sg.table{ columns = { "problem", "label", "plain", "controls", "ratio", "t
 
 local guesses = {}
 rows = {}
-for _, label in ipairs(options.labels) do
+for _, label in ipairs(options.orders) do
   local ways, row = {}, { label }
   for _, predictor in ipairs(predictors) do ways[predictor] = sg.plain{ predictor = predictor } end
   local results, guess = solve(ironing_case(label), ways), { label = label }

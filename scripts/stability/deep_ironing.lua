@@ -19,11 +19,11 @@
 --           with 2(p + 1); with steps 16 times as large it always fails immediately. Where both converge, all controls
 --           take 0.81 times as many iterations and give the same forces to 3e-9.
 -- Run: signorini scripts/stability/deep_ironing.lua [points=p+1,2(p+1),3(p+1)]
---      [labels=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [coarser=1,2,4,8,16] [mesh=m1] [places=N6] [jobs=2]
+--      [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [coarser=1,2,4,8,16] [mesh=m1] [places=N6] [jobs=2]
 --      [limit=600] [keep=no] [with=robust] [out=out/stability/deep_ironing]; points: contact points per element, p the
 --      degree on the contact face, one map for each; coarser: factors on the step size; places: a discretization whose
 --      failures of plain Newton are shown in a picture, at the first of points and of coarser, or none; keep=yes reuses
---      the cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on only one of the
+--      the cells that an earlier call left in the folder; with=cutting, fallback or prediction turns on only one of the
 --      controls.
 
 local sg = require "signorini"
@@ -34,7 +34,7 @@ local multiples = { ["p+1"] = 1, ["2(p+1)"] = 2, ["3(p+1)"] = 3 }
 local all_points = { "p+1", "2(p+1)", "3(p+1)" }
 local options = study.arguments{
   points = { all_points, choices = all_points },
-  labels = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
+  orders = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
   coarser = { { 1.0, 2.0, 4.0, 8.0, 16.0 }, above = 0 }, mesh = ironing.meshes "m1", places = "N6",
   out = "out/stability/deep_ironing",
 }
@@ -55,7 +55,7 @@ for _, name in ipairs(points) do
   local multiple = multiples[name]
   results[name] = study.solve({
     name = ("Deep ironing with %s contact points"):format(name), key = ("points%d"):format(multiple),
-    x = { name = "label", values = options.labels },
+    x = { name = "label", values = options.orders },
     y = { name = "length of a step (published: 1)", values = coarser },
     scene = function(label) return scene(label, multiple) end,
     path = function(_, _, times) return ironing.path(set_up, times) end,

@@ -19,17 +19,17 @@
 --           to 0.83 times as many iterations where both converge, and the same drag to 2e-8. Plain Newton converges
 --           with steps up to 4 times as large for every friction, up to 8 times with N2 and N4; with steps 16 times as
 --           large all fail during pressing. Drag over pressing force is 0.43 at mu = 0.4, in both directions.
--- Run: signorini scripts/stability/friction_steps.lua [labels=N2,N4,N2-N2.2] [friction=0,0.1,0.2,0.4,0.6,0.8]
+-- Run: signorini scripts/stability/friction_steps.lua [orders=N2,N4,N2-N2.2] [friction=0,0.1,0.2,0.4,0.6,0.8]
 --      [coarser=1,2,4,8,16] [mesh=m1] [jobs=2] [limit=600] [keep=no] [with=robust] [out=out/stability/friction_steps];
 --      one map for each discretization; coarser: factors on the step size; keep=yes reuses the cells that an earlier
---      call left in the folder; with=cutting, rescue or prediction turns on only one of the controls.
+--      call left in the folder; with=cutting, fallback or prediction turns on only one of the controls.
 
 local sg = require "signorini"
 local ironing = require "ironing2d.problem"
 local study = require "stability.study"
 
 local options = study.arguments{
-  labels = { "N2", "N4", "N2-N2.2" }, friction = { 0, 0.1, 0.2, 0.4, 0.6, 0.8 },
+  orders = { "N2", "N4", "N2-N2.2" }, friction = { 0, 0.1, 0.2, 0.4, 0.6, 0.8 },
   coarser = { { 1.0, 2.0, 4.0, 8.0, 16.0 }, above = 0 }, mesh = ironing.meshes "m1",
   out = "out/stability/friction_steps",
 }
@@ -56,7 +56,7 @@ local function figures(_, run)
 end
 
 local files, results = sg.files(options.out), {}
-for _, label in ipairs(options.labels) do
+for _, label in ipairs(options.orders) do
   results[label] = study.solve({
     name = ("Ironing back and forth, %s at %s"):format(label, options.mesh), key = label,
     x = { name = "length of a step (published: 1)", values = options.coarser },

@@ -38,7 +38,8 @@ local function solve(case)
   local _, account = scenes.solve(scene, sg.robust{})
   local result = {
     shape = scene.shape, slave = scene.slave, ending = account.ending, steps = account.steps,
-    iterations = account.iterations, cutbacks = account.cutbacks, rescues = account.rescues, forces = account.forces,
+    iterations = account.iterations, cutbacks = account.cutbacks, fallback_steps = account.fallback_steps,
+    forces = account.forces,
   }
   if case.mirror then
     local _, image = scenes.solve(scene, sg.robust{}, true)

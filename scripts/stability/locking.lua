@@ -20,10 +20,10 @@
 --           with as many iterations where both converge. Errors at nu = 0.3, 0.49, 0.499: L1 3 %, 14 %, 79 %; N2 0.7 %,
 --           0.6 %, 3.2 %; N4 0.1 %, 0.1 %, 0.1 %. A layer reduces the error of N2 at 0.499 only by a third, since it is
 --           the bulk that locks.
--- Run: signorini scripts/stability/locking.lua [labels=L1,L2,N2,N3,N4,N2-N2.1,N2-N4] [nu=0.3,0.4,0.45,0.49,0.495,0.499]
+-- Run: signorini scripts/stability/locking.lua [orders=L1,L2,N2,N3,N4,N2-N2.1,N2-N4] [nu=0.3,0.4,0.45,0.49,0.495,0.499]
 --      [elements=8] [reference=24] [steps=5] [depth=0.15] [jobs=2] [limit=600] [keep=no] [with=robust]
 --      [out=out/stability/locking]; elements, reference: elements along each side of the block; keep=yes reuses the
---      cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on only one of the
+--      cells that an earlier call left in the folder; with=cutting, fallback or prediction turns on only one of the
 --      controls.
 
 local sg = require "signorini"
@@ -31,7 +31,7 @@ local controls = require "stability.controls"
 local study = require "stability.study"
 
 local options = study.arguments{
-  labels = { "L1", "L2", "N2", "N3", "N4", "N2-N2.1", "N2-N4" },
+  orders = { "L1", "L2", "N2", "N3", "N4", "N2-N2.1", "N2-N4" },
   nu = { { 0.3, 0.4, 0.45, 0.49, 0.495, 0.499 }, above = 0 }, elements = 8, reference = 24, steps = 5,
   depth = { 0.15, above = 0 }, out = "out/stability/locking",
 }
@@ -42,7 +42,7 @@ local function scene(label, nu, count)
   local degree = math.tointeger(label:match "^%a(%d+)") -- of the bulk, in both directions: locking is a matter of it
   local block = sg.body{
     patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { count, count }, order = label,
-    through = degree, contact = "north", material = sg.neo_hookean{ E = 1, nu = nu },
+    thickness_degree = degree, contact = "north", material = sg.neo_hookean{ E = 1, nu = nu },
   }
   local punch = sg.rigid.cylinder{ center = { 0, 1.5 }, radius = 0.5 }
   return sg.model{
@@ -56,7 +56,7 @@ end
 local function force(run) return math.abs(run:column "push.fy"[run.steps]) end
 
 --- The reference forces by nu, each solved in a process of its own.
-local reference = sg.stability_map{
+local reference = sg.convergence_map{
   name = ("N4 on %d × %d elements"):format(finest, finest),
   x = { name = "label", values = { "N4" } }, y = { name = "nu", values = ratios },
   scene = function(label, nu) return scene(label, nu, finest) end,
@@ -68,7 +68,7 @@ print(reference)
 local files = sg.files(options.out)
 local maps = study.solve({
   name = ("Indentation, %d × %d elements"):format(elements, elements),
-  x = { name = "label", values = options.labels }, y = { name = "Poisson's ratio", values = ratios },
+  x = { name = "label", values = options.orders }, y = { name = "Poisson's ratio", values = ratios },
   scene = function(label, nu) return scene(label, nu, elements) end,
   path = function() return stages end,
   figures = function(_, run, _, nu)

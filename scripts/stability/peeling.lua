@@ -22,10 +22,10 @@
 --           fold, with 7, 6 and 3 fallbacks; N4 at m0 stops at 82°. With arc length they converge in all 15, and also
 --           jump: predictors and step cuts are tried before arc length. Where both converge, all controls take 0.87 and
 --           0.96 times as many iterations.
--- Run: signorini scripts/stability/peeling.lua [control=rotation,arc] [labels=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
+-- Run: signorini scripts/stability/peeling.lua [control=rotation,arc] [orders=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
 --      [meshes=m0,m1,m2] [angle=90] [pitch=0.2] [length=100] [bonded=85] [jobs=2] [limit=600] [keep=no] [with=robust]
 --      [out=out/stability/peeling]; pitch: degrees per step; keep=yes reuses the cells that an earlier call left in the
---      folder; with=cutting, rescue or prediction turns on only one of the controls.
+--      folder; with=cutting, fallback or prediction turns on only one of the controls.
 
 local sg = require "signorini"
 local peeling = require "peeling2d.problem"
@@ -33,7 +33,7 @@ local study = require "stability.study"
 
 local options = study.arguments{
   control = { { "rotation", "arc" }, choices = { "rotation", "arc" } },
-  labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
+  orders = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
   meshes = { { "m0", "m1", "m2" }, choices = { "m0", "m1", "m2", "m3" } }, angle = { 90.0, above = 0 },
   pitch = { 0.2, above = 0 }, length = { 100.0, above = 0 }, bonded = { 85.0, above = 0 },
   out = "out/stability/peeling",
@@ -46,7 +46,7 @@ local files, results = sg.files(options.out), {}
 for _, control in ipairs(options.control) do
   results[control] = study.solve({
     name = ("Peeling to %g°, %s"):format(angle, names[control]), key = control,
-    x = { name = "label", values = options.labels }, y = { name = "mesh", values = options.meshes },
+    x = { name = "label", values = options.orders }, y = { name = "mesh", values = options.meshes },
     scene = function(label, mesh) return (peeling.scene(label, mesh, length, bonded)) end,
     path = function()
       return { { name = "rotate", steps = steps, edge = angle } },

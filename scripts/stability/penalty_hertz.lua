@@ -24,10 +24,10 @@
 --           cells. Oscillation at 10³, 10⁴, 10⁵, 10⁶: N2 0.003, 0.016, 0.037, 0.055; N4 0.005, 0.032, 0.11, 0.35;
 --           N2-N2.2 0.001, 0.001, 0.002, 0.003. Up to 10² the value of 0.003 is the misfit of f itself. The penetration
 --           decreases with the penalty.
--- Run: signorini scripts/stability/penalty_hertz.lua [labels=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
+-- Run: signorini scripts/stability/penalty_hertz.lua [orders=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
 --      [penalties=1,10,1e2,1e3,1e4,1e5,1e6] [mesh=m3] [load=displacement] [steps=10] [jobs=2] [limit=600] [keep=no]
 --      [with=robust] [out=out/stability/penalty_hertz]; mesh: m1 to m6 as in hertz2d.lua; load: displacement or force;
---      keep=yes reuses the cells that an earlier call left in the folder; with=cutting, rescue or prediction turns on
+--      keep=yes reuses the cells that an earlier call left in the folder; with=cutting, fallback or prediction turns on
 --      only one of the controls.
 
 local sg = require "signorini"
@@ -36,7 +36,7 @@ local smooth = require "stability.smooth"
 local study = require "stability.study"
 
 local options = study.arguments{
-  labels = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
+  orders = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
   penalties = { { 1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6 }, above = 0 },
   mesh = { "m3", choices = { "m1", "m2", "m3", "m4", "m5", "m6" } },
   load = { "displacement", choices = { "displacement", "force" } }, steps = 10, out = "out/stability/penalty_hertz",
@@ -61,7 +61,7 @@ end
 local files = sg.files(options.out)
 local maps = study.solve({
   name = ("Hertz at %s, load by %s"):format(mesh, load),
-  x = { name = "label", values = options.labels },
+  x = { name = "label", values = options.orders },
   y = { name = "penalty", values = options.penalties },
   scene = function(label, penalty)
     return (hertz.scene{ label = label, mesh = mesh, load = load, penalty = penalty })

@@ -36,15 +36,15 @@ local function pairs_text(cells)
   return table.concat(texts, "; ")
 end
 
---- Prints both maps, under their titles, and what the controls gained and lost. Returns the comparison, with the
+--- Prints both maps, under their titles, and what the controls recovered and lost. Returns the comparison, with the
 --- iterations of the cells that both hold.
 local function report(plain, robust, titles)
   for i, map in ipairs { plain, robust } do print(("\n%s: %s"):format(titles[i], tostring(map))) end
   local result = plain:compare(robust)
-  local held, total = plain:held()
+  local held, total = plain:converged()
   local lost = #result.lost > 0 and (" (%s)"):format(pairs_text(result.lost)) or ""
-  print(("\n%s: plain Newton holds %d of %d cells, the controls %d; gained %d, lost %d%s"):format(plain.name, held,
-    total, (robust:held()), #result.gained, #result.lost, lost))
+  print(("\n%s: plain Newton holds %d of %d cells, the controls %d; recovered %d, lost %d%s"):format(plain.name, held,
+    total, (robust:converged()), #result.recovered, #result.lost, lost))
   result.plain_iterations, result.robust_iterations = work(plain, robust)
   if result.plain_iterations > 0 then
     print(("iterations in cells that both hold: %d and %d, %.3f times as many"):format(result.plain_iterations,
@@ -53,17 +53,17 @@ local function report(plain, robust, titles)
   return result
 end
 
---- Solves a problem's map both ways. `problem`: name, x, y, scene, figures as sg.stability_map takes them, path(model,
---- x, y) with the overrides of model:run's options that both ways need, charts (further pictures: map:figure's name,
---- log and label, and `key`, their file's name), and `key`, part of the files' names when a script has several
---- problems. Returns { plain, robust, comparison }; `files` is what sg.files gives.
+--- Solves a problem's map both ways. `problem`: name, x, y, scene, figures as sg.convergence_map takes them,
+--- path(model, x, y) with the overrides of model:run's options that both ways need, charts (further pictures:
+--- map:figure's name, log and label, and `key`, their file's name), and `key`, part of the files' names when a script
+--- has several problems. Returns { plain, robust, comparison }; `files` is what sg.files gives.
 function study.solve(problem, options, files)
   local function file(name) return files((problem.key and problem.key .. "_" or "") .. name) end
   local path, titles = problem.path, { controls.titles.plain, controls.titles[options.with] }
   local function solve(kind)
     local name = file(kind .. ".csv")
     if not options.keep then os.remove(name) end
-    return sg.stability_map{
+    return sg.convergence_map{
       name = problem.name, x = problem.x, y = problem.y, scene = problem.scene, figures = problem.figures,
       jobs = options.jobs, limit = options.limit, file = name,
       path = function(model, x, y)
@@ -75,10 +75,10 @@ function study.solve(problem, options, files)
   local plain, robust = solve "plain", solve(options.with)
   local comparison = report(plain, robust, titles)
   plain:picture{ file = file "outcomes.png", title = problem.name .. ": outcome, and Newton's iterations",
-                 beside = robust, titles = titles }
+                 other = robust, titles = titles }
   for _, chart in ipairs(problem.charts or {}) do
     plain:figure{ file = file(chart.key .. ".png"), name = chart.name, log = chart.log, label = chart.label,
-                  title = problem.name .. ": " .. chart.label, beside = robust, titles = titles }
+                  title = problem.name .. ": " .. chart.label, other = robust, titles = titles }
   end
   return { plain = plain, robust = robust, comparison = comparison }
 end

@@ -43,12 +43,12 @@ void write_archive(const std::string& file, const ArchiveKind& kind, const Archi
   whole.append(line.data(), line.size());
   whole.put(kind.version, archive.bytes());
   whole.put(checksum(whole.bytes()));
-  write_whole(file, whole.bytes(), durable);
+  write_atomically(file, whole.bytes(), durable);
   remove_leftovers(file);
 }
 
 std::string read_archive(const std::string& file, const ArchiveKind& kind) {
-  const std::string bytes = read_whole(file), line = first_line(kind);
+  const std::string bytes = read_file(file), line = first_line(kind);
   require(bytes.starts_with(line), "base.archive.kind", {{"file", file}, {"kind", kind.name}});
   const auto damaged = [&](const Message& damage) {
     fail("base.archive.damaged", {{"file", file}, {"damage", damage}});

@@ -50,10 +50,10 @@ Iteration::~Iteration() {
 bool interrupted() {
   return flag != 0;
 }
-void answer_interrupt() {
+void report_interrupt() {
   answered = true;
 }
-bool interrupt_answered() {
+bool interrupt_reported() {
   return answered;
 }
 void clear_interrupt() {

@@ -19,9 +19,9 @@ public:
 };
 bool interrupted();
 /// Called by operations that end early because of Ctrl-C and return a partial result.
-void answer_interrupt();
+void report_interrupt();
 /// Whether an operation has ended early because of the last Ctrl-C.
-bool interrupt_answered();
+bool interrupt_reported();
 void clear_interrupt();
 
 } // namespace signorini

@@ -144,7 +144,7 @@ bool run_jobs(int count, const JobLimits& limits, const std::function<std::strin
       children.emplace_back(next++, job);
     const std::vector<pollfd> pipes = poll_children(children);
     if (interrupted()) {
-      answer_interrupt();
+      report_interrupt();
       return false;
     }
     if (look) look(static_cast<int>(children.size()));

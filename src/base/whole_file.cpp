@@ -96,7 +96,7 @@ bool write_all(int handle, std::string_view bytes) {
   return true;
 }
 
-void write_whole(const std::string& file, std::string_view bytes, bool durable) {
+void write_atomically(const std::string& file, std::string_view bytes, bool durable) {
   require(fs::path(file).has_filename(), "base.file.no_name", {{"file", file}});
   std::error_code ignored;
   if (fs::is_other(file, ignored)) return write_into(file, bytes);
@@ -124,7 +124,7 @@ void remove_leftovers(const std::string& file) {
       fs::remove(entry.path(), ignored);
 }
 
-std::string read_whole(const std::string& file) {
+std::string read_file(const std::string& file) {
   std::error_code ignored;
   require(!fs::is_directory(file, ignored), "base.file.read_folder", {{"file", file}});
   std::ifstream in(file, std::ios::binary);

@@ -9,7 +9,7 @@ namespace signorini {
 /// Writes the bytes to a temporary file next to `file`, then renames it; `durable`: they are on the disk before the old
 /// file is replaced. The target of a link is replaced, not the link; devices and pipes are written to. Throws Error if
 /// the folder does not exist or the file cannot be written.
-void write_whole(const std::string& file, std::string_view bytes, bool durable = false);
+void write_atomically(const std::string& file, std::string_view bytes, bool durable = false);
 
 /// Writes all bytes to an open file or pipe, also if signals interrupt it; false leaves the error in errno.
 bool write_all(int handle, std::string_view bytes);
@@ -18,6 +18,6 @@ bool write_all(int handle, std::string_view bytes);
 void remove_leftovers(const std::string& file);
 
 /// All bytes of a file. Throws Error if it cannot be read.
-std::string read_whole(const std::string& file);
+std::string read_file(const std::string& file);
 
 } // namespace signorini

@@ -15,7 +15,7 @@ constexpr int most_bisections = 14;
 /// Bisects a rectangle of fractions as long as it is too coarse in a window.
 class Bisection {
 public:
-  Bisection(const PlaceAt& place, const std::vector<Window>& windows, bool colored)
+  Bisection(const PointAt& place, const std::vector<Window>& windows, bool colored)
       : place_(place), windows_(windows), colored_(colored) {}
 
   void visit(const Vec<2>& low, const Vec<2>& high, int depth) {
@@ -62,7 +62,7 @@ private:
     return false;
   }
 
-  const PlaceAt& place_;
+  const PointAt& place_;
   const std::vector<Window>& windows_;
   bool colored_;
 };
@@ -80,7 +80,8 @@ Window mirrored(Window window, int axis) {
   return window;
 }
 
-std::array<std::vector<double>, 2> window_cuts(const PlaceAt& place, const std::vector<Window>& windows, bool colored) {
+std::array<std::vector<double>, 2> window_divisions(const PointAt& place, const std::vector<Window>& windows,
+                                                    bool colored) {
   Bisection bisection(place, windows, colored);
   if (!windows.empty()) bisection.visit(Vec<2>::Zero(), Vec<2>::Ones(), 0);
   for (std::vector<double>& cuts : bisection.cuts) {
@@ -90,7 +91,7 @@ std::array<std::vector<double>, 2> window_cuts(const PlaceAt& place, const std::
   return bisection.cuts;
 }
 
-void add_cuts(std::vector<double>& fractions, const std::vector<double>& cuts) {
+void add_divisions(std::vector<double>& fractions, const std::vector<double>& cuts) {
   fractions.insert(fractions.end(), cuts.begin(), cuts.end());
   std::sort(fractions.begin(), fractions.end());
   const auto same = [](double a, double b) { return b - a < 1e-9; };

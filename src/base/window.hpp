@@ -24,15 +24,16 @@ Window box_window(const Eigen::Matrix<double, 2, 3>& axes, const Vec<3>& low, co
 Window mirrored(Window window, int axis);
 
 /// A point at fractions 0 … 1 of a surface's two directions; the second is ignored for curves.
-using PlaceAt = std::function<Vec<3>(double, double)>;
+using PointAt = std::function<Vec<3>(double, double)>;
 
 /// Inner division points of a surface, as increasing fractions of each direction, such that what the windows show of it
 /// deviates from the exact surface by at most a quarter of a pixel. If colors vary over it, no piece spans more than
 /// 1/16 of a window. Divisions run through the whole surface, so parts outside the windows are divided only by those.
-std::array<std::vector<double>, 2> window_cuts(const PlaceAt& place, const std::vector<Window>& windows, bool colored);
+std::array<std::vector<double>, 2> window_divisions(const PointAt& place, const std::vector<Window>& windows,
+                                                    bool colored);
 
 /// Adds division points to increasing fractions, without duplicates.
-void add_cuts(std::vector<double>& fractions, const std::vector<double>& cuts);
+void add_divisions(std::vector<double>& fractions, const std::vector<double>& cuts);
 
 /// 0, 1/pieces … 1.
 std::vector<double> even_cuts(int pieces);

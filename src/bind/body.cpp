@@ -203,7 +203,7 @@ int body(const Arguments& a, lua_State* L) {
   plan.grading = gradings_of(a, "grading");
   plan.contact = contact_of(a, dimensions);
   plan.labels = labels_of(a, static_cast<std::size_t>(plan.contact.empty() ? dimensions : dimensions - 1));
-  if (a.has("through")) plan.through = a.get<int>("through");
+  if (a.has("thickness_degree")) plan.through = a.get<int>("thickness_degree");
   check_size(plan, dimensions);
   return dimensions == 2 ? push_body<2>(L, patch, plan, a) : push_body<3>(L, patch, plan, a);
 }

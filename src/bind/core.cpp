@@ -60,7 +60,7 @@ bool exists(const std::string& path) {
 /// core.write_file(file, bytes, durable = false): writes a file atomically; durable: flushed to disk on return, so that
 /// it survives a power failure.
 void write_file(const std::string& file, const std::string& bytes, bool durable) {
-  write_whole(file, bytes, durable);
+  write_atomically(file, bytes, durable);
 }
 
 /// core.list_folder(folder): the sorted names of its entries.
@@ -94,10 +94,10 @@ int kind(lua_State* L) {
   return 1;
 }
 
-/// core.answer_interrupt(): whether Ctrl-C was pressed; if so, marks it as handled, because the current operation ends
+/// core.report_interrupt(): whether Ctrl-C was pressed; if so, marks it as handled, because the current operation ends
 /// and returns its partial results.
 bool core_answer_interrupt() {
-  if (interrupted()) answer_interrupt();
+  if (interrupted()) report_interrupt();
   return interrupted();
 }
 
@@ -125,12 +125,12 @@ int core_offered(lua_State* L) {
 constexpr Function core_entries[] = {
     {"fail", core_fail},
     {"offered", core_offered},
-    {"answer_interrupt", call<core_answer_interrupt>},
+    {"report_interrupt", call<core_answer_interrupt>},
     {"now", call<now>},
     {"mkdir", call<mkdir>},
     {"exists", call<exists>},
     {"write_file", call<write_file>},
-    {"read_file", call<read_whole>},
+    {"read_file", call<read_file>},
     {"list_folder", call<list_folder>},
     {"remove_leftovers", call<remove_leftovers>}, // temporary files for a file that killed processes left
     {"hash", call<hash>},

@@ -35,9 +35,9 @@ std::string call_job(lua_State* L, int index, int job) {
 /// core.jobs(count, at_once, run, done, limit, look): calls run(i) for i = 1 … count, each in its own child process, at
 /// most at_once in parallel, and in this process done(i, text, failure) as each ends, in order of completion. run must
 /// return a string, which is passed as text; otherwise text is nil and failure is "time" (longer than limit seconds),
-/// "terminated by signal 11", "failed: <message and traceback>" or "exited with status 3 …". A child has one thread and no
-/// progress display, and its changes are lost. look(running) is called about ten times per second. Returns false after
-/// Ctrl-C; completed jobs are kept.
+/// "terminated by signal 11", "failed: <message and traceback>" or "exited with status 3 …". A child has one thread and
+/// no progress display, and its changes are lost. look(running) is called about ten times per second. Returns false
+/// after Ctrl-C; completed jobs are kept.
 int jobs(lua_State* L) {
   lua_settop(L, 6);
   JobLimits limits{.at_once = to<int>(L, 2)};

@@ -62,7 +62,7 @@ void write_new_study(const std::string& file) {
   require(file.ends_with(".lua"), "--new needs the name of a Lua file, got '", file, "': write ", file, ".lua");
   require(!std::filesystem::exists(file), "--new: the file '", file,
           "' exists already and is not overwritten: choose another name");
-  write_whole(file, read_whole((find_share() / "starter.lua").string()));
+  write_atomically(file, read_file((find_share() / "starter.lua").string()));
 }
 
 void open_library(lua_State* L, const Settings& settings) {

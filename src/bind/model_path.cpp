@@ -168,17 +168,17 @@ template <int D> VectorX displacements(const model::Model<D>& model) {
   return values;
 }
 
-template <int D> std::vector<std::string> loose_bodies(model::Model<D>& model) {
+template <int D> std::vector<std::string> unconstrained_bodies(model::Model<D>& model) {
   std::vector<std::string> names;
-  for (const model::LooseMotion& loose : model.system.loose()) {
+  for (const model::UnconstrainedMotion& loose : model.system.loose()) {
     const std::string& name = model.system.scene.bodies[at(loose.body)].name;
     if (names.empty() || names.back() != name) names.push_back(name);
   }
   return names;
 }
 
-void push_spots(lua_State* L, const char* key, const std::vector<model::TroubleSpot>& spots) {
-  push_list(L, spots, [&](const model::TroubleSpot& spot) {
+void push_spots(lua_State* L, const char* key, const std::vector<model::FailurePlace>& spots) {
+  push_list(L, spots, [&](const model::FailurePlace& spot) {
     push_fields(L, "kind", spot.kind, spot.kind == "contact point" ? "contact" : "body", spot.where,
                 spot.kind == "control point" ? "point" : "element", spot.index + 1, "X", spot.reference, "x",
                 spot.current, "value", spot.value, "text", worded(spot.what));
@@ -191,7 +191,7 @@ template <int D> int diagnose(model::Model<D>& model, const std::vector<std::str
                                   "failed, before model:rollback()");
   const model::Diagnosis diagnosis = model::diagnose(model, model.step->report, {on.begin(), on.end()});
   push_fields(L, "reason", solve::name_of(diagnosis.outcome), "message", worded_in_one(diagnosis.messages), "cure",
-              worded_in_one(diagnosis.cures));
+              worded_in_one(diagnosis.remedies));
   push_spots(L, "places", diagnosis.places);
   push_spots(L, "unbalanced", diagnosis.unbalanced);
   return 1;
@@ -218,7 +218,7 @@ constexpr Function model_path_entries[] = {
     {"unknowns", call<unknowns<D>>},
     {"move", call<move<D>>},
     {"displacements", call<displacements<D>>},
-    {"loose_bodies", call<loose_bodies<D>>},
+    {"unconstrained_bodies", call<unconstrained_bodies<D>>},
     {"diagnose", call<diagnose<D>>},
 };
 

@@ -39,7 +39,7 @@ void read_paper(const Arguments& a, Picture& picture, const std::array<int, 2>& 
 
 void write_picture(const Picture& picture, const std::string& file) {
   const view::Format format = view::format_of(file);
-  write_whole(file, view::bytes_of(figures_of({picture})(0), format, picture.transparent));
+  write_atomically(file, view::bytes_of(figures_of({picture})(0), format, picture.transparent));
 }
 
 /// Writes a series of files, or a film.

@@ -119,7 +119,7 @@ exchange::BezierGrid read_grid(const Arguments& a) {
 void vtu(const Arguments& a) {
   const auto file = a.get<std::string>("file");
   if (view::file_ending(file) != ".vtu") a.refuse("file", "a name that ends with .vtu");
-  write_whole(file, exchange::vtu(read_grid(a)));
+  write_atomically(file, exchange::vtu(read_grid(a)));
 }
 
 constexpr Function vtu_entries[] = {{"vtu", call<vtu>}};

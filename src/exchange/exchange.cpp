@@ -52,14 +52,14 @@ std::string form_named_by(const std::string& file) {
 }
 
 std::vector<Patch> read_patches(const std::string& file) {
-  const std::string text = read_whole(file);
+  const std::string text = read_file(file);
   return form_of(file, text).read(file, text);
 }
 
 void write_patches(const std::string& file, const std::vector<Patch>& patches, const std::string& form) {
   require(!patches.empty(), "exchange.write.nothing");
   for (const Form& one : known)
-    if (one.name == form) return write_whole(file, one.write(patches));
+    if (one.name == form) return write_atomically(file, one.write(patches));
   fail("exchange.write.form", {{"form", form}, {"known", forms()}});
 }
 

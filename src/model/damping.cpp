@@ -10,8 +10,9 @@
 
 namespace signorini::model {
 
-template <int D> std::vector<LooseMotion> loose_motions(const Scene<D>& scene, const Unknowns<D>& unknowns) {
-  std::vector<LooseMotion> loose;
+template <int D>
+std::vector<UnconstrainedMotion> unconstrained_motions(const Scene<D>& scene, const Unknowns<D>& unknowns) {
+  std::vector<UnconstrainedMotion> loose;
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
     for (VectorX& motion : rigid_motions<D>(scene.bodies[at(b)].body->space().points(), scene.kind)) {
       bool free = true;
@@ -23,7 +24,7 @@ template <int D> std::vector<LooseMotion> loose_motions(const Scene<D>& scene, c
 }
 
 template <int D>
-VectorX damping(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::vector<LooseMotion>& motions,
+VectorX damping(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::vector<UnconstrainedMotion>& motions,
                 const VectorX& diagonal, const VectorX& force, const std::vector<double>& stride) {
   std::vector<double> factor(scene.bodies.size(), 0);
   for (const auto& [body, motion] : motions) {
@@ -63,9 +64,9 @@ std::vector<double> strides(const Scene<D>& scene, const contact::Formulations<D
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template std::vector<LooseMotion> loose_motions(const Scene<D>&, const Unknowns<D>&);                                \
-  template VectorX damping(const Scene<D>&, const Unknowns<D>&, const std::vector<LooseMotion>&, const VectorX&,       \
-                           const VectorX&, const std::vector<double>&);                                                \
+  template std::vector<UnconstrainedMotion> unconstrained_motions(const Scene<D>&, const Unknowns<D>&);                \
+  template VectorX damping(const Scene<D>&, const Unknowns<D>&, const std::vector<UnconstrainedMotion>&,               \
+                           const VectorX&, const VectorX&, const std::vector<double>&);                                \
   template std::vector<double> strides(const Scene<D>&, const contact::Formulations<D>&, const State<D>&, double);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

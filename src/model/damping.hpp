@@ -11,11 +11,12 @@ namespace signorini::model {
 /// A rigid-body mode that no support prevents: a translation or rotation of the reference configuration (of a body of
 /// revolution the translation along the axis) without prescribed degrees of freedom; the largest component is at
 /// most 1.
-struct LooseMotion {
+struct UnconstrainedMotion {
   int body;
   VectorX motion; ///< of the body's degrees of freedom
 };
-template <int D> std::vector<LooseMotion> loose_motions(const Scene<D>& scene, const Unknowns<D>& unknowns);
+template <int D>
+std::vector<UnconstrainedMotion> unconstrained_motions(const Scene<D>& scene, const Unknowns<D>& unknowns);
 
 /// Shift of the tangent's diagonal, by unknown: α_b K_ii at the unknowns of every body b with unconstrained rigid-body
 /// modes m, so that the residual force f moves none of them farther than `stride`,
@@ -24,7 +25,7 @@ template <int D> std::vector<LooseMotion> loose_motions(const Scene<D>& scene, c
 /// switched evolution relaxation: C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35, 1998). `diagonal` is K_ii by
 /// unknown, `force` by degree of freedom, `stride` by body.
 template <int D>
-VectorX damping(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::vector<LooseMotion>& motions,
+VectorX damping(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::vector<UnconstrainedMotion>& motions,
                 const VectorX& diagonal, const VectorX& force, const std::vector<double>& stride);
 
 /// Largest motion of each body in one iteration: the smallest gap of its contacts, at least `small`; `small` if any of

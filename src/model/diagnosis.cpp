@@ -24,7 +24,7 @@ template <int D> VectorX accepted_displacement(const Model<D>& model, int body, 
 }
 
 /// A control point of a body.
-template <int D> TroubleSpot control_point(const Model<D>& model, int body, int function) {
+template <int D> FailurePlace control_point(const Model<D>& model, int body, int function) {
   const auto& named = model.system.scene.bodies[at(body)];
   const VectorX reference = named.body->space().points().col(function);
   return {"control point",
@@ -37,7 +37,8 @@ template <int D> TroubleSpot control_point(const Model<D>& model, int body, int 
 }
 
 /// The three control points with the largest shares of a vector of unknowns, and these shares.
-template <int D, class What> std::vector<TroubleSpot> largest(const Model<D>& model, const VectorX& values, What what) {
+template <int D, class What>
+std::vector<FailurePlace> largest(const Model<D>& model, const VectorX& values, What what) {
   struct Share {
     int body, function;
     double size;
@@ -50,9 +51,9 @@ template <int D, class What> std::vector<TroubleSpot> largest(const Model<D>& mo
   const std::size_t count = std::min<std::size_t>(3, shares.size());
   std::partial_sort(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(count), shares.end(),
                     [](const Share& a, const Share& b) { return a.size > b.size; });
-  std::vector<TroubleSpot> spots;
+  std::vector<FailurePlace> spots;
   for (std::size_t k = 0; k < count; ++k) {
-    TroubleSpot spot = control_point(model, shares[k].body, shares[k].function);
+    FailurePlace spot = control_point(model, shares[k].body, shares[k].function);
     spot.value = shares[k].size;
     spot.what = what(spot.value);
     spots.push_back(std::move(spot));
@@ -60,7 +61,7 @@ template <int D, class What> std::vector<TroubleSpot> largest(const Model<D>& mo
   return spots;
 }
 
-template <int D> TroubleSpot contact_point(const Model<D>& model, const PointIndex& index, Message what) {
+template <int D> FailurePlace contact_point(const Model<D>& model, const PointIndex& index, Message what) {
   const contact::ContactPoints<D>& points = model.system.contacts[at(index.contact)]->points();
   const auto i = at(index.point);
   return {"contact point",
@@ -78,7 +79,7 @@ void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<P
   for (std::size_t k = 0; k < std::min(points.size(), most_places); ++k)
     diagnosis.places.push_back(contact_point(model, points[k], what(points[k])));
   if (points.empty()) return;
-  const TroubleSpot& first = diagnosis.places.front();
+  const FailurePlace& first = diagnosis.places.front();
   diagnosis.messages.push_back(Message(
       "model.diagnosis.points",
       {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
@@ -99,7 +100,7 @@ template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
 }
 
 /// The inverted Gauss point of an element.
-template <int D> TroubleSpot inverted_element(const Model<D>& model) {
+template <int D> FailurePlace inverted_element(const Model<D>& model) {
   const auto& [body, inversion] = *model.inversion;
   const auto& named = model.system.scene.bodies[at(body)];
   const nurbs::Discretization& space = named.body->space();
@@ -117,7 +118,7 @@ template <int D> TroubleSpot inverted_element(const Model<D>& model) {
           inversion.point,
           current,
           inversion.jacobian,
-          Message("model.spot.jacobian", {{"jacobian", inversion.jacobian}})};
+          Message("model.place.jacobian", {{"jacobian", inversion.jacobian}})};
 }
 
 /// Displacements of a body's control points, one column each, in a direction of all degrees of freedom.
@@ -152,9 +153,9 @@ template <int D> Message rigid_part(const Model<D>& model, const VectorX& direct
 template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model, const WeakDirection& weak) {
   if (weak.direction.norm() == 0) return;
   diagnosis.places = largest(model, weak.direction, [](double part) {
-    return Message("model.spot.direction", {{"part", part}});
+    return Message("model.place.direction", {{"part", part}});
   });
-  const TroubleSpot& first = diagnosis.places.front();
+  const FailurePlace& first = diagnosis.places.front();
   Message rigid = rigid_part(model, weak.direction);
   if (rigid.code.empty())
     rigid = Message("model.diagnosis.moves_most",
@@ -189,7 +190,7 @@ template <int D> std::vector<Message> cure_of_sliding(const Model<D>& model, con
     for (std::size_t k = 0; k < model.system.scene.contacts.size(); ++k)
       if (slides(model, k, b, mean))
         return {
-            Message("model.cure.friction", {{"contact", model.system.scene.contacts[k].name}, {"body", named.name}})};
+            Message("model.remedy.friction", {{"contact", model.system.scene.contacts[k].name}, {"body", named.name}})};
   }
   return {};
 }
@@ -199,35 +200,35 @@ struct Advice {
   const char *control, *code, *when_on = nullptr;
 };
 
-constexpr Advice smaller_steps{"step", "model.cure.step", "model.cure.step_min"};
-constexpr Advice pseudo_transient{"pseudo_transient", "model.cure.pseudo_transient"};
-constexpr Advice line_search{"line_search", "model.cure.line_search"};
+constexpr Advice smaller_steps{"step", "model.remedy.step", "model.remedy.step_min"};
+constexpr Advice pseudo_transient{"pseudo_transient", "model.remedy.pseudo_transient"};
+constexpr Advice line_search{"line_search", "model.remedy.line_search"};
 
-std::vector<Advice> cures(Outcome outcome) {
+std::vector<Advice> remedies(Outcome outcome) {
   switch (outcome) {
   case Outcome::iteration_limit:
-    return {{"", "model.cure.iterations"}, smaller_steps, {"", "model.cure.tolerance"}};
+    return {{"", "model.remedy.iterations"}, smaller_steps, {"", "model.remedy.tolerance"}};
   case Outcome::diverged:
   case Outcome::not_finite:
     return {smaller_steps, line_search};
   case Outcome::cycling:
     return {smaller_steps,
             line_search,
-            {"", "model.cure.points"},
-            {"active_set_changes", "model.cure.active_set"},
+            {"", "model.remedy.points"},
+            {"active_set_changes", "model.remedy.active_set"},
             pseudo_transient};
   case Outcome::lost_projection:
-    return {{"", "model.cure.extend_master"}, {"", "model.cure.end_path"}};
+    return {{"", "model.remedy.extend_master"}, {"", "model.remedy.end_path"}};
   case Outcome::inverted_element:
-    return {smaller_steps, line_search, {"", "model.cure.mesh"}};
+    return {smaller_steps, line_search, {"", "model.remedy.mesh"}};
   case Outcome::singular_tangent:
-    return {{"", "model.cure.support"}, {"damping", "model.cure.damping"}};
+    return {{"", "model.remedy.support"}, {"damping", "model.remedy.damping"}};
   case Outcome::indefinite:
-    return {{"arc_length", "model.cure.arc_length", "model.cure.stability"}, pseudo_transient};
+    return {{"arc_length", "model.remedy.arc_length", "model.remedy.stability"}, pseudo_transient};
   case Outcome::line_search:
-    return {smaller_steps, {"", "model.cure.no_line_search"}};
+    return {smaller_steps, {"", "model.remedy.no_line_search"}};
   case Outcome::penetration:
-    return {{"", "model.cure.penalty"}, {"", "model.cure.augmented"}};
+    return {{"", "model.remedy.penalty"}, {"", "model.remedy.augmented"}};
   default:
     return {};
   }
@@ -235,17 +236,17 @@ std::vector<Advice> cures(Outcome outcome) {
 
 /// Before the first accepted step there is no path to a limit point, and arc length has no direction.
 std::vector<Advice> first_step_cures() {
-  return {{"", "model.cure.first_step"},
+  return {{"", "model.remedy.first_step"},
           smaller_steps,
-          {"penalty", "model.cure.penalty_growth"},
-          {"", "model.cure.no_arc_yet"}};
+          {"penalty", "model.remedy.penalty_growth"},
+          {"", "model.remedy.no_arc_yet"}};
 }
 
 std::vector<Message> offered(const std::vector<Advice>& list, const ControlsOn& on) {
-  std::vector<Message> cures;
+  std::vector<Message> remedies;
   for (const Advice& advice : list)
-    if (const char* code = on.contains(advice.control) ? advice.when_on : advice.code) cures.emplace_back(code);
-  return cures;
+    if (const char* code = on.contains(advice.control) ? advice.when_on : advice.code) remedies.emplace_back(code);
+  return remedies;
 }
 
 /// Adds reason and remedy if a penalty parameter is far above the bodies' stiffness.
@@ -264,9 +265,9 @@ template <int D> void add_stiffness(Diagnosis& diagnosis, const Model<D>& model)
   const bool is_cause = worst.ratio >= beyond_rounding;
   diagnosis.messages.push_back(Message(is_cause ? "model.diagnosis.rounding" : "model.diagnosis.stiffness",
                                        {{"contact", name}, {"ratio", worst.ratio}, {"body", worst.body}}));
-  if (is_cause) diagnosis.cures.clear();
-  diagnosis.cures.insert(diagnosis.cures.begin(),
-                         Message("model.cure.lower_penalty", {{"contact", name}, {"stiffness", worst.stiffness}}));
+  if (is_cause) diagnosis.remedies.clear();
+  diagnosis.remedies.insert(diagnosis.remedies.begin(),
+                            Message("model.remedy.lower_penalty", {{"contact", name}, {"stiffness", worst.stiffness}}));
 }
 
 } // namespace
@@ -278,19 +279,19 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
   if (report.outcome == Outcome::inverted_element && model.inversion) diagnosis.places = {inverted_element(model)};
   const ActiveSet<D>& set = model.active_set;
   const auto states = [&](const PointIndex& point) {
-    return Message("model.spot.states", {{"states", set.alternating(point)}});
+    return Message("model.place.states", {{"states", set.alternating(point)}});
   };
   if (report.outcome == Outcome::cycling) add_points(diagnosis, model, set.cycling_points(), states);
   if (report.outcome == Outcome::lost_projection) add_points(diagnosis, model, set.cycling_past_end(), states);
   if (report.outcome == Outcome::penetration)
     add_points(diagnosis, model, farthest(model), [&](const PointIndex& point) {
-      return Message("model.spot.gap",
+      return Message("model.place.gap",
                      {{"gap", model.present.contacts[at(point.contact)].results[at(point.point)].gap}});
     });
   if (report.outcome == Outcome::singular_tangent && has_tangent) {
     const WeakDirection weak = null_direction(assembly.pattern(), assembly.values());
     add_direction(diagnosis, model, weak);
-    if (weak.direction.norm() > 0) diagnosis.cures = cure_of_sliding(model, weak.direction);
+    if (weak.direction.norm() > 0) diagnosis.remedies = cure_of_sliding(model, weak.direction);
   }
   const bool stalls = report.outcome == Outcome::iteration_limit || report.outcome == Outcome::diverged ||
                       report.outcome == Outcome::line_search;
@@ -300,17 +301,17 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
       diagnosis.outcome = Outcome::indefinite;
       diagnosis.messages.emplace_back("model.diagnosis.indefinite");
       add_direction(diagnosis, model, softest);
-      diagnosis.cures = cure_of_sliding(model, softest.direction);
-      if (diagnosis.cures.empty() && model.accepted.displacement.isZero(0))
-        diagnosis.cures = offered(first_step_cures(), on);
+      diagnosis.remedies = cure_of_sliding(model, softest.direction);
+      if (diagnosis.remedies.empty() && model.accepted.displacement.isZero(0))
+        diagnosis.remedies = offered(first_step_cures(), on);
     }
   }
   if (model.unbalanced.size() > 0 && model.unbalanced.allFinite() && !report.residuals.empty())
     diagnosis.unbalanced = largest(model, model.unbalanced, [](double force) {
-      return Message("model.spot.force", {{"force", force}});
+      return Message("model.place.force", {{"force", force}});
     });
   if (diagnosis.places.empty()) diagnosis.places = diagnosis.unbalanced;
-  if (diagnosis.cures.empty()) diagnosis.cures = offered(cures(diagnosis.outcome), on);
+  if (diagnosis.remedies.empty()) diagnosis.remedies = offered(remedies(diagnosis.outcome), on);
   if (report.outcome != Outcome::penetration && report.outcome != Outcome::lost_projection)
     add_stiffness(diagnosis, model);
   return diagnosis;

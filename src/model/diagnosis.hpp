@@ -8,7 +8,7 @@
 namespace signorini::model {
 
 /// A place related to a failure.
-struct TroubleSpot {
+struct FailurePlace {
   std::string kind;  ///< "element", "contact point", "control point"
   std::string where; ///< name of the body, or of the contact
   int index;         ///< of the element (of the slave face for a contact point), of the control point; from 0
@@ -19,11 +19,11 @@ struct TroubleSpot {
 };
 
 struct Diagnosis {
-  solve::Outcome outcome;              ///< the report's, or `indefinite` if that is the cause
-  std::vector<Message> messages;       ///< reasons
-  std::vector<Message> cures;          ///< remedies
-  std::vector<TroubleSpot> places;     ///< worst first
-  std::vector<TroubleSpot> unbalanced; ///< control points with the largest unbalanced forces
+  solve::Outcome outcome;               ///< the report's, or `indefinite` if that is the cause
+  std::vector<Message> messages;        ///< reasons
+  std::vector<Message> remedies;        ///< remedies
+  std::vector<FailurePlace> places;     ///< worst first
+  std::vector<FailurePlace> unbalanced; ///< control points with the largest unbalanced forces
 };
 
 /// Controls that are already on: "step", "line_search", "damping", "active_set_changes", "arc_length", "penalty",

@@ -98,10 +98,11 @@ template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& op
   for (std::size_t k = 0; k < system.contacts.size() && damping; ++k) {
     const Contact<D>& contact = system.scene.contacts[k];
     const auto* face = std::get_if<FaceReference>(&contact.master);
-    const bool falls = resultant(model.present.contacts[k]).active == 0 &&
-                       std::any_of(system.loose().begin(), system.loose().end(), [&](const LooseMotion& motion) {
-                         return motion.body == contact.slave.body || (face && motion.body == face->body);
-                       });
+    const bool falls =
+        resultant(model.present.contacts[k]).active == 0 &&
+        std::any_of(system.loose().begin(), system.loose().end(), [&](const UnconstrainedMotion& motion) {
+          return motion.body == contact.slave.body || (face && motion.body == face->body);
+        });
     model.controls[k].landing = falls;
     any = any || falls;
   }
@@ -114,7 +115,7 @@ template <int D> void judge_lead(Model<D>& model) {
   require(outcome == solve::Outcome::converged, "model.step.no_residual", {{"why", why}});
   const double tolerance = solve::NewtonOptions{}.tolerance * force_norm(model) + rounding_floor(model);
   require(model.unbalanced.norm() <= tolerance, "model.step.unbalanced",
-          {{"residual", model.unbalanced.norm()}, {"enough", tolerance}});
+          {{"residual", model.unbalanced.norm()}, {"tolerance", tolerance}});
   model.step->report.outcome = solve::Outcome::converged;
 }
 

@@ -17,7 +17,7 @@ bool can_condense(const LinearFacts& facts, bool damps) {
 
 solve::LinearKind first_choice(const LinearFacts& facts, bool damps) {
   if (can_condense(facts, damps)) return solve::LinearKind::condensed;
-  return facts.potential ? solve::LinearKind::kept : solve::LinearKind::automatic;
+  return facts.potential ? solve::LinearKind::reuse : solve::LinearKind::automatic;
 }
 
 template LinearFacts linear_facts(const System<2>&);

@@ -59,7 +59,7 @@ void LinearSolution::forget() {
   if (!solver_) return;
   past_ = sum(past_, solver_->statistics());
   past_kind_ = solver_->kind();
-  if (asked_ == solve::LinearKind::automatic && past_kind_ == solve::LinearKind::kept) beginning_ = past_kind_;
+  if (asked_ == solve::LinearKind::automatic && past_kind_ == solve::LinearKind::reuse) beginning_ = past_kind_;
   solver_.reset();
 }
 

@@ -146,8 +146,8 @@ template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOpti
   const double tolerance = augmented.penetration * model.system.extent;
   if (farthest <= tolerance) return solve::Outcome::converged;
   if (model.step->augmentations == augmented.loops) {
-    why =
-        Message("model.step.penetration", {{"distance", farthest}, {"loops", augmented.loops}, {"enough", tolerance}});
+    why = Message("model.step.penetration",
+                  {{"distance", farthest}, {"loops", augmented.loops}, {"tolerance", tolerance}});
     return solve::Outcome::penetration;
   }
   for (std::size_t k = 0; k < contacts.size(); ++k) contacts[k]->augment(model.present.contacts[k]);

@@ -81,8 +81,8 @@ template <int D> void System<D>::settle(State<D>& accepted) {
   assembly.forget_contacts();
 }
 
-template <int D> const std::vector<LooseMotion>& System<D>::loose() {
-  if (!loose_) loose_ = loose_motions(scene, unknowns);
+template <int D> const std::vector<UnconstrainedMotion>& System<D>::loose() {
+  if (!loose_) loose_ = unconstrained_motions(scene, unknowns);
   return *loose_;
 }
 

@@ -33,12 +33,12 @@ template <int D> struct System {
   void settle(State<D>& accepted);
 
   /// Rigid-body modes that no support prevents; computed on first use.
-  const std::vector<LooseMotion>& loose();
+  const std::vector<UnconstrainedMotion>& loose();
   /// See path_norm.hpp; computed on first use.
   const VectorX& path_weights();
 
 private:
-  std::optional<std::vector<LooseMotion>> loose_;
+  std::optional<std::vector<UnconstrainedMotion>> loose_;
   std::optional<VectorX> path_weights_;
 };
 

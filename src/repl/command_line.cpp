@@ -50,14 +50,14 @@ CommandLine parse(const std::vector<std::string>& words) {
     else if (word.starts_with("--threads="))
       line.threads = parse_count("--threads", word.substr(10), bind::most_threads);
     else if (word == "--new") {
-      line.wish = CommandLine::Wish::new_study;
+      line.action = CommandLine::Action::new_study;
       line.new_study = value("the name of a file, such as study.lua");
     } else if (word == "--version")
-      line.wish = CommandLine::Wish::version;
+      line.action = CommandLine::Action::version;
     else if (word == "--help" || word == "-h")
-      line.wish = CommandLine::Wish::help;
+      line.action = CommandLine::Action::help;
     else if (word == "--doctor")
-      line.wish = CommandLine::Wish::doctor;
+      line.action = CommandLine::Action::doctor;
     else if (word == "--")
       line.script = value("a script");
     else if (word.empty())

@@ -14,8 +14,8 @@ public:
 };
 
 struct CommandLine {
-  enum class Wish { run, version, help, doctor, new_study };
-  Wish wish = Wish::run;
+  enum class Action { run, version, help, doctor, new_study };
+  Action action = Action::run;
   std::vector<std::string> code;      ///< of each -e
   std::string script;                 ///< a file, "-" for standard input, or empty
   std::string new_study;              ///< the file of --new

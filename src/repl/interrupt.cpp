@@ -17,7 +17,7 @@ bool finishes_statements = false, ends_library = false;
 /// Whether an event in the user's code only completes a statement: results that a solve or study returned after Ctrl-C
 /// are being assigned, through returns and metamethods of tables.
 bool finishes_statement(lua_State* L, lua_Debug* frame) {
-  if (!finishes_statements || !interrupt_answered() || frame->event == LUA_HOOKLINE) return false;
+  if (!finishes_statements || !interrupt_reported() || frame->event == LUA_HOOKLINE) return false;
   if (frame->event != LUA_HOOKCALL && frame->event != LUA_HOOKTAILCALL) return true;
   lua_getinfo(L, "n", frame);
   return std::string_view(frame->namewhat) == "metamethod";
@@ -38,7 +38,7 @@ void stop(lua_State* L, lua_Debug* frame) {
   }
   lua_getinfo(L, "S", frame);
   const bool own = ends_library || (std::string_view(frame->what) != "C" && !bind::in_library(L, *frame));
-  if (!own && !(finishes_statements && interrupt_answered() && user_calls(L, *frame))) return;
+  if (!own && !(finishes_statements && interrupt_reported() && user_calls(L, *frame))) return;
   if (finishes_statement(L, frame)) return;
   luaL_where(L, 0);
   lua_pushstring(L, "interrupted");

@@ -17,7 +17,7 @@ FactorEstimate estimate_factor(LinearKind kind, const Pattern& pattern) {
   require(lower.factor != nullptr, "solve.cholmod.tangent", {{"status", common.status}});
   const double entries = common.lnz; // of L
   if (kind == LinearKind::automatic)
-    kind = worth_reusing(2 * common.fl, 2 * entries) ? LinearKind::kept : LinearKind::klu;
+    kind = worth_reusing(2 * common.fl, 2 * entries) ? LinearKind::reuse : LinearKind::klu;
   switch (kind) {
   case LinearKind::klu:
     return {kind, 2 * (sizeof(double) + sizeof(int)) * entries};

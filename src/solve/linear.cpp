@@ -16,7 +16,7 @@ constexpr std::pair<LinearKind, const char*> names[] = {{LinearKind::automatic, 
                                                         {LinearKind::klu, "klu"},
                                                         {LinearKind::umfpack, "umfpack"},
                                                         {LinearKind::condensed, "condensed"},
-                                                        {LinearKind::kept, "kept"}};
+                                                        {LinearKind::reuse, "reuse"}};
 
 /// Factors every matrix.
 class Direct final : public LinearSolver {
@@ -64,13 +64,13 @@ std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& patter
     return make_condensed(pattern, *condensation, make_schur_cholesky(dissection_above));
   }
   // Nested dissection from the start, as is best for solids
-  if (kind == LinearKind::kept)
+  if (kind == LinearKind::reuse)
     return make_reused(pattern, make_umfpack, std::make_unique<SymmetricPart>(make_schur_cholesky(0)));
   std::unique_ptr<DirectSolver> direct = kind == LinearKind::umfpack ? make_umfpack() : make_klu();
   direct->analyze(pattern);
   const SolverStatistics expected = direct->statistics();
   if (kind == LinearKind::automatic && worth_reusing(expected.operations, expected.entries))
-    return make_solver(LinearKind::kept, pattern);
+    return make_solver(LinearKind::reuse, pattern);
   return std::make_unique<Direct>(kind == LinearKind::automatic ? LinearKind::klu : kind, std::move(direct));
 }
 

@@ -8,9 +8,9 @@
 namespace signorini::solve {
 
 /// The numbers are stored in checkpoints; 3 and 4 belonged to removed solvers.
-enum class LinearKind { automatic = 0, klu = 1, umfpack = 2, condensed = 5, kept = 6 };
+enum class LinearKind { automatic = 0, klu = 1, umfpack = 2, condensed = 5, reuse = 6 };
 
-/// "auto", "klu", "umfpack", "condensed", "kept". Throws Error that lists them.
+/// "auto", "klu", "umfpack", "condensed", "reuse". Throws Error that lists them.
 LinearKind linear_kind(const std::string& name);
 /// All names that linear_kind() accepts, "auto" first.
 std::vector<std::string> linear_names();
@@ -37,10 +37,10 @@ public:
 
 struct Condensation;
 
-/// `klu` and `umfpack` factor every matrix by that direct solver; `kept` reuses factorizations (reused.hpp) of CHOLMOD,
-/// or of UMFPACK if the symmetric part is not positive definite; `condensed` condenses the constant part
-/// (condensed.hpp) by CHOLMOD and needs `condensation`, which the others ignore. `automatic` selects `kept` if reuse is
-/// worthwhile, otherwise `klu`. Which is fastest: share/doc/benchmark.md.
+/// `klu` and `umfpack` factor every matrix by that direct solver; `reuse` reuses factorizations (reused.hpp) of
+/// CHOLMOD, or of UMFPACK if the symmetric part is not positive definite; `condensed` condenses the constant part
+/// (condensed.hpp) by CHOLMOD and needs `condensation`, which the others ignore. `automatic` selects `reuse` if reuse
+/// is worthwhile, otherwise `klu`. Which is fastest: share/doc/benchmark.md.
 std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern,
                                           const Condensation* condensation = nullptr);
 

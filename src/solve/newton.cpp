@@ -52,7 +52,7 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
     return false;
   };
   const auto stop_by_user = [&] {
-    answer_interrupt();
+    report_interrupt();
     return stop(Outcome::interrupted, Message("solve.newton.interrupted"));
   };
   // Steps that need no iteration can be interrupted too.
@@ -83,7 +83,7 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
   if (report.iterations - report.begun >= options.iterations)
     return stop(Outcome::iteration_limit,
                 Message(residual <= near_floor * floor ? "solve.newton.near_rounding" : "solve.newton.no_convergence",
-                        {{"iterations", options.iterations}, {"residual", residual}, {"enough", report.enough}}));
+                        {{"iterations", options.iterations}, {"residual", residual}, {"tolerance", report.enough}}));
   if (!tangent)
     if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);
   if (interrupted()) return stop_by_user();

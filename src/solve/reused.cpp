@@ -30,7 +30,7 @@ public:
 
   bool factor(const double* values) override;
   bool solve(double* b) override;
-  LinearKind kind() const override { return LinearKind::kept; }
+  LinearKind kind() const override { return LinearKind::reuse; }
   bool adopt(const Pattern& pattern) override;
   void watch(const std::vector<int>& unknowns) override {
     if (symmetric_part_) symmetric_part_->watch(unknowns);

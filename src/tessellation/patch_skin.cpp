@@ -33,9 +33,9 @@ Sampling<2> sampling_of(const nurbs::Patch& patch, const std::vector<Window>& wi
   for (std::size_t j = 0; j < all[1].size() && !windows.empty(); ++j)
     for (std::size_t i = 0; i < all[0].size(); ++i) {
       const auto at_fractions = [&](double s, double t) { return place(patch, parameters(patch, i, j, s, t)); };
-      const auto cuts = window_cuts(at_fractions, windows, false);
-      add_cuts(all[0][i], cuts[0]);
-      if (surface) add_cuts(all[1][j], cuts[1]);
+      const auto cuts = window_divisions(at_fractions, windows, false);
+      add_divisions(all[0][i], cuts[0]);
+      if (surface) add_divisions(all[1][j], cuts[1]);
     }
   return all;
 }

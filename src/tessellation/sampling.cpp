@@ -31,8 +31,8 @@ template <int D> struct Pieces {
       fractions(along[1]) = t;
       return place(e, space.parameter(e, fractions));
     };
-    const auto cuts = window_cuts(at_fractions, windows, true);
-    for (std::size_t i : {0, 1}) add_cuts(sampling[at(along[i])][at(space.element_index(e, along[i]))], cuts[i]);
+    const auto cuts = window_divisions(at_fractions, windows, true);
+    for (std::size_t i : {0, 1}) add_divisions(sampling[at(along[i])][at(space.element_index(e, along[i]))], cuts[i]);
   }
 };
 

@@ -81,11 +81,11 @@ std::array<std::vector<double>, 2> fractions(std::array<int, 2> pieces, const st
   for (int j = 0; j < pieces[1] && !windows.empty(); ++j)
     for (int i = 0; i < pieces[0]; ++i) {
       const auto at_piece = [&](double s, double t) { return place((i + s) / pieces[0], (j + t) / pieces[1]).first; };
-      const auto cuts = window_cuts(at_piece, windows, false);
+      const auto cuts = window_divisions(at_piece, windows, false);
       for (double cut : cuts[0]) result[0].push_back((i + cut) / pieces[0]);
       for (double cut : cuts[1]) result[1].push_back((j + cut) / pieces[1]);
     }
-  for (std::vector<double>& all : result) add_cuts(all, {});
+  for (std::vector<double>& all : result) add_divisions(all, {});
   return result;
 }
 
@@ -208,10 +208,10 @@ Outline outline(const std::function<Vec<3>(double)>& place, int pieces, const st
   std::vector<double> fractions = even_cuts(pieces);
   for (int k = 0; k < pieces && !windows.empty(); ++k) {
     const auto piece = [&](double s, double) { return place((k + s) / pieces); };
-    const auto cuts = window_cuts(piece, windows, false);
+    const auto cuts = window_divisions(piece, windows, false);
     for (double cut : cuts[0]) fractions.push_back((k + cut) / pieces);
   }
-  add_cuts(fractions, {});
+  add_divisions(fractions, {});
   Outline outline{Points(3, static_cast<Eigen::Index>(fractions.size()))};
   for (Eigen::Index i = 0; i < outline.line.cols(); ++i)
     outline.line.col(i) = place(fractions[at(static_cast<int>(i))]);

@@ -57,7 +57,7 @@ private:
 };
 
 void write_pictures(const Pattern& name, int count, const PictureMaker& picture) {
-  for (int i = 0; i < count; ++i) write_whole(name(i + 1), picture(i));
+  for (int i = 0; i < count; ++i) write_atomically(name(i + 1), picture(i));
 }
 
 void write_by_vtk(const std::string& file, int count, double rate, const PictureMaker& picture) {

@@ -91,7 +91,7 @@ TEST(ArchiveFile, ReturnsItsBytes) {
   const test::ScratchFolder folder;
   write_archive(folder.file("a"), trial, example());
   read_example(read_archive(folder.file("a"), trial));
-  EXPECT_TRUE(read_whole(folder.file("a")).starts_with("SIGNORINI trial\n"));
+  EXPECT_TRUE(read_file(folder.file("a")).starts_with("SIGNORINI trial\n"));
   EXPECT_EQ(folder.count(), 1);
 }
 
@@ -99,14 +99,14 @@ TEST(ArchiveFile, ReportsDamagedAndWrongFiles) {
   const test::ScratchFolder folder;
   const std::string file = folder.file("a");
   const auto message = [&](const std::string& bytes) {
-    write_whole(file, bytes);
+    write_atomically(file, bytes);
     return message_of([&] { read_archive(file, trial); });
   };
   const auto holds = [](const std::string& text, const std::string& part) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
   write_archive(file, trial, example());
-  const std::string good = read_whole(file);
+  const std::string good = read_file(file);
   holds(message("PK\3\4 something else"), "base.archive.kind: file = " + file + ", kind = trial");
   holds(message(""), "base.archive.kind");
   std::string newer = good;

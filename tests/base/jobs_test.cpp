@@ -206,7 +206,7 @@ TEST(Jobs, ErrorInTheCallbackIsPassedOnAndLeavesNoChild) {
           if (i > 0) sleep_for(60);
           return "";
         },
-        [](const JobEnd&) { throw std::runtime_error("enough"); });
+        [](const JobEnd&) { throw std::runtime_error("tolerance"); });
   };
   EXPECT_THROW(run(), std::runtime_error);
   expect_no_children();

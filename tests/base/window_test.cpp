@@ -28,7 +28,7 @@ TEST(Window, DividesAnArcUntilItsChordsAreWithinHalfAPixel) {
     const Window window = square(middle - Vec<2>::Constant(0.5 * side), side);
     EXPECT_NEAR(window.pixel, side / 1000, 1e-15);
     std::vector<double> cuts = {0, 1};
-    add_cuts(cuts, window_cuts(arc, {window}, false)[0]);
+    add_divisions(cuts, window_divisions(arc, {window}, false)[0]);
     int within = 0;
     for (std::size_t i = 1; i < cuts.size(); ++i) {
       const double half = 0.5 * pi / 4 * (cuts[i] - cuts[i - 1]), at = pi / 4 * cuts[i];
@@ -42,12 +42,12 @@ TEST(Window, DividesAnArcUntilItsChordsAreWithinHalfAPixel) {
 }
 
 TEST(Window, DoesNotDivideStraightOrInvisibleParts) {
-  EXPECT_TRUE(window_cuts(arc, {}, false)[0].empty());
-  EXPECT_TRUE(window_cuts(arc, {square({-1, -1}, 0.1)}, true)[0].empty());
+  EXPECT_TRUE(window_divisions(arc, {}, false)[0].empty());
+  EXPECT_TRUE(window_divisions(arc, {square({-1, -1}, 0.1)}, true)[0].empty());
   const auto straight = [](double s, double t) { return Vec<3>(s, t, 0); };
-  EXPECT_TRUE(window_cuts(straight, {square({0.4, 0.4}, 0.1)}, false)[0].empty());
+  EXPECT_TRUE(window_divisions(straight, {square({0.4, 0.4}, 0.1)}, false)[0].empty());
   // With varying colors: pieces of 1/16 of the window, 0.1/16 ≥ 2⁻⁸
-  const auto colored = window_cuts(straight, {square({0.4, 0.4}, 0.1)}, true);
+  const auto colored = window_divisions(straight, {square({0.4, 0.4}, 0.1)}, true);
   double largest = 0;
   for (std::size_t i = 1; i < colored[0].size(); ++i)
     if (colored[0][i] > 0.4 && colored[0][i - 1] < 0.5) largest = std::max(largest, colored[0][i] - colored[0][i - 1]);
@@ -68,7 +68,7 @@ TEST(Window, ShowsABoxInSpaceAlongItsAxesAndReflected) {
 
 TEST(Window, MergesDivisionPointsWithoutDuplicates) {
   std::vector<double> fractions = even_cuts(4);
-  add_cuts(fractions, {0.125, 0.5, 0.75 + 1e-12});
+  add_divisions(fractions, {0.125, 0.5, 0.75 + 1e-12});
   EXPECT_EQ(fractions, (std::vector<double>{0, 0.125, 0.25, 0.5, 0.75, 1}));
 }
 

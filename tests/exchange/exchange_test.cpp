@@ -99,7 +99,7 @@ TEST(Exchange, WritesPolynomialPatchesToXmlWithoutWeights) {
   ScratchFolder folder;
   const Patch square = rectangle(1, 1, Vec<2>::Zero());
   write_patches(folder.file("p.xml"), {square}, form_named_by("p.xml"));
-  const std::string text = read_whole(folder.file("p.xml"));
+  const std::string text = read_file(folder.file("p.xml"));
   EXPECT_NE(text.find("TensorBSpline2"), std::string::npos);
   EXPECT_EQ(text.find("weights"), std::string::npos);
   expect_same(read_patches(folder.file("p.xml"))[0], square);
@@ -109,7 +109,7 @@ TEST(Exchange, WritesAMultiPatchToXmlForPatchesOfOneKind) {
   ScratchFolder folder;
   const auto text_of = [&](const std::vector<Patch>& patches) {
     write_patches(folder.file("p.xml"), patches, "gismo");
-    return read_whole(folder.file("p.xml"));
+    return read_file(folder.file("p.xml"));
   };
   const Patch square = rectangle(1, 1, Vec<2>::Zero());
   const std::string wanted = "<MultiPatch parDim=\"2\" id=\"3\">\n    <patches type=\"id_range\">0 2</patches>";
@@ -141,7 +141,7 @@ std::string refusal(const std::string& text) {
 }
 
 std::string replaced(const std::string& name, const std::string& from, const std::string& to) {
-  std::string text = read_whole(std::string(SAMPLE_DIR) + "/" + name);
+  std::string text = read_file(std::string(SAMPLE_DIR) + "/" + name);
   const std::size_t place = text.find(from);
   EXPECT_NE(place, std::string::npos) << from;
   return text.replace(place, from.size(), to);

@@ -128,7 +128,7 @@ local function arch_model()
                          from = 90 + degrees, to = 90 - degrees }
   end
   local body = sg.body{ patch = sg.nurbs.ruled{ a = line(-arch.thickness / 2), b = line(arch.thickness / 2) },
-                        elements = {16, 1}, order = "N3", through = 2, contact = "north",
+                        elements = {16, 1}, order = "N3", thickness_degree = 2, contact = "north",
                         material = sg.neo_hookean{ E = arch.modulus, nu = 0 } }
   return sg.model{
     bodies   = { arch = body },

@@ -55,7 +55,7 @@ check.case("values of the wrong type", function()
   refused({ keep = false }, "keep=maybe", "keep must be yes or no, got 'maybe'")
   refused({ keep = false }, "keep=true", "keep must be yes or no, got 'true'")
   refused({ label = "N2" }, "label=", "label must be a string, got nothing")
-  refused({ labels = { "N2" } }, "labels=", "labels must be strings, got nothing")
+  refused({ orders = { "N2" } }, "orders=", "labels must be strings, got nothing")
 end)
 
 check.case("choices and limits", function()
@@ -102,14 +102,14 @@ check.case("unknown names", function()
 end)
 
 local variants = {
-  labels = { "N2" }, out = "out/a",
+  orders = { "N2" }, out = "out/a",
   variant = { "plain", variants = {
     plain = { ["repeat"] = 1, mesh = "m1" }, deep = { points = { 1, 2 }, out = "out/b" },
   } },
 }
 
 check.case("variants have their own arguments and defaults", function()
-  local plain = sg.arguments(variants, { "repeat=2", "labels=N4" })
+  local plain = sg.arguments(variants, { "repeat=2", "orders=N4" })
   check.equal({ plain.variant, plain["repeat"], plain.mesh, plain.labels, plain.out, plain.points },
     { "plain", 2, "m1", { "N4" }, "out/a" })
   local deep = sg.arguments(variants, { "points=3", "variant=deep" })
@@ -118,9 +118,9 @@ check.case("variants have their own arguments and defaults", function()
   refused(variants, "variant=x", "variant must be 'plain' or 'deep', got 'x'")
   refused(variants, "points=3",
     "unknown argument 'points=3', which belongs to variant=deep; known with variant=plain: " ..
-    "labels=N2, mesh=m1, out=out/a, repeat=1, variant=plain")
+    "orders=N2, mesh=m1, out=out/a, repeat=1, variant=plain")
   refused(variants, "x=3",
-    "unknown argument 'x=3'; known with variant=plain: labels=N2, mesh=m1, out=out/a, repeat=1, variant=plain")
+    "unknown argument 'x=3'; known with variant=plain: orders=N2, mesh=m1, out=out/a, repeat=1, variant=plain")
 end)
 
 check.case("invalid declarations are errors at the script's line", function()
@@ -156,7 +156,7 @@ end)
 
 local script = [[
 local sg = require "signorini"
-local function read() return sg.arguments{ steps = 10, labels = { { "N2" }, choices = { "N2", "N4" } },
+local function read() return sg.arguments{ steps = 10, orders = { { "N2" }, choices = { "N2", "N4" } },
   variant = { "plain", variants = { plain = {}, deep = { depth = 0.5 } } } } end
 print(read().steps)]]
 
@@ -170,7 +170,7 @@ end)
 check.case("help, or --help, prints all arguments with status 0", function()
   local page = [[
 Arguments of study.lua, with their defaults:
-  labels=N2      values among 'N2' and 'N4'
+  orders=N2      values among 'N2' and 'N4'
   steps=10       a whole number, 1 or more
   variant=plain  'plain' or 'deep'
 with variant=plain also:

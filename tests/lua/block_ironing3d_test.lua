@@ -9,7 +9,7 @@ local way_back = require "way_back"
 local script = core.home .. "/scripts/block_ironing3d.lua"
 local folder = check.folder()
 local run_study = assert(loadfile(script))
-local study = run_study("out=" .. folder, "mesh=2x2x1/4x2x1", "labels=N2,N2-N2.1", "press=3", "slide=20")
+local study = run_study("out=" .. folder, "mesh=2x2x1/4x2x1", "orders=N2,N2-N2.1", "press=3", "slide=20")
 
 check.case("both discretizations complete; forces of this mesh are unchanged", function()
   for _, case in ipairs(study.cases) do check.equal({ case.run.failed, case.run.steps }, { false, 23 }) end
@@ -27,9 +27,9 @@ end)
 
 check.case("without friction a state does not depend on the path: pressed in the middle", function()
   local slab = sg.body{ patch = sg.shapes.block{ size = {20, 10, 10} }, elements = {4, 2, 1}, order = "N2",
-                        contact = "back", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+                        contact = "back", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local block = sg.body{ patch = sg.shapes.block{ size = {4, 4, 4}, corner = {8, 3, 10} },
-                         elements = {2, 2, 1}, order = "N2", contact = "front", through = 1,
+                         elements = {2, 2, 1}, order = "N2", contact = "front", thickness_degree = 1,
                          material = sg.neo_hookean{ E = 10, nu = 0.3 } }
   local model = sg.model{
     bodies   = { block = block, slab = slab },
@@ -71,7 +71,8 @@ end)
 
 check.case("sixty steps: user times compared with other programs, the cheapest case in the range", function()
   local sixty = require "block_ironing3d.sixty"
-  local both = run_study("variant=sixty", "out=" .. folder .. "/sixty", "mesh=2x2x1/4x2x1", "labels=N2", "through=1,2",
+  local both = run_study("variant=sixty", "out=" .. folder .. "/sixty", "mesh=2x2x1/4x2x1", "orders=N2",
+                         "thickness_degree=1,2",
                          "part=whole", "line_search=none")
   check.equal(#both.cases, 2)
   for _, case in ipairs(both.cases) do
@@ -83,23 +84,24 @@ check.case("sixty steps: user times compared with other programs, the cheapest c
   check.equal(both.cheapest, nil) -- both are too stiff
   local function case(mean, user) return { drag = mean and { mean = mean }, user = user } end
   check.equal(sixty.cheapest{ case(5.9, 1), case(5.8, 3), case(5.76, 2), case(5.7, 1), case(nil, 0) }.user, 2)
-  local halved = run_study("variant=sixty", "out=" .. folder .. "/half", "mesh=2x4x1/4x4x1", "labels=N2")
-  local whole = run_study("variant=sixty", "out=" .. folder .. "/whole", "mesh=2x4x1/4x4x1", "labels=N2", "part=whole")
+  local halved = run_study("variant=sixty", "out=" .. folder .. "/half", "mesh=2x4x1/4x4x1", "orders=N2")
+  local whole = run_study("variant=sixty", "out=" .. folder .. "/whole", "mesh=2x4x1/4x4x1", "orders=N2", "part=whole")
   -- What is mirrored may have a crease in the plane of symmetry, which C¹ across forbids: it is softer by a little.
   local ratio = halved.cases[1].pressed / whole.cases[1].pressed
   assert(ratio > 0.99 and ratio < 1, ratio)
   check.equal(halved.cases[1].run.failed, false)
   check.pictures(folder .. "/sixty", { "sixty" })
-  check.equal(sg.csv.read(folder .. "/sixty/sixty.csv"):column "through", { 1, 2 })
+  check.equal(sg.csv.read(folder .. "/sixty/sixty.csv"):column "thickness_degree", { 1, 2 })
 end)
 
 check.case("wrong arguments", function()
   check.refused(script, {
     ["mesh=4x4/8x4x4"] = "mesh must be elements of die and slab per direction such as 4x4x4/8x4x4, got '4x4/8x4x4'",
-    ["mesh=0x4x4/8x4x4"] = "mesh must be elements", ["labels=Q7"] = "Q7", ["block"] = "unknown argument 'block'",
+    ["mesh=0x4x4/8x4x4"] = "mesh must be elements", ["orders=Q7"] = "Q7", ["block"] = "unknown argument 'block'",
     ["press=0"] = "press must be a whole number, 1 or more, got '0'",
-    ["through=2"] = "'through=2', which belongs to variant=sixty; known with variant=standard: labels=",
-    ["variant=sixty slide=9"] = "'slide=9', which belongs to variant=standard; known with variant=sixty: labels=N2,",
+    ["thickness_degree=2"] = "'thickness_degree=2',
+    which belongs to variant=sixty; known with variant=standard: orders=",
+    ["variant=sixty slide=9"] = "'slide=9', which belongs to variant=standard; known with variant=sixty: orders=N2,",
     ["variant=sixty mesh=2x2x1/8x3x2"] = "mesh=2x2x1/8x3x2: a half model has half of the elements across, so both "
       .. "numbers (2 and 3) must be even. Hint: part=whole",
     ["variant=sixty points=x"] = "points must be whole numbers of at least 1, or auto, got 'x'",

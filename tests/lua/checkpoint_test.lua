@@ -70,7 +70,7 @@ check.case("frictional ironing in the plane, KLU", function()
 end)
 
 check.case("a larger one: UMFPACK, and a reused factorization", function()
-  for linear, kind in pairs { umfpack = "umfpack", auto = "kept" } do
+  for linear, kind in pairs { umfpack = "umfpack", auto = "reuse" } do
     local model = ironing{ elements = { die = {24, 4}, slab = {72, 18} } }
     continues(model, { { steps = 4, grip = {0, -0.08} } }, "{ { steps = 3, grip = {0.06, -0.08} } }",
       { linear = linear })
@@ -90,14 +90,14 @@ check.case("peeling, adhesion on a part of the face, rotating support: reused fa
                             adhesion = { hamaker = 0.1, r0 = 0.4 }, where = function(X) return X[1] <= 45 end } },
     }
     continues(model, { { steps = 12, edge = 6 } }, "{ { steps = 8, edge = 10 } }", { linear = linear })
-    check.equal(model:solver().linear, linear == "auto" and "kept" or linear)
+    check.equal(model:solver().linear, linear == "auto" and "reuse" or linear)
   end
 end)
 
 check.case("linear elastic bodies, condensed onto the contact", function()
   local rigid = sg.rigid.cylinder{ center = {0, 1.4}, radius = 0.4 }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1, corner = {-2, 0} }, elements = {32, 8},
-                        order = "N2-N2.1", contact = "north", through = 1,
+                        order = "N2-N2.1", contact = "north", thickness_degree = 1,
                         material = sg.linear_elastic{ E = 10, nu = 0.3 } }
   local model = sg.model{
     bodies = { slab = slab },
@@ -162,11 +162,11 @@ end
 check.case("solids, after the solver has changed to a reused factorization", function()
   local model = solids({15, 10, 4})
   continues(model, { { steps = 2, grip = {0, 0, -0.08} } }, "{ { steps = 2, grip = {0.1, 0, -0.08} } }")
-  check.equal(model:solver().linear, "kept")
+  check.equal(model:solver().linear, "reuse")
 end)
 
 check.case("small rotating solids: KLU and a reused factorization", function()
-  for _, linear in ipairs { "auto", "kept" } do
+  for _, linear in ipairs { "auto", "reuse" } do
     continues(solids({6, 4, 2}, "z"), { { steps = 3, grip = {0, 0, -0.1, 0} } },
       "{ { steps = 4, grip = {0, 0, -0.1, 20} } }", { linear = linear })
   end

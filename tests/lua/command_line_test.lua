@@ -263,7 +263,7 @@ check.case("help takes a dot for a colon", function()
 end)
 
 check.case("help finds functions, methods, tables and words", function()
-  local result = run({}, 'help()\nhelp(sg.shapes.block)\nhelp "patch:refine"\nhelp(sg.nurbs)\nhelp "labels"\n'
+  local result = run({}, 'help()\nhelp(sg.shapes.block)\nhelp "patch:refine"\nhelp(sg.nurbs)\nhelp "orders"\n'
     .. 'help "refin"\nhelp "rectangel"\n')
   check.equal(result.status, 0)
   check.holds(result.output, "signorini: isogeometric", "sg.shapes.block{ size", "patch:refine{ elements",

@@ -22,11 +22,11 @@ end
 local function iron(label, finer, mu, penalty)
   local die = sg.body{
     patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } }, elements = { 6, 2 },
-    order = label, contact = "south", through = 1, material = sg.neo_hookean{ E = 1000, nu = 0.3 },
+    order = label, contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 1000, nu = 0.3 },
   }
   local slab = sg.body{
     patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = label, contact = "north",
-    through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
+    thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local model = sg.model{
     bodies   = { die = die, slab = slab },

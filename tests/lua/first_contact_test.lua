@@ -35,7 +35,7 @@ check.case("a gap of exactly zero, with signs that depend on rounding error, is 
     force = force or fy
     check.near(fy, force, 1e-4 * math.abs(force))
   end
-  check.equal(scene(0, rough):run(press, sg.robust{}).rescues, 0)
+  check.equal(scene(0, rough):run(press, sg.robust{}).fallback_steps, 0)
 end)
 
 check.case("the initial contact set is a first guess: a block that is lifted separates at once", function()

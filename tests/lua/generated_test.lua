@@ -71,7 +71,7 @@ check.case("pseudo-transient continuation passes a loss of stability at an edge,
   local carried = 0
   for _, seed in ipairs { 219, 226, 259 } do
     local scene = scenes.describe("plane", seed)
-    check.equal(select(2, scenes.solve(scene, sg.robust{ rescue = false })).ending ~= "completed", true)
+    check.equal(select(2, scenes.solve(scene, sg.robust{ fallback = false })).ending ~= "completed", true)
     local run, account = scenes.solve(scene, sg.robust{})
     if account.ending == "completed" and run.fallbacks["pseudo-transient"] then
       carried = carried + 1

@@ -212,7 +212,7 @@ end)
 local function pressed(poles, elements, ring)
   local half = sg.body {
     patch = sg.shapes.hollow_hemisphere { inner = 0.5, outer = 1, poles = poles }, elements = elements, order = "N2",
-    contact = "front", through = 1, material = soft,
+    contact = "front", thickness_degree = 1, material = soft,
   }
   local faces = {}
   for i, name in ipairs(ring) do faces[i] = half:face(name) end

@@ -172,14 +172,14 @@ check.case("directions run backwards, change places, and mirror images stay righ
 end)
 
 check.case("a body says along which directions it is closed", function()
-  local function told(patch, elements)
+  local function text_of(patch, elements)
     return tostring(sg.body { patch = patch, elements = elements, order = "N2",
       material = sg.neo_hookean { E = 1, nu = 0.3 } })
   end
   local ring = sg.nurbs.ruled { a = sg.nurbs.circle { radius = 2 }, b = sg.nurbs.circle { radius = 1 } }
-  check.holds(told(ring, { 8, 1 }), "degrees of freedom, closed along xi1, E = 1")
-  check.holds(told(sg.nurbs.revolve { patch = ring:translate { 3, 0 } }, { 4, 1, 4 }), "closed along xi1 and xi3,")
-  check.equal(told(sg.shapes.half_annulus { inner = 1, outer = 2 }, { 4, 1 }):find "closed", nil)
+  check.holds(text_of(ring, { 8, 1 }), "degrees of freedom, closed along xi1, E = 1")
+  check.holds(text_of(sg.nurbs.revolve { patch = ring:translate { 3, 0 } }, { 4, 1, 4 }), "closed along xi1 and xi3,")
+  check.equal(text_of(sg.shapes.half_annulus { inner = 1, outer = 2 }, { 4, 1 }):find "closed", nil)
 end)
 
 check.case("wrong directions and mirrors", function()

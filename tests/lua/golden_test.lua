@@ -17,7 +17,7 @@ local most = 24 -- of 255, mean over 8 × 8 pixels
 --- A slab under a rigid cylinder, pressed.
 local function plane()
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 8, 2 }, order = "N2-N2.1",
-                        contact = "north", through = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+                        contact = "north", thickness_degree = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local roll = sg.rigid.cylinder{ center = { 2, 1.8 }, radius = 0.8 }
   local model = sg.model{
     bodies = { slab = slab },
@@ -31,7 +31,7 @@ end
 --- A block under a rigid ball, pressed; a quarter of it.
 local function solid()
   local block = sg.body{ patch = sg.shapes.block{ size = { 2, 2, 1 } }, elements = { 3, 3, 2 }, order = "N2",
-                         contact = "back", through = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+                         contact = "back", thickness_degree = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local ball = sg.rigid.sphere{ center = { 0, 0, 2.5 }, radius = 1.5 }
   local model = sg.model{
     bodies = { block = block },

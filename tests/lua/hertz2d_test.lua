@@ -8,8 +8,8 @@ local script = core.home .. "/scripts/hertz2d.lua"
 local folder = check.folder()
 
 local function run(...) return assert(loadfile(script))("out=" .. folder, "repeats=1", "steps=5", ...) end
-local force = run("load=force", "meshes=m1,m3", "labels=L1,N2,N2-N2.1,N2-N2.2", "reference=m5", "sizes=1,2")
-local pushed = run("meshes=m1,m2,m3", "labels=L1,N2,N2-N2.1,N2-N2.2", "reference=m5", "sizes=1")
+local force = run("load=force", "meshes=m1,m3", "orders=L1,N2,N2-N2.1,N2-N2.2", "reference=m5", "sizes=1,2")
+local pushed = run("meshes=m1,m2,m3", "orders=L1,N2,N2-N2.1,N2-N2.2", "reference=m5", "sizes=1")
 
 check.case("Table 7.4: degrees of freedom", function()
   local printed, seen = {}, 0
@@ -64,11 +64,11 @@ check.case("charts, a picture and a profile per run", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: labels=",
+  check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: orders=",
     ["meshes=m9"] = "got 'm9'",
                                ["load=weight"] = "load must be 'force' or 'displacement', got 'weight'",
                                ["sizes=1,0.5"] = "sizes must be numbers, 1 or more, got '0.5'",
-                               ["steps=x"] = "steps must be", ["labels=Q7"] = "Q7" }, "out=" .. folder, "reference=m1")
+                               ["steps=x"] = "steps must be", ["orders=Q7"] = "Q7" }, "out=" .. folder, "reference=m1")
 end)
 
 check.done()

@@ -51,7 +51,7 @@ check.case("wrong arguments", function()
   check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: around=",
     ["meshes=m9"] = "got 'm9'",
                                ["around=0"] = "around must be whole numbers, 1 or more, got '0'",
-                               ["steps=0"] = "steps must be", ["labels=Q7"] = "Q7" }, "out=" .. folder)
+                               ["steps=0"] = "steps must be", ["orders=Q7"] = "Q7" }, "out=" .. folder)
 end)
 
 check.done()

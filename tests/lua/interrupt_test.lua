@@ -93,10 +93,10 @@ id = io.open "/proc/self/stat":read "n"
 axes = { x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 1 } } }
 function scene(a) if a == 2 then os.execute("kill -INT " .. id) end return pressed() end
 function path(_, a) return a == 1 and { { steps = 1, top = -0.1 } } or stages end
-map = sg.stability_map{ x = axes.x, y = axes.y, scene = scene, path = path, jobs = 1 } print "the rest"
+map = sg.convergence_map{ x = axes.x, y = axes.y, scene = scene, path = path, jobs = 1 } print "the rest"
 print("kept", #map.cells, map:cell(1, 1).outcome, map:cell(2, 1))
 ]]
-  check.holds(output, "stability map: interrupted: 1 of 2 cases is done\n", "kept\t1\tcompleted\tnil")
+  check.holds(output, "convergence map: interrupted: 1 of 2 cases is done\n", "kept\t1\tcompleted\tnil")
   check.equal(output:find("the rest", 1, true), nil)
 end)
 

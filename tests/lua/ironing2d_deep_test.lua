@@ -4,7 +4,7 @@ local core = require "signorini.core"
 local check = require "check"
 
 local folder = check.folder()
-local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("variant=deep", "labels=N4,N2-N2.2", "points=1,3",
+local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("variant=deep", "orders=N4,N2-N2.2", "points=1,3",
   "coarser=1,2", "out=" .. folder)
 
 --- The comparison of a label with some points at some step length.

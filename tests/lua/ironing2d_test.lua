@@ -63,7 +63,7 @@ check.case("a sheet of states, two charts, and a file per label that tells what 
 end)
 
 check.case("two meshes: oscillations at m2, times of pairs, charts over the mesh", function()
-  local both = run_study("mesh=m1,m2", "labels=N4,N2-N4", "repeat=2", "out=" .. folder)
+  local both = run_study("mesh=m1,m2", "orders=N4,N2-N4", "repeat=2", "out=" .. folder)
   local m2 = both.studies.m2.cases
   check.equal({ m2.N4.die_dofs.total + m2.N4.slab_dofs.total, #m2.N4.runs }, { 470, 2 })
   check.within("N4 dPy at m2", m2.N4.dPy.raw, 1.732e-3, 2e-6)
@@ -101,8 +101,8 @@ end)
 check.case("wrong arguments", function()
   local script = core.home .. "/scripts/ironing2d.lua"
   check.refused(script, {
-    ["msh=m1"] = "unknown argument 'msh=m1'; did you mean 'mesh'? known with variant=standard: labels=N2,",
-    ["labels=N2,Q7"] = "Q7", ["deep"] = "unknown argument 'deep'", ["repeat=0"] = "repeat must be a whole number",
+    ["msh=m1"] = "unknown argument 'msh=m1'; did you mean 'mesh'? known with variant=standard: orders=N2,",
+    ["orders=N2,Q7"] = "Q7", ["deep"] = "unknown argument 'deep'", ["repeat=0"] = "repeat must be a whole number",
     ["mesh=m1,m9"] = "mesh must be m1 to m6, or a multiple of 6 as the spans along both faces, got 'm9' in 'm1,m9'",
     ["variant=steep"] = "variant must be 'standard', 'deep' or 'validation', got 'steep'",
     ["variant=deep repeat=3"] = "'repeat=3', which belongs to variant=standard; known with variant=deep: coarser=1,2",

@@ -10,7 +10,7 @@ local problem = require "ironing3d.problem"
 
 local folder = check.folder()
 local run_study = assert(loadfile(core.home .. "/scripts/ironing3d.lua"))
-local study = run_study("labels=N2", "fine=none", "radius=7.5", "gap=9.6", "out=" .. folder)
+local study = run_study("orders=N2", "fine=none", "radius=7.5", "gap=9.6", "out=" .. folder)
 
 check.case("Table 7.11: every entry", function()
   check.equal({ #study.dofs, study.differences }, { 8, 0 })

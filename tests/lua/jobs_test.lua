@@ -68,8 +68,8 @@ check.case("an error where results are taken ends all, and no process is left", 
     core.jobs(2, 2, function(i)
       while i == 2 do end
       return ""
-    end, function() error "enough" end)
-  end, "enough")
+    end, function() error "tolerance" end)
+  end, "tolerance")
   local children = io.open "/proc/thread-self/children":read "a"
   check.equal(children, "")
 end)

@@ -9,8 +9,8 @@ local folder = check.folder()
 
 local function run(...) return assert(loadfile(script))("out=" .. folder, ...) end
 local plane = run("dimensions=2")
-local solid = run("dimensions=3", "labels=N2", "points=6")
-local free = run("dimensions=3", "materials=linear", "labels=N1", "points=3", "sides=free")
+local solid = run("dimensions=3", "orders=N2", "points=6")
+local free = run("dimensions=3", "materials=linear", "orders=N1", "points=3", "sides=free")
 
 local function name(case)
   return ("%dD %s %s %s, slave %s, %d points"):format(case.dimension, case.material, case.label, case.pair, case.slave,

@@ -31,7 +31,7 @@ end)
 check.case("controls that differ from the defaults are named", function()
   check.holds(tostring(pull(3, always, sg.plain{})), "\ncontrols: tangent predictor; no fallbacks; no cuts")
   check.holds(tostring(pull(3, always, { predictor = "constant" })), "\ncontrols: constant predictor")
-  check.holds(tostring(pull(3, always, { rescue = false })), "\ncontrols: no fallbacks")
+  check.holds(tostring(pull(3, always, { fallback = false })), "\ncontrols: no fallbacks")
 end)
 
 check.case("fallbacks are counted by name, and cuts", function()
@@ -39,7 +39,7 @@ check.case("fallbacks are counted by name, and cuts", function()
     if from == 0 then return options.predictor == "tangent" end
     return length < 0.6
   end)
-  check.equal({ run.failed, run.fallbacks.tangent, run.rescues, run.fallbacks.frozen }, { false, 1, 1, nil })
+  check.equal({ run.failed, run.fallbacks.tangent, run.fallback_steps, run.fallbacks.frozen }, { false, 1, 1, nil })
   check.holds(tostring(run), ("\ncontrols: fallbacks tangent 1; %d cuts"):format(run.cutbacks))
   check.equal(#run.warnings, 0) -- neither leaves the branch
 end)
@@ -100,10 +100,10 @@ end)
 --- A ring that is pressed into a slab in `finer` steps, and dragged along it in twice as many; the slab is the slave.
 local function drag(finer)
   local ring = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 1.6, 1.5 } },
-                        elements = { 6, 2 }, order = "N2", through = 1, contact = "south",
+                        elements = { 6, 2 }, order = "N2", thickness_degree = 1, contact = "south",
                         material = sg.neo_hookean{ E = 10, nu = 0.3 } }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 16, 4 }, order = "N2-N2.2",
-                        through = 1, contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+                        thickness_degree = 1, contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local model = sg.model{
     bodies   = { ring = ring, slab = slab },
     supports = { bed  = { on = slab:face "south", fix = "xy" },

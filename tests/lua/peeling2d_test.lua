@@ -13,8 +13,8 @@ local folder = check.folder()
 local function run(...)
   return assert(loadfile(core.home .. "/scripts/peeling2d.lua"))("length=60", "bonded=50", "out=" .. folder, ...)
 end
-local study = run("mesh=m1", "labels=N2,N2-N2.1", "steps=480", "window=36,47")
-local coarse = run("mesh=m0", "labels=N2", "steps=400", "window=34,40", "iterations=10")
+local study = run("mesh=m1", "orders=N2,N2-N2.1", "steps=480", "window=36,47")
+local coarse = run("mesh=m0", "orders=N2", "steps=400", "window=34,40", "iterations=10")
 
 check.case("Tables 7.8 and B.2: degrees of freedom of the published strip", function()
   local rows, counted = sg.reference "peeling2d_table7_8_and_B2".rows, 0

@@ -7,7 +7,7 @@ local core = require "signorini.core"
 local folder = check.folder()
 
 local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 4, 2 }, order = "N2",
-                      contact = "south", through = 1, material = sg.neo_hookean{ E = 2, nu = 0.3 } }
+                      contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 2, nu = 0.3 } }
 local model = sg.model{ bodies = { strip = body }, contacts = {},
                         supports = { foot = { on = body:face "west", fix = "xy" },
                                      tip = { on = body:face "east", drive = "xy" } } }

@@ -12,7 +12,7 @@ local function block(options)
   return sg.body{
     patch = sg.shapes.rectangle{ width = o.width or 1, height = o.height or 1, corner = o.corner },
     order = o.order or "N2",
-    elements = o.elements or {2, 2}, contact = o.contact or "south", through = 1,
+    elements = o.elements or {2, 2}, contact = o.contact or "south", thickness_degree = 1,
     material = o.material or sg.neo_hookean{ E = 1, nu = 0.3 },
   }
 end
@@ -39,7 +39,7 @@ local function bar_on_ramp()
                      material = sg.linear_elastic{ E = 1, nu = 0.3 } }
   local ramp = sg.body{
     patch = sg.shapes.rectangle{ width = 2, height = 0.5, corner = {-2, -0.5} }:rotate{ angle = -25, center = {0, 0} },
-    elements = {100, 2}, order = "N2", contact = "north", through = 1,
+    elements = {100, 2}, order = "N2", contact = "north", thickness_degree = 1,
     material = sg.linear_elastic{ E = 100, nu = 0.3 },
   }
   return sg.model{
@@ -54,10 +54,10 @@ end
 --- fro.
 local function deep_ironing()
   local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
-                       elements = {6, 2}, order = "N4", contact = "south", through = 1,
+                       elements = {6, 2}, order = "N4", contact = "south", thickness_degree = 1,
                        material = sg.neo_hookean{ E = 1e4, nu = 0.3 } }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N4",
-                        contact = "north", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+                        contact = "north", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   return sg.model{
     bodies   = { die = die, slab = slab },
     supports = { bed = { on = slab:face "south", fix = "xy" },
@@ -102,18 +102,18 @@ check.case("cut, where no shorter steps are allowed", function()
     .. "Hint: set step = { adaptive = true",
     "The model is at its last accepted step, its start."), nil)
   run = press():run({ { name = "crush", steps = 2, top = -0.2 } },
-    sg.plain{ rescue = true,
+    sg.plain{ fallback = true,
               on_iteration = function(info) return info.step == 2 and info.iteration == 2 and "cut" end })
   check.equal(expect(run, "cut", 1,
     "step 2 (stage 'crush', 2 of 2) was not reached: on_iteration requested it in iteration 2",
     "last accepted step, 1"), nil)
-  check.equal(#run:attempts(2), 1) -- who wants a cut wants no rescue
+  check.equal(#run:attempts(2), 1) -- who wants a cut wants no fallback
 end)
 
 check.case("interrupted: Ctrl-C ends the run at its last step, and the model can be used further", function()
   local output, status = check.program({}, ("file = %q\n"):format(check.folder() .. "/run.sgn") .. [==[
     b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {16, 16}, order = "N2",
-      contact = "south", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+      contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
     m = sg.model{ bodies = { block = b },
       supports = { bed = { on = b:face "south", fix = "xy" }, top = { on = b:face "north", drive = "xy" } } }
     -- Once the file was written twice steps have been accepted.
@@ -254,7 +254,7 @@ check.case("turning_point: an arch under a load above its limit load", function(
     return sg.nurbs.arc{ center = {0, -40}, radius = 40 + offset, from = 100, to = 80 }
   end
   local arch = sg.body{ patch = sg.nurbs.ruled{ a = line(-0.15), b = line(0.15) }, elements = {16, 1}, order = "N3",
-                        through = 2, contact = "north", material = sg.neo_hookean{ E = 1000, nu = 0 } }
+                        thickness_degree = 2, contact = "north", material = sg.neo_hookean{ E = 1000, nu = 0 } }
   local model = sg.model{
     bodies   = { arch = arch },
     supports = { left = { on = arch:face "west", fix = "xy" }, right = { on = arch:face "east", fix = "xy" } },

@@ -70,7 +70,7 @@ check.case("lists of numbers; no case within the tolerance; dominated orders; a 
 end)
 
 check.case("failed runs are reported and skipped", function()
-  local found = recommend{ labels = { "N2", "N2-N2.1", "N4" }, scene = function(label, mesh)
+  local found = recommend{ orders = { "N2", "N2-N2.1", "N4" }, scene = function(label, mesh)
     local model, stages = scene(label, mesh)
     return model, stages, label == "N4" and sg.plain{ newton = { iterations = 1 } } or nil
   end }
@@ -92,7 +92,7 @@ check.case("wrong arguments are errors at the user's line", function()
     { { at_most = -1 }, "at_most must be a number above 0 and below 1 (relative error), got the number -1" },
     { { at_most = 2 }, "at_most must be a number above 0 and below 1 (relative error)", "write 0.02 for 2 %" },
     { { at_most = "0.02" }, "at_most must be a number", "remove the quotes" },
-    { { labels = {} }, "labels must be a list of at least one string" },
+    { { orders = {} }, "labels must be a list of at least one string" },
     { { label = { 1 } }, "unknown argument 'label'", "did you mean 'labels'?" },
     { { scene = function() return 1 end }, "scene must return a model" },
     { { meshes = { "m2", "m1" } }, "N2-N2.2 has", "unknowns on mesh m2",

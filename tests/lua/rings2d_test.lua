@@ -81,7 +81,7 @@ check.case("wrong arguments", function()
   check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: coordinate=x",
                                ["meshes=m9"] = "got 'm9'",
                                ["coordinate=z"] = "coordinate must be 'x' or 'X', got 'z'",
-                               ["repeats=0"] = "repeats must be", ["labels=Q7"] = "Q7" }, "out=" .. folder)
+                               ["repeats=0"] = "repeats must be", ["orders=Q7"] = "Q7" }, "out=" .. folder)
 end)
 
 check.done()

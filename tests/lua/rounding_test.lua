@@ -26,9 +26,9 @@ local scenes = {}
 
 function scenes.friction_of_bodies(offset, angle)
   local die = sg.body{ patch = placed(rectangle(1, 0.5, {-0.5, 0}), angle, offset), elements = {4, 2}, order = "N2",
-                       through = 2, contact = "south", material = soft }
+                       thickness_degree = 2, contact = "south", material = soft }
   local slab = sg.body{ patch = placed(rectangle(3, 1, {-1.5, -1}), angle, offset), elements = {9, 3},
-                        order = "N2-N2.2", through = 2, contact = "north", material = soft }
+                        order = "N2-N2.2", thickness_degree = 2, contact = "north", material = soft }
   return sg.model{
     bodies = { die = die, slab = slab },
     supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = die:face "north", drive = "xy" } },
@@ -39,7 +39,7 @@ end
 
 function scenes.rigid_plane(offset, angle)
   local die = sg.body{ patch = placed(rectangle(1, 0.5, {-0.5, 0}), angle, offset), elements = {4, 2}, order = "N2",
-                       through = 2, contact = "south", material = soft }
+                       thickness_degree = 2, contact = "south", material = soft }
   local plane = sg.rigid.plane{ point = {offset, offset}, normal = turned(angle, 0, 1) }
   return sg.model{
     bodies = { die = die }, supports = { grip = { on = die:face "north", drive = "xy" } },
@@ -50,7 +50,7 @@ end
 
 function scenes.augmented_disc(offset, angle)
   local slab = sg.body{ patch = placed(rectangle(2, 1, {-1, -1}), angle, offset), elements = {8, 4}, order = "N2",
-                        through = 2, contact = "north", material = soft }
+                        thickness_degree = 2, contact = "north", material = soft }
   local above = turned(angle, 0, 0.5)
   local disc = sg.rigid.cylinder{ center = {offset + above[1], offset + above[2]}, radius = 0.5 }
   return sg.model{
@@ -63,7 +63,7 @@ end
 function scenes.arch_by_arc_length(offset, angle)
   local patch = sg.nurbs.ruled{ a = sg.nurbs.arc{ radius = 1, from = 150, to = 30 },
                                 b = sg.nurbs.arc{ radius = 1.03, from = 150, to = 30 } }
-  local arch = sg.body{ patch = placed(patch, angle, offset), elements = {12, 1}, order = "N2", through = 2,
+  local arch = sg.body{ patch = placed(patch, angle, offset), elements = {12, 1}, order = "N2", thickness_degree = 2,
                         material = soft }
   return sg.model{
     bodies = { arch = arch }, loads = { push = { on = arch:face "north", traction = {0, 0} } },
@@ -73,7 +73,8 @@ end
 
 function scenes.adhesive_strip(offset, angle)
   local strip = sg.body{ patch = placed(rectangle(20, 2, {0, 0.4 * 15 ^ (-1 / 6)}), angle, offset), elements = {20, 2},
-                         order = "N2", through = 1, contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.2 } }
+                         order = "N2", thickness_degree = 1, contact = "south", material = sg.neo_hookean{ E = 2,
+                         nu = 0.2 } }
   local plane = sg.rigid.plane{ point = {offset, offset}, normal = turned(angle, 0, 1) }
   return sg.model{
     bodies = { strip = strip },
@@ -88,9 +89,11 @@ function scenes.friction_in_space(offset, angle)
   local function block(size, corner)
     return placed(sg.shapes.block{ size = size, corner = corner }, angle, offset, axis)
   end
-  local die = sg.body{ patch = block({1, 1, 0.5}, {-0.5, -0.5, 0}), elements = {2, 2, 1}, order = "N2", through = 2,
+  local die = sg.body{ patch = block({1, 1, 0.5}, {-0.5, -0.5, 0}), elements = {2, 2, 1}, order = "N2",
+                       thickness_degree = 2,
                        contact = "front", material = soft }
-  local slab = sg.body{ patch = block({2, 2, 0.5}, {-1, -1, -0.5}), elements = {4, 4, 1}, order = "N2", through = 2,
+  local slab = sg.body{ patch = block({2, 2, 0.5}, {-1, -1, -0.5}), elements = {4, 4, 1}, order = "N2",
+                        thickness_degree = 2,
                         contact = "back", material = soft }
   local way = turned(angle, 0.1, 0)
   return sg.model{
@@ -103,7 +106,7 @@ end
 
 function scenes.sphere_in_space(offset)
   local patch = sg.shapes.block{ size = {2, 2, 1}, corner = {-1, -1, -1} }:translate{offset, offset, offset}
-  local slab = sg.body{ patch = patch, elements = {4, 4, 2}, order = "N2", through = 2, contact = "back",
+  local slab = sg.body{ patch = patch, elements = {4, 4, 2}, order = "N2", thickness_degree = 2, contact = "back",
                         material = soft }
   local ball = sg.rigid.sphere{ center = {offset, offset, offset + 0.5}, radius = 0.5 }
   return sg.model{
@@ -152,7 +155,7 @@ end
 
 check.case("a body that moves as a whole has no stress, however far it goes", function()
   local ring = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.5, outer = 1 }, elements = {6, 2}, order = "N2",
-                        through = 2, material = soft }
+                        thickness_degree = 2, material = soft }
   for _, goal in ipairs { {100, -100}, {1, -1}, {1e5, 3} } do
     local model = sg.model{ bodies = { ring = ring }, supports = { grip = { on = ring:face "west", drive = "xy" } } }
     local run = model:run({ { steps = 10, grip = goal } }, sg.plain{})

@@ -291,7 +291,7 @@ check.case("an interrupted step is not repeated", function()
   check.equal({ run.reason, run.cutbacks, model.spent }, { "interrupted", 0, 1 })
 end)
 
-check.case("arc-length increments that all leave the path end the run with 'strayed'", function()
+check.case("arc-length increments that all leave the path end the run with 'left_path'", function()
   local model = model_of(function() return "iterations" end)
   local last = 1
   function model:last_length() return last end
@@ -305,7 +305,7 @@ check.case("arc-length increments that all leave the path end the run with 'stra
   end
   local run = model:run({ { steps = 2, grip = { 1, 0 } } }, { arc_length = true })
   check.equal({ run.failed, run.reason, run.steps, run.controls[1].to },
-    { true, "strayed", 0, "arc length" })
+    { true, "left_path", 0, "arc length" })
   check.equal(model.accepted, { 0, 0 })
 end)
 

@@ -58,7 +58,7 @@ end)
 check.case("labels per direction along the face count as they say", function()
   local function dofs(order, contact)
     return sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {4, 3, 2}, order = order, contact = contact,
-                    through = contact and 1, material = soft }:dofs()
+                    thickness_degree = contact and 1, material = soft }:dofs()
   end
   -- N2.2 on 4 elements: 6 + 2 · 4 functions; N2 on 3 elements: 5
   check.equal({ dofs({"N2-N2.2", "N2"}, "back").interface, dofs({"N2", "N2-N2.2"}, "back").interface },
@@ -79,10 +79,11 @@ check.case("Table 7.11 is reproduced exactly", function()
     local label, n = row[at.discretization], row[at.mesh] == "fine" and 2 or 1
     local indenter = sg.body{ patch = sg.shapes.spherical_indenter{ width = 10, depth = 10, height = 11, radius = 25.5,
                                 elements = 1, corner = {0, 0, 22} },
-                              elements = { 5 * n, 5 * n, 3 * n }, order = label, contact = "front", through = 1,
+                              elements = { 5 * n, 5 * n, 3 * n }, order = label, contact = "front",
+                              thickness_degree = 1,
                               material = soft }
     local slab = sg.body{ patch = sg.shapes.block{ size = {100, 30, 22} }, elements = { 18 * n, 6 * n, 4 * n },
-                          order = label, contact = "back", through = 1, material = soft }
+                          order = label, contact = "back", thickness_degree = 1, material = soft }
     for name, body in pairs{ indenter = indenter, slab = slab } do
       for _, part in ipairs{ "interface", "bulk", "total" } do
         check.equal({ label, body:dofs()[part] }, { label, row[at[name .. "_" .. part]] })
@@ -256,7 +257,7 @@ end
 --- A block of 1 × 1 × 2 whose upper face turns about its centroid, (0.5, 0.5, 2).
 local function turning(material, rotate, hold)
   local b = sg.body{ patch = sg.shapes.block{ size = {1, 1, 2} }, elements = {2, 2, 2}, order = "N2", contact = "back",
-                     through = 2, material = material }
+                     thickness_degree = 2, material = material }
   local grip = { on = b:face "back", rotate = rotate }
   for key, value in pairs(hold or {}) do grip[key] = value end
   return b, grip

@@ -6,7 +6,7 @@ local core = require "signorini.core"
 local check = require "check"
 
 local folder = check.folder()
-local words = { "problems=ironing,hertz", "meshes=m1,m2", "labels=N2,N4,N2-N2.2", "rounds=1",
+local words = { "problems=ironing,hertz", "meshes=m1,m2", "orders=N2,N4,N2-N2.2", "rounds=1",
                 "out=" .. folder .. "/out", "page=" .. folder .. "/doc" }
 local function run(...) return assert(loadfile(core.home .. "/scripts/speed_against_accuracy.lua"))(...) end
 local results = run(table.unpack(words)).results
@@ -97,7 +97,7 @@ check.case("a second call runs no case again, and writes the same page", functio
 end)
 
 check.case("an invalid order fails alone, and is named", function()
-  local less = run("problems=hertz", "meshes=m1", "labels=N2,X2", "rounds=1", "out=" .. folder .. "/out",
+  local less = run("problems=hertz", "meshes=m1", "orders=N2,X2", "rounds=1", "out=" .. folder .. "/out",
     "page=" .. folder .. "/doc").results
   assert(less.hertz.measured.cases:row{ order = "X2" }.failed)
   check.holds(read "doc/speed_against_accuracy.md", "Not in the chart: X2 at m1 (sg.body: order must be ")

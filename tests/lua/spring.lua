@@ -53,7 +53,7 @@ local function spring(fails)
   function model:diagnose()
     return { reason = self.failure, message = "no luck", cure = "be lucky", places = {}, unbalanced = {} }
   end
-  function model:loose_bodies() return {} end
+  function model:unconstrained_bodies() return {} end
   function model:warnings() return {} end
   function model:snapshot() return { self.accepted[1], self.accepted[2] } end
   function model:restore(kept) self.accepted, self.next = kept, kept end

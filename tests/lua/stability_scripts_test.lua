@@ -27,7 +27,7 @@ end
 
 local function check_controls(maps, held)
   check.equal(maps.comparison.lost, {})
-  check.equal({ maps.robust:held() }, { held, #maps.plain.cells })
+  check.equal({ maps.robust:converged() }, { held, #maps.plain.cells })
   for _, map in ipairs { maps.plain, maps.robust } do
     for _, cell in ipairs(map.cells) do
       if cell.outcome == "error" or cell.outcome == "crashed" then error(cell.report) end
@@ -45,10 +45,10 @@ local function check_files(result, count)
 end
 
 check.case("deep ironing: with p + 1 points long steps fail, and shorter ones carry them through", function()
-  local result = study("deep_ironing", "points=p+1", "labels=N2,N4", "coarser=2,16", "places=none")
+  local result = study("deep_ironing", "points=p+1", "orders=N2,N4", "coarser=2,16", "places=none")
   local maps = result.maps["p+1"]
   check.equal(maps.plain:cell("N2", 2).outcome, "completed")
-  check.equal({ maps.plain:held() }, { 1, 4 })
+  check.equal({ maps.plain:converged() }, { 1, 4 })
   check_controls(maps, 4)
   local press = maps.robust:cell("N4", 2).figures.press
   check.near({ press, maps.robust:cell("N4", 16).figures.press }, { 0.7801, 0.7800 }, 1e-4)
@@ -56,7 +56,7 @@ check.case("deep ironing: with p + 1 points long steps fail, and shorter ones ca
 end)
 
 check.case("deep ironing: a picture shows where N4 cycles", function()
-  local result = study("deep_ironing", "points=p+1", "labels=N4", "coarser=2", "places=N4")
+  local result = study("deep_ironing", "points=p+1", "orders=N4", "coarser=2", "places=N4")
   check.equal(outcomes(result.maps["p+1"].plain), { "cycling" })
   check.equal({ result.failed.reason, result.failed.steps < 23 }, { "cycling", true }) -- while the die is pressed
   local place = result.failed.places[1]
@@ -67,7 +67,7 @@ check.case("deep ironing: a picture shows where N4 cycles", function()
 end)
 
 check.case("Hertz over the penalty: a high one makes the pressure oscillate, a layer less so", function()
-  local result = study("penalty_hertz", "labels=N2,N2-N2.2", "penalties=1e2,1e4,1e6", "mesh=m2")
+  local result = study("penalty_hertz", "orders=N2,N2-N2.2", "penalties=1e2,1e4,1e6", "mesh=m2")
   local plain, robust = result.maps.plain, result.maps.robust
   check.equal(outcomes(plain), { "completed", "completed", "completed", "completed", "completed", "cycling" })
   check_controls(result.maps, 6)
@@ -79,7 +79,7 @@ check.case("Hertz over the penalty: a high one makes the pressure oscillate, a l
 end)
 
 check.case("peeling: rotation control fails at a turning point on the coarse mesh, arc length does not", function()
-  local result = study("peeling", "meshes=m0", "labels=N2,N2-N2.1", "angle=40", "pitch=0.4")
+  local result = study("peeling", "meshes=m0", "orders=N2,N2-N2.1", "angle=40", "pitch=0.4")
   check.equal(outcomes(result.maps.rotation.plain), { "turning_point", "completed" })
   check.near(result.maps.rotation.plain:cell("N2", "m0").reached, 0.65, 0.02)
   check.equal(outcomes(result.maps.arc.plain), { "completed", "completed" })
@@ -89,9 +89,9 @@ check.case("peeling: rotation control fails at a turning point on the coarse mes
 end)
 
 check.case("ironing back and forth: drag changes its sign; long steps fail while the die is pressed", function()
-  local result = study("friction_steps", "labels=N2", "coarser=4,16", "friction=0,0.8")
+  local result = study("friction_steps", "orders=N2", "coarser=4,16", "friction=0,0.8")
   local plain = result.maps.N2.plain
-  check.equal({ plain:held() }, { 2, 4 })
+  check.equal({ plain:converged() }, { 2, 4 })
   check.near(plain:cell(16, 0.8).reached, 0.2, 0.02)
   local figures = plain:cell(4, 0.8).figures
   check.near({ figures["drag forward"], figures["drag back"] }, { 0.812, -0.812 }, 1e-3)
@@ -100,10 +100,10 @@ check.case("ironing back and forth: drag changes its sign; long steps fail while
 end)
 
 check.case("locking: the force of L1 is too high the nearer nu comes to 0.5, that of N4 is not", function()
-  local result = study("locking", "labels=L1,N2,N4", "nu=0.45,0.499", "elements=4", "reference=8")
+  local result = study("locking", "orders=L1,N2,N4", "nu=0.45,0.499", "elements=4", "reference=8")
   local robust = result.maps.robust
   check_controls(result.maps, 6)
-  check.equal({ result.reference:held() }, { 2, 2 })
+  check.equal({ result.reference:converged() }, { 2, 2 })
   local function off(label, nu) return robust:cell(label, nu).figures.error end
   check.near({ off("L1", 0.45), off("L1", 0.499), off("N2", 0.45) }, { 0.2125, 1.537, 0.0085 }, 1e-3)
   check.near({ off("N4", 0.45), off("N4", 0.499) }, { 0.0047, 0.0104 }, 1e-3)
@@ -119,13 +119,13 @@ check.case("first contact: an unconstrained body is singular before it touches; 
     local robust = result.maps[key].robust
     local function carried(map, gap) return map:cell(gap, 1e-3).figures.carried end
     check.near({ carried(plain, -1e-3), carried(robust, 1e-3) }, { 1e-3, 1e-3 }, 1e-9)
-    check.equal(robust:cell(1e-3, 1e-3).rescues, 1)
+    check.equal(robust:cell(1e-3, 1e-3).fallback_steps, 1)
   end
   check_files(result, 6)
 end)
 
 check.case("cost: controls take no more iterations where nothing fails; the linear predictor saves a fifth", function()
-  local result = study("cost", "labels=N2,N2-N2.2", "hertz=N2,N4", "rings=m2", "steps=5", "coarser=2", "repeats=1")
+  local result = study("cost", "orders=N2,N2-N2.2", "hertz=N2,N4", "rings=m2", "steps=5", "coarser=2", "repeats=1")
   check.equal(#result.costs, 6)
   for _, cost in ipairs(result.costs) do
     check.equal({ cost.failed, cost.ratio <= 1.05 }, { false, true })
@@ -153,11 +153,11 @@ check.case("single controls: for an unconstrained body cutting alone fails, fall
   local function outcome(way)
     return study("first_touch", "with=" .. way, table.unpack(words)).maps.plane_mu0.robust.cells[1].outcome
   end
-  check.equal({ outcome "cutting", outcome "rescue" }, { "minimum_step", "completed" })
+  check.equal({ outcome "cutting", outcome "fallback" }, { "minimum_step", "completed" })
 end)
 
 check.case("a second call continues with the cells on request", function()
-  local words = { "labels=N2", "penalties=1e2", "mesh=m1" }
+  local words = { "orders=N2", "penalties=1e2", "mesh=m1" }
   local first = study("penalty_hertz", table.unpack(words))
   local wall = first.maps.plain.cells[1].wall
   words[4] = "keep=yes"
@@ -170,9 +170,9 @@ check.case("wrong arguments", function()
   check.fails(function() study("deep_ironing", "points=p") end, "points must be values among 'p+1'")
   check.fails(function() study("locking", "mu=0.3") end, "unknown argument 'mu=0.3'", "reference=24")
   check.fails(function() study("first_touch", "gaps=wide") end, "gaps must be numbers")
-  check.fails(function() study("deep_ironing", "points=p+1", "labels=N2", "coarser=16", "places=M2") end, "M2")
+  check.fails(function() study("deep_ironing", "points=p+1", "orders=N2", "coarser=16", "places=M2") end, "M2")
   check.fails(function() study("locking", "with=luck") end,
-    "with must be 'robust', 'cutting', 'rescue' or 'prediction'")
+    "with must be 'robust', 'cutting', 'fallback' or 'prediction'")
   check.fails(function() study("peeling", "keep=maybe") end, "keep must be yes or no")
 end)
 

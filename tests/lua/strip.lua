@@ -10,7 +10,7 @@ local strip = { film = film, equilibrium = equilibrium }
 
 function strip.model()
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 100, height = 5 }, elements = {40, 2}, order = "N2",
-                        contact = "south", through = 1, material = sg.neo_hookean{ E = 2, nu = 0.2 } }
+                        contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 2, nu = 0.2 } }
   return sg.model{
     bodies   = { strip = body },
     supports = { edge = { on = body:face "east", rotate = true }, pin = { on = body:corner "south-west", fix = "x" } },

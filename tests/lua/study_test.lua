@@ -1,5 +1,5 @@
 -- Studies: cases in processes of their own, and results that are kept; study_inputs_test.lua changes what they
--- depend on, study_verbs_test.lua reads them.
+-- depend on, study_methods_test.lua reads them.
 
 local sg = require "signorini"
 local core = require "signorini.core"
@@ -68,7 +68,7 @@ check.case("wrong arguments are errors at the user's line", function()
     { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, outcome = 1 },
       "unknown argument 'outcome' (the number 1); known: " },
     { { name = "s", cases = sg.grid{ outcome = { 1 } }, run = run }, "cannot be called 'outcome'" },
-    { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, alone = 1 }, "alone must be true or false" },
+    { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, alone = 1 }, "sequential must be true or false" },
   } do
     check.fails(function() sg.study(wrong[1]) end, "study_test.lua", table.unpack(wrong, 2))
   end
@@ -126,9 +126,9 @@ check.case("figures, failures, errors and crashes become rows; finished cases do
   check.equal(calls(folder), 7) -- the error and the crash, which may have passed
   check.equal(second:row{ a = 5 }.b, 25 / 3)
   check.equal(study():read():table{ columns = { "a", "b" } }, first:table{ columns = { "a", "b" } })
-  study():execute{ again = "failed" }
+  study():execute{ rerun = "failed" }
   check.equal(calls(folder), 10)
-  study():execute{ again = function(row) return row.a == 1 end }
+  study():execute{ rerun = function(row) return row.a == 1 end }
   check.equal(calls(folder), 13)
 end)
 
@@ -150,7 +150,7 @@ end)
 check.case("cases that request it run last, and alone", function()
   local folder = new_folder()
   local study = noted(folder, sg.grid{ a = { 1, 2, 3, 4 } }, function() return {} end,
-    { alone = function(case) return case.a <= 2 end })
+    { sequential = function(case) return case.a <= 2 end })
   study:execute{ jobs = 2 }
   local order = {}
   for line in io.lines(folder .. ".log") do order[#order + 1] = tonumber(line) end

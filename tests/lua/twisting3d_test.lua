@@ -8,8 +8,8 @@ local script = core.home .. "/scripts/twisting3d.lua"
 local folder = check.folder()
 
 local function run(...) return assert(loadfile(script))("out=" .. folder, ...) end
-local turned = run("parts=twist,punch", "labels=N2", "press=5", "twist=30")
-local balance = run("parts=balance", "labels=N2", "press=5", "twist=1", "angle=2").balance
+local turned = run("parts=twist,punch", "orders=N2", "press=5", "twist=30")
+local balance = run("parts=balance", "orders=N2", "press=5", "twist=1", "angle=2").balance
 
 check.case("punches: every point slips round the axis; μ∫pr dA and the closed form of a uniform pressure, within 1 %",
   function()

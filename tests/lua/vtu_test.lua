@@ -187,7 +187,7 @@ end
 
 check.case("solids with layers: hexahedra of different degrees, faces with pressure", function()
   local lower = sg.body { patch = sg.shapes.block { size = { 2, 2, 1 } }, elements = { 2, 2, 2 },
-                          order = { "N2-N2.2", "N3-N4" }, through = 2, contact = "back",
+                          order = { "N2-N2.2", "N3-N4" }, thickness_degree = 2, contact = "back",
                           material = sg.neo_hookean { E = 1, nu = 0.3 } }
   local ball = sg.rigid.sphere { center = { 1, 1, 3 }, radius = 2 }
   local model = sg.model {

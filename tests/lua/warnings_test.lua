@@ -48,19 +48,20 @@ check.case("degree 1 in any direction of a nearly incompressible body", function
     local dimension = #options.elements
     local body = sg.body{ patch = dimension == 2 and sg.shapes.rectangle{ width = 10, height = 1 }
         or sg.shapes.block{ size = {10, 1, 1} }, elements = options.elements, order = options.order,
-      contact = dimension == 2 and "south" or "front", through = options.through,
+      contact = dimension == 2 and "south" or "front", thickness_degree = options.thickness_degree,
       material = sg[options.law or "neo_hookean"]{ E = 1, nu = options.nu } }
     return sg.model{ bodies = { beam = body }, supports = { wall = { on = body:face "west", fix = "x" } } }:warnings()
   end
   for _, law in ipairs { "neo_hookean", "linear_elastic" } do
-    local found = warnings{ elements = {4, 2}, order = "N2", through = 1, nu = 0.45, law = law }
+    local found = warnings{ elements = {4, 2}, order = "N2", thickness_degree = 1, nu = 0.45, law = law }
     check.equal(#found, 1)
     check.holds(found[1], "bodies.beam: at Poisson's ratio 0.45 elements of degree 1 (along xi2) lock",
-      "degree 2 or more in all directions (order N2 or higher, without through or with through = 2)")
+      "degree 2 or more in all directions (order N2 or higher, without through or with thickness_degree = 2)")
   end
-  check.holds(warnings{ elements = {2, 2, 1}, order = {"N2", "N1"}, through = 2, nu = 0.47 }[1], "(along xi2) lock")
-  check.holds(warnings{ elements = {2, 2, 1}, order = "N2-N3", through = 1, nu = 0.47 }[1], "(along xi3) lock")
-  check.equal(#warnings{ elements = {4, 2}, order = "N2", through = 1, nu = 0.44 }, 0)
+  check.holds(warnings{ elements = {2, 2, 1}, order = {"N2", "N1"}, thickness_degree = 2, nu = 0.47 }[1],
+              "(along xi2) lock")
+  check.holds(warnings{ elements = {2, 2, 1}, order = "N2-N3", thickness_degree = 1, nu = 0.47 }[1], "(along xi3) lock")
+  check.equal(#warnings{ elements = {4, 2}, order = "N2", thickness_degree = 1, nu = 0.44 }, 0)
   check.equal(#warnings{ elements = {4, 2}, order = "N2", nu = 0.47 }, 0)
 end)
 
@@ -168,7 +169,7 @@ end)
 
 check.case("contact between the last step and the failure counts", function()
   local beam = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 0.8 }, elements = {10, 1}, order = "N2",
-                        contact = "south", through = 2, material = sg.neo_hookean{ E = 2000, nu = 0.35 } }
+                        contact = "south", thickness_degree = 2, material = sg.neo_hookean{ E = 2000, nu = 0.35 } }
   local nose = sg.rigid.cylinder{ center = {11.2, -0.2}, radius = 0.6 }
   local model = sg.model{ bodies = { beam = beam },
     supports = { wall = { on = beam:face "west", drive = "x", fix = "y" } },
@@ -211,7 +212,7 @@ check.case("hints do not name controls that are on", function()
   check.fails(function() model:diagnose{ "steps" } end, "on", "'steps'")
   model:rollback()
 
-  local run = pressed():run({ { steps = 1, push = -0.05 } }, sg.robust{ rescue = false, newton = { iterations = 1 } })
+  local run = pressed():run({ { steps = 1, push = -0.05 } }, sg.robust{ fallback = false, newton = { iterations = 1 } })
   check.equal({ run.failed, run.report:find("adaptive = true", 1, true) }, { true, nil })
   check.holds(run.report, "allow more iterations", "allow smaller steps (step = { min = … })")
 end)

@@ -44,11 +44,11 @@ function make.study()
   return study:execute { jobs = 1 }
 end
 function make.comparison() return sg.work_precision(make.study(), { error = "error", series = "mesh" }) end
-make["stability map"] = function()
-  return sg.stability_map { x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 1, 2 } }, jobs = 1,
+make["convergence map"] = function()
+  return sg.convergence_map { x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 1, 2 } }, jobs = 1,
     scene = make.model, path = function() return { { steps = 1, bed = 0.01 } } end }
 end
-make.map = make["stability map"] -- the owner of map:cell and others
+make.map = make["convergence map"] -- the owner of map:cell and others
 function make.data()
   sg.csv.write(folder .. "/data.csv", { columns = { "step" }, rows = { { 1 } } })
   return sg.csv.read(folder .. "/data.csv")

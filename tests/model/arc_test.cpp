@@ -2,7 +2,7 @@
 #include "model/bench.hpp"
 #include "model/path_norm.hpp"
 #include "model/scenes.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <Eigen/LU>
 
@@ -98,7 +98,7 @@ struct Walk {
     const VectorX before = model.present.displacement, t = tangent();
     set_target(model, 0, component, from + sense);
     const solve::NewtonReport report = solve_arc(model, {}, length);
-    ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
+    ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
     accept(model);
     last_increment = model.present.displacement - before;
     EXPECT_NEAR(t.dot(weights.cwiseProduct(last_increment)), length, 1e-9 * length);

@@ -1,6 +1,6 @@
 // The augmented Lagrangian method for a known exact state: a block between walls, pressed onto a plane.
 #include "model/scenes.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(Augmented, PressureIsExactAtAModeratePenalty) {
       for (double depth : {0.1, 0.2}) {
         set_target(model, 0, 0, -depth);
         const solve::NewtonReport report = solve_step(model, augmented(tolerance));
-        ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
+        ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
         EXPECT_GT(report.begun, 0);
         const auto floor = resultant(model.present.contacts[0]);
         // The block's diagonal is √2.
@@ -70,7 +70,7 @@ TEST(Augmented, ASeparatedBlockHasNoPressure) {
   for (double depth : {0.2, 0.05, -0.01}) {
     set_target(model, 0, 0, -depth);
     const solve::NewtonReport report = solve_step(model, augmented(1e-8));
-    ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
+    ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
     EXPECT_NEAR(resultant(model.present.contacts[0]).max_pressure, depth > 0 ? exact_pressure(depth) : 0, 1e-6);
     EXPECT_NEAR(reaction(model, 2)(1), depth > 0 ? -exact_pressure(depth) : 0, 1e-6);
     accept(model);
@@ -82,7 +82,8 @@ TEST(Augmented, TooFewLoopsAreReported) {
   set_target(model, 0, 0, -0.2);
   const solve::NewtonReport report = solve_step(model, augmented(1e-8, 3));
   EXPECT_EQ(report.outcome, solve::Outcome::penetration);
-  EXPECT_NE(told(report.messages).find("loops = 3, enough = 1.41421"), std::string::npos) << told(report.messages);
+  EXPECT_NE(text_of(report.messages).find("loops = 3, enough = 1.41421"), std::string::npos)
+      << text_of(report.messages);
 }
 
 TEST(Augmented, RollBackAndRestoreIncludeMultipliers) {

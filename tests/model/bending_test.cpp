@@ -1,6 +1,6 @@
 // Strips bent by rotation of their ends: moments against beam theory and against the rate of the stored energy.
 #include "model/scenes.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ Scene<2> strip(double length, int elements, const std::string& label, const soli
 
 void solve(Model<2>& model) {
   const solve::NewtonReport report = solve_step(model, {});
-  ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
+  ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
   accept(model);
 }
 

@@ -4,7 +4,7 @@
 #include "base/archive.hpp"
 #include "model/scenes.hpp"
 #include "scratch.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ void iron(Model<2>& model, int from, int to, const StepOptions& options = {}) {
   for (int step = from; step <= to; ++step) {
     const double press = std::min(step, 5) / 5.0, slide = std::max(step - 5, 0) / 40.0;
     const auto report = step_to(model, drive_of_grip, 1.5 * slide, -0.15 * press, options);
-    ASSERT_EQ(report.outcome, solve::Outcome::converged) << step << ": " << told(report.messages);
+    ASSERT_EQ(report.outcome, solve::Outcome::converged) << step << ": " << text_of(report.messages);
     accept(model);
   }
 }
@@ -95,7 +95,7 @@ TEST(Rollback, AcceptingAfterwardsChangesNothing) {
 
 TEST(Checkpoint, TheSavedAndTheLoadedModelContinueBitwiseEqual) {
   const ScratchFolder folder;
-  for (const auto linear : {solve::LinearKind::automatic, solve::LinearKind::umfpack, solve::LinearKind::kept}) {
+  for (const auto linear : {solve::LinearKind::automatic, solve::LinearKind::umfpack, solve::LinearKind::reuse}) {
     StepOptions options;
     options.linear = linear;
     Model<2> model(ironing("N2-N2.1")), undisturbed(ironing("N2-N2.1"));
@@ -123,7 +123,7 @@ TEST(Checkpoint, RestoredModelsAreIndependentOfTheirPast) {
   iron(model, 1, 8);
   save(model, folder.file("a.sgn"));
   StepOptions kept, hasty;
-  kept.linear = solve::LinearKind::kept;
+  kept.linear = solve::LinearKind::reuse;
   hasty.newton.iterations = 2;
   iron(other, 1, 20, kept);
   EXPECT_NE(step_to(other, drive_of_grip, 3, -0.15, hasty).outcome, solve::Outcome::converged);

@@ -1,7 +1,7 @@
 // Linear elastic scenes solved with static condensation of the bulk, compared with the standard solution.
 #include "model/bench.hpp"
 #include "model/scenes.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <cmath>
 
@@ -48,8 +48,8 @@ Seen compare_solvers(const Scene<2>& scene, const std::vector<Vec<2>>& path) {
   for (std::size_t k = 0; k < path.size(); ++k) {
     const auto a = step_to(condensed, 0, path[k](0), path[k](1), by_condensed),
                b = step_to(plain, 0, path[k](0), path[k](1), by_plain);
-    EXPECT_EQ(a.outcome, solve::Outcome::converged) << k << ": " << told(a.messages);
-    EXPECT_EQ(b.outcome, solve::Outcome::converged) << k << ": " << told(b.messages);
+    EXPECT_EQ(a.outcome, solve::Outcome::converged) << k << ": " << text_of(a.messages);
+    EXPECT_EQ(b.outcome, solve::Outcome::converged) << k << ": " << text_of(b.messages);
     EXPECT_NEAR(a.iterations, b.iterations, 2) << k;
     seen.other_iterations += a.iterations != b.iterations;
     EXPECT_EQ(condensed.linear.kind(), solve::LinearKind::condensed);
@@ -150,7 +150,7 @@ TEST(Condensed, BodySupportedByContactOnly) {
         options.linear = model == &condensed ? solve::LinearKind::condensed : solve::LinearKind::umfpack;
         model::set_target(*model, 0, 0, push);
         const auto report = model::solve_step(*model, options);
-        ASSERT_EQ(report.outcome, solve::Outcome::converged) << mu << " " << told(report.messages);
+        ASSERT_EQ(report.outcome, solve::Outcome::converged) << mu << " " << text_of(report.messages);
         model::accept(*model);
         EXPECT_NEAR(resultant(model->present.contacts[0]).force(1), 0.1, 1e-9);
         EXPECT_NEAR(resultant(model->present.contacts[0]).force(0), mu > 0 ? -push : 0, 1e-9);

@@ -2,7 +2,7 @@
 #include "model/damping.hpp"
 
 #include "model/scenes.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ StepOptions damped() {
   return options;
 }
 
-std::vector<LooseMotion> loose_of(const Scene<2>& scene) {
-  return loose_motions(scene, Unknowns<2>(scene));
+std::vector<UnconstrainedMotion> loose_of(const Scene<2>& scene) {
+  return unconstrained_motions(scene, Unknowns<2>(scene));
 }
 
 // ── Rigid-body modes ─────────────────────────────────────────────────────────────────────────────────────────────────
@@ -73,7 +73,7 @@ TEST(Damping, EachBodyHasItsOwnModes) {
   scene.supports.pop_back(); // the die's grip
   const auto loose = loose_of(scene);
   ASSERT_EQ(loose.size(), 3u);
-  for (const LooseMotion& motion : loose) EXPECT_EQ(motion.body, 0);
+  for (const UnconstrainedMotion& motion : loose) EXPECT_EQ(motion.body, 0);
 }
 
 // ── 3D ───────────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -105,13 +105,13 @@ Scene<3> block_above_plane(double gap) {
 
 TEST(Damping, RigidBodyModesIn3D) {
   Scene<3> scene = block_above_plane(0.1);
-  EXPECT_EQ(loose_motions(scene, Unknowns<3>(scene)).size(), 1u); // along z
+  EXPECT_EQ(unconstrained_motions(scene, Unknowns<3>(scene)).size(), 1u); // along z
   scene.supports.pop_back();
-  EXPECT_EQ(loose_motions(scene, Unknowns<3>(scene)).size(), 3u); // along y and z, about x
+  EXPECT_EQ(unconstrained_motions(scene, Unknowns<3>(scene)).size(), 3u); // along y and z, about x
   scene.supports.clear();
-  const auto loose = loose_motions(scene, Unknowns<3>(scene));
+  const auto loose = unconstrained_motions(scene, Unknowns<3>(scene));
   ASSERT_EQ(loose.size(), 6u);
-  for (const LooseMotion& motion : loose) EXPECT_NEAR(motion.motion.cwiseAbs().maxCoeff(), 1, 1e-14);
+  for (const UnconstrainedMotion& motion : loose) EXPECT_NEAR(motion.motion.cwiseAbs().maxCoeff(), 1, 1e-14);
 }
 
 // ── Length of moves ──────────────────────────────────────────────────────────────────────────────────────────────────
@@ -136,7 +136,7 @@ TEST(Damping, AFreeBodyTravelsOneStrideInOneSolve) {
       Model<2> model(above_plane(gap, {}));
       set_target(model, 0, 0, weight);
       const solve::NewtonReport& report = iterate(model, damped());
-      ASSERT_EQ(report.outcome, solve::Outcome::iterating) << told(report.messages);
+      ASSERT_EQ(report.outcome, solve::Outcome::iterating) << text_of(report.messages);
       // The shift is a multiple of the diagonal, so it can replace it.
       const VectorX diagonal = model.system.assembly.diagonal();
       double travel = 0, sum = 0;
@@ -161,7 +161,7 @@ TEST(Damping, StridesAreTheGapsOfOpenContacts) {
 TEST(Damping, TheFactorIsThatOfTheModeWithMostWork) {
   const Scene<2> scene = square({});
   const Unknowns<2> unknowns(scene);
-  const auto loose = loose_motions(scene, unknowns);
+  const auto loose = unconstrained_motions(scene, unknowns);
   const VectorX diagonal = VectorX::LinSpaced(unknowns.size(), 1, 3);
   VectorX force = VectorX::Zero(unknowns.dofs());
   EXPECT_LT((damping(scene, unknowns, loose, diagonal, force, {0.1}) - 1e-10 * diagonal).norm(), 1e-22);
@@ -186,13 +186,13 @@ template <int D> void expect_the_same_rest(const std::function<Scene<D>(double)>
   ASSERT_EQ(solve_step(touching, {}).outcome, solve::Outcome::converged);
   set_target(apart, 0, 0, load);
   const solve::NewtonReport report = solve_step(apart, damped());
-  ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
+  ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
   EXPECT_LT((places(apart) - places(touching)).cwiseAbs().maxCoeff(), 1e-8);
   EXPECT_GT(resultant(apart.present.contacts[0]).active, 0);
   EXPECT_LT((resultant(apart.present.contacts[0]).force - resultant(touching.present.contacts[0]).force).norm(), 1e-8);
   set_target(undamped, 0, 0, load);
   const solve::NewtonReport failed = solve_step(undamped, {});
-  EXPECT_EQ(failed.outcome, solve::Outcome::singular_tangent) << told(failed.messages);
+  EXPECT_EQ(failed.outcome, solve::Outcome::singular_tangent) << text_of(failed.messages);
 }
 
 TEST(Damping, ASquareReachesTheSameStateAsWithoutAGap) {
@@ -230,7 +230,7 @@ TEST(Damping, ABlockWithFrictionComesIntoContactFromAnyHeightUnderFullLoad) {
         set_target(model, 0, 0, load);
         const solve::NewtonReport report = solve_step(model, damped());
         ASSERT_EQ(report.outcome, solve::Outcome::converged)
-            << told(report.messages) << mu << " " << gap << " " << load;
+            << text_of(report.messages) << mu << " " << gap << " " << load;
         // The resultant is the load up to the face's stretch, without lateral force.
         const auto floor = resultant(model.present.contacts[0]);
         EXPECT_NEAR(floor.force(1) / load_resultant(model, 0)(1), -1, 1e-8);

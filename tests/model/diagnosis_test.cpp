@@ -3,7 +3,7 @@
 
 #include "model/scenes.hpp"
 #include "model/weak_directions.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -109,18 +109,18 @@ TEST(Diagnosis, AnInvertedElementIsNamedWithItsPoint) {
   const Diagnosis diagnosis = diagnose(model, report);
   EXPECT_EQ(diagnosis.outcome, Outcome::inverted_element);
   ASSERT_EQ(diagnosis.places.size(), 1u);
-  const TroubleSpot& spot = diagnosis.places[0];
+  const FailurePlace& spot = diagnosis.places[0];
   EXPECT_EQ(spot.kind, "element");
   EXPECT_EQ(spot.where, "block");
   EXPECT_EQ(spot.index, 0);
   EXPECT_NEAR(spot.value, -0.2, 1e-9);
-  EXPECT_EQ(bare_text(spot.what), "model.spot.jacobian: jacobian = -0.2");
+  EXPECT_EQ(bare_text(spot.what), "model.place.jacobian: jacobian = -0.2");
   EXPECT_NEAR(spot.current(0), spot.reference(0), 1e-9);
   EXPECT_NEAR(spot.current(1), spot.reference(1), 1e-9); // in the accepted state, not in the failed one
   EXPECT_TRUE(spot.reference(0) > 0 && spot.reference(0) < 0.5 && spot.reference(1) > 0 && spot.reference(1) < 0.5);
-  EXPECT_TRUE(holds(told(diagnosis.messages), "model.step.inverted: element = 0, body = block, jacobian = -0.2"))
-      << told(diagnosis.messages);
-  EXPECT_TRUE(holds(told(diagnosis.cures), "model.cure.step")) << told(diagnosis.cures);
+  EXPECT_TRUE(holds(text_of(diagnosis.messages), "model.step.inverted: element = 0, body = block, jacobian = -0.2"))
+      << text_of(diagnosis.messages);
+  EXPECT_TRUE(holds(text_of(diagnosis.remedies), "model.remedy.step")) << text_of(diagnosis.remedies);
 }
 
 /// Diagnosis of the first step of a square under a traction.
@@ -132,7 +132,7 @@ Diagnosis under_traction(const std::vector<Grip>& grips, bool pinned = false) {
   set_target(model, 0, 0, 0.1);
   set_target(model, 0, 1, -0.1);
   const solve::NewtonReport report = solve_step(model, {});
-  EXPECT_EQ(report.outcome, Outcome::singular_tangent) << told(report.messages);
+  EXPECT_EQ(report.outcome, Outcome::singular_tangent) << text_of(report.messages);
   return diagnose(model, report);
 }
 
@@ -147,11 +147,11 @@ TEST(Diagnosis, ASingularTangentIsNamedWithItsMotion) {
   EXPECT_EQ(along.places[0].kind, "control point");
   EXPECT_EQ(along.places[0].where, "block");
   EXPECT_NEAR(along.places[0].value, 1 / std::sqrt(12.0), 1e-6); // 12 control points with equal motion
-  EXPECT_TRUE(holds(told(along.cures), "model.cure.support"));
+  EXPECT_TRUE(holds(text_of(along.remedies), "model.remedy.support"));
 
   // About the pinned corner the opposite one moves most.
   const Diagnosis turning = under_traction({}, true);
-  EXPECT_TRUE(holds(told(turning.messages), "model.diagnosis.turns: body = block")) << told(turning.messages);
+  EXPECT_TRUE(holds(text_of(turning.messages), "model.diagnosis.turns: body = block")) << text_of(turning.messages);
   EXPECT_EQ(turning.places[0].reference, VectorX(Eigen::Vector2d(1, 1)));
 }
 
@@ -174,14 +174,14 @@ TEST(Diagnosis, AnIndefiniteTangentIsDetectedAfterAStall) {
   // Clamped below and driven only in y above: buckles at a shortening of about (π t)²/(48 L) = 0.005.
   const Diagnosis beyond = press(0.1, 1);
   EXPECT_EQ(beyond.outcome, Outcome::indefinite);
-  EXPECT_TRUE(holds(told(beyond.messages), "model.diagnosis.indefinite")) << told(beyond.messages);
-  EXPECT_TRUE(holds(told(beyond.cures), "model.cure.first_step"));
+  EXPECT_TRUE(holds(text_of(beyond.messages), "model.diagnosis.indefinite")) << text_of(beyond.messages);
+  EXPECT_TRUE(holds(text_of(beyond.remedies), "model.remedy.first_step"));
   ASSERT_FALSE(beyond.places.empty());
   EXPECT_EQ(beyond.places[0].where, "column");
   EXPECT_GT(beyond.places[0].reference(1), 8);
   const Diagnosis before = press(0.002, 1);
   EXPECT_EQ(before.outcome, Outcome::iteration_limit);
-  EXPECT_TRUE(holds(told(before.cures), "model.cure.iterations"));
+  EXPECT_TRUE(holds(text_of(before.remedies), "model.remedy.iterations"));
   EXPECT_EQ(before.places.size(), before.unbalanced.size());
   EXPECT_EQ(before.places[0].index, before.unbalanced[0].index);
 }
@@ -200,7 +200,7 @@ TEST(Diagnosis, UnbalancedForcesAreTheLargestOnes) {
   for (int a = 0; a < all.size() / 2; ++a) forces.push_back(all.segment<2>(2 * a).norm());
   std::sort(forces.rbegin(), forces.rend());
   for (std::size_t k = 0; k < 3; ++k) {
-    const TroubleSpot& spot = diagnosis.unbalanced[k];
+    const FailurePlace& spot = diagnosis.unbalanced[k];
     EXPECT_EQ(spot.value, forces[k]);
     EXPECT_EQ(all.segment<2>(2 * spot.index).norm(), forces[k]);
     EXPECT_EQ(spot.current, spot.reference);
@@ -222,15 +222,15 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
     if (report.outcome != Outcome::converged) break;
     accept(model);
   }
-  ASSERT_EQ(report.outcome, Outcome::cycling) << told(report.messages);
+  ASSERT_EQ(report.outcome, Outcome::cycling) << text_of(report.messages);
   EXPECT_GT(step, 20); // step and period depend on rounding error
-  EXPECT_TRUE(holds(told(report.messages), "model.step.cycling: period = ")) << told(report.messages);
+  EXPECT_TRUE(holds(text_of(report.messages), "model.step.cycling: period = ")) << text_of(report.messages);
   const Diagnosis diagnosis = diagnose(model, report);
   EXPECT_EQ(diagnosis.outcome, Outcome::cycling);
   const auto restless = model.active_set.cycling_points();
   ASSERT_EQ(diagnosis.places.size(), restless.size());
   for (std::size_t k = 0; k < restless.size(); ++k) {
-    const TroubleSpot& spot = diagnosis.places[k];
+    const FailurePlace& spot = diagnosis.places[k];
     EXPECT_EQ(spot.kind, "contact point");
     EXPECT_EQ(spot.where, "interface");
     const auto i = static_cast<std::size_t>(restless[k].point);
@@ -239,10 +239,10 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
     EXPECT_EQ(spot.current, VectorX(model.accepted.contacts[0].results[i].position));
     EXPECT_NEAR((spot.reference - Eigen::Vector2d(0.75, 1.5)).norm(), 0.5, 1e-9); // on the die
   }
-  EXPECT_TRUE(holds(told(diagnosis.messages), "model.diagnosis.points: count = " + std::to_string(restless.size()) +
-                                                  ", contact = interface, element = "))
-      << told(diagnosis.messages);
-  EXPECT_TRUE(holds(told(diagnosis.cures), "model.cure.active_set"));
+  EXPECT_TRUE(holds(text_of(diagnosis.messages), "model.diagnosis.points: count = " + std::to_string(restless.size()) +
+                                                     ", contact = interface, element = "))
+      << text_of(diagnosis.messages);
+  EXPECT_TRUE(holds(text_of(diagnosis.remedies), "model.remedy.active_set"));
 
   // The path converges with line search.
   for (const auto kind : {solve::LineSearchKind::residual, solve::LineSearchKind::energy}) {
@@ -279,19 +279,19 @@ TEST(Diagnosis, PointsThatLeaveTheMasterAreNamed) {
   accept(model);
   set_target(model, 0, 0, -0.125);
   const solve::NewtonReport report = solve_step(model, {});
-  EXPECT_EQ(report.outcome, Outcome::lost_projection) << told(report.messages);
+  EXPECT_EQ(report.outcome, Outcome::lost_projection) << text_of(report.messages);
   const Diagnosis diagnosis = diagnose(model, report);
   ASSERT_FALSE(diagnosis.places.empty());
-  for (const TroubleSpot& spot : diagnosis.places) {
+  for (const FailurePlace& spot : diagnosis.places) {
     EXPECT_EQ(spot.kind, "contact point");
     EXPECT_EQ(spot.where, "edge");
     const std::string what = bare_text(spot.what);
-    EXPECT_TRUE(what == "model.spot.states: states = touching / beyond" ||
-                what == "model.spot.states: states = beyond / touching")
+    EXPECT_TRUE(what == "model.place.states: states = touching / beyond" ||
+                what == "model.place.states: states = beyond / touching")
         << what;
     EXPECT_NEAR(spot.reference(1), 0.1, 1e-12);
   }
-  EXPECT_TRUE(holds(told(diagnosis.cures), "model.cure.extend_master"));
+  EXPECT_TRUE(holds(text_of(diagnosis.remedies), "model.remedy.extend_master"));
 }
 
 TEST(Diagnosis, RemainingPenetrationIsNamedWithItsPoints) {
@@ -310,8 +310,8 @@ TEST(Diagnosis, RemainingPenetrationIsNamedWithItsPoints) {
   for (const auto& point : model.present.contacts[0].results)
     if (point.state != contact::ContactState::open) farthest = std::max(farthest, std::abs(point.gap));
   EXPECT_EQ(std::abs(diagnosis.places[0].value), farthest);
-  for (const TroubleSpot& spot : diagnosis.places) EXPECT_EQ(spot.kind, "contact point");
-  EXPECT_TRUE(holds(told(diagnosis.cures), "model.cure.penalty"));
+  for (const FailurePlace& spot : diagnosis.places) EXPECT_EQ(spot.kind, "contact point");
+  EXPECT_TRUE(holds(text_of(diagnosis.remedies), "model.remedy.penalty"));
 }
 
 TEST(Diagnosis, LineSearchAndNonfiniteNumbers) {
@@ -323,7 +323,7 @@ TEST(Diagnosis, LineSearchAndNonfiniteNumbers) {
   EXPECT_EQ(none.outcome, Outcome::not_finite);
   const Diagnosis diagnosis = diagnose(model, none);
   EXPECT_EQ(diagnosis.outcome, Outcome::not_finite);
-  EXPECT_TRUE(holds(told(diagnosis.messages), "solve.newton.not_finite"));
+  EXPECT_TRUE(holds(text_of(diagnosis.messages), "solve.newton.not_finite"));
   rollback(model);
   set_target(model, 0, 0, 0.05);
   EXPECT_EQ(solve_step(model, {}).outcome, Outcome::converged);
@@ -333,7 +333,7 @@ TEST(Diagnosis, LineSearchAndNonfiniteNumbers) {
   stalled.outcome = Outcome::line_search;
   const Diagnosis search = diagnose(model, stalled);
   EXPECT_EQ(search.outcome, Outcome::line_search);
-  EXPECT_TRUE(holds(told(search.cures), "model.cure.no_line_search"));
+  EXPECT_TRUE(holds(text_of(search.remedies), "model.remedy.no_line_search"));
   EXPECT_EQ(search.places.size(), 3u);
 }
 

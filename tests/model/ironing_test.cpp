@@ -6,7 +6,7 @@
 
 #include "model/quadratic.hpp"
 #include "model/scenes.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ TEST_P(Ironing, ConvergesQuadraticallyAndBalances) {
   int iterations = 0, pairs = 0;
   for (int step = 1; step <= steps; ++step) {
     const solve::NewtonReport report = ironing_step(model, step);
-    ASSERT_EQ(report.outcome, solve::Outcome::converged) << "step " << step << ": " << told(report.messages);
+    ASSERT_EQ(report.outcome, solve::Outcome::converged) << "step " << step << ": " << text_of(report.messages);
     iterations += report.iterations;
 
     const auto contact = resultant(model.present.contacts[0]);

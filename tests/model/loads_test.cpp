@@ -1,7 +1,7 @@
 // Dead loads: exact states under tractions and pressures, loads as targets, and initial loads.
 #include "model/sample.hpp"
 #include "model/scenes.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST(Loads, TractionOnABarGivesItsStressAndReaction) {
       for (int k = 1; k <= steps; ++k) {
         set_target(model, 0, 0, t * k / steps);
         const auto report = solve_step(model, {});
-        ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
+        ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
         accept(model);
         expect_stress(model, Vec<2>(t * k / steps, 0).asDiagonal(), t);
         EXPECT_NEAR((load_resultant(model, 0) - Vec<2>(t * k / steps, 0)).norm(), 0, 1e-14);

@@ -5,7 +5,7 @@
 
 #include "model/sample.hpp"
 #include "model/scenes.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -77,7 +77,7 @@ TEST(Model, PrescribedDisplacementsAreReached) {
     for (int k = 1; k <= steps; ++k) {
       set_target(model, 0, 0, -0.3 * k / steps);
       const auto report = solve_step(model, {});
-      ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
+      ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
       accept(model);
       EXPECT_EQ(accepted_target(model, 0, 0), -0.3 * k / steps);
     }
@@ -113,7 +113,7 @@ TEST(Model, InversionAndIterationLimitAreReportedAndRolledBack) {
   const Eigen::Vector2d force = reaction(model, 1);
   const auto inverted = step_to(model, 0, 0, -1.5);
   EXPECT_EQ(inverted.outcome, solve::Outcome::inverted_element);
-  EXPECT_NE(told(inverted.messages).find("body = block"), std::string::npos) << told(inverted.messages);
+  EXPECT_NE(text_of(inverted.messages).find("body = block"), std::string::npos) << text_of(inverted.messages);
   rollback(model);
   EXPECT_EQ(model.present.displacement, accepted);
   EXPECT_NEAR((reaction(model, 1) - force).norm(), 0, 1e-14);

@@ -3,7 +3,7 @@
 
 #include "model/bench.hpp"
 #include "model/checkpoint.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <cmath>
 
@@ -166,7 +166,7 @@ TEST(OwnFormulation, MultipliersMakeTwoBlocksDeformAsOne) {
   for (double down : {0.1, 0.3, 0.5}) {
     set_target(model, 0, 0, -down);
     const auto report = solve_step(model, {});
-    ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
+    ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
     EXPECT_LE(report.iterations, 8);
     accept(model);
     const double exact = uniaxial(material, 1 - down / 2);

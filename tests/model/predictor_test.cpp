@@ -2,7 +2,7 @@
 #include "model/scenes.hpp"
 
 #include "model/drives.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ int walk(Model<2>& model, const std::function<void(int)>& set_targets, int steps
   for (int step = 1; step <= steps; ++step) {
     set_targets(step);
     const solve::NewtonReport report = solve_step(model, with(predictor));
-    EXPECT_EQ(report.outcome, solve::Outcome::converged) << step << ": " << told(report.messages);
+    EXPECT_EQ(report.outcome, solve::Outcome::converged) << step << ": " << text_of(report.messages);
     iterations += report.iterations;
     accept(model);
   }

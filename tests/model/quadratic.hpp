@@ -4,7 +4,7 @@
 #include "model/arc.hpp"
 #include "model/load_step.hpp"
 #include "model/results.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ template <int D> int compare_starts(Model<D>& model) {
     const bool same = piece() == solution && begins;
     const double after = model.unbalanced.norm();
     const solve::NewtonReport back = solve_step(model, exact);
-    EXPECT_EQ(back.outcome, solve::Outcome::converged) << told(back.messages);
+    EXPECT_EQ(back.outcome, solve::Outcome::converged) << text_of(back.messages);
     if (same && before > 0) {
       EXPECT_LT(after, before / least + 30 * rounding) << "h = " << h;
       ++pairs;

@@ -9,7 +9,7 @@
 #include "nurbs/coincident.hpp"
 #include "nurbs/shapes.hpp"
 #include "solid/neo_hookean.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ Scene<3> indentation(const std::string& label, double mu, bool turns) {
 void solve(Model<3>& model, const std::vector<double>& targets, int& iterations) {
   for (std::size_t i = 0; i < targets.size(); ++i) set_target(model, 0, static_cast<int>(i), targets[i]);
   const solve::NewtonReport report = solve_step(model, {});
-  ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
+  ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
   iterations += report.iterations;
   const Vec<3> by_bed = reaction(model, 0), by_grip = reaction(model, 1);
   const double scale = by_grip.norm();
@@ -146,7 +146,7 @@ TEST(SolidModel, APoleRemainsOnePoint) {
   for (int i = 1; i <= 3; ++i) {
     set_target(model, 0, 0, -0.02 * i);
     const solve::NewtonReport report = solve_step(model, {});
-    ASSERT_EQ(report.outcome, solve::Outcome::converged) << told(report.messages);
+    ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
     accept(model);
   }
   EXPECT_GT(resultant(model.present.contacts[0]).force(2), 0);

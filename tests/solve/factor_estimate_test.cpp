@@ -41,7 +41,7 @@ Counted compare(LinearKind asked, const Pattern& pattern) {
 
 TEST(FactorEstimate, AgreesWithTheSolvers) {
   const Pattern plane = sheet(40, 30);
-  for (LinearKind kind : {LinearKind::klu, LinearKind::umfpack, LinearKind::kept}) {
+  for (LinearKind kind : {LinearKind::klu, LinearKind::umfpack, LinearKind::reuse}) {
     const Counted counted = compare(kind, plane);
     EXPECT_GT(counted.part, 0.7) << name_of(kind);
     EXPECT_LT(counted.part, 1.4) << name_of(kind);
@@ -50,9 +50,9 @@ TEST(FactorEstimate, AgreesWithTheSolvers) {
 
 TEST(FactorEstimate, PredictsTheAutomaticChoice) {
   EXPECT_EQ(compare(LinearKind::automatic, sheet(20, 20)).kind, LinearKind::klu);
-  EXPECT_EQ(compare(LinearKind::automatic, sheet(100, 90)).kind, LinearKind::kept);
+  EXPECT_EQ(compare(LinearKind::automatic, sheet(100, 90)).kind, LinearKind::reuse);
   const Counted solid = compare(LinearKind::automatic, cube(11));
-  EXPECT_EQ(solid.kind, LinearKind::kept);
+  EXPECT_EQ(solid.kind, LinearKind::reuse);
   EXPECT_GT(solid.part, 0.8);
   EXPECT_LT(solid.part, 1.2);
 }

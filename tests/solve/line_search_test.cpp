@@ -3,7 +3,7 @@
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -132,7 +132,7 @@ TEST(LineSearch, BreaksCyclesOfPlainNewton) {
   for (LineSearchKind kind : {LineSearchKind::residual, LineSearchKind::energy}) {
     Problem problem = two_cycle();
     const NewtonReport report = problem.solve(kind, 40);
-    EXPECT_EQ(report.outcome, Outcome::converged) << told(report.messages);
+    EXPECT_EQ(report.outcome, Outcome::converged) << text_of(report.messages);
     EXPECT_LT(std::abs(problem.x(0) * (problem.x(0) * problem.x(0) - 5)), 1e-11);
   }
 }
@@ -270,8 +270,8 @@ TEST(LineSearch, LoopReportsAFailedSearch) {
   EXPECT_EQ(name_of(report.outcome), "line_search");
   EXPECT_EQ(report.iterations, 1);
   EXPECT_TRUE(report.parts.empty());
-  EXPECT_NE(told(report.messages).find("solve.newton.line_search: residual = "), std::string::npos)
-      << told(report.messages);
+  EXPECT_NE(text_of(report.messages).find("solve.newton.line_search: residual = "), std::string::npos)
+      << text_of(report.messages);
 }
 
 TEST(LineSearch, KindsHaveNames) {

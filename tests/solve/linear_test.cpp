@@ -118,14 +118,14 @@ TEST(LinearKinds, ReuseExpensiveFactorizations) {
   };
   EXPECT_EQ(choice(chain(400)), LinearKind::klu);
   EXPECT_EQ(choice(grid(200, 8)), LinearKind::klu); // long and narrow
-  EXPECT_EQ(choice(grid(120, 120)), LinearKind::kept);
-  EXPECT_EQ(choice(cube(9)), LinearKind::kept);
-  EXPECT_EQ(choice(cube(11)), LinearKind::kept);
+  EXPECT_EQ(choice(grid(120, 120)), LinearKind::reuse);
+  EXPECT_EQ(choice(cube(9)), LinearKind::reuse);
+  EXPECT_EQ(choice(cube(11)), LinearKind::reuse);
 }
 
 TEST(LinearKinds, HaveNames) {
   for (LinearKind kind :
-       {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::condensed, LinearKind::kept})
+       {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::condensed, LinearKind::reuse})
     EXPECT_EQ(linear_kind(name_of(kind)), kind);
   EXPECT_ERROR(linear_kind("pardiso"),
                "solve.linear.unknown: name = pardiso, known = (auto, klu, umfpack, condensed, kept)");

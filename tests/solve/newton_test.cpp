@@ -2,7 +2,7 @@
 #include "solve/newton.hpp"
 
 #include "base/interrupt.hpp"
-#include "told.hpp"
+#include "text_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -143,7 +143,7 @@ TEST(Newton, IterationLimitIsReported) {
   EXPECT_EQ(report.outcome, Outcome::iteration_limit);
   EXPECT_EQ(report.iterations, 2);
   EXPECT_EQ(report.residuals.size(), 3u);
-  EXPECT_NE(told(report.messages).find("solve.newton.no_convergence: iterations = 2"), std::string::npos);
+  EXPECT_NE(text_of(report.messages).find("solve.newton.no_convergence: iterations = 2"), std::string::npos);
   // A cycle between 0 and 1: f = x³ − 2x + 2.
   Scalar cycle{[](double x) { return x * x * x - 2 * x + 2; }, [](double x) { return 3 * x * x - 2; }};
   EXPECT_EQ(cycle.solve({1e-10, 50}).outcome, Outcome::iteration_limit);
@@ -156,7 +156,7 @@ TEST(Newton, DivergenceIsReported) {
   const NewtonReport report = problem.solve({1e-10, 1000});
   EXPECT_EQ(report.outcome, Outcome::diverged);
   EXPECT_LT(report.iterations, 1000);
-  EXPECT_NE(told(report.messages).find("solve.newton.diverged"), std::string::npos);
+  EXPECT_NE(text_of(report.messages).find("solve.newton.diverged"), std::string::npos);
 }
 
 TEST(Newton, NonfiniteResidualIsReported) {
@@ -174,7 +174,7 @@ TEST(Newton, SingularTangentAndErrorsOfAssemblyAreReported) {
   inverted.outcome = Outcome::inverted_element;
   const NewtonReport report = inverted.solve();
   EXPECT_EQ(report.outcome, Outcome::inverted_element);
-  EXPECT_EQ(told(report.messages), "test.wanted");
+  EXPECT_EQ(text_of(report.messages), "test.wanted");
   EXPECT_EQ(inverted.solves, 0);
 }
 
@@ -241,7 +241,7 @@ TEST(Newton, IterationByIterationGivesTheSameResults) {
       EXPECT_EQ(report.residuals, at_once.residuals);
       EXPECT_EQ(report.energies, at_once.energies);
       EXPECT_EQ(report.enough, at_once.enough);
-      EXPECT_EQ(told(report.messages), told(at_once.messages));
+      EXPECT_EQ(text_of(report.messages), text_of(at_once.messages));
       EXPECT_EQ(pieces.x, whole.x);
       EXPECT_EQ(pieces.assemblies, whole.assemblies);
     }
@@ -268,7 +268,7 @@ TEST(Newton, ConcludeIsCalledOnlyOnConvergenceAndMayFail) {
   problem.x = 1;
   const NewtonReport failed = newton(system, {1e-10, 25}, false);
   EXPECT_EQ(failed.outcome, Outcome::penetration);
-  EXPECT_EQ(told(failed.messages), "test.too_deep");
+  EXPECT_EQ(text_of(failed.messages), "test.too_deep");
   EXPECT_EQ(failed.residuals, report.residuals);
 
   problem.x = 1;

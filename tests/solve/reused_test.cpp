@@ -19,8 +19,8 @@ TEST(Reused, SolvesDriftingTangentsWithFewFactorizations) {
   std::mt19937 random(41);
   for (double skew : {0.0, 1.0, 10.0}) {
     const Drift drift(random, cube(9), skew);
-    const auto solver = make_solver(LinearKind::kept, drift.pattern);
-    EXPECT_EQ(solver->kind(), LinearKind::kept);
+    const auto solver = make_solver(LinearKind::reuse, drift.pattern);
+    EXPECT_EQ(solver->kind(), LinearKind::reuse);
     const int rounds = 40;
     for (int time = 0; time < rounds; ++time) {
       const Values values = drift.at_time(time);
@@ -46,7 +46,7 @@ TEST(Reused, RightHandSideAfterZeroIsSolvedTightly) {
   std::mt19937 random(53);
   const Drift drift(random, cube(4), 10);
   const Values values = drift.at_time(1);
-  const auto solver = make_solver(LinearKind::kept, drift.pattern);
+  const auto solver = make_solver(LinearKind::reuse, drift.pattern);
   ASSERT_TRUE(solver->factor(values.data()));
   const VectorXd b = VectorXd::LinSpaced(drift.pattern.size, -1, 2);
   VectorXd nothing = VectorXd::Zero(drift.pattern.size), x = b;
@@ -58,7 +58,7 @@ TEST(Reused, RightHandSideAfterZeroIsSolvedTightly) {
 TEST(Reused, FactorsAgainAfterAJumpOfTheMatrix) {
   std::mt19937 random(42);
   const Pattern pattern = cube(5);
-  const auto solver = make_solver(LinearKind::kept, pattern);
+  const auto solver = make_solver(LinearKind::reuse, pattern);
   const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
   int before = 0;
   for (double diagonal : {1.0, 1e4, -1.0, 1e-4, 1.0}) {
@@ -80,7 +80,7 @@ TEST(Reused, FactorsAgainAfterAJumpOfTheMatrix) {
 TEST(Reused, PivotsIfTheSymmetricPartIsIndefinite) {
   std::mt19937 random(43);
   const Pattern pattern = chain(300);
-  const auto solver = make_solver(LinearKind::kept, pattern);
+  const auto solver = make_solver(LinearKind::reuse, pattern);
   const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
   for (int round = 0; round < 10; ++round) {
     const Values values = random_values(random, pattern);
@@ -105,7 +105,7 @@ TEST(Reused, ReportsSingularMatricesAndRecovers) {
            residual(pattern, values, x, b) <= 1.0001 * Forcing::loosest;
   };
   for (bool held_before : {false, true}) {
-    const auto solver = make_solver(LinearKind::kept, pattern);
+    const auto solver = make_solver(LinearKind::reuse, pattern);
     if (held_before) {
       EXPECT_TRUE(solves(*solver, held));
     }
@@ -121,7 +121,7 @@ TEST(Reused, ResultsAreBitwiseReproducibleAndIndependentOfThreads) {
   std::mt19937 random(45);
   const Drift drift(random, cube(5), 10);
   const auto run = [&] {
-    const auto solver = make_solver(LinearKind::kept, drift.pattern);
+    const auto solver = make_solver(LinearKind::reuse, drift.pattern);
     VectorXd sum = VectorXd::Zero(drift.pattern.size);
     for (int time = 0; time < 30; ++time) {
       const Values values = drift.at_time(7 * time);
@@ -141,7 +141,7 @@ TEST(Reused, ResultsAreBitwiseReproducibleAndIndependentOfThreads) {
 TEST(Reused, SurvivesAChangeOfPattern) {
   std::mt19937 random(46);
   Drift drift(random, cube(6), 1);
-  const auto solver = make_solver(LinearKind::kept, drift.pattern);
+  const auto solver = make_solver(LinearKind::reuse, drift.pattern);
   const VectorXd b = VectorXd::LinSpaced(drift.pattern.size, -1, 2);
   for (int round = 0; round < 8; ++round) {
     const Values values = drift.at_time(round);
@@ -262,7 +262,7 @@ TEST(Reused, WatchedUnknownsMayChangeArbitrarily) {
   std::vector<int> watched;
   for (int i = 0; i < 3 * 7 * 7; ++i) watched.push_back(i);
   const auto run = [&](bool watch) {
-    const auto solver = make_solver(LinearKind::kept, pattern);
+    const auto solver = make_solver(LinearKind::reuse, pattern);
     if (watch) solver->watch(watched);
     std::mt19937 springs(52);
     for (int round = 0; round < 20; ++round) {
@@ -319,7 +319,7 @@ TEST(Reused, NewtonConvergesAsWithExactSolutions) {
     return x;
   };
   std::vector<int> exact_iterations, iterations;
-  const VectorXd exact = run(LinearKind::umfpack, exact_iterations), x = run(LinearKind::kept, iterations);
+  const VectorXd exact = run(LinearKind::umfpack, exact_iterations), x = run(LinearKind::reuse, iterations);
   EXPECT_EQ(iterations, exact_iterations);
   EXPECT_LT((x - exact).norm(), 1e-9 * exact.norm());
 }

@@ -2,12 +2,12 @@
 function press(order, mesh)
   local die = sg.body{
     patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
-    elements = {6 * mesh, mesh}, order = order, contact = "south", through = 1,
+    elements = {6 * mesh, mesh}, order = order, contact = "south", thickness_degree = 1,
     material = sg.neo_hookean{ E = 1000, nu = 0.3 },
   }
   local slab = sg.body{
     patch = sg.shapes.rectangle{ width = 3, height = 1 },
-    elements = {8 * mesh, 2 * mesh}, order = order, contact = "north", through = 1,
+    elements = {8 * mesh, 2 * mesh}, order = order, contact = "north", thickness_degree = 1,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local model = sg.model{
@@ -47,7 +47,7 @@ study = sg.study{ name = "press", cases = sg.grid{ order = {"N2", "N2-N2.2"}, me
 study:execute{ jobs = 2 }
 comparison = sg.work_precision(study, { error = "error" })
 
-map = sg.stability_map{
+map = sg.convergence_map{
   x = { name = "order", values = {"N2", "N2-N2.2"} }, y = { name = "steps", values = {1, 4} }, jobs = 2,
   scene = function(order) return (press(order, 1)) end,
   path = function(_, _, steps) return { { name = "press", steps = steps, grip = {0, -0.1} } } end,

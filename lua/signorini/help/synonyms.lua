@@ -59,7 +59,7 @@ return {
     "model:run" },
   { "convergence, diverges, does not converge, not converging",
     "A failed run states the reason and possible remedies in run.report; sg.robust{} lists the default controls.",
-    "model:run", "run", "model:diagnose", "sg.robust", "sg.stability_map" },
+    "model:run", "run", "model:diagnose", "sg.robust", "sg.convergence_map" },
   { "mesh convergence, convergence study, error estimate, accuracy",
     "Compare discretizations by a study, or let sg.recommend choose one.", "sg.recommend", "sg.work_precision",
     "sg.study" },

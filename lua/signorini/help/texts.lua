@@ -8,7 +8,7 @@ local texts = {
   scene = scene,
   start = [[
 signorini: isogeometric contact mechanics.
-  help "labels"           order labels of discretizations such as N2-N2.2
+  help "orders"           order labels of discretizations such as N2-N2.2
   help "geometry"         patches and how to make them
   help "contact"          parts of a scene and its path; also support, load, material, stage
   help "prompt"           commands and keys of the prompt

@@ -44,14 +44,14 @@ return {
     named = {
       { "patch", t.object "patch", "shape: a surface in the plane, a volume in 3D" },
       { "elements", patch_types.elements, "knot spans" },
-      { "order", order, [[discretization label such as "N2-N2.2", help "labels"]] },
+      { "order", order, [[discretization label such as "N2-N2.2", help "orders"]] },
       { "contact", t.one_or_more(patch_types.any_face), "face that carries the layer, or two opposite ones",
         otherwise = "none" },
       { "material", { kind = "object", name = "material",
                       cure = "for example material = sg.neo_hookean{ E = 1, nu = 0.3 }" }, "the material" },
-      { "through", patch_types.degree, [[Degree in the thickness direction, from the contact face to the opposite one,
-at least the geometry's own. Degree 1, as in the published studies, takes about half of the unknowns and of the time,
-but locks in bending and for nu near 0.5]], otherwise = "that of the label's bulk" },
+      { "thickness_degree", patch_types.degree, [[Degree in the thickness direction, from the contact face to the
+opposite one, at least the geometry's own. Degree 1, as in the published studies, takes about half of the unknowns and
+of the time, but locks in bending and for nu near 0.5]], otherwise = "that of the label's bulk" },
       { "grading", patch_types.grading, "where elements are concentrated; false: uniform",
         otherwise = "uniform elements" },
     },

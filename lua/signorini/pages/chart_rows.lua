@@ -1,4 +1,4 @@
--- Rows that the pages of charts and heat maps share with those of studies and stability maps.
+-- Rows that the pages of charts and heat maps share with those of studies and convergence maps.
 
 local core = require "signorini.core"
 local lists = require "signorini.lists"

@@ -109,9 +109,9 @@ local zeros = {}
 for i = 1, #model:residual() do zeros[i] = 0 end
 model:move(zeros)
 model:rollback()]] },
-  { "model:loose_bodies", [[Returns the names of the unconstrained bodies: those with rigid-body modes that no support
-prevents.]],
-    example = "model:loose_bodies()" },
+  { "model:unconstrained_bodies", [[Returns the names of the unconstrained bodies: those with rigid-body modes that no
+support prevents.]],
+    example = "model:unconstrained_bodies()" },
   { "model:diagnose", [[Diagnoses why the last solve_step, iterate or solve_arc failed; call it before model:rollback.
 Returns { reason, message, cure, places, unbalanced }: reason is one of model:solve_step's, or "indefinite"; places is a
 list of { kind, body or contact, element or point, X, x, value, text }, the worst first: the inverted element, contact
@@ -121,7 +121,7 @@ singular or indefinite tangent; unbalanced: places of the largest unbalanced for
       "penalty", "pseudo_transient" }), "controls in use, which the cure does not suggest again", default = {} } },
   },
   { "model:timings", [[Returns the times used so far, in seconds: { bulk, contact, linear, factorization, solution,
-search }. linear is the sum of factorization and solution, except for a few vector operations (with linear = "kept", a
+search }. linear is the sum of factorization and solution, except for a few vector operations (with linear = "reuse", a
 solution may renew the factorization). search is part of contact, summed over threads: closest-point projection and
 bounding-box tree, measured after model:time_search(true).]],
     example = "model:timings().linear" },

@@ -23,7 +23,7 @@ values by name. The default gives the type: a whole number (10; 1 or more unless
     more = [[
 A wrong argument ends the script with one line that states the value and the expectation; the word help or --help prints
 all arguments with their defaults and ends the program.]],
-    example = [[options = sg.arguments{ labels = {"N2", "N4"}, steps = 10, penalty = { 100.0, above = 0 },
+    example = [[options = sg.arguments{ orders = {"N2", "N4"}, steps = 10, penalty = { 100.0, above = 0 },
                         out = "out/study" }]] },
   { "argument", [[An argument of a script with restrictions, which apply to the entries if the default is a list: {
 {"m1"}, choices = {"m1", "m2"} }.]], head = "<name> = { default, <restriction> = …, … }, in sg.arguments{ … }",
@@ -136,7 +136,7 @@ between two calls. For the processor time of all threads, use os.clock().]],
   { "sg.help", [[Shows the page of a function: arguments with units and defaults, and an example; a word finds all pages
 and scripts that contain it, and common terms of other programs. help "scripts" lists the supplied scripts, help
 "hertz2d.lua" shows what one of them solves. At the prompt ?sg.nurbs.arc and ?refine do the same.]], unchecked = true,
-    head = [[help(), help(sg.nurbs.arc), help "patch:refine", help "labels"]],
+    head = [[help(), help(sg.nurbs.arc), help "patch:refine", help "orders"]],
     arguments = { { "what", t.either(t.any, help_words), "function, value or word", optional = true } },
     example = "help(sg.nurbs.arc)" },
   { "traceback", "Shows the traceback of the last error at the prompt: the functions that were being called.",

@@ -43,7 +43,7 @@ present state: inverted linear elastic bodies. run.warnings starts with these.]]
 A failed step ends the run; this is a result, not an error: run.failed, run.reason, run.cause (the reason behind
 minimum_step), run.report (in words, with the worst places and what may help), run.places (for sg.picture's marks). The
 model keeps the last accepted state. Reasons: completed, stopped, interrupted, cut, iterations, diverged, cycling,
-lost_projection, inverted, singular, indefinite, nan, line_search, penetration, turning_point, minimum_step, strayed.
+lost_projection, inverted, singular, indefinite, nan, line_search, penetration, turning_point, minimum_step, left_path.
 run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns: step,
 increments, iterations, wall; <support>.fx, .fy, in 3D .fz, .moment if it rotates, .ux, .uy, .uz, .angle if driven;
 <load>.fx …, .tx … or .pressure; <contact>.fx …, .area, .max_pressure, .max_penetration.
@@ -67,12 +67,13 @@ help "model:run".]],
 model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
            { name = "slide", steps = 250, grip = {1.5, -0.23} } }]] },
   { "sg.robust", [[Returns the default controls of model:run explicitly: each step starts from the linear predictor
-(predictor = "linear"), a failed step is tried again with fallbacks (rescue = true), then cut in half (step = { adaptive
-= true }). Given options replace these. Together with arc_length = true these controls are tried before arc length, and
-may leave the path that arc length would follow.]], named = "model:run", may_be_empty = true, as_given = true,
+(predictor = "linear"), a failed step is tried again with fallbacks (fallback = true), then cut in half (step = {
+adaptive = true }). Given options replace these. Together with arc_length = true these controls are tried before arc
+length, and may leave the path that arc length would follow.]], named = "model:run", may_be_empty = true, as_given =
+true,
     example = "model:run(stages, sg.robust{ arc_length = true, step = { adaptive = true, min = 1/256 } })" },
   { "sg.plain", [[Returns options of model:run for plain Newton iterations: each step is solved once, as a whole, from
-the last accepted state (predictor = "tangent", rescue = false, step = { adaptive = false }). Given options replace
+the last accepted state (predictor = "tangent", fallback = false, step = { adaptive = false }). Given options replace
 these. Use it to compare with other programs or published iteration counts, and to find where Newton's method fails.]],
     named = "model:run", may_be_empty = true, as_given = true,
     example = "model:run(stages, sg.plain{ newton = { iterations = 50 } })" },
@@ -86,7 +87,7 @@ these. Use it to compare with other programs or published iteration counts, and 
       { "steps", t.integer(0), "converged steps" },
       { "iterations", t.integer(0), "Newton iterations" },
       { "cutbacks", t.integer(0), "increments cut in half" },
-      { "rescues", t.integer(0), "steps solved by fallbacks" },
+      { "fallback_steps", t.integer(0), "steps solved by fallbacks" },
       { "fallbacks", t.map(t.integer(0)), "successes of each fallback" },
       { "wall", t.number, "wall time", unit = "s" },
       { "timings", t.map(t.number), "bulk, contact, linear, rest", unit = "s" },
@@ -106,8 +107,8 @@ the work is missing from the energy balance]] },
     arguments = { { "name", t.name(function(run) return run:columns() end), "a column" } },
     example = "run:column \"grip.fy\"" },
   { "run:attempts", [[Returns the attempts at a converged or failed step: a list of { from, to, converged, reason,
-iterations, residuals, rescue, again }, where from and to are fractions of the step, and again tells whether the attempt
-started at the step's start although a part was accepted.]],
+iterations, residuals, fallback, restarted }, where from and to are fractions of the step, and again tells whether the
+attempt started at the step's start although a part was accepted.]],
     arguments = { a_step },
     example = "run:attempts(1)[1].iterations" },
   { "run:residuals", "Returns the residual norms of the iterations of a step's last attempt.",

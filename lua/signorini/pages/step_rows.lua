@@ -11,7 +11,7 @@ local rows = {}
 local tolerance = { "tolerance", t.positive, "residual that counts as zero, relative to the forces of the run",
                     default = 1e-10 }
 local iterations = { "iterations", t.integer(1, 1000000), "maximum number of iterations per attempt", default = 25 }
-local linear = { "linear", t.choice(core.linear_solvers), [[linear solver. "klu", "umfpack": direct; "kept": a reused
+local linear = { "linear", t.choice(core.linear_solvers), [[linear solver. "klu", "umfpack": direct; "reuse": a reused
 (lagged) factorization preconditions GMRES while that is cheaper than a new one; "condensed": static condensation, for
 linear elastic bodies; "auto": automatic choice]], default = "auto" }
 
@@ -61,8 +61,8 @@ rows.arc = {
 -- ── Load paths ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Default controls: `robust`, or `plain` with arc length, since cut steps and fallbacks may leave the path.
-rows.robust = { predictor = "linear", rescue = true, step = { adaptive = true } }
-rows.plain = { predictor = "tangent", rescue = false, step = { adaptive = false } }
+rows.robust = { predictor = "linear", fallback = true, step = { adaptive = true } }
+rows.plain = { predictor = "tangent", fallback = false, step = { adaptive = false } }
 
 --- A row whose default depends on arc_length, a previous row.
 local function control(key, type, text)
@@ -103,7 +103,7 @@ until the end of the step is passed; rows between steps have fractional step num
 changed]], default = false },
   control("step", t.named(cutting), [[step cutting: a failed step is cut in half; the rows of a run remain the steps,
 their increments are in run.cutbacks, run:column "increments" and run:attempts(step)]]),
-  control("rescue", t.flag, [[a failed step is tried again with fallbacks: with the tangent predictor and, if the
+  control("fallback", t.flag, [[a failed step is tried again with fallbacks: with the tangent predictor and, if the
 tangent is singular because of an unconstrained body, with damping; then, if it cannot be cut further, with damping, a
 line search, pseudo-transient continuation, a frozen active set. run.fallbacks counts their successes; run.warnings
 names steps solved by fallbacks that may lead to another branch of solutions]]),

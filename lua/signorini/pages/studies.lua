@@ -31,7 +31,7 @@ end
 
 local error_column = { "error", column_or_function, "errors, a column or a function of a row; signs are ignored" }
 
-local beside = { "beside", t.object "stability map", "map of the same values, drawn next to this one", optional = true }
+local other = { "other", t.object "convergence map", "map of the same values, drawn next to this one", optional = true }
 local titles = { "titles", t.list(t.text, 2), "titles of the two maps", otherwise = "their names" }
 
 --- Selects rows: values by column (Tab completes strings), or a function of a row.
@@ -59,8 +59,8 @@ nan or infinite makes the case an error]] },
       { "folder", t.text, "folder to which each finished case is written at once as a JSON file",
         otherwise = "out/<name>" },
       { "units", t.map(t.text), "units by the name of a figure or parameter, for tables and axes", optional = true },
-      { "alone", t.either(t.flag, t.callback), [[true, or a function of a case that returns true, for cases with time
-measurements: they run last, one at a time]], default = false },
+      { "sequential", t.either(t.flag, t.callback), [[true, or a function of a case that returns true, for cases with
+time measurements: they run last, one at a time]], default = false },
       { "inputs", t.data, "values on which the results depend besides the parameters",
         otherwise = "everything that run refers to" } },
     more = [[
@@ -122,13 +122,13 @@ and is kept. A case that ended with an error, or whose process crashed, is repor
 again at the next call, and makes the exit status of the program 1, unless the script ends with os.exit.]],
     may_be_empty = true,
     named = { at_once, limit,
-              { "again", t.either(t.flag, t.choice { "failed" }, t.callback),
+              { "rerun", t.either(t.flag, t.choice { "failed" }, t.callback),
                 "finished cases to run again: all (true), those that failed, or a function of a row",
                 default = false } },
     more = [[
 Two processes cannot execute the same study at the same time. study:read() reads the finished cases without running
 any.]],
-    example = [[study:execute{ jobs = 2, again = "failed" }]] },
+    example = [[study:execute{ jobs = 2, rerun = "failed" }]] },
   { "study:heatmap", [[Draws a number over two parameters x and y, in the order of their values in the cases. More than
 one case in a cell is an error; select cases with study:where.]],
     named = joined({
@@ -222,7 +222,7 @@ within the tolerance. Prints the attempts and their times.]],
 "ground.max_pressure" (its last value), or a function of model and run that returns a number, or a list of numbers at
 places independent of the mesh]] },
       { "at_most", { kind = "number", above = 0, below = 1, cure = "write 0.02 for 2 %" }, "relative error" },
-      { "labels", t.list(t.text, nil, 1), "order labels, cheapest first", default = { "N2", "N2-N2.2" } },
+      { "orders", t.list(t.text, nil, 1), "order labels, cheapest first", default = { "N2", "N2-N2.2" } },
       { "meshes", t.list(t.data, nil, 1), [[from coarse to fine, each with about half the element size of the one
 before, in any form that scene accepts]], default = { 1, 2, 4, 8, 16, 32 } },
       { "limit", t.positive, "time after which no further level is started", unit = "seconds", otherwise = "none" } },
@@ -235,11 +235,11 @@ coarser cases is larger by their distance from it. This is the discretization er
 the scene are not included. Labels that take about the work of another one and have twice its error are not tried
 again.]],
     example = [[sg.recommend{ scene = press, error = "grip.fy", at_most = 0.1, meshes = {1, 2, 4} }]] },
-  { "sg.stability_map", [[Returns a convergence map: where the solve converges over two parameters, and where and why it
-fails. It is a study with a case for each pair of values: a separate process calls scene and path. Errors, crashes and
-the exit status are handled as in study:execute; Ctrl-C ends it with the cells done so far.]],
+  { "sg.convergence_map", [[Returns a convergence map: where the solve converges over two parameters, and where and why
+it fails. It is a study with a case for each pair of values: a separate process calls scene and path. Errors, crashes
+and the exit status are handled as in study:execute; Ctrl-C ends it with the cells done so far.]],
     named = {
-      { "name", t.text, "name of the map", default = "stability map" }, axis "x", axis "y",
+      { "name", t.text, "name of the map", default = "convergence map" }, axis "x", axis "y",
       { "scene", t.callback, "function of x and y that returns a model" },
       { "path", t.callback, "function of model, x and y that returns stages and options, as model:run takes them" },
       { "figures", t.callback, [[function of model, run, x and y that returns numbers by name, called for cells that
@@ -249,37 +249,38 @@ reach the end of their path; numbers that are not finite are omitted]], optional
 map.csv, keeps the cells like that of a study, so that a later call reuses them. Remove the file to solve all cells
 again]], otherwise = "not kept" } },
     more = [[
-A cell: x, y, outcome, reached (fraction of the path, 0 to 1), steps, increments, iterations, cutbacks, rescues, wall
-(s), report and place of a failure, figures. outcome is run.reason ("completed" for converged cells), or "error" (in one
-of the functions), "crashed", "time".]],
-    example = [[map = sg.stability_map{ x = { name = "order", values = {"N2", "N4"} },
+A cell: x, y, outcome, reached (fraction of the path, 0 to 1), steps, increments, iterations, cutbacks, fallback_steps,
+wall (s), report and place of a failure, figures. outcome is run.reason ("completed" for converged cells), or "error"
+(in one of the functions), "crashed", "time".]],
+    example = [[map = sg.convergence_map{ x = { name = "order", values = {"N2", "N4"} },
   y = { name = "steps", values = {5, 10} }, scene = function(order) return (press(order, 1)) end,
   path = function(model, order, steps) return { { steps = steps, grip = {0, -0.1} } } end }]] },
-  { "map", "The result of sg.stability_map; print(map) shows how many cells converged, and the table.",
-    fields = { { "cells", t.list(t.any), [[{ x, y, outcome, reached, steps, increments, iterations, cutbacks, rescues,
-wall, report, place, figures } each]] } } },
+  { "map", "The result of sg.convergence_map; print(map) shows how many cells converged, and the table.",
+    fields = { { "cells", t.list(t.any), [[{ x, y, outcome, reached, steps, increments, iterations, cutbacks,
+fallback_steps, wall, report, place, figures } each]] } } },
   { "map:cell", "Returns the cell at given values of the two parameters; nil if it was not solved.",
     arguments = { { "x", t.either(t.number, t.text), "value of the first parameter" },
                   { "y", t.either(t.number, t.text), "value of the second parameter" } },
     example = [[map:cell("N2", 4).outcome]] },
-  { "map:compare", [[Compares another map of the same parameters with this one and returns { gained, lost, both, neither
-}: gained and lost are lists of the {x, y} that converged only in the other map or only in this one, both and neither
-are numbers of cells.]],
-    arguments = { { "other", t.object "stability map", "" } },
-    example = "#map:compare(map).gained" },
+  { "map:compare", [[Compares another map of the same parameters with this one and returns { recovered, lost, both,
+neither }: recovered and lost are lists of the {x, y} that converged only in the other map or only in this one, both and
+neither are numbers of cells.]],
+    arguments = { { "other", t.object "convergence map", "" } },
+    example = "#map:compare(map).recovered" },
   { "map:csv", "Writes all cells to a CSV file, with the reports of failures.",
     arguments = { { "file", t.text, "name of the file" } },
     example = [[map:csv "map.csv"]] },
   { "map:figure", "Draws a number of the cells, of the run or a figure, as a heat map.",
-    named = joined({ { "name", t.text, "such as \"iterations\"" }, file, beside, titles },
+    named = joined({ { "name", t.text, "such as \"iterations\"" }, file, other, titles },
       of_heatmap("label title range log colormap size",
         { label = "the name", title = "the map's name and the label" })),
     example = [[map:figure{ name = "iterations", file = "iterations.png" }]] },
-  { "map:held", "Returns the number of cells that converged to the end of their path, and the number of all cells.",
-    example = "held, cells = map:held()" },
+  { "map:converged", "Returns the number of cells that converged to the end of their path,
+    and the number of all cells.",
+    example = "converged, cells = map:converged()" },
   { "map:picture", "Draws the outcomes as a heat map.",
     named = joined({ file, { "text", t.text, "number shown in the cells: of the run, such as \"reached\", or a figure",
-                             default = "iterations" }, beside, titles },
+                             default = "iterations" }, other, titles },
       of_heatmap("title size", { title = "the map's name" })),
     example = [[map:picture{ file = "map.png", text = "reached" }]] },
   { "map:table", "Returns the text of a table with one row per cell.",

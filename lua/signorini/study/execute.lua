@@ -22,7 +22,7 @@ local function outdated(entry, record, now, limit)
   if record.outcome == "time" and (not limit or limit > record.wall) then return "the time limit was raised" end
 end
 
---- Whether `again` selects a row.
+--- Whether `rerun` selects a row.
 local function is_wanted(again, row)
   if type(again) == "function" then return again(row) end
   return again == true or again == "failed" and row.failed
@@ -62,7 +62,7 @@ end
 local function split_alone(study, list)
   local together, alone = {}, {}
   for _, i in ipairs(list) do
-    local asks = study.alone
+    local asks = study.sequential
     if type(asks) == "function" then asks = asks(study.cases[i].case) end
     table.insert(asks and alone or together, i)
   end
@@ -144,7 +144,7 @@ local function run_missing(study, keeper, options)
     store.write(keeper, study.cases[i], record)
     study.unsaved[i] = nil
   end
-  local list, words = missing(study, now, options.limit, options.again)
+  local list, words = missing(study, now, options.limit, options.rerun)
   if study.on_record then study.on_record() end
   if #list > 0 then store.take_reserve(keeper) end
   local bar = progress(#list)

@@ -61,7 +61,7 @@ local function contents(value)
   if type(value) == "function" then return references(value) end
   local own, list = getmetatable(value), {}
   local kind = type(own) == "table" and rawget(own, "__name")
-  local study = kind == "study" and (value.whole or value) or kind == "stability map" and value.study
+  local study = kind == "study" and (value.whole or value) or kind == "convergence map" and value.study
   for name, entry in next, study and { cases = study.cases, parts = parts_of(study) } or value do
     if type(name) == "string" or type(name) == "number" then list[#list + 1] = { name, entry } end
   end

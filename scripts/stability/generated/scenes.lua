@@ -158,8 +158,9 @@ end
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Solves a scene, or its mirror image, with options as model:run takes them. Returns the run and a plain account of
---- it: ending (the cause where a step could not be cut any more), steps, iterations, cutbacks, rescues, and the forces
---- on the body after each step as they are without the mirror, all components of a step after those of the one before.
+--- it: ending (the cause where a step could not be cut any more), steps, iterations, cutbacks, fallback_steps, and the
+--- forces on the body after each step as they are without the mirror, all components of a step after those of the one
+--- before.
 function scenes.solve(scene, options, mirrored)
   local model, stages = scenes.build(scene, mirrored)
   local run = model:run(stages, options)
@@ -173,7 +174,8 @@ function scenes.solve(scene, options, mirrored)
     end
   end
   return run, { ending = run.failed and (run.cause or run.reason) or "completed", steps = run.steps,
-                iterations = run.iterations, cutbacks = run.cutbacks, rescues = run.rescues, forces = forces }
+                iterations = run.iterations, cutbacks = run.cutbacks, fallback_steps = run.fallback_steps,
+                forces = forces }
 end
 
 --- The largest difference of two accounts' forces at one step, as a part of the largest force in the first.

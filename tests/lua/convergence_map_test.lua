@@ -1,4 +1,4 @@
--- Stability maps: cells in processes of their own, what becomes of each, files that are taken up, pictures.
+-- Convergence maps: cells in processes of their own, what becomes of each, files that are taken up, pictures.
 
 local sg = require "signorini"
 local core = require "signorini.core"
@@ -24,21 +24,22 @@ local function make(changes)
   local options = { name = "springs", x = { name = "order", values = { "good", "diverged" } },
                     y = { name = "steps", values = { 4, 10 } }, scene = scene, path = path, jobs = 2 }
   for key, value in pairs(changes or {}) do options[key] = value end
-  return sg.stability_map(options)
+  return sg.convergence_map(options)
 end
 
 check.case("cells contain how far each run came, its cost, and why it failed", function()
   local map = make{ figures = function(model, run) return { pull = -model.accepted[2] * run.steps, none = 0 / 0 } end }
   check.equal(#map.cells, 4)
   local good, bad = map:cell("good", 10), map:cell("diverged", 4)
-  check.equal({ good.outcome, good.reached, good.steps, good.increments, good.iterations, good.cutbacks, good.rescues },
+  check.equal({ good.outcome, good.reached, good.steps, good.increments, good.iterations, good.cutbacks,
+                good.fallback_steps },
     { "completed", 1, 10, 10, 30, 0, 0 })
   check.equal({ good.figures.pull, good.figures.none, good.report }, { 10, nil, nil })
   check.equal({ bad.outcome, bad.reached, bad.steps, bad.increments }, { "diverged", 0.5, 2, 2 })
   check.equal(bad.iterations, 2 * 3 + 25)
   check.holds(bad.report, "step 3", "no luck")
   check.equal(next(bad.figures), nil)
-  check.equal({ map:held() }, { 2, 4 })
+  check.equal({ map:converged() }, { 2, 4 })
   check.equal({ map.cells[1].x, map.cells[1].y, map.cells[2].x, map.cells[3].y }, { "good", 4, "diverged", 10 })
 end)
 
@@ -56,13 +57,13 @@ check.case("fallbacks and the place of a failure come from the run", function()
     local model = scene(order)
     function model:run(stages)
       local run = run_path(self, stages)
-      run.rescues = 3
+      run.fallback_steps = 3
       if run.failed then run.places = { { text = "J = -0.2 in element 7" } } end
       return run
     end
     return model
   end }
-  check.equal({ map:cell("good", 4).rescues, map:cell("good", 4).place }, { 3, nil })
+  check.equal({ map:cell("good", 4).fallback_steps, map:cell("good", 4).place }, { 3, nil })
   check.equal(map:cell("diverged", 4).place, "J = -0.2 in element 7")
 end)
 
@@ -78,7 +79,7 @@ check.case("errors, crashes and endless loops are outcomes of their cells only",
   local function outcome(order) return map:cell(order, 4).outcome end
   check.equal({ outcome "good", outcome "wrong", outcome "none", outcome "crash", outcome "endless" },
     { "completed", "error", "error", "crashed", "time" })
-  check.holds(map:cell("wrong", 4).report, "the slab is missing", "stability_map_test.lua:", "traceback")
+  check.holds(map:cell("wrong", 4).report, "the slab is missing", "convergence_map_test.lua:", "traceback")
   check.holds(map:cell("none", 4).report, "scene must return a model")
   check.equal({ map:cell("crash", 4).report, map:cell("endless", 4).wall }, { "terminated by signal 11", 0.5 })
   check.holds(tostring(map), "1 of 5 cells converged", "error at wrong, 4: ", "the slab is missing")
@@ -88,7 +89,7 @@ check.case("the table and the CSV file", function()
   local map = make{ figures = function() return { pull = 0.25 } end }
   local lines = {}
   for line in map:table():gmatch "[^\n]+" do lines[#lines + 1] = line:gsub("%s+", " "):gsub("^ ", "") end
-  check.equal(lines[1], "order steps outcome reached increments iterations cut-backs rescues wall pull")
+  check.equal(lines[1], "order steps outcome reached increments iterations cut-backs fallback_steps wall pull")
   check.holds(lines[3], "good 4 completed 100.0 4 12 0 0", "0.25")
   check.holds(lines[4], "diverged 4 diverged 50.0 2 31 0 0", "–")
   local file = os.tmpname()
@@ -128,7 +129,8 @@ check.case("a file keeps finished cells; a second call solves only those that ar
   local second, more = solve()
   check.equal(more, "good4 diverged4 diverged10 ") -- an error is solved again
   local before, after = first:cell("good", 10), second:cell("good", 10)
-  for _, key in ipairs { "outcome", "reached", "steps", "increments", "iterations", "cutbacks", "rescues", "wall" } do
+  for _, key in ipairs { "outcome", "reached", "steps", "increments", "iterations", "cutbacks", "fallback_steps",
+                         "wall" } do
     check.equal(after[key], before[key])
   end
   check.equal({ after.figures["a b"], after.figures.c }, { 0.1, -1e300 })
@@ -140,7 +142,7 @@ check.case("a file keeps finished cells; a second call solves only those that ar
   -- What the cells depend on: the functions and all that they refer to, as in a study.
   local most = 5
   check.equal(select(2, solve{ figures = function() return { most = most } end }), "good4 diverged4 good10 diverged10 ")
-  check.fails(function() solve{ name = "rings" } end, "stability_map_test.lua:", "sg.stability_map", file,
+  check.fails(function() solve{ name = "rings" } end, "convergence_map_test.lua:", "sg.convergence_map", file,
     "springs", "rings", "choose another file")
   os.remove(file) -- all anew, also under another name
   check.equal(select(2, solve{ name = "rings" }), "good4 diverged4 good10 diverged10 ")
@@ -170,19 +172,19 @@ end)
 check.case("a file that is not this map's, has lost its folder or is in use is not touched", function()
   local file = os.tmpname()
   core.write_file(file, "a,b\n1,2\n")
-  check.fails(function() make{ file = file } end, "sg.stability_map: '" .. file .. "' contains something other",
+  check.fails(function() make{ file = file } end, "sg.convergence_map: '" .. file .. "' contains something other",
     "without a title")
   check.equal(core.read_file(file), "a,b\n1,2\n")
   os.remove(file)
   make{ file = file }
   local before = core.read_file(file)
   check.shell(("rm -r %s.cells"):format(file))
-  check.fails(function() make{ file = file } end, "sg.stability_map: the cells in '" .. file, "restore it")
+  check.fails(function() make{ file = file } end, "sg.convergence_map: the cells in '" .. file, "restore it")
   check.equal(core.read_file(file), before)
   os.remove(file)
   core.mkdir(file .. ".cells")
   local lock = core.lock(file .. ".cells/lock")
-  check.fails(function() make{ file = file } end, "stability_map_test.lua:", "sg.stability_map: '" .. file,
+  check.fails(function() make{ file = file } end, "convergence_map_test.lua:", "sg.convergence_map: '" .. file,
     "is locked by process")
   lock:release()
   remove(file)
@@ -197,8 +199,8 @@ check.case("Ctrl-C and kill -9 leave the finished cells in the file", function()
       local id = io.open "/proc/self/stat":read "n"
       package.path = %q .. package.path
       local spring, run = require "spring", require "spring_run"
-      sg.stability_map{ x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 1 } }, jobs = 1, file = %q,
-        scene = function(a)
+      sg.convergence_map{ x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 1 } }, jobs = 1, file =
+%q,         scene = function(a)
           if a == 2 then os.execute("kill -%s " .. id) end
           while a == 2 do end
           local model = spring()
@@ -222,10 +224,10 @@ check.case("maps are compared cell by cell", function()
     end,
   }
   local result = plain:compare(other)
-  check.equal(result.gained, { { "nan", 4 } })
+  check.equal(result.recovered, { { "nan", 4 } })
   check.equal(result.lost, { { "good", 4 }, { "good", 10 } })
   check.equal({ result.both, result.neither }, { 0, 5 })
-  check.fails(function() plain:compare {} end, "map:compare", "stability map")
+  check.fails(function() plain:compare {} end, "map:compare", "convergence map")
 end)
 
 -- ── Pictures ─────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -271,8 +273,8 @@ check.case("two maps side by side share the axes", function()
     return scene(order == "diverged" and "strange" or order)
   end }
   local charts = charts_of(function()
-    plain:picture{ file = "both.png", beside = controls, titles = { "plain Newton", "with controls" } }
-    plain:figure{ name = "iterations", file = "both.png", beside = controls }
+    plain:picture{ file = "both.png", other = controls, titles = { "plain Newton", "with controls" } }
+    plain:figure{ name = "iterations", file = "both.png", other = controls }
   end)
   local panels = charts[1].panels
   check.equal({ panels[1].title, panels[2].title, charts[1].values }, { "plain Newton", "with controls", nil })
@@ -280,9 +282,9 @@ check.case("two maps side by side share the axes", function()
   check.equal(charts[1].categories[21].name, "strange")
   check.equal({ charts[2].panels[2].title, charts[2].panels[2].values[1] }, { "controls", { 12, 31 } })
   local other = make{ x = { name = "order", values = { "good" } } }
-  check.fails(function() plain:picture{ file = "x.png", beside = other } end, "map:picture",
+  check.fails(function() plain:picture{ file = "x.png", other = other } end, "map:picture",
     "must have the same values of x and y")
-  check.fails(function() plain:picture{ file = "x.png", beside = 7 } end, "beside must be a stability map")
+  check.fails(function() plain:picture{ file = "x.png", other = 7 } end, "other must be a convergence map")
   check.fails(function() plain:picture{ file = "x.png", text = "iteration" } end,
     "text must be 'iterations', 'reached',", "did you mean 'iterations'?")
   check.fails(function() plain:figure{ file = "x.png" } end, "map:figure: name (such as \"iterations\") is missing")
@@ -292,12 +294,12 @@ end)
 -- ── A real model ─────────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("a block is pressed into a plane: a stiff penalty or long steps fail", function()
-  local map = sg.stability_map{
+  local map = sg.convergence_map{
     name = "block on a plane",
     x = { name = "penalty", values = { 10, 1e3 } }, y = { name = "depth", values = { 0.1, 3 } },
     scene = function(penalty)
       local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
-                             contact = "south", through = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+                             contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
       return sg.model{ bodies = { block = block }, supports = { head = { on = block:face "north", drive = "xy" } },
         contacts = { ground = { slave = block:face "south", penalty = penalty,
                                 master = sg.rigid.plane{ point = {0, -1e-3}, normal = {0, 1} } } } }
@@ -306,7 +308,7 @@ check.case("a block is pressed into a plane: a stiff penalty or long steps fail"
     figures = function(model, run) return { force = run:column "ground.fy"[run.steps] } end,
     jobs = 2, limit = 60,
   }
-  check.equal({ map:held() }, { 1, 4 })
+  check.equal({ map:converged() }, { 1, 4 })
   check.equal({ map:cell(10, 0.1).outcome, map:cell(10, 3).outcome }, { "completed", "inverted" })
   check.equal({ map:cell(1e3, 0.1).reached, map:cell(1e3, 0.1).steps }, { 0, 0 })
   check.holds(map:cell(10, 3).report, "step 1 (stage 'press', 1 of 2) was not reached")
@@ -314,28 +316,28 @@ check.case("a block is pressed into a plane: a stiff penalty or long steps fail"
 end)
 
 check.case("wrong arguments are errors at the user's line that name the cure", function()
-  check.fails(function() make{ x = { name = "order" } } end, "stability_map_test.lua:",
-    "sg.stability_map: x.values (each once) is missing")
+  check.fails(function() make{ x = { name = "order" } } end, "convergence_map_test.lua:",
+    "sg.convergence_map: x.values (each once) is missing")
   check.fails(function() make{ x = { name = "order", values = { "a", "a" } } } end, "x.values has the string 'a' twice")
   check.fails(function() make{ y = { name = "steps", values = { {} } } } end,
     "y.values[1] must be a number or a string, got an empty table")
-  check.fails(function() make{ x = { name = "wall", values = { 1 } } } end, "stability_map_test.lua:",
-    "sg.stability_map: x.name cannot be 'wall'")
+  check.fails(function() make{ x = { name = "wall", values = { 1 } } } end, "convergence_map_test.lua:",
+    "sg.convergence_map: x.name cannot be 'wall'")
   check.fails(function() make{ x = { name = "steps", values = { 1 } } } end,
     "x.name and y.name must differ, both are 'steps'")
-  check.fails(function() make{ x = { name = "order", values = { 1, "1" } } } end, "stability_map_test.lua:",
-    "sg.stability_map: cases[1] and cases[2] are both called 'order=1 steps=4'")
+  check.fails(function() make{ x = { name = "order", values = { 1, "1" } } } end, "convergence_map_test.lua:",
+    "sg.convergence_map: cases[1] and cases[2] are both called 'order=1 steps=4'")
   check.fails(function() make{ scene = "scene" } end, "scene must be a function")
   local solved = os.tmpname()
   check.fails(function()
     make{ file = "nowhere/map.csv", scene = function(order) os.remove(solved) return scene(order) end }
-  end, "stability_map_test.lua:", "sg.stability_map: cannot write 'nowhere/map.csv'", 'sg.mkdir "nowhere"')
+  end, "convergence_map_test.lua:", "sg.convergence_map: cannot write 'nowhere/map.csv'", 'sg.mkdir "nowhere"')
   check.equal(os.remove(solved), true) -- no cell was solved before
   local map = make{ x = { name = "order", values = { "good" } }, scene = function() return 3 end }
   check.holds(map.cells[1].report, "scene must return a model, got the number 3")
   check.fails(function() make{ jobs = 0 } end, "jobs must be a whole number, 1 or more")
   check.fails(function() make{ limits = 3 } end, "unknown argument 'limits'", "did you mean 'limit'?")
-  check.fails(function() sg.stability_map() end, "sg.stability_map")
+  check.fails(function() sg.convergence_map() end, "sg.convergence_map")
   check.fails(function() make():cell("good", 5) end, "map:cell: y must be one of the values of steps, got the number 5")
 end)
 
@@ -343,7 +345,7 @@ check.case("piped, each cell is a line; quiet, there is none", function()
   local code = ([[
     package.path = %q .. package.path
     local sg, spring, run = require "signorini", require "spring", require "spring_run"
-    sg.stability_map{ name = "m", x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 5 } }, jobs = 1,
+    sg.convergence_map{ name = "m", x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 5 } }, jobs = 1,
       scene = function(a)
         local model = spring(a == 2 and function(_, y) return y < -0.6 and "nan" or nil end or nil)
         model.run = run

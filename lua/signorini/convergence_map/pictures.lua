@@ -12,12 +12,12 @@ local pictures = {}
 -- and determines the color of each in every picture.
 local outcomes = {
   "completed", "stopped", "interrupted", "cut", "iterations", "diverged", "cycling", "lost_projection", "inverted",
-  "singular", "indefinite", "nan", "line_search", "penetration", "turning_point", "minimum_step", "strayed",
+  "singular", "indefinite", "nan", "line_search", "penetration", "turning_point", "minimum_step", "left_path",
   "error", "crashed", "time",
 }
 
 local formats = { reached = "%.0f%%", wall = "%.1f", steps = "%d", increments = "%d", iterations = "%d",
-                  cutbacks = "%d", rescues = "%d" }
+                  cutbacks = "%d", fallback_steps = "%d" }
 
 --- A number of a cell by its name: an account of the run, or one of the user's figures.
 local function number(cell, name)
@@ -46,8 +46,8 @@ end
 
 --- The map and the one next to it, with the titles of the two.
 local function read_maps(where, map, options)
-  if options.beside == nil then return { map }, {} end
-  local other = options.beside
+  if options.other == nil then return { map }, {} end
+  local other = options.other
   if not values.same({ map.x.values, map.y.values }, { other.x.values, other.y.values }) then
     core.fail(where .. ": the map of beside must have the same values of x and y")
   end
@@ -60,7 +60,7 @@ end
 
 --- Checks the name of a quantity that a picture can show.
 local function check_name(where, argument, maps, name)
-  local known = { "iterations", "reached", "increments", "steps", "cutbacks", "rescues", "wall" }
+  local known = { "iterations", "reached", "increments", "steps", "cutbacks", "fallback_steps", "wall" }
   check.value(types.choice(lists.joined(known, values.figure_names(cells_of(maps)))), name, where, argument)
 end
 

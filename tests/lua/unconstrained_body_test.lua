@@ -19,7 +19,7 @@ local function falling(gap)
 end
 
 check.case("plain Newton's tangent is singular; damping leads to the same equilibrium from any height", function()
-  check.equal(falling(0.5):loose_bodies(), { "block" })
+  check.equal(falling(0.5):unconstrained_bodies(), { "block" })
   local run = falling(0.5):run({ { steps = 1, push = {0, -press} } }, sg.plain{})
   check.equal({ run.reason, run.places[1].body }, { "singular", "block" })
   local penetration
@@ -40,7 +40,7 @@ end)
 check.case("damping as a fallback also holds a ball between plates", function()
   local half = sg.nurbs.ruled{ a = sg.nurbs.line{ from = {0, -1}, to = {0, 1} },
                                b = sg.nurbs.arc{ radius = 1, from = -90, to = 90 } }:swap(1, 2)
-  local ball = sg.body{ patch = half, elements = {4, 16}, order = "N2", through = 2, contact = "east",
+  local ball = sg.body{ patch = half, elements = {4, 16}, order = "N2", thickness_degree = 2, contact = "east",
                         material = sg.linear_elastic{ E = 1, nu = 0.3 } }
   local force
   for _, controls in ipairs { sg.plain{ damping = true }, sg.robust{}, sg.robust{ predictor = "constant" } } do

@@ -5,7 +5,7 @@
 
 namespace signorini {
 
-inline std::string told(const std::vector<Message>& messages) {
+inline std::string text_of(const std::vector<Message>& messages) {
   std::string all;
   for (const Message& message : messages) all += (all.empty() ? "" : "; ") + bare_text(message);
   return all;

@@ -1,4 +1,4 @@
--- sg.stability_map: convergence map over two parameters: where the solve converges, and where and why it fails. A map
+-- sg.convergence_map: convergence map over two parameters: where the solve converges, and where and why it fails. A map
 -- is a study: each cell is a case, so that a crash or an endless loop is also an outcome.
 
 local core = require "signorini.core"
@@ -12,15 +12,15 @@ local grid = require "signorini.study.grid"
 local in_name_of = require "signorini.in_name_of"
 local lists = require "signorini.lists"
 local make_study = require("signorini.study").make
-local pictures = require "signorini.stability_map.pictures"
+local pictures = require "signorini.convergence_map.pictures"
 local types = require "signorini.types"
 local values = require "signorini.study.values"
 
-local where = "sg.stability_map"
+local where = "sg.convergence_map"
 
 local Map = { picture = pictures.outcomes, figure = pictures.figure }
 Map.__index = Map
-Map.__name = "stability map"
+Map.__name = "convergence map"
 core.types.map = Map
 
 -- ── One cell: a model is built and follows its path ──────────────────────────────────────────────────────────────────
@@ -31,7 +31,7 @@ local function reached(run, stages)
   for _, stage in ipairs(stages) do total = total + stage.steps end
   if run.failed then
     local from = 0
-    for _, attempt in ipairs(run:attempts(run.steps + 1)) do from = attempt.again and from or attempt.from end
+    for _, attempt in ipairs(run:attempts(run.steps + 1)) do from = attempt.restarted and from or attempt.from end
     done = done + math.max(0, math.min(1, from))
   end
   return done / total
@@ -59,7 +59,8 @@ local function solve_cell(functions, x, y)
   local place, held = run.places and run.places[1], run.reason == "completed"
   local cell = { outcome = run.reason, reached = reached(run, stages), steps = run.steps,
                  increments = #accepted(run.histories), iterations = run.iterations, cutbacks = run.cutbacks,
-                 rescues = run.rescues or 0, wall = run.wall, report = run.report, place = place and place.text,
+                 fallback_steps = run.fallback_steps or 0, wall = run.wall, report = run.report,
+                 place = place and place.text,
                  figures = {} }
   if held and functions.figures then cell.figures = read_figures(functions.figures(model, run, x, y)) end
   return { cell = cell, failed = not held, reason = not held and ("%s: %s"):format(run.reason, run.report) or nil }
@@ -68,7 +69,8 @@ end
 -- ── The file ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 -- A map's file: its cells, and a title that identifies the map.
-local columns = { "x", "y", "outcome", "reached", "steps", "increments", "iterations", "cutbacks", "rescues", "wall",
+local columns = { "x", "y", "outcome", "reached", "steps", "increments", "iterations", "cutbacks", "fallback_steps",
+                  "wall",
                   "place", "report" }
 
 local function title(map)
@@ -171,18 +173,19 @@ function Map:cell(x, y)
   return self.by_case[(line - 1) * #self.x.values + column]
 end
 
-local function is_held(cell) return cell ~= nil and cell.outcome == "completed" end
+local function has_converged(cell) return cell ~= nil and cell.outcome == "completed" end
 
-function Map:held() return #lists.filter(self.cells, is_held), #self.x.values * #self.y.values end
+function Map:converged() return #lists.filter(self.cells, has_converged), #self.x.values * #self.y.values end
 
 function Map:table()
-  local columns = { self.x.name, self.y.name, "outcome", "reached", "increments", "iterations", "cut-backs", "rescues",
+  local columns = { self.x.name, self.y.name, "outcome", "reached", "increments", "iterations", "cut-backs",
+                    "fallback_steps",
                     "wall" }
   local figures, first, formats = values.figure_names(self.cells), #columns, { [4] = "%.1f", [9] = "%.2f" }
   for i = 1, #figures do formats[first + i] = "%.4g" end
   local rows = lists.map(self.cells, function(cell)
     local row = { cell.x, cell.y, cell.outcome, cell.reached and 100 * cell.reached, cell.increments, cell.iterations,
-                  cell.cutbacks, cell.rescues, cell.wall }
+                  cell.cutbacks, cell.fallback_steps, cell.wall }
     for i, name in ipairs(figures) do row[first + i] = cell.figures[name] end
     return row
   end)
@@ -193,12 +196,12 @@ end
 function Map:csv(name) write_file("map:csv", name, self) end
 
 function Map:compare(other)
-  local result = { gained = {}, lost = {}, both = 0, neither = 0 }
+  local result = { recovered = {}, lost = {}, both = 0, neither = 0 }
   for _, y in ipairs(self.y.values) do
     for _, x in ipairs(self.x.values) do
-      local here, there = is_held(self:cell(x, y)), is_held(other:cell(x, y))
+      local here, there = has_converged(self:cell(x, y)), has_converged(other:cell(x, y))
       if here ~= there then
-        table.insert(there and result.gained or result.lost, { x, y })
+        table.insert(there and result.recovered or result.lost, { x, y })
       else
         local key = here and "both" or "neither"
         result[key] = result[key] + 1
@@ -210,7 +213,7 @@ end
 
 --- The number of converged cells, the table, and the first error, if there was one.
 function Map:__tostring()
-  local held, total = self:held()
+  local held, total = self:converged()
   local text = ("%s: %d of %s converged\n%s"):format(self.name, held, counted(total, "cell"), self:table())
   local lost = lists.filter(self.cells, function(cell) return cell.outcome == "error" end)[1]
   return lost and ("%s\nerror at %s, %s: %s"):format(text, lost.x, lost.y, lost.report) or text

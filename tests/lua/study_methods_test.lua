@@ -28,7 +28,7 @@ check.case("if no case has a result, the message about a missing figure gives th
     ["sg.work_precision"] = function() sg.work_precision(failed, { error = "error" }) end,
     ["sg.cheapest"] = function() sg.cheapest(failed, { error = "error", at_most = 1 }) end,
   } do
-    check.fails(ask, "study_verbs_test.lua",
+    check.fails(ask, "study_methods_test.lua",
       name == "study:heatmap" and name .. ": no case has 'error': 1 of 1 failed" or name .. why)
   end
   check.fails(function() failed:chart{ x = "a", y = "wall", file = "no.png" } end,
@@ -75,7 +75,7 @@ check.case("where, row, by, with, column and median", function()
   check.fails(function() study:row{ order = "N8" } end,
     "order must be a value that a case has, N2, N4, got the string 'N8'",
     "did you mean 'N2'?")
-  check.fails(function() study:where{ mesh = { 1, "2" } } end, "study_verbs_test.lua:",
+  check.fails(function() study:where{ mesh = { 1, "2" } } end, "study_methods_test.lua:",
     "study:where: mesh must be a value that a case has, 1, 2, got the string '2'")
   local part = study:where{ order = "N2" }
   check.equal({ #part:where{ order = "N4" }, #part:where(function(row) return row.order == "N8" end) }, { 0, 0 })
@@ -108,7 +108,7 @@ check.case("csv writes the columns of table", function()
   check.equal(data.comments, { "study: noted", "cost / s", "wall / s" })
   check.equal(data:column "cost", { 13, 13, 23, 23 })
   check.equal(data:column "order", { "N2", "N4", "N2", "N4" })
-  check.fails(function() study:csv(scratch .. "/no/a.csv") end, "study_verbs_test.lua", ": study:csv: ", "/no/a.csv")
+  check.fails(function() study:csv(scratch .. "/no/a.csv") end, "study_methods_test.lua", ": study:csv: ", "/no/a.csv")
 end)
 
 check.shell("rm -rf " .. scratch)
