@@ -37,7 +37,7 @@ local names = { "ironing", "hertz", "rings", "peeling", "ironing3d" }
 local problems = {}
 for _, name in ipairs(names) do problems[name] = require("speed_against_accuracy." .. name) end
 
---- Whether one of the problems that were asked for has a mesh.
+--- Whether one of the requested problems has a mesh.
 local function is_mesh(mesh, options)
   for _, name in ipairs(options.problems) do
     for _, known in ipairs(problems[name].meshes) do
@@ -68,7 +68,7 @@ for _, name in ipairs(options.problems) do
     results[#results + 1], results[name] = result, result
     report.print(result)
   else
-    print(("%s is left out: it has none of the meshes %s"):format(name, table.concat(options.meshes, ", ")))
+    print(("%s is skipped: it has none of the meshes %s"):format(name, table.concat(options.meshes, ", ")))
   end
 end
 files:report()

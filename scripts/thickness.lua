@@ -1,4 +1,4 @@
--- Degree in the thickness direction: linear or that of the bulk? Error over time of both.
+-- Degree in the thickness direction, linear or that of the bulk: error over time of both.
 --
 -- Problem: the order label of a body applies along its contact face. In the thickness direction, from the contact face
 --          to the opposite one, the functions have the degree of the bulk (default) or another one

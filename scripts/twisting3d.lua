@@ -98,13 +98,13 @@ local function measure(profile)
   return m
 end
 
---- The part of the work that is missing in the energies.
+--- The error of the energy balance as a fraction of the work.
 local function imbalance(energy)
   return (energy.work - energy.stored - energy.contact - energy.friction) / energy.work
 end
 
---- Presses and twists. `o`: label, mesh, steps to press and to twist, on_step(model, row). Keeps a row per
---- step; level, swing and ratio are those of the last third of the angle. A run that fails keeps what it has.
+--- Presses and twists. `o`: label, mesh, steps to press and to twist, on_step(model, row). Stores a row per
+--- step; level, swing and ratio are those of the last third of the angle. A failed run keeps its rows.
 local function twist(o, options)
   local model, dofs = scene(o, options)
   local case = { label = o.label, mesh = o.mesh, dofs = dofs, rows = {} }
@@ -210,7 +210,7 @@ end
 
 --- Torque and mu ∫ p r dA, or the force, over the angle.
 local function draw(cases, key, ylabel, file)
-  local chart = { file = file, title = "Twisting: " .. ylabel, xlabel = "angle in degrees", ylabel = ylabel }
+  local chart = { file = file, title = "Twisting: " .. ylabel, xlabel = "angle (°)", ylabel = ylabel }
   for i, case in ipairs(cases) do
     local name = ("%s at %s"):format(case.label, case.mesh)
     chart[#chart + 1] = curve(case, key, { label = name })
@@ -253,7 +253,7 @@ for _, part in ipairs(options.parts) do wanted[part] = true end
 
 if wanted.punch then
   for i, shape in ipairs { "square", "tube" } do punches[i] = press_and_turn(shape) end
-  print "Punches with a flat face on a rigid plane: torque beside μ∫pr dA of the profile and of a uniform pressure"
+  print "Punches with a flat face on a rigid plane: torque, μ∫pr dA of the profile and of a uniform pressure"
   print(punch_table(punches))
 end
 
@@ -281,7 +281,7 @@ if wanted.balance then
     balance[i] = twist({ label = options.orders[1], mesh = options.meshes[1], press = factor * options.press,
                          twist = factor * options.twist }, options)
   end
-  print "\nThe energies' balance with smaller steps"
+  print "\nEnergy balance with smaller steps"
   print(twist_table(balance))
 end
 files:report()

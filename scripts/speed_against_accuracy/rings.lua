@@ -1,6 +1,6 @@
 -- Two elastic rings: the L₂ error of the contact pressure at the last step.
 --
--- The published reference, N2 at m3, has an error of 4e-3 itself, more than layers have at m3. So here it is N2 at m6:
+-- The published reference, N2 at m3, has an error of 4e-3, more than layers at m3. Here the reference is N2 at m6:
 -- N2-N2.1 at m5 differs from it by 2e-5, a fifth of the least error on m1 to m4. Both profiles end where the gap is
 -- zero: where they end at the next open point, as in Table 7.5, the distance of points at the edge sets errors below
 -- 1e-3.
@@ -9,7 +9,7 @@ local sg = require "signorini"
 local problem = require "rings2d.problem"
 local timed = require "speed_against_accuracy.timed"
 
---- What Table 7.6 says that a case saves beside another one, in %.
+--- Time saved by a case against another one according to Table 7.6, in %.
 local function printed_savings(list)
   local times = {}
   for _, row in ipairs(sg.reference "rings2d_time_table7_6".rows) do times[row[1] .. " " .. row[2]] = row[3] end

@@ -17,8 +17,7 @@ local function holds(list, value)
   return false
 end
 
---- Those of a problem's own values that were asked for, in its order; all others that were asked for, too, behind them,
---- if `open`.
+--- The requested ones of a problem's values, in its order; if `open`, followed by all other requested ones.
 local function chosen(own, asked, open)
   if asked[1] == "all" then return own end
   local list = {}
@@ -31,8 +30,8 @@ local function chosen(own, asked, open)
   return list
 end
 
---- Rounds vary slowest, so that a noisy minute does not hit one label alone. The reference is solved first, once.
---- `everything`: whether all labels are run; who names some gets them on all meshes, affordable or not.
+--- Rounds vary slowest, so that a disturbance does not affect one order alone. The reference is solved first, once.
+--- `everything`: whether all orders are run; explicitly requested ones are run on all meshes, affordable or not.
 local function make_cases(problem, labels, meshes, rounds, everything)
   local list, reference = {}, problem.reference
   local affordable = everything and problem.affordable or function() return true end
@@ -55,7 +54,7 @@ end
 
 local function is_case(row, case) return row.order == case.order and row.mesh == case.mesh end
 
---- The errors of a problem as figures of a study of medians; none of what failed, nor of the reference itself.
+--- The errors of a problem as figures of a study of medians; none for failed cases and the reference itself.
 local function measure(problem, medians)
   local wanted, reference = problem.reference, nil
   for _, row in ipairs(medians.rows) do
@@ -70,8 +69,8 @@ local function measure(problem, medians)
   return medians
 end
 
---- Executes what is missing of a problem. Returns { problem, study (as executed), cases (a study of medians with
---- errors, without a reference that was not asked for), labels, meshes, rounds }; nothing when no mesh is one of the
+--- Executes the missing cases of a problem. Returns { problem, study (as executed), cases (a study of medians with
+--- errors, without a reference that was not requested), labels, meshes, rounds }; nil if no mesh is one of the
 --- problem's.
 function study.of(problem, options)
   local labels, meshes = chosen(problem.labels, options.orders, true), chosen(problem.meshes, options.meshes)

@@ -1,9 +1,8 @@
--- How long a call takes.
+-- Duration of a call.
 
 local sg = require "signorini"
 
---- What body() returns (one value), and the seconds that went by (wall) and that the processor worked (cpu, of all
---- threads).
+--- The result of body() (one value), wall time, and processor time of all threads (cpu), in seconds.
 return function(body)
   local wall, cpu = sg.wall_time(), os.clock()
   local result = body()

@@ -60,7 +60,7 @@ study:execute{ jobs = options.jobs, limit = options.limit }
 
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- How a row's run ended: what the run says, or that of the process.
+--- The outcome of a row: that of the run, or that of the process.
 local function ending(row) return row.ending or row.outcome end
 
 local rows = {}
@@ -98,14 +98,14 @@ for i, kind in ipairs(kinds) do
   lines[i] = { kind.name, kind.scenes, early, 100 * early / kind.scenes, kind.iterations / kind.scenes }
   for _, how in ipairs(endings) do table.insert(lines[i], kind.ends[how] or 0) end
 end
-print(("\nScenes %d to %d%s, and how they end"):format(options.first, options.first + options.count - 1,
-  options.kind == "space" and " in space" or ""))
+print(("\nScenes %d to %d%s, and their outcomes"):format(options.first, options.first + options.count - 1,
+  options.kind == "space" and " in 3D" or ""))
 print(sg.table{
   columns = { "body and slave", "scenes", "early", "part", "per run", table.unpack(endings) },
   units = { "", "", "", "%", "iterations" }, rows = lines, formats = { part = "%.1f", ["per run"] = "%.0f" },
 })
 
---- The seeds of the rows that a condition holds for, as a line; nothing when there are none.
+--- Prints the seeds of the rows that satisfy a condition in one line; nothing if there are none.
 local function print_seeds(text, holds)
   local found = {}
   for _, row in ipairs(rows) do
@@ -118,11 +118,13 @@ end
 local early = print_seeds("\nend early", function(row) return ending(row) ~= "completed" end)
 local unlike, apart = {}, {}
 if options.mirror then
-  unlike = print_seeds("end differently in the mirror", function(row) return row.ending and row.image ~= row.ending end)
+  unlike = print_seeds("differ in outcome when mirrored", function(row)
+    return row.ending and row.image ~= row.ending
+  end)
   apart = print_seeds(("complete, but differ by more than %g of the largest force"):format(tolerance), function(row)
     return row.ending == "completed" and row.image == "completed" and row.difference > tolerance
   end)
-  print(("of %d scenes %d end differently in the mirror, %d differ by more than %g of the largest force"):format(#rows,
+  print(("of %d scenes %d differ in outcome when mirrored, %d by more than %g of the largest force"):format(#rows,
     #unlike, #apart, tolerance))
 end
 local files = sg.files(options.out)

@@ -39,7 +39,7 @@ local elements, finest, ratios = options.elements, options.reference, options.nu
 local stages = { { name = "press", steps = options.steps, push = { 0, -options.depth } } }
 
 local function scene(label, nu, count)
-  local degree = math.tointeger(label:match "^%a(%d+)") -- of the bulk, in both directions: locking is a matter of it
+  local degree = math.tointeger(label:match "^%a(%d+)") -- of the bulk, in both directions, which determines locking
   local block = sg.body{
     patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { count, count }, order = label,
     thickness_degree = degree, contact = "north", material = sg.neo_hookean{ E = 1, nu = nu },
@@ -55,8 +55,8 @@ end
 
 local function force(run) return math.abs(run:column "push.fy"[run.steps]) end
 
---- The reference forces by nu, each solved in a process of its own.
-local reference = sg.convergence_map{
+--- The reference forces by nu, each solved in its own process.
+local reference = sg.stability_map{
   name = ("N4 on %d × %d elements"):format(finest, finest),
   x = { name = "label", values = { "N4" } }, y = { name = "nu", values = ratios },
   scene = function(label, nu) return scene(label, nu, finest) end,

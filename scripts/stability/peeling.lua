@@ -41,7 +41,7 @@ local options = study.arguments{
 local angle, length, bonded = options.angle, options.length, options.bonded
 local steps = math.ceil(angle / options.pitch - 1e-9)
 
-local names = { rotation = "rotation control", arc = "arcs where rotation fails" }
+local names = { rotation = "rotation control", arc = "arc length where rotation fails" }
 local files, results = sg.files(options.out), {}
 for _, control in ipairs(options.control) do
   results[control] = study.solve({

@@ -42,7 +42,7 @@ local options = study.arguments{
   load = { "displacement", choices = { "displacement", "force" } }, steps = 10, out = "out/stability/penalty_hertz",
 }
 local mesh, load, steps = options.mesh, options.load, options.steps
-local part = 0.8 -- of the half-width: at its end one point more or less touches, which is another matter
+local part = 0.8 -- of the half-width; excludes the edge, where the number of active points changes
 
 --- Oscillation of the pressure, half-width and largest penetration.
 local function figures(model, run)

@@ -2,8 +2,8 @@
 
 local smooth = {}
 
---- Solves the least-squares problem min |A c − b| of columns A by Gram and Schmidt's process, twice for the sake of
---- rounding, and returns what is left of b.
+--- Solves the least-squares problem min |A c − b| of columns A by the Gram–Schmidt process, twice because of
+--- rounding error, and returns the residual b − A c.
 local function rest(columns, b)
   local left = table.move(b, 1, #b, 1, {})
   local function take_off(vector, unit)
@@ -25,8 +25,8 @@ local function rest(columns, b)
   return left
 end
 
---- The root of the mean square of the values at points x in [0, 1) without their best sum of an ellipse √(1 − x²) and a
---- parabola 1 − x²; nothing where there are fewer than four points.
+--- The root mean square of the values at points x in [0, 1) minus their best fit by an ellipse √(1 − x²) and a
+--- parabola 1 − x²; nil for fewer than four points.
 function smooth.rest_of_hump(x, values)
   if #x < 4 then return nil end
   local ellipse, parabola = {}, {}

@@ -17,7 +17,7 @@ end
 
 -- ── Maps ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- How many iterations the cells took that both maps hold.
+--- The iterations of the cells in which both maps converge.
 local function work(plain, robust)
   local before, after = 0, 0
   for _, cell in ipairs(plain.cells) do
@@ -36,27 +36,27 @@ local function pairs_text(cells)
   return table.concat(texts, "; ")
 end
 
---- Prints both maps, under their titles, and what the controls recovered and lost. Returns the comparison, with the
---- iterations of the cells that both hold.
+--- Prints both maps with their titles, and the recovered and lost cells. Returns the comparison, with the
+--- iterations of the cells in which both converge.
 local function report(plain, robust, titles)
   for i, map in ipairs { plain, robust } do print(("\n%s: %s"):format(titles[i], tostring(map))) end
   local result = plain:compare(robust)
   local held, total = plain:converged()
   local lost = #result.lost > 0 and (" (%s)"):format(pairs_text(result.lost)) or ""
-  print(("\n%s: plain Newton holds %d of %d cells, the controls %d; recovered %d, lost %d%s"):format(plain.name, held,
-    total, (robust:converged()), #result.recovered, #result.lost, lost))
+  print(("\n%s: plain Newton converged in %d of %d cells, controls in %d; recovered %d, failed with controls only %d%s")
+    :format(plain.name, held, total, (robust:held()), #result.gained, #result.lost, lost))
   result.plain_iterations, result.robust_iterations = work(plain, robust)
   if result.plain_iterations > 0 then
-    print(("iterations in cells that both hold: %d and %d, %.3f times as many"):format(result.plain_iterations,
+    print(("iterations in cells where both converge: %d and %d, ratio %.3f"):format(result.plain_iterations,
       result.robust_iterations, result.robust_iterations / result.plain_iterations))
   end
   return result
 end
 
---- Solves a problem's map both ways. `problem`: name, x, y, scene, figures as sg.convergence_map takes them,
+--- Solves a problem's map with both options. `problem`: name, x, y, scene, figures as sg.stability_map takes them,
 --- path(model, x, y) with the overrides of model:run's options that both ways need, charts (further pictures:
 --- map:figure's name, log and label, and `key`, their file's name), and `key`, part of the files' names when a script
---- has several problems. Returns { plain, robust, comparison }; `files` is what sg.files gives.
+--- has several problems. Returns { plain, robust, comparison }; `files` is the result of sg.files.
 function study.solve(problem, options, files)
   local function file(name) return files((problem.key and problem.key .. "_" or "") .. name) end
   local path, titles = problem.path, { controls.titles.plain, controls.titles[options.with] }
@@ -74,8 +74,8 @@ function study.solve(problem, options, files)
   end
   local plain, robust = solve "plain", solve(options.with)
   local comparison = report(plain, robust, titles)
-  plain:picture{ file = file "outcomes.png", title = problem.name .. ": outcome, and Newton's iterations",
-                 other = robust, titles = titles }
+  plain:picture{ file = file "outcomes.png", title = problem.name .. ": outcome and Newton iterations",
+                 beside = robust, titles = titles }
   for _, chart in ipairs(problem.charts or {}) do
     plain:figure{ file = file(chart.key .. ".png"), name = chart.name, log = chart.log, label = chart.label,
                   title = problem.name .. ": " .. chart.label, other = robust, titles = titles }

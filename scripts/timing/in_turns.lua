@@ -1,10 +1,10 @@
--- Times of runs that shall be compared.
+-- Times of runs for comparison.
 
 local sg = require "signorini"
 
---- Has every entry of a list solved several times: solve(entry, number) returns a case with its run. The runs go round
---- in turns, so that a busy spell of the machine meets all alike. Returns the cases of the last round; case.times holds
---- the medians of run.timings and of wall, which is the case's own where it has one.
+--- Solves every entry of a list several times: solve(entry, number) returns a case with its run. The runs alternate,
+--- so that disturbances affect all of them. Returns the cases of the last round; case.times contains
+--- the medians of run.timings and of wall, which is that of the case if it has one.
 return function(list, rounds, solve)
   local cases, seconds = {}, {}
   for round = 1, rounds do

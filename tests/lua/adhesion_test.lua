@@ -1,5 +1,5 @@
--- Van der Waals adhesion and rotating faces as a user sets them up: a block torn off against the law in closed form,
--- the region on which the law acts, the area that it is counted on; wrong inputs.
+-- Van der Waals adhesion and rotating faces: a block pulled off against the law in closed form, the region of the law,
+-- its reference area; invalid arguments.
 
 local sg = require "signorini"
 local check = require "check"

@@ -1,6 +1,6 @@
--- Paths that turn back: a strip that peels in snap-backs under prescribed rotation, an arch that snaps through under a
--- dead load. Without arc length plain Newton ends there and says so; with it the run goes on, and says where control
--- changed. The default controls leap over a snap-back and warn.
+-- Turning points: a strip that peels with snap-backs under prescribed rotation, an arch that snaps through under a dead
+-- load. Without arc length plain Newton ends there and reports it; with arc length the run continues and records the
+-- changes of control. The default controls jump over a snap-back and warn.
 
 local sg = require "signorini"
 local check = require "check"

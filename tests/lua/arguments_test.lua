@@ -1,5 +1,4 @@
--- sg.arguments: what each type takes, what is refused and in which words, variants, help; sg.files, sg.median,
--- sg.wall_time.
+-- sg.arguments: accepted types, rejections and their messages, variants, help; sg.files, sg.median, sg.wall_time.
 
 local sg = require "signorini"
 local check = require "check"

@@ -1,4 +1,4 @@
--- scripts/benchmark.lua, coarse: its accounts add up, its growth is what least squares say, its files are there.
+-- scripts/benchmark.lua, coarse: sums of its parts, exponents of growth, files.
 
 local core = require "signorini.core"
 local sg = require "signorini"

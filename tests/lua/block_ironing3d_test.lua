@@ -1,5 +1,4 @@
--- scripts/block_ironing3d.lua, coarse: symmetry and balance of the forces, what a layer does to them, the files it
--- leaves.
+-- scripts/block_ironing3d.lua, coarse: symmetry and balance of the forces, effect of a layer, files.
 
 local sg = require "signorini"
 local core = require "signorini.core"

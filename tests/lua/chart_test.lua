@@ -1,4 +1,4 @@
--- sg.chart: what it writes, and what it refuses.
+-- sg.chart: files, options, invalid arguments.
 
 local sg = require "signorini"
 local core = require "signorini.core"

@@ -1,4 +1,4 @@
--- sg.cheapest: the best row and the runner-up, what is said when none is good enough, and what it refuses.
+-- sg.cheapest: the cheapest case, the second one, no case within the tolerance, invalid arguments.
 
 local sg = require "signorini"
 local check = require "check"

@@ -1,4 +1,4 @@
--- Saved models of every kind go on in another process with the same bits as in the one that saved them.
+-- Saved models of every kind continue in another process with bitwise identical results.
 
 local sg = require "signorini"
 local check = require "check"

@@ -1,4 +1,4 @@
--- The controls of a run: what is tried where a step fails, penalties that grow, callbacks, sg.robust, wrong options.
+-- The controls of a run: fallbacks after a failed step, growing penalties, callbacks, sg.robust, invalid options.
 
 local sg = require "signorini"
 local check = require "check"

@@ -1,4 +1,4 @@
--- Convergence maps: cells in processes of their own, what becomes of each, files that are taken up, pictures.
+-- Convergence maps: cells in separate processes, their outcomes, resumed files, pictures.
 
 local sg = require "signorini"
 local core = require "signorini.core"

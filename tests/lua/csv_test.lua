@@ -1,4 +1,4 @@
--- CSV files: what goes in comes out, files appear whole or not at all, wrong input is named.
+-- CSV files: what is written is read back, files are written atomically, invalid input is reported.
 
 local sg = require "signorini"
 local core = require "signorini.core"

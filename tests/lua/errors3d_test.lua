@@ -1,4 +1,4 @@
--- Wrong input in 3D ends with a message that names the user's line, the function, the argument, what came, the cure.
+-- Messages about invalid input in 3D name the user's line, the function, the argument, its value, and a hint.
 
 local check = require "check"
 

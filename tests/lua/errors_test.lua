@@ -1,4 +1,4 @@
--- Wrong input ends with a message that names the user's line, the function, the argument, what came, and the cure.
+-- Messages about invalid input name the user's line, the function, the argument, its value, and a hint.
 
 local sg = require "signorini"
 local check = require "check"

@@ -1,4 +1,4 @@
--- Bodies that lie on each other from the start, or never meet: who touches is then rounding's to say, or nobody's.
+-- Bodies that touch from the start within rounding error, or never touch.
 
 local sg = require "signorini"
 local check = require "check"

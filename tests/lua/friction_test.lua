@@ -1,5 +1,5 @@
--- Coulomb friction in the plane: what a profile gives as traction is what acts, and what accepting a step that slips
--- does to the balance.
+-- Coulomb friction in 2D: tractions of a profile against the forces, and the effect of accepting a slipping step on the
+-- equilibrium.
 
 local sg = require "signorini"
 local check = require "check"

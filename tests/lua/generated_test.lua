@@ -1,5 +1,5 @@
--- Generated scenes (scripts/stability/generated.lua): a seed gives the same scene again, its mirror image is one, and
--- how the first ones end.
+-- Generated scenes (scripts/stability/generated.lua): reproducible from a seed, equal to their mirror image, outcomes
+-- of the first ones.
 
 local core = require "signorini.core"
 local check = require "check"

@@ -1,4 +1,4 @@
--- Volumes from Lua: shapes, constructions and refinement in space against closed forms, and what bodies make of them.
+-- Volumes from Lua: shapes, constructions and refinement in 3D against closed forms, and bodies made of them.
 
 local sg = require "signorini"
 local check = require "check"

@@ -1,4 +1,4 @@
--- scripts/half_model.lua, coarse: parts have their share of unknowns and force. Its times depend on the machine.
+-- scripts/half_model.lua, coarse: unknowns and forces of partial models. Its times depend on the machine.
 
 local core = require "signorini.core"
 local check = require "check"

@@ -1,4 +1,4 @@
--- sg.heatmap: what it writes, and what it refuses.
+-- sg.heatmap: files, options, invalid arguments.
 
 local sg = require "signorini"
 local core = require "signorini.core"

@@ -1,4 +1,4 @@
--- scripts/hertz3d.lua, coarse: Hertz's point contact in 3D beside its axisymmetric twin, the files it leaves.
+-- scripts/hertz3d.lua, coarse: Hertz's point contact in 3D compared with the axisymmetric model, files.
 
 local sg = require "signorini"
 local core = require "signorini.core"

@@ -1,4 +1,4 @@
--- scripts/ironing2d.lua variant=deep, on two labels: what halving does for steps that fail, and what it leaves alone.
+-- scripts/ironing2d.lua variant=deep, two discretizations: effect of halving on failed steps and on others.
 
 local core = require "signorini.core"
 local check = require "check"

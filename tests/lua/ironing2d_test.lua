@@ -1,4 +1,4 @@
--- scripts/ironing2d.lua as a user runs it: the published figures, the work it takes, the files it leaves.
+-- scripts/ironing2d.lua as a user runs it: published results, iterations, files.
 
 local sg = require "signorini"
 local core = require "signorini.core"

@@ -1,4 +1,4 @@
--- scripts/ironing3d.lua: Table 7.11, symmetry and path independence of its forces, how deep it goes, friction, files.
+-- scripts/ironing3d.lua: Table 7.11, symmetry and path independence of its forces, maximum depth, friction, files.
 
 local core = require "signorini.core"
 local check = require "check"

@@ -1,4 +1,4 @@
--- Steps that jump to another branch of equilibria are told from those that follow the path.
+-- Detection of steps that jump to another branch of equilibria.
 
 local sg = require "signorini"
 local check = require "check"

@@ -1,5 +1,5 @@
--- Runs that are killed at random moments, in the middle of writing too, and taken up again end with the same bits as
--- one that nothing disturbs; so do runs that Ctrl-C ends.
+-- Runs that are killed at random moments, also during a write, and resumed have bitwise identical results; so have runs
+-- that Ctrl-C ends.
 
 local check = require "check"
 

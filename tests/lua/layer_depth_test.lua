@@ -1,5 +1,5 @@
--- scripts/layer_depth.lua as a user runs it, peeling and Hertz on coarser meshes: what a second row of the layer
--- brings, and that nothing is left for more.
+-- scripts/layer_depth.lua as a user runs it, peeling and Hertz on coarser meshes: effect of a second row of the layer,
+-- and no effect of more.
 
 local sg = require "signorini"
 local core = require "signorini.core"

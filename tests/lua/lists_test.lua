@@ -1,4 +1,4 @@
--- What is asked of lists and made of them all over the library.
+-- Common operations on lists.
 
 local check = require "check"
 local lists = require "signorini.lists"

@@ -1,4 +1,4 @@
--- scripts/newton_loop.lua on a short way: a loop of one's own gives the numbers of model:run to the last bit.
+-- scripts/newton_loop.lua on a short path: a user-defined loop is bitwise equal to model:run.
 
 local core = require "signorini.core"
 local check = require "check"

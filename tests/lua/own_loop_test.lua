@@ -1,4 +1,4 @@
--- A Newton loop with nothing of the program but residual and tangent: its own solver, its own moves.
+-- A Newton loop with only residual and tangent of the program: user-defined solver and moves.
 
 local sg = require "signorini"
 local check = require "check"

@@ -1,4 +1,4 @@
--- scripts/parallel_study.lua, coarse: side by side, and killed three times, the study comes to the same table.
+-- scripts/parallel_study.lua, coarse: executed in parallel, and killed three times, the study has the same table.
 
 local core = require "signorini.core"
 local check = require "check"

@@ -1,4 +1,4 @@
--- Pictures and .vtu files of patches that are no bodies yet.
+-- Pictures and .vtu files of patches.
 
 local sg = require "signorini"
 local check = require "check"

@@ -1,4 +1,4 @@
--- scripts/patch_test.lua, coarse: uniform to rounding where it must be, errors that fall as they must, where it cannot.
+-- scripts/patch_test.lua, coarse: uniform to rounding error without kinks, expected decrease of errors with kinks.
 
 local sg = require "signorini"
 local core = require "signorini.core"

@@ -1,5 +1,5 @@
--- What a run says of its controls: the line in its table, the fallbacks that may have left the branch of the path, the
--- energy that is missing; and that plain Newton passes the points where the way turns back.
+-- Reports of a run on its controls: the line in its table, fallbacks that may have left the branch, errors of the
+-- energy balance; and plain Newton at reversals of the sliding direction.
 
 local sg = require "signorini"
 local check = require "check"

@@ -1,4 +1,4 @@
--- Contact profiles compared: integrals against closed forms, the rules at the edges of contact, wrong inputs.
+-- Comparison of contact profiles: integrals against closed forms, rules at the edges of contact, invalid arguments.
 
 local sg = require "signorini"
 local check = require "check"

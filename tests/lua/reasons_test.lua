@@ -1,4 +1,4 @@
--- Every reason why a run may end, provoked on purpose on a small model: the reason, the place, the words. Most of them
+-- Every reason for which a run may end, provoked on a small model: the reason, the place, the message. Most of them
 -- with plain Newton, which ends at its first failure.
 
 local sg = require "signorini"

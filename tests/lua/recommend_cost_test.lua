@@ -1,4 +1,4 @@
--- scripts/recommend_cost.lua, coarse: its rows and its table. What it measures depends on the machine.
+-- scripts/recommend_cost.lua, coarse: its rows and its table. Its results depend on the machine.
 
 local core = require "signorini.core"
 local check = require "check"

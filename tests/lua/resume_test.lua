@@ -1,4 +1,4 @@
--- Runs with checkpoints: taken up anywhere they end as if nothing had happened; wrong files, paths and options.
+-- Runs with checkpoints: resumed anywhere they end as if uninterrupted; invalid files, paths and options.
 
 local sg = require "signorini"
 local core = require "signorini.core"

@@ -1,4 +1,4 @@
--- Bodies, models and what can be asked of them; and the wrong inputs that researchers make most.
+-- Queries of bodies and models; and the most frequent invalid inputs.
 
 local sg = require "signorini"
 local check = require "check"

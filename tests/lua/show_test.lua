@@ -1,4 +1,4 @@
--- What the prompt shows of the language's objects: the few lines that matter.
+-- Texts of the library's objects at the prompt.
 
 local check = require "check"
 local sg = require "signorini"

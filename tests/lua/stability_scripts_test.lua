@@ -1,4 +1,4 @@
--- scripts/stability, coarse: which cells plain Newton holds, that the controls lose none of them, the figures and
+-- scripts/stability, coarse: cells that converge with plain Newton, none of which fails with controls; figures and
 -- files.
 
 local core = require "signorini.core"

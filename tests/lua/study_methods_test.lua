@@ -1,4 +1,4 @@
--- What is read from a study: the verbs that choose, reckon and write, and what they say where nothing came out.
+-- Methods that read a study: selection, computation, output, and messages if no case has a result.
 
 local sg = require "signorini"
 local check = require "check"

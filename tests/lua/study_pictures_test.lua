@@ -1,4 +1,4 @@
--- study:chart and study:heatmap: what they hand to sg.chart and sg.heatmap, and what they refuse.
+-- study:chart and study:heatmap: the arguments that they pass to sg.chart and sg.heatmap, invalid arguments.
 
 local sg = require "signorini"
 local core = require "signorini.core"

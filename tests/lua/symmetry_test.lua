@@ -1,4 +1,4 @@
--- Supports with symmetry = true: half a model, or a quarter, has the forces of half the whole one, or a quarter.
+-- Supports with symmetry = true: half and quarter models have half and a quarter of the force.
 
 local sg = require "signorini"
 local check = require "check"

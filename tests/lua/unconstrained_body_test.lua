@@ -1,4 +1,4 @@
--- A body that nothing but contact holds: it falls, lands, carries its load, and slides off where friction ends.
+-- An unconstrained body: damped motion to contact, its load, and sliding off where friction ends.
 
 local sg = require "signorini"
 local check = require "check"

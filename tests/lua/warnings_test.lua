@@ -1,4 +1,4 @@
--- Scenes and runs that are legal but hardly meant: what run.warnings says of them, and what is an error at once.
+-- Valid but questionable scenes and runs: run.warnings, and errors.
 
 local sg = require "signorini"
 local check = require "check"

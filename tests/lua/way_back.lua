@@ -1,4 +1,4 @@
--- Pressing and dragging without friction over a slab whose ends are alike: the way back is the way there.
+-- Pressing and dragging without friction over a symmetric slab: the way back mirrors the way there.
 
 local check = require "check"
 

@@ -1,4 +1,4 @@
--- sg.work_precision: ratios of known curves, the front, what is left out, pictures, and what it refuses.
+-- sg.work_precision: ratios of known curves, the front, omitted cases, pictures, invalid arguments.
 
 local sg = require "signorini"
 local core = require "signorini.core"

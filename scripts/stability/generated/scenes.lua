@@ -1,11 +1,11 @@
--- Generated scenes of contact: a body or a rigid cylinder is pressed into a slab and dragged along it. A seed gives one
--- scene, always the same one; every scene exists as it is and mirrored (x to -x).
+-- Generated contact scenes: a body or a rigid cylinder is pressed into a slab and dragged along it. A seed always gives
+-- the same scene; every scene exists in original and mirrored (x to -x).
 
 local sg = require "signorini"
 
 local scenes = {}
 
--- The slab is 4 × 1, in space 2 × 1.2 × 0.6, with its upper side at zero and its middle above x = 0, E = 1.
+-- The slab is 4 × 1, in 3D 2 × 1.2 × 0.6, with its upper side at zero and its middle above x = 0, E = 1.
 local size = { plane = { 4, 1 }, space = { 2, 1.2, 0.6 } }
 
 -- ── Random numbers ───────────────────────────────────────────────────────────────────────────────────────────────────
@@ -62,7 +62,7 @@ function scenes.describe(kind, seed)
   if scene.shape == "cylinder" then scene.slave = "slab" end
   scene.orders = { body = roll.one_of(ranges.orders), slab = roll.one_of(ranges.orders) }
   scene.elements = { body = elements(ranges.body), slab = elements(ranges.slab) }
-  -- A ring is two arcs: with equally many elements each its mesh is its own mirror image.
+  -- A ring consists of two arcs: with equal numbers of elements its mesh is symmetric.
   if scene.shape == "half ring" then scene.elements.body[1] = 2 * ((scene.elements.body[1] + 1) // 2) end
   scene.E = roll.decades(0.1, 1000)
   scene.mu = math.max(0, roll.uniform(-0.1, 0.8)) -- one in nine without friction
@@ -76,7 +76,7 @@ end
 
 -- ── Models ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Shapes in the plane and in space: the patch, the face that touches the slab and those that are held.
+--- Shapes in 2D and 3D: the patch, the face that touches the slab, and the supported ones.
 local shapes = {
   plane = {
     block = function(x)
@@ -106,7 +106,7 @@ local function cylinder(kind, x)
   return sg.rigid.cylinder{ center = { x, 0, 0.4 }, axis = { 0, 1, 0 }, radius = 0.4 }
 end
 
---- The patch and face of the slab, with what lies opposite.
+--- The patch and faces of the slab.
 local function slab_patch(kind)
   local width, depth, height = table.unpack(size[kind])
   if kind == "plane" then
@@ -117,7 +117,7 @@ local function slab_patch(kind)
 end
 
 local mirrors = { plane = { 1, 0 }, space = { 1, 0, 0 } }
-local other_side = { west = "east", east = "west" } -- a mirrored patch runs along x the other way
+local other_side = { west = "east", east = "west" } -- a mirrored patch has the opposite direction along x
 
 --- Model and stages of a scene, or of its mirror image.
 function scenes.build(scene, mirrored)
@@ -178,7 +178,7 @@ function scenes.solve(scene, options, mirrored)
                 forces = forces }
 end
 
---- The largest difference of two accounts' forces at one step, as a part of the largest force in the first.
+--- The largest difference of two accounts' forces at one step, as a fraction of the largest force in the first.
 function scenes.difference(account, other)
   local largest, difference = 0, 0
   for i = 1, math.min(#account.forces, #other.forces) do
