@@ -26,7 +26,7 @@ local function read_figures(entry, figures)
         .. "a reason")
     end
   end
-  local failed, reason = rawget(figures, "failed"), rawget(figures, "reason") -- contact profiles raise an error here
+  local failed, reason = rawget(figures, "failed"), rawget(figures, "reason") -- rawget: for contact profiles
   if failed ~= nil and type(failed) ~= "boolean" then
     reject(entry, "failed must be true or false, got " .. core.describe(failed))
   end
