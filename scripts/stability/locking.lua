@@ -56,7 +56,7 @@ end
 local function force(run) return math.abs(run:column "push.fy"[run.steps]) end
 
 --- The reference forces by nu, each solved in its own process.
-local reference = sg.stability_map{
+local reference = sg.convergence_map{
   name = ("N4 on %d × %d elements"):format(finest, finest),
   x = { name = "label", values = { "N4" } }, y = { name = "nu", values = ratios },
   scene = function(label, nu) return scene(label, nu, finest) end,

@@ -44,7 +44,7 @@ local function report(plain, robust, titles)
   local held, total = plain:converged()
   local lost = #result.lost > 0 and (" (%s)"):format(pairs_text(result.lost)) or ""
   print(("\n%s: plain Newton converged in %d of %d cells, controls in %d; recovered %d, failed with controls only %d%s")
-    :format(plain.name, held, total, (robust:held()), #result.gained, #result.lost, lost))
+    :format(plain.name, held, total, (robust:converged()), #result.recovered, #result.lost, lost))
   result.plain_iterations, result.robust_iterations = work(plain, robust)
   if result.plain_iterations > 0 then
     print(("iterations in cells where both converge: %d and %d, ratio %.3f"):format(result.plain_iterations,
@@ -53,7 +53,7 @@ local function report(plain, robust, titles)
   return result
 end
 
---- Solves a problem's map with both options. `problem`: name, x, y, scene, figures as sg.stability_map takes them,
+--- Solves a problem's map with both options. `problem`: name, x, y, scene, figures as sg.convergence_map takes them,
 --- path(model, x, y) with the overrides of model:run's options that both ways need, charts (further pictures:
 --- map:figure's name, log and label, and `key`, their file's name), and `key`, part of the files' names when a script
 --- has several problems. Returns { plain, robust, comparison }; `files` is the result of sg.files.
@@ -75,7 +75,7 @@ function study.solve(problem, options, files)
   local plain, robust = solve "plain", solve(options.with)
   local comparison = report(plain, robust, titles)
   plain:picture{ file = file "outcomes.png", title = problem.name .. ": outcome and Newton iterations",
-                 beside = robust, titles = titles }
+                 other = robust, titles = titles }
   for _, chart in ipairs(problem.charts or {}) do
     plain:figure{ file = file(chart.key .. ".png"), name = chart.name, log = chart.log, label = chart.label,
                   title = problem.name .. ": " .. chart.label, other = robust, titles = titles }

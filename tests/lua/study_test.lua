@@ -1,5 +1,5 @@
 -- Studies: cases in separate processes, and results that are kept; study_inputs_test.lua changes their inputs,
--- study_verbs_test.lua reads them.
+-- study_methods_test.lua reads them.
 
 local sg = require "signorini"
 local core = require "signorini.core"
