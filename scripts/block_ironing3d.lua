@@ -41,7 +41,7 @@
 --      to the plane of symmetry, or whole.
 
 local sg = require "signorini"
-local labels = require "solid_ironing.labels"
+local orders = require "solid_ironing.orders"
 local mesh = require "solid_ironing.mesh"
 local sixty = require "block_ironing3d.sixty"
 
@@ -90,7 +90,7 @@ local options = sg.arguments{
   } },
 }
 local files = sg.files(options.out)
-local result = (options.variant == "sixty" and sixty or labels).run(problem, options, files)
+local result = (options.variant == "sixty" and sixty or orders).run(problem, options, files)
 files:report()
 result.files = files
 return result

@@ -29,7 +29,7 @@
 --      die/slab; press, slide: number of steps.
 
 local sg = require "signorini"
-local labels = require "solid_ironing.labels"
+local orders = require "solid_ironing.orders"
 local mesh = require "solid_ironing.mesh"
 
 local problem = { title = "Cylinder ironing", length = 2.5, start = 0.5, depth = 0.2, way = 1.5 }
@@ -60,7 +60,7 @@ local options = sg.arguments{
   press = 10, slide = 108, linear = "auto", out = "out/cylinder_ironing3d",
 }
 local files = sg.files(options.out)
-local result = labels.run(problem, options, files)
+local result = orders.run(problem, options, files)
 files:report()
 result.files = files
 return result

@@ -151,9 +151,9 @@ local function draw_pressure(cases, finest, mesh, file)
 end
 
 --- Figures 7.15 to 7.17: errors over the mesh or the time. Curves drawn first are on top.
-local function draw_errors(chart, cases, labels, meshes, abscissa)
+local function draw_errors(chart, cases, orders, meshes, abscissa)
   chart.ylabel = "L2 error of p / p_ref"
-  for _, label in ipairs(labels) do
+  for _, label in ipairs(orders) do
     local line = { x = {}, y = {}, label = label, markers = true, marker = label == "N2-N4" and "open circle" or nil }
     for i, mesh in ipairs(meshes) do
       local case = cases[label .. " " .. mesh]

@@ -53,7 +53,7 @@ local function median_run(runs)
   return sorted[(#sorted + 1) // 2]
 end
 
---- Runs all labels on all meshes, `repeat` times over, so that a disturbance affects all labels alike. Returns one
+--- Runs all orders on all meshes, `repeat` times over, so that a disturbance affects all orders alike. Returns one
 --- { mesh, cases } per mesh, also by its name.
 local function solve_all(options, suffix, files)
   local studies = {}
@@ -101,7 +101,7 @@ local function report_mesh(options, study, suffix, files)
   files:draw("forces" .. suffix(mesh) .. ".png", "an accepted step", function(file)
     return output.draw_forces(file, cases, "Ironing, mesh " .. mesh)
   end)
-  local need = "N2 among the labels, and runs that complete the window"
+  local need = "N2 among the orders, and runs that complete the window"
   files:draw("amplitudes" .. suffix(mesh) .. ".png", need, function(file)
     return output.draw_amplitudes(file, cases, "Ironing, mesh " .. mesh, published)
   end)

@@ -64,7 +64,7 @@ local function label_of(layer, depth)
   return ("%s-%s%s"):format(base, layer, depth == "1" and "" or "x" .. depth)
 end
 
---- Runs a problem's script with all labels. Returns its cases: { layer, depth, label, dofs, wall, errors }, the first
+--- Runs a problem's script with all orders. Returns its cases: { layer, depth, label, dofs, wall, errors }, the first
 --- one that of no layer.
 local function study(name, options)
   local problem = problems[name]
@@ -72,12 +72,12 @@ local function study(name, options)
   for _, layer in ipairs(options.layers) do
     for _, depth in ipairs(options.rows) do
       local label = label_of(layer, depth)
-      cases[#cases + 1], labels[#labels + 1] = { layer = layer, depth = depth, label = label }, label
+      cases[#cases + 1], orders[#orders + 1] = { layer = layer, depth = depth, label = label }, label
     end
   end
   local words = {}
   for word in options[name]:gmatch "[^;]+" do words[#words + 1] = word end
-  words[#words + 1] = "orders=" .. table.concat(labels, ",")
+  words[#words + 1] = "orders=" .. table.concat(orders, ",")
   words[#words + 1] = "linear=" .. options.linear
   if problem.repeats then words[#words + 1] = ("%s=%d"):format(problem.repeats, options["repeat"]) end
   words[#words + 1] = ("out=%s/%s"):format(options.out, name)

@@ -168,7 +168,7 @@ local function rate_study(options)
   for _, pair in ipairs(pairs_with_kinks) do
     if pair[1] == "non-matching" then list[#list + 1] = pair end
   end
-  local plane = { dimensions = { 2 }, materials = { "linear" }, labels = options.orders, sides = options.sides }
+  local plane = { dimensions = { 2 }, materials = { "linear" }, orders = options.orders, sides = options.sides }
   local cases = solve_all(plane, list, function()
     local counts = {}
     for count = 8, 63 do counts[#counts + 1] = count end

@@ -137,7 +137,7 @@ local function time_table(cases)
   }
 end
 
---- Figure 7.20: the size of one traction of all labels on one mesh over the ring's coordinate, the reference dashed.
+--- Figure 7.20: the size of one traction of all orders on one mesh over the ring's coordinate, the reference dashed.
 local function draw_traction(cases, finest, mesh, value, coordinate, file)
   local name = value == "pressure" and "normal contact pressure" or "tangential contact traction"
   local chart = { file = file, title = ("Rings, mesh %s: %s at the last step"):format(mesh, name),

@@ -23,7 +23,7 @@
 --           over 90; 42.48 and 43.74 % for Hertz (at m3, m4 compared with N2 at m4, m5), here about 50. About 20
 --           minutes on one processor.
 -- Run: signorini scripts/speed_against_accuracy.lua [problems=ironing,hertz,rings,peeling,ironing3d] [orders=all]
---      [meshes=all] [rounds=0] [time=wall] [out=out/speed_against_accuracy] [page=none]; labels, meshes: all of a
+--      [meshes=all] [rounds=0] [time=wall] [out=out/speed_against_accuracy] [page=none]; orders, meshes: all of a
 --      problem, or a list (any discretizations; meshes of the problem); rounds: runs per case, for medians, 0 is the
 --      default of each problem (3, expensive ones 1); time: wall, or cpu on a machine under other load; page: folder of
 --      the page, such as share/doc. Finished cases are kept in `out` and not run again.

@@ -141,8 +141,8 @@ end
 
 --- The last discretization, with the most functions, that was solved on a level and on the one below.
 local function reference_on(search, level)
-  for i = #search.labels, 1, -1 do
-    local label = search.labels[i]
+  for i = #search.orders, 1, -1 do
+    local label = search.orders[i]
     if not solved(search, level, label) then try(search, label, level) end
     if search.interrupted then return end
     if solved(search, level, label) and solved(search, level - 1, label) then return solved(search, level, label) end
@@ -155,7 +155,7 @@ local function explore(search)
     if reference then estimate(search, reference) end
     local best = cheapest(search)
     if best or search.interrupted or (search.limit and search.spent > search.limit) then return best end
-    for _, label in ipairs(search.labels) do
+    for _, label in ipairs(search.orders) do
       if not search.by_level[level][label] and level < #search.meshes and not dominated(search, label, level - 1) then
         try(search, label, level)
         if search.interrupted then return end

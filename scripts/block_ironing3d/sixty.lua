@@ -60,7 +60,7 @@ local function csv(file, cases)
   sg.csv.write(file, data)
 end
 
---- Runs all combinations of the lists labels, mesh, part ("half" or "whole"), through, points (texts: a number or
+--- Runs all combinations of the lists orders, mesh, part ("half" or "whole"), through, points (texts: a number or
 --- "auto", 3(p + 1)). Returns { cases, cheapest }.
 function sixty.run(problem, options, files)
   local cases = sg.grid({ mesh = options.mesh }, { part = options.part },

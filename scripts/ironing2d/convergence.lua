@@ -111,11 +111,11 @@ local function longest(studies)
   return case.work.wall, case
 end
 
-local function draw_work_precision(file, studies, labels)
+local function draw_work_precision(file, studies, orders)
   local chart = { file = file, xlabel = "time (s)", ylabel = "oscillation dPx, detrended (N/mm)", log = "xy",
                   title = ("Ironing: oscillation of the drag over time, meshes %s to %s"):format(studies[1].mesh,
                     studies[#studies].mesh) }
-  for l, label in ipairs(labels) do
+  for l, label in ipairs(orders) do
     local line = { x = {}, y = {}, label = label, markers = true, color = l }
     for _, study in ipairs(studies) do
       local case = study.cases[label]
@@ -130,14 +130,14 @@ local function draw_work_precision(file, studies, labels)
 end
 
 --- Charts over the mesh and the tables of equal accuracy.
-function convergence.report(studies, labels, files)
+function convergence.report(studies, orders, files)
   local names = { raw = "raw", detrended = "detrended" }
   for _, force in ipairs { "Py", "Px" } do
     for _, kind in ipairs { "raw", "detrended" } do
       files:draw(("%s_over_mesh_%s.png"):format(force, kind), "runs that reach the window", function(file)
         return output.draw_over_mesh({ file = file, ylabel = ("oscillation d%s (N/mm)"):format(force),
           title = ("Ironing: oscillation of %s, %s"):format(force, names[kind]) },
-          studies, labels, function(case) return case["d" .. force][kind] end)
+          studies, orders, function(case) return case["d" .. force][kind] end)
       end)
     end
   end
@@ -145,10 +145,10 @@ function convergence.report(studies, labels, files)
   files:draw("time_over_mesh.png", "an accepted step", function(file)
     return output.draw_over_mesh({ file = file, ylabel = "analysis time (%)",
       title = ("Ironing: time of an analysis; 100 %% is %s at %s, %.2f s"):format(case.label, case.mesh, whole) },
-      studies, labels, function(each) return 100 * each.work.wall / whole end)
+      studies, orders, function(each) return 100 * each.work.wall / whole end)
   end)
   files:draw("accuracy_over_time.png", "runs that reach the window", function(file)
-    return draw_work_precision(file, studies, labels)
+    return draw_work_precision(file, studies, orders)
   end)
 
   local found, cheapest = convergence.savings(studies), convergence.cheapest(studies)

@@ -105,10 +105,10 @@ function output.draw_amplitudes(file, cases, title, published)
 end
 
 --- Curves over the mesh, one per label: value(case) of every study that has the label. Returns whether there were any.
-function output.draw_over_mesh(chart, studies, labels, value)
+function output.draw_over_mesh(chart, studies, orders, value)
   chart.xlabel, chart.log, chart.xticks, chart.xrange = "mesh", "y", {}, { 0.7, #studies + 0.3 }
   for i, study in ipairs(studies) do chart.xticks[i] = { i, study.mesh } end
-  for l, label in ipairs(labels) do
+  for l, label in ipairs(orders) do
     local line = { x = {}, y = {}, label = label, markers = true, color = l }
     for i, study in ipairs(studies) do
       local number = study.cases[label] and value(study.cases[label])

@@ -55,7 +55,7 @@ local function draw(file, cases)
   return #cases > 0
 end
 
---- The study: every label on every mesh, then `layered` labels on the coarse one. Returns { cases, layered }. Memory is
+--- The study: every label on every mesh, then `layered` orders on the coarse one. Returns { cases, layered }. Memory is
 --- the process' largest so far: meshes come in rising order.
 function cost.run(options, files)
   local cases, layered, all = {}, {}, {}

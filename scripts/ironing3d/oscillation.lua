@@ -48,7 +48,7 @@ local function path_of(slide)
   return amplitude.from, amplitude.to - amplitude.from
 end
 
---- Runs all labels of one cap and gap; returns { radius, gap, depth, cases }, cases also by label and mesh.
+--- Runs all orders of one cap and gap; returns { radius, gap, depth, cases }, cases also by label and mesh.
 local function solve_set(options, radius, gap, files)
   local depth = problem.published_depth - gap
   local set = { radius = radius, gap = gap, depth = depth, cases = {} }
@@ -107,7 +107,7 @@ function oscillation.run(options, files)
       files:draw("forces" .. name .. ".png", "a state that slides", function(file)
         return output.draw_forces(file, set.cases, ("R = %g, depth %g"):format(radius, set.depth))
       end)
-      files:draw("amplitudes" .. name .. ".png", "N2 among the labels, runs that complete the window", function(file)
+      files:draw("amplitudes" .. name .. ".png", "N2 among the orders, runs that complete the window", function(file)
         return output.draw_amplitudes(file, set, printed)
       end)
     end

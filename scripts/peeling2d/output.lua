@@ -140,7 +140,7 @@ function output.draw_plateau(file, cases, title, window, wanted)
 end
 
 --- Figure 7.27: oscillation over the mesh, and all published values; returns whether there was anything to draw.
-function output.draw_over_mesh(file, labels, meshes, case_of)
+function output.draw_over_mesh(file, orders, meshes, case_of)
   local chart = { file = file, title = "Peeling: oscillation of the moment over the mesh", xlabel = "mesh",
                   ylabel = "dM (1e-3 E0 L0³)", log = "y", xrange = { 0.8, #meshes + 0.2 }, xticks = {} }
   local aside = 0.06 -- offset of the published values
@@ -149,7 +149,7 @@ function output.draw_over_mesh(file, labels, meshes, case_of)
     if y then curve.x[#curve.x + 1], curve.y[#curve.y + 1] = x, y end
   end
   for m, mesh in ipairs(meshes) do chart.xticks[m] = { m, mesh } end
-  for l, label in ipairs(labels) do
+  for l, label in ipairs(orders) do
     local ours = { x = {}, y = {}, label = label, markers = true, color = l }
     for m, mesh in ipairs(meshes) do
       local case = case_of(label, mesh)

@@ -57,7 +57,7 @@ function output.force_csv(file, cases, comment)
   sg.csv.write(file, { columns = force_columns, rows = force_rows(cases), comments = { comment } })
 end
 
---- Pressing force or drag over the die's place while it slides, all labels; returns whether there was anything to draw.
+--- Pressing force or drag over the die's place while it slides, all orders; returns whether there was anything to draw.
 function output.draw_force(file, cases, key, chart)
   chart.file, chart.xlabel = file, "x of the die's center"
   for _, case in ipairs(cases) do
@@ -69,7 +69,7 @@ function output.draw_force(file, cases, key, chart)
   return #chart > 0
 end
 
---- Pressing force over the load step, all labels; returns whether there was anything to draw.
+--- Pressing force over the load step, all orders; returns whether there was anything to draw.
 function output.draw_path(file, cases, title)
   local chart = { file = file, title = title, xlabel = "load step", ylabel = "pressing force Pz" }
   for _, case in ipairs(cases) do

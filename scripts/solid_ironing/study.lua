@@ -1,4 +1,4 @@
--- Ironing of a slab without friction: runs labels along the path of a problem, measures their forces.
+-- Ironing of a slab without friction: runs orders along the path of a problem, measures their forces.
 --
 -- A problem is { title, die (its name), length (the slab's), start (x of the die's center), depth, way, scene(case) };
 -- scene returns the model with the supports `grip` (drives x and z) and `bed` and the contact `interface`, the die and

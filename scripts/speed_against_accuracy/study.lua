@@ -1,6 +1,6 @@
 -- One problem as a study: its cases executed, medians of the rounds taken, errors measured.
 --
--- A problem is a module with name, title, page (of its description), about; labels, meshes, rounds (how often every
+-- A problem is a module with name, title, page (of its description), about; orders, meshes, rounds (how often every
 -- case is run), once (meshes that are run in the first round only), affordable(order, mesh); run(case) → dofs,
 -- iterations, wall, cpu (s) and plain data; errors, a list of { name, title, unit, of(row, reference) → error };
 -- reference { order, mesh }, if an error needs one; savings, a list of { order, mesh, order, mesh, saved in % }, as
@@ -32,16 +32,16 @@ end
 
 --- Rounds vary slowest, so that a disturbance does not affect one order alone. The reference is solved first, once.
 --- `everything`: whether all orders are run; explicitly requested ones are run on all meshes, affordable or not.
-local function make_cases(problem, labels, meshes, rounds, everything)
+local function make_cases(problem, orders, meshes, rounds, everything)
   local list, reference = {}, problem.reference
   local affordable = everything and problem.affordable or function() return true end
-  if reference and not (holds(labels, reference.order) and holds(meshes, reference.mesh)) then
+  if reference and not (holds(orders, reference.order) and holds(meshes, reference.mesh)) then
     list[1] = sg.grid({ round = { 1 } }, { mesh = { reference.mesh } }, { order = { reference.order } })
   end
   for round = 1, rounds do
     for _, mesh in ipairs(meshes) do
       local orders = {}
-      for _, order in ipairs(labels) do
+      for _, order in ipairs(orders) do
         if affordable(order, mesh) then orders[#orders + 1] = order end
       end
       if #orders > 0 and (round == 1 or not (problem.once and problem.once[mesh])) then
@@ -70,22 +70,22 @@ local function measure(problem, medians)
 end
 
 --- Executes the missing cases of a problem. Returns { problem, study (as executed), cases (a study of medians with
---- errors, without a reference that was not requested), labels, meshes, rounds }; nil if no mesh is one of the
+--- errors, without a reference that was not requested), orders, meshes, rounds }; nil if no mesh is one of the
 --- problem's.
 function study.of(problem, options)
-  local labels, meshes = chosen(problem.labels, options.orders, true), chosen(problem.meshes, options.meshes)
+  local orders, meshes = chosen(problem.orders, options.orders, true), chosen(problem.meshes, options.meshes)
   if #meshes == 0 then return nil end
   local rounds = options.rounds > 0 and options.rounds or problem.rounds
   local executed = sg.study{
     name = "speed against accuracy: " .. problem.name, run = problem.run, sequential = true,
     folder = ("%s/%s"):format(options.out, problem.name), units = { cpu = "s" },
-    cases = make_cases(problem, labels, meshes, rounds, options.orders[1] == "all"),
+    cases = make_cases(problem, orders, meshes, rounds, options.orders[1] == "all"),
   }
   executed:execute()
   local cases = measure(problem, executed:median "round"):where(function(row)
-    return holds(labels, row.order) and holds(meshes, row.mesh)
+    return holds(orders, row.order) and holds(meshes, row.mesh)
   end)
-  return { problem = problem, study = executed, cases = cases, labels = labels, meshes = meshes, rounds = rounds }
+  return { problem = problem, study = executed, cases = cases, orders = orders, meshes = meshes, rounds = rounds }
 end
 
 return study

@@ -25,7 +25,7 @@ local options = sg.arguments{
   penalties = { { 1e2, 5e2, 2e3, 1e4, 1e5, 1e6 }, above = 0 }, penetration = { 1e-6, above = 0 }, loops = 500,
   steps = 4, reference = { "m5", choices = levels }, out = "out/stability/augmented",
 }
-local labels, penalties, penetration, loops = options.orders, options.penalties, options.penetration, options.loops
+local orders, penalties, penetration, loops = options.orders, options.penalties, options.penetration, options.loops
 local reference_penalty = 1e4
 
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -64,7 +64,7 @@ local function errors(case)
 end
 
 local cases, rows = {}, {}
-for _, label in ipairs(labels) do
+for _, label in ipairs(orders) do
   for _, penalty in ipairs(penalties) do
     for _, way in ipairs { "penalty", "augmented" } do
       local case = solve(label, options.mesh, penalty,
@@ -98,7 +98,7 @@ local files = sg.files(options.out)
 local function chart(key, ylabel, title)
   local drawing = { file = files(key .. ".png"), title = title, xlabel = "penalty (E / R)", ylabel = ylabel,
                     log = "xy" }
-  for i, label in ipairs(labels) do
+  for i, label in ipairs(orders) do
     for _, way in ipairs { "penalty", "augmented" } do
       local line = { x = {}, y = {}, label = ("%s, %s"):format(label, way), dashed = way == "augmented", color = i,
                      markers = true }

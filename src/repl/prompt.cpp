@@ -56,7 +56,7 @@ bool prompt(Interpreter& interpreter, bool quiet) {
   lua_setglobal(L, "traceback");
   if (isatty(STDIN_FILENO)) {
     editor.emplace(L);
-    if (!quiet) std::cout << "signorini " SIGNORINI_VERSION "; help() helps, Ctrl-D leaves" << std::endl;
+    if (!quiet) std::cout << "signorini " SIGNORINI_VERSION "; help() shows help, Ctrl-D exits" << std::endl;
   }
   std::string code;
   const auto read = [&](const std::string& sign, std::string& line) {

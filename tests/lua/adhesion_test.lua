@@ -136,7 +136,7 @@ local wrong = {
   { "a region that is no function", "sg.model(with{ adhesion = film, where = 150 })",
     "contacts.f.where must be a function", "got the number 150", "function(X) return X[1] <= 150 end" },
   { "a region that answers with a number", "sg.model(with{ adhesion = film, where = function(X) return X[2] end })",
-    "contacts.f.where must return true or false", "it returned the number 0" },
+    "contacts.f.where must return true or false", "must return true or false, got the number 0" },
   { "a region without an answer", "sg.model(with{ adhesion = film, where = function(X) end })",
     "contacts.f.where", "contacts.f.where must return true or false, got nothing" },
   { "a region that fails", "sg.model(with{ adhesion = film, where = function(X) return X.x <= 15 end })",

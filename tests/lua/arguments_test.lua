@@ -54,7 +54,7 @@ check.case("values of the wrong type", function()
   refused({ keep = false }, "keep=maybe", "keep must be yes or no, got 'maybe'")
   refused({ keep = false }, "keep=true", "keep must be yes or no, got 'true'")
   refused({ label = "N2" }, "label=", "label must be a string, got nothing")
-  refused({ orders = { "N2" } }, "orders=", "labels must be strings, got nothing")
+  refused({ orders = { "N2" } }, "orders=", "orders must be strings, got nothing")
 end)
 
 check.case("choices and limits", function()
@@ -109,17 +109,17 @@ local variants = {
 
 check.case("variants have their own arguments and defaults", function()
   local plain = sg.arguments(variants, { "repeat=2", "orders=N4" })
-  check.equal({ plain.variant, plain["repeat"], plain.mesh, plain.labels, plain.out, plain.points },
+  check.equal({ plain.variant, plain["repeat"], plain.mesh, plain.orders, plain.out, plain.points },
     { "plain", 2, "m1", { "N4" }, "out/a" })
   local deep = sg.arguments(variants, { "points=3", "variant=deep" })
-  check.equal({ deep.variant, deep.points, deep.labels, deep.out }, { "deep", { 3 }, { "N2" }, "out/b" })
+  check.equal({ deep.variant, deep.points, deep.orders, deep.out }, { "deep", { 3 }, { "N2" }, "out/b" })
   check.equal(deep["repeat"], nil)
   refused(variants, "variant=x", "variant must be 'plain' or 'deep', got 'x'")
   refused(variants, "points=3",
     "unknown argument 'points=3', which belongs to variant=deep; known with variant=plain: " ..
-    "orders=N2, mesh=m1, out=out/a, repeat=1, variant=plain")
+    "mesh=m1, orders=N2, out=out/a, repeat=1, variant=plain")
   refused(variants, "x=3",
-    "unknown argument 'x=3'; known with variant=plain: orders=N2, mesh=m1, out=out/a, repeat=1, variant=plain")
+    "unknown argument 'x=3'; known with variant=plain: mesh=m1, orders=N2, out=out/a, repeat=1, variant=plain")
 end)
 
 check.case("invalid declarations are errors at the script's line", function()

@@ -86,7 +86,7 @@ check.case("markers: one per kind of point; curves and kinds in two parts of the
   order(svg { "m4", "m3", "m2", "m1" }, "N4", "mesh", "m4", "m3", "m2", "m1")
   check.equal(svg(nil, { legend = false }):find(">mesh<", 1, true), nil)
   check.fails(function() svg { "m1", "m2", "m3" } end, "[2].marks[1] is 'm4'", "did you mean", "known: m1, m2, m3")
-  check.fails(function() svg { "m1", "m1" } end, "marks[2] is 'm1' once more")
+  check.fails(function() svg { "m1", "m1" } end, "marks[2] is 'm1' again")
   check.fails(function() svg(nil, { [3] = { y = { 1 }, x = { 1 }, marks = { 4 } } }) end,
     "[3].marks[1] must be a string")
   check.fails(function() svg(nil, { [3] = { y = { 1 }, x = { 1 }, marks = {} } }) end,

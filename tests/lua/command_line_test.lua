@@ -272,7 +272,7 @@ end)
 
 check.case("help shows groups, types of Lua objects, and what a query at the prompt stands for", function()
   local output = check.program({},
-    '?\n?labels\n?sg.shapes.block\n? patch:refine\nx = sg.median\n?x\n?sg.nurbs\n?refin\n'
+    '?\n?orders\n?sg.shapes.block\n? patch:refine\nx = sg.median\n?x\n?sg.nurbs\n?refin\n'
     .. 'help "studies"\nhelp "rectangel"\n ?sg.bdy\nhelp sg.mkdir\nhelp\nhelp(sg.reference "hertz2d_dofs_table7_4")\n')
   check.holds(output, "signorini: isogeometric", "N2-N2.2x2", "sg.shapes.block{ size", "patch:refine{ elements",
     "sg.median(numbers)", "Functions:\n  sg.nurbs.arc{", "Pages with 'refin':", "Studies:\n  sg.study{",

@@ -86,7 +86,7 @@ check.case("strings of choices, and names of an object's parts", function()
   check.equal(all 'sg.body{ patch = p, order = "N2-', { "N2-N2.1", "N2-N2.2", "N2-N4" })
   check.equal(all 'sg.model{ supports = { bed = { on = slab:face "', { "west", "east", "south", "north" })
   check.equal(all 'sg.model{ supports = { bed = { on = slab:face "south", fix = "x', { "x", "xy", "xz", "xyz" })
-  check.equal(all 'model:run(stages, { linear = "k', { "klu", "reuse" })
+  check.equal(all 'model:run(stages, { linear = "re', { "reuse" })
   check.equal(all 'sg.picture{ model = model, colormap = "v', { "viridis" })
   check.equal(all 'sg.picture{ model = model, fields = {"ux", "von', { "von_mises" })
   check.equal(all 'slab:corner("north', { "north-west", "north-east" })
@@ -96,7 +96,7 @@ check.case("strings of choices, and names of an object's parts", function()
   check.equal(all 'study:by "', { "order", "wall", "failed", "outcome", "reason" })
   help = sg.help
   check.equal(all 'help "patch:ref', { "patch:refine" })
-  check.equal(all 'help "la', { "orders" })
+  check.equal(all 'help "ord', { "orders" })
   study.rows = { { order = "N1", wall = 1 }, { order = "N2", wall = 1 }, { order = "N1", wall = 2 } }
   check.equal(all 'study:where{ ', { "order = ", "wall = ", "failed = ", "outcome = ", "reason = " })
   check.equal(all 'study:row{ wall = 1, order = "', { "N1", "N2" })
@@ -109,7 +109,7 @@ end)
 check.case("of a run and a study only the documented fields", function()
   run = model:run { { name = "hold", steps = 1, grip = { 0, 0 } } }
   check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:residuals", "run:states" })
-  check.equal(all "run.re", { "run.reason", "run.fallback_steps", "run.residuals" })
+  check.equal(all "run.re", { "run.reason", "run.residuals" })
   for _, hidden in ipairs { "run.__", "run.rows", "run.ex", "run.wary", "run.kept", "study:run", "study:row_of" } do
     check.equal({ hidden, all(hidden) }, { hidden, {} })
   end

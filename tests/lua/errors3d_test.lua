@@ -141,7 +141,7 @@ local wrong = {
     "model:run: the model has neither supports nor loads", "neither supports nor loads" },
   { "the pressure of no contact", [[sg.picture{ model = sg.model(held{ on = b:face "front", fix = "x" }),
       field = "contact_pressure", file = "none.png" }]],
-    "sg.picture: field 'contact_pressure': the model has no contact" },
+    "sg.picture: field 'contact_pressure' needs a contact" },
   { "a plane snapshot for a solid", [[local a = sg.model{ bodies = { a = flat } }
       sg.model{ bodies = { b = b } }:restore(a:snapshot())]],
     "model:restore: snapshot must be a snapshot in 3D, got one in the plane", line = 15 },

@@ -108,7 +108,7 @@ check.case("messages give the hint that helps", function()
   check.equal(message:find "did you mean", nil)
   check.fails(function() sg.nurbs.circle(1) end, "write sg.nurbs.circle{ radius = … }")
   message = check.fails(function() p:write "slab.vtk" end,
-    "file must be a name that ends with .xml, .txt or .mesh (where the patches go)")
+    "file must be a name that ends with .xml, .txt or .mesh (name of the file)")
   check.equal(select(2, message:gsub("a name that ends", "")), 1)
   check.fails(function() sg.nurbs.line { from = { 0, 1.5 }, to = { 0, 1.5 } } end,
     "the ends of a line must differ, got (0, 1.5) twice")

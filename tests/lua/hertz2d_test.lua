@@ -64,7 +64,7 @@ check.case("charts, a picture and a profile per run", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: orders=",
+  check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: linear=auto, ",
     ["meshes=m9"] = "got 'm9'",
                                ["load=weight"] = "load must be 'force' or 'displacement', got 'weight'",
                                ["sizes=1,0.5"] = "sizes must be numbers, 1 or more, got '0.5'",

@@ -42,7 +42,7 @@ check.case("charts, a picture and a profile per run", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: orders=",
+  check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: linear=auto, ",
     ["meshes=m9"] = "got 'm9'",
                                ["sizes=0"] = "sizes must be numbers, 1 or more, got '0'",
                                ["steps=0"] = "steps must be", ["orders=Q7"] = "Q7" }, "out=" .. folder)

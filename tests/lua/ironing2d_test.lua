@@ -101,7 +101,7 @@ end)
 check.case("wrong arguments", function()
   local script = core.home .. "/scripts/ironing2d.lua"
   check.refused(script, {
-    ["msh=m1"] = "unknown argument 'msh=m1'; did you mean 'mesh'? known with variant=standard: orders=N2,",
+    ["msh=m1"] = "unknown argument 'msh=m1'; did you mean 'mesh'? known with variant=standard: linear=auto, ",
     ["orders=N2,Q7"] = "Q7", ["deep"] = "unknown argument 'deep'", ["repeat=0"] = "repeat must be a whole number",
     ["mesh=m1,m9"] = "mesh must be m1 to m6, or a multiple of 6 as the spans along both faces, got 'm9' in 'm1,m9'",
     ["variant=steep"] = "variant must be 'standard', 'deep' or 'validation', got 'steep'",

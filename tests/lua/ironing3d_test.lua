@@ -86,7 +86,7 @@ end)
 check.case("wrong arguments", function()
   local script = core.home .. "/scripts/ironing3d.lua"
   check.refused(script, {
-    ["labls=N2"] = "unknown argument 'labls=N2'; did you mean 'labels'? known with variant=standard: cap=1",
+    ["ordrs=N2"] = "unknown argument 'ordrs=N2'; did you mean 'orders'? known with variant=standard: cap=1",
     ["N2"] = "unknown argument 'N2'", ["radius=5"] = "radius must be numbers, 7.1 or more, got '5'",
     ["gap=11"] = "gap must be numbers, 0 or more and below 10.4, got '11'",
     ["variant=steep"] = "variant must be 'standard', 'cost', 'depth' or 'friction', got 'steep'",

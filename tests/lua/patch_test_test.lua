@@ -74,7 +74,7 @@ check.case("tables and charts", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, { ["label=N2"] = "unknown argument 'label=N2'; did you mean 'labels'? known: dimensions=",
+  check.refused(script, { ["order=N2"] = "unknown argument 'order=N2'; did you mean 'orders'? known: dimensions=",
                                ["dimensions=4"] = "dimensions must be values among 2 and 3, got '4'",
                                ["materials=steel"] =
                                  "materials must be values among 'linear' and 'neo_hooke', got 'steel'",

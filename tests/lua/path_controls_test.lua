@@ -83,7 +83,8 @@ check.case("if its accepted part leads to no further state, a step is repeated f
   check.equal({ run.failed, run.steps }, { false, 3 })
   check.holds(run.warnings[1], "the whole step again from its start in step 2")
   local last = run:attempts(2)[#run:attempts(2)]
-  check.equal({ last.from, last.to, last.again, last.converged, run:column("increments")[2] }, { 0, 1, true, true, 1 })
+  check.equal({ last.from, last.to, last.restarted, last.converged, run:column("increments")[2] }, { 0, 1, true, true,
+    1 })
   -- Where that fails as well, the accepted part stays.
   run = stuck_at_half(1e9)
   check.equal({ run.failed, run.steps }, { true, 1 })

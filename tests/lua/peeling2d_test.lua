@@ -101,7 +101,7 @@ end)
 check.case("wrong arguments", function()
   for word, message in pairs { ["msh=m1"] = "unknown argument 'msh=m1'; did you mean 'mesh'?", ["mesh=m9"] = "got 'm9'",
                                ["control=force"] = "control must be 'rotation' or 'arc', got 'force'",
-                               ["window=140,120"] = "window must be two rising angles", ["steps=0"] = "got '0'",
+                               ["window=140,120"] = "window must be two increasing angles", ["steps=0"] = "got '0'",
                                ["bonded=200"] = "bonded must be a number of nm above 0 and below the strip's" } do
     local output, status = check.program { "-q", core.home .. "/scripts/peeling2d.lua", "out=" .. folder, word }
     check.equal(status, 1)

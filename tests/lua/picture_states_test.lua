@@ -97,7 +97,8 @@ for last; do :; done
   core.write_file(folder .. "/bin/ffmpeg", "#!/bin/sh\necho 'Unknown encoder' >&2\nexit 1\n")
   check.shell(("chmod +x %s/bin/ffmpeg"):format(folder))
   output, status = check.program({ folder .. "/film.lua" }, nil, "PATH=" .. folder .. "/bin:$PATH")
-  check.holds(output, "film.lua:6: sg.film: film '", "x.ogv", "ffmpeg failed with the message: Unknown encoder")
+  check.holds(output, "film.lua:6: sg.film: cannot write the film '", "x.ogv",
+              "ffmpeg failed with the message: Unknown encoder")
   check.equal({ status, (check.shell(("ls '%s/a b'"):format(folder))) }, { 1, ";x'.mp4\n" })
   output, status = check.program({ folder .. "/film.lua" }, nil, "PATH=/nowhere")
   check.holds(output, "film.lua:6: sg.film: file", "needs the program ffmpeg", "x.ogv", "x-%04d.png")

@@ -119,7 +119,7 @@ local wrong = {
     "supports.bed: it frees x, which it also fixes" },
   { "a support that only frees",
     [[sg.model{ bodies = { a = a }, supports = { s = { on = a:face "south", free = "xy" } } }]],
-    "supports.s: it holds nothing" },
+    "supports.s: it must hold at least one component" },
   { "a support on a number", [[sg.model{ bodies = { a = a }, supports = { s = { on = 3, fix = "x" } } }]],
     "supports.s.on must be a face or a list of faces, an edge, a corner or an obstacle",
     "got the number 3" },
@@ -145,7 +145,8 @@ local wrong = {
     [[sg.model{ bodies = { a = a }, supports = { s = { on = b:face "south", fix = "x" } } }]],
     "is on a body that is not in bodies: add the body" },
   { "a support that holds nothing", [[sg.model{ bodies = { a = a }, supports = { s = { on = a:face "south" } } }]],
-    "supports.s: it holds nothing", [[add fix = "xy", drive = "xy", rotate = true or symmetry = true]] },
+    "supports.s: it must hold at least one component", [[add fix = "xy", drive = "xy",
+                                                         rotate = true or symmetry = true]] },
   { "an unknown field", [[sg.picture{ model = sg.model{ bodies = { a = a } }, file = "a.png", field = "uu" }]],
     "sg.picture", "unknown field 'uu'", "known: ux, uy" },
 }

@@ -76,7 +76,7 @@ end)
 check.case("wrong arguments", function()
   check.refused(script, { ["msh=m1"] = "unknown argument 'msh=m1'; did you mean 'mesh'?", ["mesh=m9"] = "got 'm9'",
                                ["penalty=-1"] = "penalty must be a positive number, got '-1'",
-                               ["thickness_degree=two"] = "through must be a whole number",
+                               ["thickness_degree=two"] = "thickness_degree must be a whole number",
                                ["steps=0"] = "steps must be a whole number" }, "out=" .. folder)
 end)
 

@@ -68,15 +68,15 @@ check.case("wrong arguments are errors at the user's line", function()
     { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, outcome = 1 },
       "unknown argument 'outcome' (the number 1); known: " },
     { { name = "s", cases = sg.grid{ outcome = { 1 } }, run = run }, "cannot be called 'outcome'" },
-    { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, alone = 1 }, "sequential must be true or false" },
+    { { name = "s", cases = sg.grid{ a = { 1 } }, run = run, sequential = 1 }, "sequential must be true or false" },
   } do
     check.fails(function() sg.study(wrong[1]) end, "study_test.lua", table.unpack(wrong, 2))
   end
   local study = sg.study{ name = "s", cases = sg.grid{ a = { 1 } }, run = run, folder = new_folder() }
   check.fails(function() study:execute{ job = 2 } end, "unknown argument 'job'", "did you mean 'jobs'?")
   check.fails(function() study:execute{ jobs = 0 } end, "jobs must be a whole number", "the number 0")
-  check.fails(function() study:execute{ again = "all" } end,
-    "again must be true or false, 'failed' or a function", "the string 'all'")
+  check.fails(function() study:execute{ rerun = "all" } end,
+    "rerun must be true or false, 'failed' or a function", "the string 'all'")
   check.fails(function() study:where{ b = 1 } end, "study:where: no case has 'b': none of its cases is done yet")
   check.fails(function() study:where{}:execute{} end, "part of a study")
   check.fails(function() study:exeute{} end, "study_test.lua", "a study has no 'exeute'; did you mean 'execute'?")

@@ -107,7 +107,7 @@ for _, case in ipairs {
   { "a drive through the plane", [[sg.model(held{ on = a:face "west", symmetry = true, drive = "xy" })]],
     "supports.s.symmetry holds x on the plane x = 1, but drive names x, too: remove one of the two" },
   { "a free normal", [[sg.model(held{ on = a:face "south", symmetry = true, free = "xy" })]],
-    "supports.s.symmetry holds y on the plane y = 0, but free names y as well" },
+    "supports.s.symmetry holds y on the plane y = 0, but free names y, too" },
   { "a plane that turns", [[sg.model(held{ on = a:face "west", symmetry = true, rotate = true })]],
     "supports.s.symmetry cannot be combined with rotate" },
   { "a corner", [[sg.model(held{ on = a:corner "south-west", symmetry = true })]],

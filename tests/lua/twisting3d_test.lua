@@ -62,7 +62,7 @@ check.case("curves, charts and pictures", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, { ["label=N2"] = "unknown argument 'label=N2'; did you mean 'labels'? known: angle=",
+  check.refused(script, { ["order=N2"] = "unknown argument 'order=N2'; did you mean 'orders'? known: angle=",
                                ["parts=turn"] = "parts must be values among 'twist', 'punch' and 'balance', got 'turn'",
                                ["meshes=m4"] = "meshes must be values among 'm1', 'm2' and 'm3', got 'm4'",
                                ["slave=die"] = "slave must be 'hemisphere' or 'cube', got 'die'",

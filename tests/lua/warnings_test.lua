@@ -56,7 +56,7 @@ check.case("degree 1 in any direction of a nearly incompressible body", function
     local found = warnings{ elements = {4, 2}, order = "N2", thickness_degree = 1, nu = 0.45, law = law }
     check.equal(#found, 1)
     check.holds(found[1], "bodies.beam: at Poisson's ratio 0.45 elements of degree 1 (along xi2) lock",
-      "degree 2 or more in all directions (order N2 or higher, without through or with thickness_degree = 2)")
+      "degree 2 or more in all directions (order N2 or higher, without thickness_degree or with thickness_degree = 2)")
   end
   check.holds(warnings{ elements = {2, 2, 1}, order = {"N2", "N1"}, thickness_degree = 2, nu = 0.47 }[1],
               "(along xi2) lock")

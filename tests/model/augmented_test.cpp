@@ -82,7 +82,7 @@ TEST(Augmented, TooFewLoopsAreReported) {
   set_target(model, 0, 0, -0.2);
   const solve::NewtonReport report = solve_step(model, augmented(1e-8, 3));
   EXPECT_EQ(report.outcome, solve::Outcome::penetration);
-  EXPECT_NE(text_of(report.messages).find("loops = 3, enough = 1.41421"), std::string::npos)
+  EXPECT_NE(text_of(report.messages).find("loops = 3, tolerance = 1.41421"), std::string::npos)
       << text_of(report.messages);
 }
 

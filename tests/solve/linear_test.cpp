@@ -128,7 +128,7 @@ TEST(LinearKinds, HaveNames) {
        {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::condensed, LinearKind::reuse})
     EXPECT_EQ(linear_kind(name_of(kind)), kind);
   EXPECT_ERROR(linear_kind("pardiso"),
-               "solve.linear.unknown: name = pardiso, known = (auto, klu, umfpack, condensed, kept)");
+               "solve.linear.unknown: name = pardiso, known = (auto, klu, umfpack, condensed, reuse)");
   EXPECT_EQ(make_solver(LinearKind::automatic, chain(10))->kind(), LinearKind::klu);
 }
 

@@ -34,7 +34,7 @@ in ~/.local/state/signorini/history. NO_COLOR in the environment turns colors of
 The examples use this scene, which can be typed or copied to the prompt:
 
 ]] .. scene,
-  labels = [[
+  orders = [[
 Order labels of discretizations, values of `order` in sg.body{ … }, for the directions along the contact face:
   Np          NURBS of degree p, continuity C^(p-1)
   Np.s        Np, then degree-elevated s times: degree p + s, still C^(p-1)

@@ -46,7 +46,7 @@ local function missing(study, now, limit, again)
   for i, entry in ipairs(study.cases) do
     local record, damaged = store.read(study, entry)
     local why = damaged and "the file cannot be read" or record and outdated(entry, record, now, limit)
-    if record and not why and is_wanted(again, study:row_of(entry, record)) then why = "again requests it" end
+    if record and not why and is_wanted(again, study:row_of(entry, record)) then why = "rerun requests it" end
     if why then reasons[why] = (reasons[why] or 0) + 1 end
     if record and not why then
       study.records[i] = record

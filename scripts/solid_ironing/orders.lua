@@ -9,8 +9,8 @@ local orders = {}
 
 local reference_label = "N2"
 
---- `options`: labels, mesh (its name), press, slide, linear. Returns { mesh, cases }; cases also by label.
-function labels.run(problem, options, files)
+--- `options`: orders, mesh (its name), press, slide, linear. Returns { mesh, cases }; cases also by label.
+function orders.run(problem, options, files)
   local mesh, press, slide = meshes.read(options.mesh), options.press, options.slide
   local cases, states = {}, {}
   for i, label in ipairs(options.orders) do
@@ -42,7 +42,7 @@ function labels.run(problem, options, files)
   files:draw("Px.png", "a step of the sliding", function(file)
     return output.draw_force(file, cases, "Px", { title = title .. ": drag, without friction", ylabel = "Px" })
   end)
-  files:draw("amplitudes.png", "N2 among the labels, and runs that complete the window", function(file)
+  files:draw("amplitudes.png", "N2 among the orders, and runs that complete the window", function(file)
     return output.draw_amplitudes(file, cases, title .. ": oscillation of the forces")
   end)
   files:draw("states.png", "a completed stage", function(file)
@@ -53,4 +53,4 @@ function labels.run(problem, options, files)
   return { mesh = mesh, cases = cases }
 end
 
-return labels
+return orders
