@@ -40,12 +40,12 @@ local function make_cases(problem, orders, meshes, rounds, everything)
   end
   for round = 1, rounds do
     for _, mesh in ipairs(meshes) do
-      local orders = {}
+      local chosen_orders = {}
       for _, order in ipairs(orders) do
-        if affordable(order, mesh) then orders[#orders + 1] = order end
+        if affordable(order, mesh) then chosen_orders[#chosen_orders + 1] = order end
       end
-      if #orders > 0 and (round == 1 or not (problem.once and problem.once[mesh])) then
-        list[#list + 1] = sg.grid({ round = { round } }, { mesh = { mesh } }, { order = orders })
+      if #chosen_orders > 0 and (round == 1 or not (problem.once and problem.once[mesh])) then
+        list[#list + 1] = sg.grid({ round = { round } }, { mesh = { mesh } }, { order = chosen_orders })
       end
     end
   end

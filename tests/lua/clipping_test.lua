@@ -134,7 +134,7 @@ local function heatmap(of)
 end
 
 sizes[#sizes] = nil -- charts have a size of two numbers
-local orders = { title = words, xlabel = words, ylabel = words }
+local labels = { title = words, xlabel = words, ylabel = words }
 local function with(more)
   for key, value in pairs(labels) do more[key] = more[key] or value end
   return more

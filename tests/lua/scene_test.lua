@@ -145,8 +145,8 @@ local wrong = {
     [[sg.model{ bodies = { a = a }, supports = { s = { on = b:face "south", fix = "x" } } }]],
     "is on a body that is not in bodies: add the body" },
   { "a support that holds nothing", [[sg.model{ bodies = { a = a }, supports = { s = { on = a:face "south" } } }]],
-    "supports.s: it must hold at least one component", [[add fix = "xy", drive = "xy",
-                                                         rotate = true or symmetry = true]] },
+    "supports.s: it must hold at least one component",
+    [[add fix = "xy", drive = "xy", rotate = true or symmetry = true]] },
   { "an unknown field", [[sg.picture{ model = sg.model{ bodies = { a = a } }, file = "a.png", field = "uu" }]],
     "sg.picture", "unknown field 'uu'", "known: ux, uy" },
 }
