@@ -56,14 +56,15 @@ local function solve_cell(functions, x, y)
   end
   local stages, options = functions.path(model, x, y)
   local run = model:run(stages, options)
-  local place, held = run.places and run.places[1], run.reason == "completed"
+  local place, completed = run.places and run.places[1], run.reason == "completed"
   local cell = { outcome = run.reason, reached = reached(run, stages), steps = run.steps,
                  increments = #accepted(run.histories), iterations = run.iterations, cutbacks = run.cutbacks,
                  fallback_steps = run.fallback_steps or 0, wall = run.wall, report = run.report,
                  place = place and place.text,
                  figures = {} }
-  if held and functions.figures then cell.figures = read_figures(functions.figures(model, run, x, y)) end
-  return { cell = cell, failed = not held, reason = not held and ("%s: %s"):format(run.reason, run.report) or nil }
+  if completed and functions.figures then cell.figures = read_figures(functions.figures(model, run, x, y)) end
+  return { cell = cell, failed = not completed,
+           reason = not completed and ("%s: %s"):format(run.reason, run.report) or nil }
 end
 
 -- ── The file ─────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -213,8 +214,8 @@ end
 
 --- The number of converged cells, the table, and the first error, if there was one.
 function Map:__tostring()
-  local held, total = self:converged()
-  local text = ("%s: %d of %s converged\n%s"):format(self.name, held, counted(total, "cell"), self:table())
+  local converged, total = self:converged()
+  local text = ("%s: %d of %s converged\n%s"):format(self.name, converged, counted(total, "cell"), self:table())
   local lost = lists.filter(self.cells, function(cell) return cell.outcome == "error" end)[1]
   return lost and ("%s\nerror at %s, %s: %s"):format(text, lost.x, lost.y, lost.report) or text
 end

@@ -8,11 +8,11 @@ local lists = require "signorini.lists"
 local named = require "signorini.named"
 local read_cases = require("signorini.study.cases").read
 local store = require "signorini.study.store"
-local verbs = require "signorini.study.methods"
+local methods = require "signorini.study.methods"
 
 local where = "sg.study"
 
-local Study = lists.merged({ execute = execute.verb, __name = "study" }, verbs)
+local Study = lists.merged({ execute = execute.method, __name = "study" }, methods)
 Study.__index = Study
 core.types.study = Study
 

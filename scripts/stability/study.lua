@@ -41,10 +41,10 @@ end
 local function report(plain, robust, titles)
   for i, map in ipairs { plain, robust } do print(("\n%s: %s"):format(titles[i], tostring(map))) end
   local result = plain:compare(robust)
-  local held, total = plain:converged()
+  local converged, total = plain:converged()
   local lost = #result.lost > 0 and (" (%s)"):format(pairs_text(result.lost)) or ""
   print(("\n%s: plain Newton converged in %d of %d cells, controls in %d; recovered %d, failed with controls only %d%s")
-    :format(plain.name, held, total, (robust:converged()), #result.recovered, #result.lost, lost))
+    :format(plain.name, converged, total, (robust:converged()), #result.recovered, #result.lost, lost))
   result.plain_iterations, result.robust_iterations = work(plain, robust)
   if result.plain_iterations > 0 then
     print(("iterations in cells where both converge: %d and %d, ratio %.3f"):format(result.plain_iterations,

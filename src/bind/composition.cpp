@@ -59,7 +59,7 @@ struct Plates {
     all.size = paper.size;
     all.trim = paper.trim;
     all.style = paper.style;
-    all.bars_beside = paper.bars;
+    all.adjacent_bars = paper.bars;
     return all;
   }
 };

@@ -170,8 +170,8 @@ template <int D> VectorX displacements(const model::Model<D>& model) {
 
 template <int D> std::vector<std::string> unconstrained_bodies(model::Model<D>& model) {
   std::vector<std::string> names;
-  for (const model::UnconstrainedMotion& loose : model.system.loose()) {
-    const std::string& name = model.system.scene.bodies[at(loose.body)].name;
+  for (const model::UnconstrainedMotion& unconstrained : model.system.unconstrained()) {
+    const std::string& name = model.system.scene.bodies[at(unconstrained.body)].name;
     if (names.empty() || names.back() != name) names.push_back(name);
   }
   return names;

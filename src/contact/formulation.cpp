@@ -25,7 +25,7 @@ template <int D> void Formulation<D>::move(const double* slave_displacement, con
   take_back(blocks_);
 }
 
-template <int D> void Formulation<D>::stand() {
+template <int D> void Formulation<D>::return_to_accepted() {
   accepted_master_ = master_;
   accepted_travel_ = travel_;
 }
@@ -65,7 +65,7 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
     if (!present.results[i].settled) unsettled_ = {unsettled_.count + 1, points_.reference[i]};
     if (has_crossed(i, present, accepted)) crossed_ = {crossed_.count + 1, points_.reference[i]};
   }
-  stand();
+  return_to_accepted();
 }
 
 /// Whether a point has passed through the master since the accepted state. Points whose distance exceeds the approach
@@ -85,7 +85,7 @@ bool Formulation<D>::has_crossed(std::size_t i, const History<D>& present, const
 
 template <int D> void Formulation<D>::settle(History<D>& accepted) {
   travel_ = 0;
-  stand();
+  return_to_accepted();
   for (std::size_t i = 0; i < points_.size(); ++i) {
     accepted.points[i].cleared = 0;
     accepted.results[i].position = position(points_, slave(), i);

@@ -48,7 +48,7 @@ struct Offsets {
 };
 
 /// One contact. Members hold constant data and the moving faces; everything else is in the History passed to its
-/// methods. commit() and stand() store the faces' accepted position.
+/// methods. commit() and return_to_accepted() store the faces' accepted position.
 template <int D> class Formulation {
 public:
   /// Throws Error if no contact point is left.
@@ -86,7 +86,7 @@ public:
   /// evaluated last. The caller then makes `present` the accepted history.
   void commit(History<D>& present, const History<D>& accepted, double penalty_factor);
   /// To be called after the faces have been moved back to the accepted state.
-  void stand();
+  void return_to_accepted();
   /// Drops everything from past evaluations that affects rounding later, so that the continuation depends on the
   /// accepted state alone. Requires both faces in the accepted state.
   void settle(History<D>& accepted);

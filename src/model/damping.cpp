@@ -12,15 +12,15 @@ namespace signorini::model {
 
 template <int D>
 std::vector<UnconstrainedMotion> unconstrained_motions(const Scene<D>& scene, const Unknowns<D>& unknowns) {
-  std::vector<UnconstrainedMotion> loose;
+  std::vector<UnconstrainedMotion> unconstrained;
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
     for (VectorX& motion : rigid_motions<D>(scene.bodies[at(b)].body->space().points(), scene.kind)) {
       bool free = true;
       for (Eigen::Index i = 0; i < motion.size() && free; ++i)
         free = std::abs(motion(i)) < 1e-12 || unknowns.unknown(unknowns.offset(b) + static_cast<int>(i)) >= 0;
-      if (free) loose.push_back({b, std::move(motion)});
+      if (free) unconstrained.push_back({b, std::move(motion)});
     }
-  return loose;
+  return unconstrained;
 }
 
 template <int D>

@@ -35,9 +35,9 @@ namespace {
 /// Adds the damping of unconstrained bodies to the tangent.
 template <int D> void damp(Model<D>& model) {
   System<D>& system = model.system;
-  if (system.loose().empty()) return;
+  if (system.unconstrained().empty()) return;
   system.assembly.add_diagonal(
-      damping(system.scene, system.unknowns, system.loose(), system.assembly.diagonal(), model.residual,
+      damping(system.scene, system.unknowns, system.unconstrained(), system.assembly.diagonal(), model.residual,
               strides(system.scene, system.contacts, model.present, small_stride * system.extent)));
 }
 
@@ -49,7 +49,7 @@ template <int D> bool factor(Model<D>& model, const StepOptions& options) {
   const Assembly<D>& assembly = model.system.assembly;
   const Tangent tangent{assembly.values(),          assembly.pattern(),          assembly.pattern_version(),
                         assembly.constant_values(), assembly.contact_unknowns(), assembly.contact_version()};
-  return model.linear.factor(tangent, {options.linear, options.damping && !model.system.loose().empty()});
+  return model.linear.factor(tangent, {options.linear, options.damping && !model.system.unconstrained().empty()});
 }
 
 template <int D> bool solve_for(Model<D>& model, VectorX& b) {
@@ -98,11 +98,11 @@ template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& op
   for (std::size_t k = 0; k < system.contacts.size() && damping; ++k) {
     const Contact<D>& contact = system.scene.contacts[k];
     const auto* face = std::get_if<FaceReference>(&contact.master);
-    const bool falls =
-        resultant(model.present.contacts[k]).active == 0 &&
-        std::any_of(system.loose().begin(), system.loose().end(), [&](const UnconstrainedMotion& motion) {
-          return motion.body == contact.slave.body || (face && motion.body == face->body);
-        });
+    const bool falls = resultant(model.present.contacts[k]).active == 0 &&
+                       std::any_of(system.unconstrained().begin(), system.unconstrained().end(),
+                                   [&](const UnconstrainedMotion& motion) {
+                                     return motion.body == contact.slave.body || (face && motion.body == face->body);
+                                   });
     model.controls[k].landing = falls;
     any = any || falls;
   }

@@ -97,7 +97,7 @@ template <int D> void rollback(Model<D>& model) {
   model.external = model.system.drives.force(model.targets);
   // Reactions and contact results are those of the accepted state, bitwise.
   take_residual(model);
-  model.system.stand(model.accepted);
+  model.system.return_to_accepted(model.accepted);
 }
 
 template <int D> Snapshot<D> snapshot(const Model<D>& model) {

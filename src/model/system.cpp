@@ -71,9 +71,9 @@ template <int D> void System<D>::commit(State<D>& present, const State<D>& accep
     contacts[k]->commit(present.contacts[k], accepted.contacts[k], present.penalty_factor);
 }
 
-template <int D> void System<D>::stand(const State<D>& accepted) {
+template <int D> void System<D>::return_to_accepted(const State<D>& accepted) {
   assembly.move(accepted.displacement);
-  for (const auto& contact : contacts) contact->stand();
+  for (const auto& contact : contacts) contact->return_to_accepted();
 }
 
 template <int D> void System<D>::settle(State<D>& accepted) {
@@ -81,9 +81,9 @@ template <int D> void System<D>::settle(State<D>& accepted) {
   assembly.forget_contacts();
 }
 
-template <int D> const std::vector<UnconstrainedMotion>& System<D>::loose() {
-  if (!loose_) loose_ = unconstrained_motions(scene, unknowns);
-  return *loose_;
+template <int D> const std::vector<UnconstrainedMotion>& System<D>::unconstrained() {
+  if (!unconstrained_) unconstrained_ = unconstrained_motions(scene, unknowns);
+  return *unconstrained_;
 }
 
 template <int D> const VectorX& System<D>::path_weights() {

@@ -28,17 +28,17 @@ template <int D> struct System {
   /// `present` the accepted state.
   void commit(State<D>& present, const State<D>& accepted);
   /// Moves the contacts' faces back to the accepted state.
-  void stand(const State<D>& accepted);
+  void return_to_accepted(const State<D>& accepted);
   /// Drops everything from past evaluations that affects rounding later.
   void settle(State<D>& accepted);
 
   /// Rigid-body modes that no support prevents; computed on first use.
-  const std::vector<UnconstrainedMotion>& loose();
+  const std::vector<UnconstrainedMotion>& unconstrained();
   /// See path_norm.hpp; computed on first use.
   const VectorX& path_weights();
 
 private:
-  std::optional<std::vector<UnconstrainedMotion>> loose_;
+  std::optional<std::vector<UnconstrainedMotion>> unconstrained_;
   std::optional<VectorX> path_weights_;
 };
 

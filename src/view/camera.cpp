@@ -68,16 +68,16 @@ Mat<3> picture_axes(const Camera& camera) {
 
 std::array<double, 4> triad_room(const Mat<3>& axes, const std::array<std::string, 3>& names, const Style& style) {
   const double dot = 0.2 * style.tick_size, high = 0.45 * style.tick_size;
-  std::array<double, 4> room = {dot, dot, dot, dot};
+  std::array<double, 4> space = {dot, dot, dot, dot};
   for (int axis = 0; axis < 3; ++axis) {
     const Vec<2> direction = axes.col(axis).head<2>();
     if (!is_seen(direction)) continue;
     const double half = 0.5 * text_width(names[axis], style.tick_size);
     const Vec<2> at = name_at(direction, half, style);
-    room = {std::max(room[0], std::max(half, high) - at[0]), std::max(room[1], std::max(half, high) + at[0]),
-            std::max(room[2], high - at[1]), std::max(room[3], high + at[1])};
+    space = {std::max(space[0], std::max(half, high) - at[0]), std::max(space[1], std::max(half, high) + at[0]),
+             std::max(space[2], high - at[1]), std::max(space[3], high + at[1])};
   }
-  return room;
+  return space;
 }
 
 void draw_triad(Drawing& drawing, const Vec2& at, const Mat<3>& axes, const std::array<std::string, 3>& names,

@@ -122,7 +122,7 @@ ChartLayout lay_out(const std::vector<Series>& series, const ChartOptions& optio
   frame.box = {left, right, bottom, top};
   fit_ticks(frame, xs, options, style);
   require(frame.box[1] - frame.box[0] >= 0.2 * options.size[0] && top - bottom >= 0.2 * options.size[1],
-          "view.chart.room", {{"width", options.size[0]}, {"height", options.size[1]}});
+          "view.chart.space", {{"width", options.size[0]}, {"height", options.size[1]}});
   if (frame.xticks.depth > depth + 1) return lay_out(series, options, xs, ys, style, frame.xticks.depth);
   frame.y = {ys.low, ys.high, options.log_y, bottom, top};
   layout.title_at = top + raised;
@@ -151,8 +151,8 @@ std::optional<ChartLayout> lay_out_within(const std::vector<Series>& series, con
 
 /// The range, extended at one end to make space for an inset.
 Range with_room(const Range& ys, bool log, bool below) {
-  constexpr double room = 0.6; // of the present height: the smallest inset takes 0.3 of the extended height
-  const double grown = log ? std::pow(ys.high / ys.low, room) : room * (ys.high - ys.low);
+  constexpr double space = 0.6; // of the present height: the smallest inset takes 0.3 of the extended height
+  const double grown = log ? std::pow(ys.high / ys.low, space) : space * (ys.high - ys.low);
   if (below) return {log ? ys.low / grown : ys.low - grown, ys.high};
   return {ys.low, log ? ys.high * grown : ys.high + grown};
 }

@@ -74,8 +74,8 @@ std::array<double, 2> color_range(const std::array<double, 2>& values,
     require_drawable(low, high, false);
     return {low, high};
   }
-  const double room = size == 0 ? 1 : 0.1 * size;
-  return {low - room, high + room};
+  const double space = size == 0 ? 1 : 0.1 * size;
+  return {low - space, high + space};
 }
 
 double colorbar_room(const std::array<double, 2>& range, const std::string& title, double height, const Style& style,
@@ -128,13 +128,13 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
   }
   if (!ticks.factor.empty())
     drawing.marks.push_back(Text{{place.left, top - 0.8 * size}, ticks.factor, size, Align::left, ink});
-  const double room = colorbar_room(range, title, top - bottom, style, log) - 1.3 * style.margin;
+  const double space = colorbar_room(range, title, top - bottom, style, log) - 1.3 * style.margin;
   // Zero up to rounding error is printed as zero.
   const double zero = 1e-12 * std::max(std::abs(values[0]), std::abs(values[1]));
   const auto printed = [&](double value) { return in_digits(std::abs(value) > zero ? value : 0); };
   for (const auto& [name, value, y] : {std::tuple{"max ", values[1], place.top - 0.8 * size},
                                        std::tuple{"min ", values[0], place.bottom + 0.1 * size}})
-    draw_fitting(drawing, Text{{place.left, y}, name + printed(value), 0.85 * size, Align::left, ink}, room, style);
+    draw_fitting(drawing, Text{{place.left, y}, name + printed(value), 0.85 * size, Align::left, ink}, space, style);
   if (!title.empty()) {
     const double x = right + 0.5 * size + widest_tick(ticks, size) + 1.15 * style.label_size;
     const FittedText fitted =

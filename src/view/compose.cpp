@@ -50,7 +50,7 @@ Trial best_trial(int count, const PictureOptions& options, const std::array<int,
       reason = error.message();
     }
   }
-  require(!trials.empty(), "view.pictures.room",
+  require(!trials.empty(), "view.pictures.space",
           {{"count", count}, {"width", options.size[0]}, {"height", options.size[1]}, {"reason", reason}});
   constexpr double tower = 1; // width/height below which a figure counts as too high
   return *std::max_element(trials.begin(), trials.end(), [&](const Trial& a, const Trial& b) {
@@ -266,7 +266,7 @@ Figure with_close_ups(int picture, const CloseUpPlan& plan, const WholeMaker& ma
   const std::vector<Frame> frames = whole.frames;
   for (std::size_t state = 0; state < frames.size(); ++state) {
     const auto most = room_of(frames[state], plan.share);
-    require(most.has_value(), "view.inset.room");
+    require(most.has_value(), "view.inset.space");
     Placing placing = placed(frames[state], plan.corner, detail(picture, static_cast<int>(state), *most));
     draw_joins(whole.drawing, placing);
     insets.push_back(std::move(placing.inset));

@@ -142,10 +142,10 @@ Range axis_range(const Range& values, const std::optional<std::array<double, 2>>
     return {values.low / factor, values.high * factor};
   }
   const double width = values.high - values.low;
-  const double room = width > 1e-9 * std::max(std::abs(values.low), std::abs(values.high))
-                          ? margin * width
-                          : std::max(0.1 * std::abs(values.high), 1e-9);
-  return {values.low - room, values.high + room};
+  const double space = width > 1e-9 * std::max(std::abs(values.low), std::abs(values.high))
+                           ? margin * width
+                           : std::max(0.1 * std::abs(values.high), 1e-9);
+  return {values.low - space, values.high + space};
 }
 
 int distinct_curves() {

@@ -13,10 +13,10 @@ bool inside(const Vec2& a, const Vec2& b, const Box& box, double& t0, double& t1
   for (int axis = 0; axis < 2; ++axis)
     for (int end = 0; end < 2; ++end) {
       const double sign = end == 0 ? -1 : 1;
-      const double slope = sign * (b[axis] - a[axis]), room = sign * (box[2 * axis + end] - a[axis]);
-      if (slope == 0 && room < 0) return false;
-      if (slope < 0) t0 = std::max(t0, room / slope);
-      if (slope > 0) t1 = std::min(t1, room / slope);
+      const double slope = sign * (b[axis] - a[axis]), space = sign * (box[2 * axis + end] - a[axis]);
+      if (slope == 0 && space < 0) return false;
+      if (slope < 0) t0 = std::max(t0, space / slope);
+      if (slope > 0) t1 = std::min(t1, space / slope);
     }
   return t0 <= t1;
 }

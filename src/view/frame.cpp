@@ -55,11 +55,11 @@ void draw_name(Drawing& drawing, const FittedText& name, const Vec2& at, bool up
 }
 
 /// Fits a title into `above` pixels over the box.
-FittedText fit_title(const std::string& title, double room, double above, const Style& style) {
+FittedText fit_title(const std::string& title, double space, double above, const Style& style) {
   const double full = style.title_size;
   FittedText fitted;
   for (int most = 3; most >= 1; --most) {
-    fitted = fit_text(title, full, std::max(0.6 * full, least_size(style)), room, most);
+    fitted = fit_text(title, full, std::max(0.6 * full, least_size(style)), space, most);
     if (1.5 * full + fitted.depth() <= above + 1e-6) break;
   }
   return fitted;
@@ -187,14 +187,14 @@ void draw_labels(Drawing& drawing, const Frame& frame, const Style& style) {
 
 double title_room(const std::string& title, double figure_width, const Style& style) {
   if (title.empty()) return 0.4 * style.title_size;
-  const double room = figure_width - 2 * style.margin;
-  return 1.7 * style.title_size + fit_title(title, room, std::numeric_limits<double>::infinity(), style).depth();
+  const double space = figure_width - 2 * style.margin;
+  return 1.7 * style.title_size + fit_title(title, space, std::numeric_limits<double>::infinity(), style).depth();
 }
 
 void draw_title(Drawing& drawing, const std::string& title, const Box& box, const Style& style) {
   if (title.empty()) return;
-  const double room = drawing.size[0] - 2 * style.margin;
-  const FittedText fitted = fit_title(title, room, drawing.size[1] - box[3], style);
+  const double space = drawing.size[0] - 2 * style.margin;
+  const FittedText fitted = fit_title(title, space, drawing.size[1] - box[3], style);
   const double half = 0.5 * fitted.width();
   const double center = std::clamp(0.5 * (box[0] + box[1]), style.margin + half, drawing.size[0] - style.margin - half);
   draw_lines(drawing, fitted, {center, box[3] + 0.7 * style.title_size + fitted.depth()}, Align::center, black);
@@ -207,15 +207,15 @@ void draw_lines(Drawing& drawing, const FittedText& text, Vec2 at, Align align, 
   }
 }
 
-void draw_fitting(Drawing& drawing, Text text, double room, const Style& style) {
-  const FittedText fitted = fit_text(text.string, text.size, std::min(text.size, least_size(style)), room);
+void draw_fitting(Drawing& drawing, Text text, double space, const Style& style) {
+  const FittedText fitted = fit_text(text.string, text.size, std::min(text.size, least_size(style)), space);
   text.string = fitted.lines.front();
   text.size = fitted.size;
   drawing.marks.emplace_back(std::move(text));
 }
 
-double fitting_size(const std::string& text, double wanted, double room) {
-  return std::min(wanted, wanted * room / std::max(text_width(text, wanted), 1.0));
+double fitting_size(const std::string& text, double wanted, double space) {
+  return std::min(wanted, wanted * space / std::max(text_width(text, wanted), 1.0));
 }
 
 } // namespace signorini::view

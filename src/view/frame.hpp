@@ -104,10 +104,10 @@ void draw_title(Drawing& drawing, const std::string& title, const Box& box, cons
 /// Draws lines of text from the first baseline on; upright ones go to the right.
 void draw_lines(Drawing& drawing, const FittedText& text, Vec2 at, Align align, const Rgb& color, bool upright = false);
 
-/// Draws one line of text, smaller than `wanted` or truncated where it is longer than `room`.
-void draw_fitting(Drawing& drawing, Text text, double room, const Style& style);
+/// Draws one line of text, smaller than `wanted` or truncated where it is longer than `space`.
+void draw_fitting(Drawing& drawing, Text text, double space, const Style& style);
 
-/// The largest size up to `wanted` at which the text is not wider than `room`.
-double fitting_size(const std::string& text, double wanted, double room);
+/// The largest size up to `wanted` at which the text is not wider than `space`.
+double fitting_size(const std::string& text, double wanted, double space);
 
 } // namespace signorini::view

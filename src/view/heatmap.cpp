@@ -181,10 +181,10 @@ double text_size(const std::vector<Heat>& maps, const Box& cell, const Style& st
   for (const Heat& map : maps)
     for (const auto& row : map.texts)
       for (const std::string& one : row) longest = std::max(longest, text_width(one, 1));
-  const double least = std::max(0.5 * style.tick_size, legible), room = 0.88 * (cell[1] - cell[0]),
+  const double least = std::max(0.5 * style.tick_size, legible), space = 0.88 * (cell[1] - cell[0]),
                high = 0.8 * (cell[3] - cell[2]);
   if (longest == 0 || high < least) return 0;
-  return std::max(least, std::min({0.9 * style.tick_size, high, room / longest}));
+  return std::max(least, std::min({0.9 * style.tick_size, high, space / longest}));
 }
 
 void draw_text(Drawing& drawing, const std::string& string, const Box& cell, const Look& look, double size) {

@@ -48,13 +48,13 @@ double indent(const Legend& legend, const Legend::Row& row) {
   return has_sign(row) ? legend.sign + 0.45 * legend.size : 0;
 }
 
-/// Fits all names at a size into `room` pixels, each on at most `lines` lines; returns whether none is truncated.
-bool fit_names(Legend& legend, double size, double room, int lines, const Style& style) {
+/// Fits all names at a size into `space` pixels, each on at most `lines` lines; returns whether none is truncated.
+bool fit_names(Legend& legend, double size, double space, int lines, const Style& style) {
   bool whole = true;
   legend.size = size;
   legend.row = 1.5 * size;
   for (Legend::Row& row : legend.rows) {
-    row.text = fit_text(row.label, size, std::min(size, least_size(style)), room - indent(legend, row), lines);
+    row.text = fit_text(row.label, size, std::min(size, least_size(style)), space - indent(legend, row), lines);
     whole = whole && !row.text.cut;
   }
   return whole;
@@ -77,9 +77,9 @@ int rows_in(const Legend& legend, int columns) {
 }
 
 /// Right of the chart; returns whether no name is truncated.
-bool put_beside(Legend& legend, double room, double height, const Style& style) {
+bool put_in_columns(Legend& legend, double space, double height, const Style& style) {
   const double size = std::min(style.label_size, height / (1.5 * legend.rows.size()));
-  if (size < least_size(style) || !fit_names(legend, size, room, 1, style)) return false;
+  if (size < least_size(style) || !fit_names(legend, size, space, 1, style)) return false;
   legend.width = widest(legend) + style.margin;
   return true;
 }
@@ -96,11 +96,11 @@ bool put_below(Legend& legend, const ChartOptions& options, const Style& style) 
   double best = 0;
   for (int columns = 1; columns <= count; ++columns) {
     const double size = std::min(0.9 * style.label_size, most / (1.5 * rows_in(legend, columns)));
-    const double room = column_room(options, columns, style);
-    if (size < least || room < legend.sign + 5 * least) continue;
+    const double space = column_room(options, columns, style);
+    if (size < least || space < legend.sign + 5 * least) continue;
     // Truncated names count as too small; at equal size fewer rows are preferred.
-    const bool whole = fit_names(legend, size, room, 1, style);
-    double score = whole ? size : 0.5 * least * room / options.size[0];
+    const bool whole = fit_names(legend, size, space, 1, style);
+    double score = whole ? size : 0.5 * least * space / options.size[0];
     for (const Legend::Row& row : legend.rows) score = whole && row.text.size < score ? row.text.size : score;
     if (score < 0.999 * best) continue;
     best = score;
@@ -148,8 +148,8 @@ Legend chart_legend(const std::vector<Series>& series, const ChartOptions& optio
 
 Legend make_legend(const std::vector<Series>& series, const ChartOptions& options, const Style& style, double height) {
   Legend legend = chart_legend(series, options, style);
-  if (legend.rows.empty() || put_beside(legend, 0.42 * options.size[0], height, style)) return legend;
-  require(put_below(legend, options, style), "view.legend.room",
+  if (legend.rows.empty() || put_in_columns(legend, 0.42 * options.size[0], height, style)) return legend;
+  require(put_below(legend, options, style), "view.legend.space",
           {{"rows", legend.rows.size()}, {"width", options.size[0]}, {"height", options.size[1]}});
   return legend;
 }
@@ -181,8 +181,8 @@ Legend make_legend(const std::vector<Category>& categories, double width, double
   const double size = std::min(0.9 * style.label_size, height / (1.5 * static_cast<double>(categories.size())));
   require(size >= std::min(least_size(style), 5.0), "view.legend.categories", {{"count", categories.size()}});
   legend.sign = 1.5 * size;
-  const auto fits = [&](double room) {
-    return fit_names(legend, size, room, 3, style) && height_of(legend) <= height + 1e-6;
+  const auto fits = [&](double space) {
+    return fit_names(legend, size, space, 3, style) && height_of(legend) <= height + 1e-6;
   };
   // Several lines are preferred to a legend half as wide as the figure.
   if (!fits(0.6 * width) && !fits(width)) fit_names(legend, size, width, 1, style);

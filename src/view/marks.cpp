@@ -137,11 +137,11 @@ void draw_label(Drawing& drawing, const FittedText& label, const Box& place, con
 std::vector<PlacedMark> within(std::vector<PlacedMark> marks, const Box& box, bool all, const Style& style) {
   const auto inside = [&](const PlacedMark& mark) { return holds(box, mark.at); };
   if (!all) std::erase_if(marks, [&](const PlacedMark& mark) { return !inside(mark); });
-  const double room = 2.9 * radius(style); // of ring and arrow
+  const double space = 2.9 * radius(style); // of ring and arrow
   for (PlacedMark& mark : marks) {
     if (inside(mark)) continue;
-    const Vec2 at = {pushed(mark.at[0], box[0] + room, box[1] - room),
-                     pushed(mark.at[1], box[2] + room, box[3] - room)};
+    const Vec2 at = {pushed(mark.at[0], box[0] + space, box[1] - space),
+                     pushed(mark.at[1], box[2] + space, box[3] - space)};
     mark.beyond = mark.at - at;
     mark.at = at;
   }

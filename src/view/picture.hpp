@@ -31,7 +31,7 @@ struct PictureOptions {
   std::optional<Box> extent;
   std::optional<int> columns;         ///< of a sheet; default: the number that shows the states largest
   std::optional<Style> style;         ///< of texts and lines; default: that of the size
-  std::vector<Bar> bars_beside;       ///< of adjacent pictures: the space is that of the largest bar
+  std::vector<Bar> adjacent_bars;     ///< of adjacent pictures: the space is that of the largest bar
   bool axis_names = true;             ///< next to the numbers, or at the three arrows
   std::vector<std::string> axes = {}; ///< their names; x, y and z when empty
   std::string unit;                   ///< of lengths, in axis names and at the ruler

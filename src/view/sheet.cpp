@@ -50,7 +50,7 @@ Grid make_grid(const ModelBoxes& boxes, int columns) {
 /// The bar of the range, if there is one, and those of adjacent pictures.
 std::vector<Bar> bars_of(const PictureOptions& options, const std::optional<Interval>& range) {
   if (!range) return {};
-  std::vector<Bar> bars = options.bars_beside;
+  std::vector<Bar> bars = options.adjacent_bars;
   bars.push_back({*range, options.field_label});
   return bars;
 }
@@ -75,40 +75,41 @@ Rooms rooms_of(const Grid& grid, const std::vector<std::string>& titles, const P
                const std::optional<Interval>& range, const Style& style, const std::optional<ArrowRoom>& arrows) {
   const bool titled = std::any_of(titles.begin(), titles.end(), [](const std::string& t) { return !t.empty(); });
   const double width = options.size[0], height = options.size[1];
-  Rooms rooms{};
-  rooms.title = (options.title.empty() ? 0.4 : 1.7) * style.title_size;
-  rooms.below = !arrows         ? room_below(style, axis_name(options, 0, options.unit))
-                : options.ruler ? ruler_room(style)
-                                : 0;
-  if (!options.vectors.empty()) rooms.below += key_room(style);
+  Rooms spaces{};
+  spaces.title = (options.title.empty() ? 0.4 : 1.7) * style.title_size;
+  spaces.below = !arrows         ? room_below(style, axis_name(options, 0, options.unit))
+                 : options.ruler ? ruler_room(style)
+                                 : 0;
+  if (!options.vectors.empty()) spaces.below += key_room(style);
   // Numbers depend little on the final size of the states.
-  const double guess = (height - 2 * style.margin - rooms.title - rooms.below) / grid.rows();
+  const double guess = (height - 2 * style.margin - spaces.title - spaces.below) / grid.rows();
   bool factor = false;
-  if (arrows) rooms.left = arrows->width;
+  if (arrows) spaces.left = arrows->width;
   for (const auto& [low, high] : arrows ? std::vector<Interval>() : grid.y) {
     const Ticks ticks = stacked_ticks(low, high, false, guess, style);
-    rooms.left = std::max(rooms.left, room_left(style, ticks, axis_name(options, 1, options.unit)));
+    spaces.left = std::max(spaces.left, room_left(style, ticks, axis_name(options, 1, options.unit)));
     factor |= !ticks.factor.empty();
   }
-  rooms.head = (factor ? 1.2 * style.tick_size : 0) + (titled ? 1.5 * style.label_size : 0);
-  rooms.right = range ? 0 : 2 * style.margin;
+  spaces.head = (factor ? 1.2 * style.tick_size : 0) + (titled ? 1.5 * style.label_size : 0);
+  spaces.right = range ? 0 : 2 * style.margin;
   for (const Bar& bar : bars_of(options, range))
-    rooms.right = std::max(rooms.right, style.margin + colorbar_room(bar.range, bar.title, guess * grid.rows(), style));
+    spaces.right =
+        std::max(spaces.right, style.margin + colorbar_room(bar.range, bar.title, guess * grid.rows(), style));
   double number = 0;
   if (!arrows)
     for (const std::string& label : fitting_ticks(grid.x[0], grid.x[1], false, width / grid.columns, style).labels)
       number = std::max(number, text_width(label, style.tick_size));
-  rooms.across = std::max(1.5 * style.tick_size, number + 0.5 * style.tick_size);
-  rooms.between = 0.7 * style.tick_size;
-  rooms.free_width = width - style.margin - rooms.left - rooms.right - (grid.columns - 1) * rooms.across;
-  rooms.free_height = height - 2 * style.margin - rooms.title - rooms.below - grid.rows() * rooms.head -
-                      (grid.rows() - 1) * rooms.between;
-  return rooms;
+  spaces.across = std::max(1.5 * style.tick_size, number + 0.5 * style.tick_size);
+  spaces.between = 0.7 * style.tick_size;
+  spaces.free_width = width - style.margin - spaces.left - spaces.right - (grid.columns - 1) * spaces.across;
+  spaces.free_height = height - 2 * style.margin - spaces.title - spaces.below - grid.rows() * spaces.head -
+                       (grid.rows() - 1) * spaces.between;
+  return spaces;
 }
 
 /// Pixels per unit of length.
-double scale_of(const Grid& grid, const Rooms& rooms) {
-  return std::min(rooms.free_width / (grid.columns * length(grid.x)), rooms.free_height / grid.height());
+double scale_of(const Grid& grid, const Rooms& spaces) {
+  return std::min(spaces.free_width / (grid.columns * length(grid.x)), spaces.free_height / grid.height());
 }
 
 void clear_numbers(Ticks& ticks) {
@@ -116,15 +117,15 @@ void clear_numbers(Ticks& ticks) {
   for (std::string& number : ticks.labels) number.clear();
 }
 
-std::vector<Frame> make_frames(const Grid& grid, const Rooms& rooms, double scale, double left, double top,
+std::vector<Frame> make_frames(const Grid& grid, const Rooms& spaces, double scale, double left, double top,
                                std::size_t count, bool numbers, const PictureOptions& options, const Style& style) {
   std::vector<Frame> frames;
   const double width = scale * length(grid.x);
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t column = i % grid.columns;
     const Interval& y = grid.y[i / grid.columns];
-    if (column == 0 && i > 0) top -= scale * length(grid.y[i / grid.columns - 1]) + rooms.between + rooms.head;
-    const double bottom = top - scale * length(y), start = left + column * (width + rooms.across);
+    if (column == 0 && i > 0) top -= scale * length(grid.y[i / grid.columns - 1]) + spaces.between + spaces.head;
+    const double bottom = top - scale * length(y), start = left + column * (width + spaces.across);
     Frame frame;
     frame.box = {start, start + width, bottom, top};
     frame.x = {grid.x[0], grid.x[1], false, start, start + width};
@@ -179,30 +180,30 @@ Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& bo
                     const std::optional<ArrowRoom>& arrows) {
   const int count = static_cast<int>(titles.size());
   Grid grid;
-  Rooms rooms{};
+  Rooms spaces{};
   double scale = -1;
   const int most = std::min(options.columns.value_or(count), count);
   for (int columns = options.columns ? most : 1; columns <= most; ++columns) {
     const Grid next = make_grid(boxes, columns);
     const Rooms needed = rooms_of(next, titles, options, range, style, arrows);
-    if (scale_of(next, needed) > scale * (1 + 1e-9)) grid = next, rooms = needed, scale = scale_of(next, needed);
+    if (scale_of(next, needed) > scale * (1 + 1e-9)) grid = next, spaces = needed, scale = scale_of(next, needed);
   }
-  require(scale > 0 && rooms.free_width > 0.2 * options.size[0] && rooms.free_height > 0.2 * options.size[1],
-          "view.sheet.room", {{"width", options.size[0]}, {"height", options.size[1]}});
+  require(scale > 0 && spaces.free_width > 0.2 * options.size[0] && spaces.free_height > 0.2 * options.size[1],
+          "view.sheet.space", {{"width", options.size[0]}, {"height", options.size[1]}});
 
-  const double width = grid.columns * scale * length(grid.x) + (grid.columns - 1) * rooms.across;
-  const double height = scale * grid.height() + (grid.rows() - 1) * (rooms.between + rooms.head);
+  const double width = grid.columns * scale * length(grid.x) + (grid.columns - 1) * spaces.across;
+  const double height = scale * grid.height() + (grid.rows() - 1) * (spaces.between + spaces.head);
   // For states of small height the bar extends above and below them.
   double bar = height;
   for (const Bar& one : bars_of(options, range)) {
     const double least = std::max(9 * style.tick_size, 0.8 * text_width(one.title, style.label_size));
-    bar = std::max(bar, std::min(least, rooms.free_height));
+    bar = std::max(bar, std::min(least, spaces.free_height));
   }
   const double low = arrows ? 0.5 * arrows->height : 0;
-  const double up = std::max({0.5 * height + rooms.head, 0.5 * bar, low}),
-               down = std::max({0.5 * height + rooms.below, 0.5 * bar, low});
-  const double wide = style.margin + rooms.left + width + rooms.right;
-  const double high = 2 * style.margin + rooms.title + up + down;
+  const double up = std::max({0.5 * height + spaces.head, 0.5 * bar, low}),
+               down = std::max({0.5 * height + spaces.below, 0.5 * bar, low});
+  const double wide = style.margin + spaces.left + width + spaces.right;
+  const double high = 2 * style.margin + spaces.title + up + down;
   const double title = text_width(options.title, style.title_size) + 2 * style.margin;
 
   Sheet sheet;
@@ -213,14 +214,14 @@ Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& bo
     };
     sheet.size = {cut(std::max(wide, title), 160, options.size[0]), cut(high, 120, options.size[1])};
   }
-  const double left = 0.5 * (sheet.size[0] - wide) + style.margin + rooms.left;
+  const double left = 0.5 * (sheet.size[0] - wide) + style.margin + spaces.left;
   const double middle = 0.5 * (sheet.size[1] - high) + style.margin + down, top = middle + 0.5 * height;
-  sheet.frames = make_frames(grid, rooms, scale, left, top, titles.size(), !arrows, options, style);
+  sheet.frames = make_frames(grid, spaces, scale, left, top, titles.size(), !arrows, options, style);
   sheet.panel_title_size = 0.9 * style.label_size;
   for (const std::string& one : titles)
     sheet.panel_title_size = fitting_size(one, sheet.panel_title_size, scale * length(grid.x));
-  sheet.arrows = {left - rooms.left, std::min(middle - 0.5 * height, middle - low)};
-  sheet.key = {left, middle - 0.5 * height - rooms.below};
+  sheet.arrows = {left - spaces.left, std::min(middle - 0.5 * height, middle - low)};
+  sheet.key = {left, middle - 0.5 * height - spaces.below};
   sheet.bar = {left + width + 1.3 * style.margin, middle - 0.5 * bar, middle + 0.5 * bar};
   sheet.whole = {left, left + width, middle - 0.5 * height, middle + up};
   return sheet;

@@ -48,8 +48,8 @@ struct FittedText {
 /// Distance between baselines of lines, relative to the font size.
 inline constexpr double line_step = 1.2;
 
-/// Fits a text into `room` pixels: at the wanted size, on up to `most` lines, smaller down to `least`; the rest is
+/// Fits a text into `space` pixels: at the wanted size, on up to `most` lines, smaller down to `least`; the rest is
 /// replaced by "…".
-FittedText fit_text(const std::string& text, double wanted, double least, double room, int most = 1);
+FittedText fit_text(const std::string& text, double wanted, double least, double space, int most = 1);
 
 } // namespace signorini::view

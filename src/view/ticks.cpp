@@ -75,10 +75,10 @@ Ticks with_minor(Ticks ticks, double low, double high) {
 
 /// Width available to a name at tick i, if its neighbors take as much, pixels.
 double room_for(const Ticks& ticks, std::size_t i, const Scale& scale) {
-  double room = scale.to - scale.from;
-  if (i > 0) room = std::min(room, scale(ticks.at[i]) - scale(ticks.at[i - 1]));
-  if (i + 1 < ticks.at.size()) room = std::min(room, scale(ticks.at[i + 1]) - scale(ticks.at[i]));
-  return room;
+  double space = scale.to - scale.from;
+  if (i > 0) space = std::min(space, scale(ticks.at[i]) - scale(ticks.at[i - 1]));
+  if (i + 1 < ticks.at.size()) space = std::min(space, scale(ticks.at[i + 1]) - scale(ticks.at[i]));
+  return space;
 }
 
 /// All on one line in one size; false if that would be too small.
@@ -98,8 +98,8 @@ bool shrink_names(Ticks& ticks, const Scale& scale, bool within_cells, const Sty
 bool wrap_names(Ticks& ticks, const Scale& scale, const Style& style) {
   bool whole = true;
   for (std::size_t i = 0; i < ticks.at.size(); ++i) {
-    const double room = room_for(ticks, i, scale) - 0.6 * least_size(style);
-    ticks.names[i] = fit_text(ticks.labels[i], style.tick_size, least_size(style), room, 3);
+    const double space = room_for(ticks, i, scale) - 0.6 * least_size(style);
+    ticks.names[i] = fit_text(ticks.labels[i], style.tick_size, least_size(style), space, 3);
     ticks.depth = std::max(ticks.depth, ticks.names[i].depth());
     whole = whole && !ticks.names[i].cut;
   }
@@ -108,9 +108,9 @@ bool wrap_names(Ticks& ticks, const Scale& scale, const Style& style) {
 
 /// Minimum distance of two names, pixels.
 double closest(const Ticks& ticks, const Scale& scale) {
-  double room = scale.to - scale.from;
-  for (std::size_t i = 0; i < ticks.at.size(); ++i) room = std::min(room, room_for(ticks, i, scale));
-  return room;
+  double space = scale.to - scale.from;
+  for (std::size_t i = 0; i < ticks.at.size(); ++i) space = std::min(space, room_for(ticks, i, scale));
+  return space;
 }
 
 /// Omits names closer than `apart` pixels to the one before.
@@ -139,9 +139,9 @@ Ticks thin_out_numbers(const Ticks& ticks, const Scale& scale, const Style& styl
 
 /// Names across the axis, on as many lines as fit.
 Ticks lines_across(const Ticks& ticks, const Scale& scale, double most, double step, const Style& style) {
-  const double room = closest(ticks, scale), size = std::clamp(room / step, least_size(style), style.tick_size);
+  const double space = closest(ticks, scale), size = std::clamp(space / step, least_size(style), style.tick_size);
   Ticks kept = thinned(ticks, scale, step * size);
-  const int lines = std::clamp(static_cast<int>(room / (line_step * size) - 0.3), 1, 3);
+  const int lines = std::clamp(static_cast<int>(space / (line_step * size) - 0.3), 1, 3);
   for (const std::string& label : kept.labels)
     kept.names.push_back(fit_text(label, size, least_size(style), most, lines));
   return kept;

@@ -27,7 +27,7 @@ public:
     for (History<D>* history : {&accepted_, &present_})
       for (auto& point : history->points) point.cleared = 0;
     go(accepted_place_);
-    formulation_->stand();
+    formulation_->return_to_accepted();
     go(place_);
   }
   Pair(Pair&&) = default;
@@ -51,7 +51,7 @@ public:
   void rollback() {
     present_ = accepted_;
     go(accepted_place_);
-    formulation_->stand();
+    formulation_->return_to_accepted();
   }
   void fix_states(std::vector<FixedContactState> states) { controls_.fixed_states = std::move(states); }
   bool holds() const { return !controls_.fixed_states.empty(); }

@@ -104,7 +104,7 @@ check.case("the traction refers to the reference area at any stretch of the face
   check.near(model:contact_resultant "film".fy, 20 * traction(gap_below(0.05)), 1e-8)
 end)
 
--- Each ends with status 1 and a message that names the script's line, the argument, what came and the cure.
+-- Each ends with status 1 and a message that names the script's line, the argument, the value and the hint.
 local start = [[
 local sg = require "signorini"
 local s = sg.body{ patch = sg.shapes.rectangle{ width = 20, height = 4 }, elements = {10, 2}, order = "N2",
@@ -133,7 +133,7 @@ local wrong = {
     "contacts.f: it has both adhesion and penalty", "remove one of the two" },
   { "adhesion and friction", "sg.model(with{ adhesion = film, friction = { mu = 0.1, penalty = 1 } })",
     "contacts.f: it has both adhesion and friction", "remove one of the two" },
-  { "a region that is no function", "sg.model(with{ adhesion = film, where = 150 })",
+  { "a region that is not a function", "sg.model(with{ adhesion = film, where = 150 })",
     "contacts.f.where must be a function", "got the number 150", "function(X) return X[1] <= 150 end" },
   { "a region that answers with a number", "sg.model(with{ adhesion = film, where = function(X) return X[2] end })",
     "contacts.f.where must return true or false", "must return true or false, got the number 0" },

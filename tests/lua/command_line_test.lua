@@ -32,7 +32,7 @@ check.case("scripts get their arguments, and find modules in their folder", func
   os.execute("rm -r " .. name)
 end)
 
-check.case("modules of the scripts that come along are found last, from scripts in subfolders and elsewhere", function()
+check.case("modules of the supplied scripts are found last, from scripts in subfolders and elsewhere", function()
   local folder = check.folder()
   local function write(file, text) core.write_file(folder .. "/" .. file, text) end
   write("study.lua", "print(type(require('ironing2d.problem').scene), (require 'timing.in_turns'))")

@@ -144,7 +144,7 @@ check.case("a file keeps finished cells; a second call solves only those that ar
   check.equal(select(2, solve{ figures = function() return { most = most } end }), "good4 diverged4 good10 diverged10 ")
   check.fails(function() solve{ name = "rings" } end, "convergence_map_test.lua:", "sg.convergence_map", file,
     "springs", "rings", "choose another file")
-  os.remove(file) -- all anew, also under another name
+  os.remove(file) -- all again, also under another name
   check.equal(select(2, solve{ name = "rings" }), "good4 diverged4 good10 diverged10 ")
   remove(file)
   os.remove(trace)

@@ -54,7 +54,7 @@ end)
 check.case("2D ironing: the error left by shorter steps is due to penetration, stiffer penalties remove it", function()
   local soft, stiff = iron("N2-N2.2", 4, 0.2, 100), iron("N2-N2.2", 4, 0.2, 1000)
   below("soft", soft, 5e-4)
-  below("stiff beside soft", stiff / soft, 0.5)
+  below("stiff relative to soft", stiff / soft, 0.5)
 end)
 
 check.case("2D ironing, N2: energy error 2e-3 on the coarse face, less with stiffer penalties", function()
@@ -67,7 +67,7 @@ check.case("2D ironing without friction: only the error of the trapezoidal rule 
   local published, energy = iron("N2", 1, 0, 100)
   check.equal(energy.friction, 0)
   below("published steps", published, 1e-4)
-  below("halved steps beside published ones", iron("N2", 2, 0, 100) / published, 0.6)
+  below("halved steps relative to published ones", iron("N2", 2, 0, 100) / published, 0.6)
 end)
 
 -- ── The growth of the slave's area ───────────────────────────────────────────────────────────────────────────────────

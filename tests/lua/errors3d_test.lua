@@ -2,7 +2,7 @@
 
 local check = require "check"
 
--- Each ends with status 1 and a message that names the script's line, the argument, what came and the cure.
+-- Each ends with status 1 and a message that names the script's line, the argument, the value and the hint.
 local start = [[
 local sg = require "signorini"
 local soft = sg.neo_hookean{ E = 1, nu = 0.3 }

@@ -164,7 +164,7 @@ check.case("functions and methods written in Lua are found behind `return`, too,
   check.equal(finished.steps, 2)
 end)
 
-check.case("errors of the library written in Lua stand at the user's line too", function()
+check.case("errors of the library written in Lua appear at the user's line too", function()
   local expected = debug.getinfo(1, "l").currentline + 1
   local _, message = pcall(function() sg.csv.write(3, {}) end)
   check.holds(message, ("errors_test.lua:%d: sg.csv.write"):format(expected))

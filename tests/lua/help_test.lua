@@ -93,7 +93,7 @@ end)
 check.case("every page has a subject", function()
   for _, group in ipairs(pages.groups()) do
     for _, page in ipairs(group) do
-      if not page.head and not names.value(page.name) then error(page.name .. " is no name of the language") end
+      if not page.head and not names.value(page.name) then error(page.name .. " is not a name of the language") end
     end
   end
 end)

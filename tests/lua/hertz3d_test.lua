@@ -36,8 +36,8 @@ check.case("3D agrees with the axisymmetric model except for quadrature, for any
   -- One element for a quarter turn has the fewest Gauss points.
   local twin = study.cases["N2 m1"].twin
   for i, bound in ipairs { 0.5, 0.01 } do
-    check.at_most("peak beside the twin's in %", study.turns[i].peak_percent - twin.peak_percent, bound)
-    check.at_most("radius beside the twin's in %", study.turns[i].width_percent - twin.width_percent, bound)
+    check.at_most("peak relative to the twin in %", study.turns[i].peak_percent - twin.peak_percent, bound)
+    check.at_most("radius relative to the twin in %", study.turns[i].width_percent - twin.width_percent, bound)
   end
 end)
 

@@ -114,7 +114,7 @@ check.case("a load is also accepted among the supports", function()
   check.near(model:sample("body", "ux", {1, 0.5}), 0.25, 1e-10)
 end)
 
--- Each ends with status 1 and a message that names the script's line, the argument, what came and the cure.
+-- Each ends with status 1 and a message that names the script's line, the argument, the value and the hint.
 local start = [[
 local sg = require "signorini"
 local plane = sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }

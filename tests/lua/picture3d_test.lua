@@ -62,7 +62,7 @@ check.case("every option changes the picture", function()
   end
 end)
 
-check.case("two fields of a solid stand side by side", function()
+check.case("two fields of a solid are drawn side by side", function()
   local pair = draw{ model = model, fields = { "uz", "szz" }, size = 1200 }
   check.equal(pair.width > 1.5 * pair.height, true)
 end)

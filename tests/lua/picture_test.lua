@@ -112,7 +112,7 @@ check.case("magnified parts are sampled again where they are curved, also in she
                                                                  crop = crop }.bytes, true)
     return picture
   end
-  -- The arc is no polygon: its pixels are those of many short lines
+  -- The arc is not a polygon: its pixels are those of many short lines
   drawn(sg.shapes.half_annulus{ inner = 0.5, outer = 1 }, { -0.75, -0.65, -0.75, -0.65 }):write(folder .. "/arc.svg")
   local corners = 0
   for path in core.read_file(folder .. "/arc.svg"):gmatch ' d="([^"]*)"' do
@@ -177,7 +177,7 @@ check.case("a sheet has one range of colors for each field, unless each picture 
   local shared = draw_sheet{ uy, large, columns = 2 }
   check.equal(draw_sheet{ uy, large, columns = 2, range = "own" }.bytes == shared.bytes, false)
   check.equal(draw_sheet{ uy, large, columns = 2, range = { 0, 2 } }.bytes == shared.bytes, false)
-  -- Several fields stand side by side, each with a bar
+  -- Several fields are drawn side by side, each with a bar
   local function bars(arguments)
     arguments.file = folder .. "/bars.svg"
     sg.sheet(arguments)

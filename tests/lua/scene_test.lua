@@ -76,7 +76,7 @@ check.case("a face that turns may say that its translation is free", function()
   check.near({ turned "xy"[1], turned "xy"[2] }, { 0, 0 }, 1e-12)
 end)
 
--- Each ends with status 1 and a message that names the script's line, the argument, what came and the cure.
+-- Each ends with status 1 and a message that names the script's line, the argument, the value and the hint.
 local start = [[
 local sg = require "signorini"
 local soft = sg.neo_hookean{ E = 1, nu = 0.3 }

@@ -1,5 +1,5 @@
 -- model:run for the model of a spring: the language's, behind the check of its arguments. As part of the library, so
--- that errors stand at the test's line.
+-- that errors appear at the test's line.
 
 local core = require "signorini.core"
 

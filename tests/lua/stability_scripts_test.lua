@@ -25,9 +25,9 @@ local function outcomes(map)
   return names
 end
 
-local function check_controls(maps, held)
+local function check_controls(maps, converged)
   check.equal(maps.comparison.lost, {})
-  check.equal({ maps.robust:converged() }, { held, #maps.plain.cells })
+  check.equal({ maps.robust:converged() }, { converged, #maps.plain.cells })
   for _, map in ipairs { maps.plain, maps.robust } do
     for _, cell in ipairs(map.cells) do
       if cell.outcome == "error" or cell.outcome == "crashed" then error(cell.report) end

@@ -195,11 +195,11 @@ TEST(ActiveSet, ListsCyclingPointsByNumberOfChanges) {
   EXPECT_TRUE(set.cycling_points().empty()); // one change is not cycling
   go(1), go(1.5), go(2), go(1.5), go(1);
   // Element 3 (x from 1 to 1.5) changed four times, element 4 twice.
-  const std::vector<PointIndex> restless = set.cycling_points();
-  ASSERT_EQ(restless.size(), 6u);
+  const std::vector<PointIndex> cycling = set.cycling_points();
+  ASSERT_EQ(cycling.size(), 6u);
   for (int i = 0; i < 6; ++i) {
-    EXPECT_EQ(restless[static_cast<std::size_t>(i)].contact, 0);
-    EXPECT_EQ(restless[static_cast<std::size_t>(i)].point, 6 + i);
+    EXPECT_EQ(cycling[static_cast<std::size_t>(i)].contact, 0);
+    EXPECT_EQ(cycling[static_cast<std::size_t>(i)].point, 6 + i);
     EXPECT_EQ(strip.contacts[0]->points().list[static_cast<std::size_t>(6 + i)].element, i < 3 ? 2 : 3);
   }
   EXPECT_TRUE(set.cycling_past_end().empty());

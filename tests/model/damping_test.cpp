@@ -21,7 +21,7 @@ StepOptions damped() {
   return options;
 }
 
-std::vector<UnconstrainedMotion> loose_of(const Scene<2>& scene) {
+std::vector<UnconstrainedMotion> unconstrained_of(const Scene<2>& scene) {
   return unconstrained_motions(scene, Unknowns<2>(scene));
 }
 
@@ -29,10 +29,10 @@ std::vector<UnconstrainedMotion> loose_of(const Scene<2>& scene) {
 
 TEST(Damping, AFreeBodyHasAllRigidBodyModes) {
   const Scene<2> scene = square({});
-  const auto loose = loose_of(scene);
-  ASSERT_EQ(loose.size(), 3u);
+  const auto unconstrained = unconstrained_of(scene);
+  ASSERT_EQ(unconstrained.size(), 3u);
   const MatrixX points = scene.bodies[0].body->space().points();
-  const auto at = [&](std::size_t k, int a) { return Vec<2>(loose[k].motion.segment<2>(2 * a)); };
+  const auto at = [&](std::size_t k, int a) { return Vec<2>(unconstrained[k].motion.segment<2>(2 * a)); };
   for (int a = 0; a < points.cols(); ++a) {
     EXPECT_EQ(at(0, a), Vec<2>(1, 0));
     EXPECT_EQ(at(1, a), Vec<2>(0, 1));
@@ -44,16 +44,16 @@ TEST(Damping, AFreeBodyHasAllRigidBodyModes) {
 
 TEST(Damping, SupportsPreventModes) {
   // Fixed in x on its west face: only translation in y is free, because rotation moves that face in x.
-  const auto along = loose_of(square({{"wall", "west", {fixed, free_to_move}}}));
+  const auto along = unconstrained_of(square({{"wall", "west", {fixed, free_to_move}}}));
   ASSERT_EQ(along.size(), 1u);
   EXPECT_EQ(along[0].motion(1), 1);
   EXPECT_EQ(along[0].motion(0), 0);
   // Driven components are prescribed, too. A pinned corner leaves no mode, because rotations are about the middle.
-  EXPECT_EQ(loose_of(square({{"wall", "west", {Hold::driven, free_to_move}}})).size(), 1u);
+  EXPECT_EQ(unconstrained_of(square({{"wall", "west", {Hold::driven, free_to_move}}})).size(), 1u);
   Scene<2> pinned = square({});
   pinned.supports = {{"pin", {corner(pinned, 0, {0, 0})}, {fixed, fixed}}};
-  EXPECT_TRUE(loose_of(pinned).empty());
-  EXPECT_TRUE(loose_of(square({{"bed", "south", {fixed, fixed}}})).empty());
+  EXPECT_TRUE(unconstrained_of(pinned).empty());
+  EXPECT_TRUE(unconstrained_of(square({{"bed", "south", {fixed, fixed}}})).empty());
 }
 
 TEST(Damping, ABodyOfRevolutionTranslatesAlongItsAxisOnly) {
@@ -62,18 +62,18 @@ TEST(Damping, ABodyOfRevolutionTranslatesAlongItsAxisOnly) {
   scene.bodies.push_back({"disc", make_body(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "south",
                                             solid::neo_hookean(1, 0.3), {}, solid::Kind::axisymmetric)});
   scene.supports = {{"axis", {face_points(scene, 0, "west")}, {fixed, free_to_move}}};
-  const auto loose = loose_of(scene);
-  ASSERT_EQ(loose.size(), 1u);
-  EXPECT_EQ(Vec<2>(loose[0].motion.head<2>()), Vec<2>(0, 1));
+  const auto unconstrained = unconstrained_of(scene);
+  ASSERT_EQ(unconstrained.size(), 1u);
+  EXPECT_EQ(Vec<2>(unconstrained[0].motion.head<2>()), Vec<2>(0, 1));
 }
 
 TEST(Damping, EachBodyHasItsOwnModes) {
   Scene<2> scene = ironing("N2");
-  EXPECT_TRUE(loose_of(scene).empty());
+  EXPECT_TRUE(unconstrained_of(scene).empty());
   scene.supports.pop_back(); // the die's grip
-  const auto loose = loose_of(scene);
-  ASSERT_EQ(loose.size(), 3u);
-  for (const UnconstrainedMotion& motion : loose) EXPECT_EQ(motion.body, 0);
+  const auto unconstrained = unconstrained_of(scene);
+  ASSERT_EQ(unconstrained.size(), 3u);
+  for (const UnconstrainedMotion& motion : unconstrained) EXPECT_EQ(motion.body, 0);
 }
 
 // ── 3D ───────────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -109,9 +109,9 @@ TEST(Damping, RigidBodyModesIn3D) {
   scene.supports.pop_back();
   EXPECT_EQ(unconstrained_motions(scene, Unknowns<3>(scene)).size(), 3u); // along y and z, about x
   scene.supports.clear();
-  const auto loose = unconstrained_motions(scene, Unknowns<3>(scene));
-  ASSERT_EQ(loose.size(), 6u);
-  for (const UnconstrainedMotion& motion : loose) EXPECT_NEAR(motion.motion.cwiseAbs().maxCoeff(), 1, 1e-14);
+  const auto unconstrained = unconstrained_motions(scene, Unknowns<3>(scene));
+  ASSERT_EQ(unconstrained.size(), 6u);
+  for (const UnconstrainedMotion& motion : unconstrained) EXPECT_NEAR(motion.motion.cwiseAbs().maxCoeff(), 1, 1e-14);
 }
 
 // ── Length of moves ──────────────────────────────────────────────────────────────────────────────────────────────────
@@ -161,15 +161,15 @@ TEST(Damping, StridesAreTheGapsOfOpenContacts) {
 TEST(Damping, TheFactorIsThatOfTheModeWithMostWork) {
   const Scene<2> scene = square({});
   const Unknowns<2> unknowns(scene);
-  const auto loose = unconstrained_motions(scene, unknowns);
+  const auto unconstrained = unconstrained_motions(scene, unknowns);
   const VectorX diagonal = VectorX::LinSpaced(unknowns.size(), 1, 3);
   VectorX force = VectorX::Zero(unknowns.dofs());
-  EXPECT_LT((damping(scene, unknowns, loose, diagonal, force, {0.1}) - 1e-10 * diagonal).norm(), 1e-22);
+  EXPECT_LT((damping(scene, unknowns, unconstrained, diagonal, force, {0.1}) - 1e-10 * diagonal).norm(), 1e-22);
   for (int i = 1; i < force.size(); i += 2) force(i) = -2;
   double along_y = 0;
   for (int i = 1; i < force.size(); i += 2) along_y += diagonal(i);
   const double factor = 2 * static_cast<double>(force.size() / 2) / (0.1 * along_y);
-  EXPECT_LT((damping(scene, unknowns, loose, diagonal, force, {0.1}) - factor * diagonal).norm(),
+  EXPECT_LT((damping(scene, unknowns, unconstrained, diagonal, force, {0.1}) - factor * diagonal).norm(),
             1e-13 * factor * diagonal.norm());
 }
 
@@ -240,7 +240,7 @@ TEST(Damping, ABlockWithFrictionComesIntoContactFromAnyHeightUnderFullLoad) {
 
 TEST(Damping, ChangesNothingIfSupportsConstrainAllBodies) {
   Model<2> plain(ironing("N2")), with(ironing("N2"));
-  EXPECT_TRUE(with.system.loose().empty());
+  EXPECT_TRUE(with.system.unconstrained().empty());
   for (int step : {2, 4, 6, 8, 10, 12}) {
     ASSERT_EQ(ironing_step(plain, step).outcome, solve::Outcome::converged);
     const solve::NewtonReport report = ironing_step(with, step, damped());

@@ -227,19 +227,19 @@ TEST(Diagnosis, CyclingPointsAreNamed) {
   EXPECT_TRUE(holds(text_of(report.messages), "model.step.cycling: period = ")) << text_of(report.messages);
   const Diagnosis diagnosis = diagnose(model, report);
   EXPECT_EQ(diagnosis.outcome, Outcome::cycling);
-  const auto restless = model.active_set.cycling_points();
-  ASSERT_EQ(diagnosis.places.size(), restless.size());
-  for (std::size_t k = 0; k < restless.size(); ++k) {
+  const auto cycling = model.active_set.cycling_points();
+  ASSERT_EQ(diagnosis.places.size(), cycling.size());
+  for (std::size_t k = 0; k < cycling.size(); ++k) {
     const FailurePlace& spot = diagnosis.places[k];
     EXPECT_EQ(spot.kind, "contact point");
     EXPECT_EQ(spot.where, "interface");
-    const auto i = static_cast<std::size_t>(restless[k].point);
+    const auto i = static_cast<std::size_t>(cycling[k].point);
     EXPECT_EQ(spot.index, model.system.contacts[0]->points().list[i].element);
     EXPECT_EQ(spot.reference, VectorX(model.system.contacts[0]->points().reference[i]));
     EXPECT_EQ(spot.current, VectorX(model.accepted.contacts[0].results[i].position));
     EXPECT_NEAR((spot.reference - Eigen::Vector2d(0.75, 1.5)).norm(), 0.5, 1e-9); // on the die
   }
-  EXPECT_TRUE(holds(text_of(diagnosis.messages), "model.diagnosis.points: count = " + std::to_string(restless.size()) +
+  EXPECT_TRUE(holds(text_of(diagnosis.messages), "model.diagnosis.points: count = " + std::to_string(cycling.size()) +
                                                      ", contact = interface, element = "))
       << text_of(diagnosis.messages);
   EXPECT_TRUE(holds(text_of(diagnosis.remedies), "model.remedy.active_set"));

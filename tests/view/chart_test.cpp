@@ -248,7 +248,7 @@ TEST(Chart, PutsALegendWithLongNamesBelow) {
   };
   const std::string outside = legend("N2", {1600, 1000});
   EXPECT_LT(number_at(outside, "N2 0", "y"), 100);
-  const std::string words = "a name that is too long to be next to the chart as it takes more than half of all room";
+  const std::string words = "a name that is too long to be next to the chart as it takes more than half of all space";
   const std::string below = legend(words, {1600, 1000});
   EXPECT_GT(number_at(below, words + " 0", "y"), number_at(below, "abscissa", "y"));
   EXPECT_GE(number_at(below, words + " 2", "font-size"), 18);

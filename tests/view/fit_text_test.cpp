@@ -24,13 +24,13 @@ TEST(FitText, ShrinksSlightlyBeforeWrapping) {
 
 TEST(FitText, StaysWithinItsWidthAndTruncatesTheRest) {
   const std::string words = "a title that goes on and on with F_{normal contact} and 10^{-12} and many more words";
-  for (const double room : {40.0, 90.0, 200.0, 400.0, 900.0})
+  for (const double space : {40.0, 90.0, 200.0, 400.0, 900.0})
     for (const int most : {1, 2, 3}) {
-      const FittedText fitted = fit_text(words, 30, 18, room, most);
-      EXPECT_LE(fitted.width(), room + 1e-9);
+      const FittedText fitted = fit_text(words, 30, 18, space, most);
+      EXPECT_LE(fitted.width(), space + 1e-9);
       EXPECT_LE(static_cast<int>(fitted.lines.size()), most);
       EXPECT_GE(fitted.size, 18);
-      EXPECT_EQ(fitted.cut, fitted.lines.back().ends_with("…")) << room;
+      EXPECT_EQ(fitted.cut, fitted.lines.back().ends_with("…")) << space;
     }
   EXPECT_TRUE(fit_text(words, 30, 18, 200, 3).cut);
   EXPECT_FALSE(fit_text(words, 30, 18, 900, 1).cut);

@@ -169,7 +169,7 @@ TEST(Heatmap, LeavesCellsWithNonFiniteValuesBlank) {
 
 TEST(Heatmap, KeepsTheSizeOfNamesNextToALongOne) {
   HeatmapOptions options = three_by_two();
-  const std::string words = "a name of very many words that do not find room in a third of the map's whole width";
+  const std::string words = "a name of very many words that do not find space in a third of the map's whole width";
   options.y[1] = words + ", and then some more of them, until three lines are full as well and something is " + words;
   options.x[0] = "a name on lines";
   const std::string svg = svg_of({ramp()}, options);

@@ -147,7 +147,7 @@ TEST(SideBySide, ArrangesPicturesInColumns) {
   EXPECT_LE(height, 900);
   options.size = {200, 150};
   EXPECT_TRUE(holds(message_of([&] { side_by_side(4, options, make); }),
-                    {"view.pictures.room: count = 4, width = 200, height = 150, reason = (view.pictures.larger)"}));
+                    {"view.pictures.space: count = 4, width = 200, height = 150, reason = (view.pictures.larger)"}));
 }
 
 TEST(SideBySide, HasOneLayoutForDifferentBars) {
@@ -157,7 +157,7 @@ TEST(SideBySide, HasOneLayoutForDifferentBars) {
     options.trim = true;
     options.range = own.range;
     options.field_label = own.title;
-    options.bars_beside = beside;
+    options.adjacent_bars = beside;
     if (flat) options.extent = Box{-40, 40, -1, 2};
     const Plate plate = make_plate(ring(0), options);
     return std::pair{plate.frames[0].box, plate.drawing.size};

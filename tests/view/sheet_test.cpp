@@ -109,7 +109,7 @@ TEST(Sheet, IsTrimmedToItsContent) {
   sheet = lay_out_sheet({""}, {tower}, options, range, style);
   EXPECT_EQ(sheet.size[1], 1000);
   EXPECT_LT(sheet.size[0], 420);
-  options.title = "a title that needs more room than a tower";
+  options.title = "a title that needs more space than a tower";
   EXPECT_GT(lay_out_sheet({""}, {tower}, options, range, style).size[0], 600);
 }
 

@@ -49,7 +49,7 @@ local function read_maps(where, map, options)
   if options.other == nil then return { map }, {} end
   local other = options.other
   if not values.same({ map.x.values, map.y.values }, { other.x.values, other.y.values }) then
-    core.fail(where .. ": the map of beside must have the same values of x and y")
+    core.fail(where .. ": other must be a map of the same values of x and y")
   end
   return { map, other }, options.titles or { map.name, other.name }
 end

@@ -50,8 +50,8 @@ return {
       { "material", { kind = "object", name = "material",
                       cure = "for example material = sg.neo_hookean{ E = 1, nu = 0.3 }" }, "the material" },
       { "thickness_degree", patch_types.degree, [[Degree in the thickness direction, from the contact face to the
-opposite one, at least the geometry's own. Degree 1, as in the published studies, takes about half of the unknowns and
-of the time, but locks in bending and for nu near 0.5]], otherwise = "that of the label's bulk" },
+opposite one, at least the geometry's own. Degree 1, as in the published studies, has fewer unknowns and takes
+about half of the time, but locks in bending and for nu near 0.5]], otherwise = "that of the label's bulk" },
       { "grading", patch_types.grading, "where elements are concentrated; false: uniform",
         otherwise = "uniform elements" },
     },

@@ -25,15 +25,15 @@ local map = t.worded(t.named {
   { "title", t.text, "title above the map", optional = true }, rows.values, rows.texts,
 }, "a map { title = …, values = … }")
 
-local function beside_panels(row)
+local function without_panels(row)
   return lists.merged(row, { optional = true, excludes = { "panels", why = "each of which has its own" } })
 end
 
 local heatmap = lists.joined({
   { "x", names, "names of the columns, in order" },
   { "y", names, "names of the rows, the first one at the bottom" },
-  beside_panels(rows.values),
-  beside_panels(rows.texts),
+  without_panels(rows.values),
+  without_panels(rows.texts),
   { "panels", t.list(map, nil, 1), "several maps side by side, instead of values and texts", optional = true },
   { "columns", t.integer(1, 100), "maps in a row", otherwise = "at most three; two for four maps" },
   { "categories", t.list(category, nil, 1), [[values are these names. The legend shows those that occur: good ones in

@@ -13,7 +13,7 @@ end
 return {
   title = "Low-level methods: user-defined loops",
   word = "methods",
-  also = "verbs",
+  
   names("body", "bodies", '{"die", "slab"}'),
   names("support", "supports", '{"bed", "grip"}'),
   names("load", "loads", "{}"),

@@ -21,9 +21,9 @@ local contact = {
 mesh, of equal meshes the softer body (the published ironing studies use the stiff die)]] },
   { "master", t.either(face, obstacle), [[face of the other body onto which these points are projected, or an obstacle.
 Beyond an open end of the master the traction decreases to zero over 0.3 of its last element]] },
-  { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. Needed without adhesion. 100 E
-divided by a characteristic length of the scene is a usual choice; model:contact_resultant(name).max_penetration is the
-penetration that remains, and augmented = true of model:run removes
+  { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. Required unless adhesion is
+given. 10 to 1000 times E / h of the softer body is usual, h its element size;
+model:contact_resultant(name).max_penetration is the penetration that remains, and augmented = true of model:run removes
 it]], unit = "pressure per length", optional = true },
   { "friction", t.named {
     { "mu", t.non_negative, "Coulomb's coefficient of friction, tan of the angle of friction, not the angle" },
@@ -106,8 +106,8 @@ sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", tr
 centroid, in 3D about the axis through it, by an angle in degrees that stages give after the driven components; in 3D a
 list of faces rotates as one]], otherwise = "no rotation" },
       { "symmetry", t.flag, [[fixes the normal component on flat faces in a plane of symmetry x, y or z = c, in an
-axisymmetric model on the axis or y = c: the model is half of the scene, and its forces are half of those of the full
-scene]],
+axisymmetric model on the axis or y = c. Each plane of symmetry halves the scene and its forces; on the axis forces
+remain those of the full circle]],
         default = false },
     },
     more = [[model:reaction(name) is the force that it exerts, followed by the moment if it rotates; the columns of a

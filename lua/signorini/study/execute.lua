@@ -184,7 +184,7 @@ local function execute(name, study, options)
   return result
 end
 
-local function verb(study, options)
+local function method(study, options)
   if not study.cases then
     core.fail(where .. ": this is a part of a study, which has results only. Hint: execute the study from which it was "
       .. "taken")
@@ -193,4 +193,4 @@ local function verb(study, options)
   return study
 end
 
-return { verb = verb, execute = execute }
+return { method = method, execute = execute }

@@ -19,7 +19,7 @@ local values = require "signorini.study.values"
 local map = lists.map
 local widest = 60 -- characters of a printed cell
 
-local verbs = { chart = pictures.chart, heatmap = pictures.heatmap }
+local methods = { chart = pictures.chart, heatmap = pictures.heatmap }
 
 --- A study of these rows; `more` replaces other fields of the old one.
 local function part_of(study, rows, more)
@@ -29,9 +29,9 @@ end
 
 -- ── Choosing ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-function verbs:where(wanted) return part_of(self, filter.rows("study:where", self, wanted)) end
+function methods:where(wanted) return part_of(self, filter.rows("study:where", self, wanted)) end
 
-function verbs:row(wanted)
+function methods:row(wanted)
   local rows = filter.rows("study:row", self, wanted)
   if #rows ~= 1 then
     core.fail(("study:row: %s rows have %s, not one: %s"):format(#rows == 0 and "no" or #rows, filter.text(wanted),
@@ -47,7 +47,7 @@ local function grouped(rows, names)
   end)
 end
 
-function verbs:by(name)
+function methods:by(name)
   values.column("study:by", "name", name, self)
   local groups, i = grouped(self.rows, { name }), 0
   return function()
@@ -58,7 +58,7 @@ end
 
 -- ── Computing ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-function verbs:column(name)
+function methods:column(name)
   values.column("study:column", "name", name, self)
   return map(self.rows, function(row)
     if row[name] == nil then return 0 / 0 end
@@ -66,7 +66,7 @@ function verbs:column(name)
   end)
 end
 
-function verbs:with(name, make, unit)
+function methods:with(name, make, unit)
   if lists.holds(self.parameters, name) then
     core.fail(("study:with: '%s' is a parameter. Hint: choose another name"):format(name))
   end
@@ -105,7 +105,7 @@ local function merge(rows, name)
   return merged
 end
 
-function verbs:median(name)
+function methods:median(name)
   check.value(types.choice(self.parameters), name, "study:median", "name")
   local kept = lists.filter(self.parameters, function(parameter) return parameter ~= name end)
   local rows = map(grouped(self.rows, kept), function(group)
@@ -167,7 +167,7 @@ local function read_table(where, study, options)
   return columns, units, rows
 end
 
-function verbs:table(options)
+function methods:table(options)
   local columns, units, rows = read_table("study:table", self, options)
   for _, row in ipairs(rows) do
     for j = 1, #columns do row[j] = type(row[j]) == "string" and cut(row[j], widest) or row[j] end
@@ -175,7 +175,7 @@ function verbs:table(options)
   return format_table{ columns = columns, units = units, rows = rows, formats = options.formats }
 end
 
-function verbs:csv(file, options)
+function methods:csv(file, options)
   local columns, units, rows = read_table("study:csv", self, options)
   local comments = { ("study: %s"):format(self.name) }
   for j, name in ipairs(columns) do
@@ -184,10 +184,10 @@ function verbs:csv(file, options)
   in_name_of("study:csv", "sg.csv.write", csv.write, file, { columns = columns, rows = rows, comments = comments })
 end
 
-function verbs:__len() return #self.rows end
+function methods:__len() return #self.rows end
 
 --- The number of finished cases, the outcomes of those without results, and the table.
-function verbs:__tostring()
+function methods:__tostring()
   local counts, all = outcomes.counts(self.rows), self.cases and #self.cases or #self.rows
   local head = ("%s: %s%s%s%s"):format(self.name, self.cases and ("%d of "):format(#self.rows) or "",
     counted(all, "case"), self.cases and (all == 1 and " is done" or " are done") or "",
@@ -195,4 +195,4 @@ function verbs:__tostring()
   return #self.rows > 0 and head .. "\n" .. self:table() or head
 end
 
-return verbs
+return methods

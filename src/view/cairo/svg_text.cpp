@@ -63,7 +63,7 @@ std::string element(const Text& text, double along, double down) {
 }
 
 /// The ids of Cairo, such as surface39, with new numbers in this file.
-std::string numbered_anew(const std::string& svg) {
+std::string renumbered(const std::string& svg) {
   std::string result;
   std::map<std::string, std::size_t> numbers;
   const std::string key = "surface";
@@ -88,7 +88,7 @@ std::string searchable(const std::string& svg, const Figure& figure) {
       if (const Text* text = std::get_if<Text>(&mark))
         texts += element(*text, at[0] + text->at[0], figure.size[1] - at[1] - text->at[1]);
   const std::size_t end = svg.rfind("</svg>");
-  return numbered_anew(svg.substr(0, end)) +
+  return renumbered(svg.substr(0, end)) +
          "<g fill-opacity=\"0\" xml:space=\"preserve\" font-family=\"'Liberation Sans', Arial, Helvetica, "
          "sans-serif\">\n" +
          texts + "</g>\n" + svg.substr(end);

@@ -62,7 +62,7 @@ vtkSmartPointer<vtkPolyData> mesh(const Points& points, const Points& normals, c
 
 /// Separate triangles of three successive points, each in its own color.
 template <std::size_t N>
-vtkSmartPointer<vtkPolyData> loose_mesh(const Points& points, const Points& normals,
+vtkSmartPointer<vtkPolyData> plain_mesh(const Points& points, const Points& normals,
                                         const std::vector<std::array<std::uint8_t, N>>& colors) {
   Triangles triangles(3, points.cols() / 3);
   std::iota(triangles.reshaped().begin(), triangles.reshaped().end(), 0);
@@ -118,7 +118,7 @@ void add_veil(vtkRenderer& renderer, const Veil& veil) {
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     points(2, i) =
         farthest + (nearest - farthest) * static_cast<double>(i - i % 3) / static_cast<double>(points.cols());
-  add_actor(renderer, *loose_mesh(points, columns(veil.normals), veil.colors), true);
+  add_actor(renderer, *plain_mesh(points, columns(veil.normals), veil.colors), true);
 }
 
 } // namespace
@@ -130,7 +130,7 @@ void add_relief(vtkRenderer& renderer, const Relief& relief) {
   if (!relief.veil.colors.empty()) add_veil(renderer, relief.veil); // first, because it is beneath everything else
   for (const Field& field : relief.fields) add_field(renderer, field, depth);
   if (!relief.ink.colors.empty())
-    add_actor(renderer, *loose_mesh(depth(columns(relief.ink.corners)), {}, relief.ink.colors), false);
+    add_actor(renderer, *plain_mesh(depth(columns(relief.ink.corners)), {}, relief.ink.colors), false);
   vtkNew<vtkLight> light;
   light->SetLightTypeToSceneLight();
   light->PositionalOff();
