@@ -283,7 +283,7 @@ check.case("two maps side by side share the axes", function()
   check.equal({ charts[2].panels[2].title, charts[2].panels[2].values[1] }, { "controls", { 12, 31 } })
   local other = make{ x = { name = "order", values = { "good" } } }
   check.fails(function() plain:picture{ file = "x.png", other = other } end, "map:picture",
-    "must have the same values of x and y")
+    "other must be a map of the same values of x and y")
   check.fails(function() plain:picture{ file = "x.png", other = 7 } end, "other must be a convergence map")
   check.fails(function() plain:picture{ file = "x.png", text = "iteration" } end,
     "text must be 'iterations', 'reached',", "did you mean 'iterations'?")
