@@ -30,7 +30,7 @@ local hertz = require "hertz2d.problem"
 local ironing = require "ironing2d.problem"
 local timed = require "speed_against_accuracy.timed"
 
--- ── Problems: solve(case) → figures; error(row, reference) ───────────────────────────────────────────────────────────
+-- ── Problems: solve(case) → results; error(row, reference) ───────────────────────────────────────────────────────────
 
 --- A cantilever's mean deflection at its loaded end. `case` as in a study: order, through, mesh.
 local function deflection(case, nu)
@@ -119,9 +119,9 @@ local function measured(name)
     name = "thickness: " .. name, cases = list, sequential = true, folder = ("%s/%s"):format(options.out, name),
     units = { cpu = "s" },
     run = function(case)
-      local figures, spent = timed(function() return problem.solve(case) end)
-      figures.wall, figures.cpu = spent.wall, spent.cpu
-      return figures
+      local results, spent = timed(function() return problem.solve(case) end)
+      results.wall, results.cpu = spent.wall, spent.cpu
+      return results
     end,
   }:execute{}
   local reference = wanted and study:row{ round = 0 }

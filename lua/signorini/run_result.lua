@@ -150,12 +150,12 @@ end
 function Run:add_extra(name) self.extra[name] = add_column(self, name) end
 
 --- Adds the result of on_step to the last row: numbers by column name. A new name becomes a column.
-function Run:record_extra(figures)
+function Run:record_extra(results)
   local function reject()
-    check.reject("on_step", "its result", "nothing, \"stop\", \"cut\" or a table of numbers by name", figures)
+    check.reject("on_step", "its result", "nothing, \"stop\", \"cut\" or a table of numbers by name", results)
   end
-  if type(figures) ~= "table" then reject() end
-  for name, value in pairs(figures) do
+  if type(results) ~= "table" then reject() end
+  for name, value in pairs(results) do
     if type(name) ~= "string" then reject() end
     check.value(t.number, value, "on_step", name)
     if not self.extra[name] then

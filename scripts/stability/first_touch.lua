@@ -70,7 +70,7 @@ for _, under in ipairs(options.under) do
       path = function(_, _, load)
         return { { name = "press", steps = steps, push = { 0, -load / (outer - inner) } } }
       end,
-      figures = function(_, run) return { carried = run:column "ground.fy"[run.steps] } end,
+      results = function(_, run) return { carried = run:column "ground.fy"[run.steps] } end,
     }, options, files)
   end
 end

@@ -47,7 +47,7 @@ local function path(coarser)
 end
 
 --- Drag over pressing force in the middle of the forward and the backward slide.
-local function figures(_, run)
+local function results(_, run)
   local function drag(stages)
     local step = run.stages[1].steps + math.floor((stages - 0.5) * run.stages[2].steps)
     return run:column "grip.fx"[step] / -run:column "grip.fy"[step]
@@ -63,7 +63,7 @@ for _, label in ipairs(options.orders) do
     y = { name = "coefficient of friction", values = options.friction },
     scene = function(_, mu) return (ironing.scene(with_friction(mu), label, elements)) end,
     path = function(_, coarser) return path(coarser) end,
-    figures = figures,
+    results = results,
   }, options, files)
 end
 files:report()

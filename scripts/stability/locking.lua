@@ -61,7 +61,7 @@ local reference = sg.convergence_map{
   x = { name = "label", values = { "N4" } }, y = { name = "nu", values = ratios },
   scene = function(label, nu) return scene(label, nu, finest) end,
   path = function() return stages, controls.robust() end,
-  figures = function(_, run) return { force = force(run) } end, jobs = options.jobs,
+  results = function(_, run) return { force = force(run) } end, jobs = options.jobs,
 }
 print(reference)
 
@@ -71,8 +71,8 @@ local maps = study.solve({
   x = { name = "label", values = options.orders }, y = { name = "Poisson's ratio", values = ratios },
   scene = function(label, nu) return scene(label, nu, elements) end,
   path = function() return stages end,
-  figures = function(_, run, _, nu)
-    local exact = reference:cell("N4", nu).figures.force
+  results = function(_, run, _, nu)
+    local exact = reference:cell("N4", nu).results.force
     return { force = force(run), error = exact and math.abs(force(run) / exact - 1) }
   end,
   charts = { { key = "error", name = "error", log = true, label = "error of the force" } },

@@ -172,7 +172,7 @@ template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepO
   Step& step = *model.step;
   solve::NewtonReport& report = step.report;
   if (report.outcome != solve::Outcome::iterating) return report;
-  // The move that applies prescribed displacements must be a full Newton step.
+  // The move that applies prescribed displacements must be a full Newton correction.
   const bool pseudo = options.pseudo_transient && !(step.pending && report.iterations == 0);
   solve::NewtonSystem newton = newton_system<D>(
       model, [&](bool tangent, Message& why) { return assemble_step(model, tangent, why); },

@@ -113,7 +113,7 @@ check.case("of a run and a study only the documented fields", function()
   for _, hidden in ipairs { "run.__", "run.rows", "run.ex", "run.wary", "run.kept", "study:run", "study:row_of" } do
     check.equal({ hidden, all(hidden) }, { hidden, {} })
   end
-  check.equal(all "study.f", { "study.figures", "study.folder" })
+  check.equal(all "study.f", { "study.folder" })
   check.equal(all "study:ro", { "study:row" })
   check.equal(all "study.ro", { "study.row", "study.rows" })
   check.equal(all "run.timings.b", { "run.timings.bulk" })

@@ -235,7 +235,7 @@ check.case("on_step cuts an accepted step, and adds columns", function()
   check.equal({ read.columns[n], read.rows[2][n], read.rows[1][n] }, { "late", 7 })
 end)
 
-check.case("figures that on_step must not return", function()
+check.case("results that on_step must not return", function()
   local function returning(value)
     local options = { on_step = function() return value end }
     return function() spring_model(function() return true end):run(one_step, options) end

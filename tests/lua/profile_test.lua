@@ -188,7 +188,7 @@ check.case("a profile has only its lists, and is read, written and stored as a t
   check.equal(show.text(kept), show.text(pr))
   check.holds(show.text(pr), ("contact profile of %d points: "):format(#pr.x))
   local record = require "signorini.study.case"(function() return pr end, { case = {}, text = "a" })
-  check.equal({ record.outcome, record.figures.state }, { "done", pr.state })
+  check.equal({ record.outcome, record.results.state }, { "done", pr.state })
 end)
 
 check.done()

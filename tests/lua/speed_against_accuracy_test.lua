@@ -71,7 +71,7 @@ check.case("the fastest case with at most the error of N2 is at least as accurat
   end
 end)
 
-check.case("the page: figures from the results, tables, charts; written atomically", function()
+check.case("the page: numbers from the results, tables, charts; written atomically", function()
   local page = read "doc/speed_against_accuracy.md"
   check.holds(page, "# Speed against accuracy", "## Ironing", "## Hertz", "Signorini " .. core.versions.signorini,
     core.processor, "| N2-N2.2 | m1 | 1114 | ", "| 2.04·10⁻¹ |", "Ratio of times, A to B, at equal ",

@@ -100,7 +100,7 @@ local function calls(folder)
   return lines
 end
 
-check.case("figures, failures, errors and crashes become rows; finished cases do not run again", function()
+check.case("results, failures, errors and crashes become rows; finished cases do not run again", function()
   local folder = new_folder()
   local function study()
     return noted(folder, sg.grid{ a = { 1, 2, 3, 4, 5 } }, function(case)
@@ -132,14 +132,14 @@ check.case("figures, failures, errors and crashes become rows; finished cases do
   check.equal(calls(folder), 13)
 end)
 
-check.case("the file of a case is JSON with inputs, figures, version, host and time", function()
+check.case("the file of a case is JSON with inputs, results, version, host and time", function()
   local folder = new_folder()
   sg.study{ name = "one", folder = folder, cases = { { order = "N2", mesh = { name = "m1", die = { 6, 2 } } } },
             run = function(case) return { third = 1 / 3, die = case.mesh.die[1] } end }:execute{}
   local name = check.shell(("ls %s/cases"):format(folder)):gsub("\n", "")
   check.holds(name, "mesh=m1_order=N2-", ".json")
   local record = core.read_json(core.read_file(folder .. "/cases/" .. name))
-  check.equal({ record.study, record.case.order, record.case.mesh.die, record.figures.third, record.figures.die },
+  check.equal({ record.study, record.case.order, record.case.mesh.die, record.results.third, record.results.die },
     { "one", "N2", { 6, 2 }, 1 / 3, 6 })
   check.equal({ record.made.versions.signorini, record.made.host, record.outcome },
     { core.versions.signorini, core.host, "done" })
@@ -259,7 +259,7 @@ end)
 
 -- ── What goes wrong ──────────────────────────────────────────────────────────────────────────────────────────────────
 
-check.case("a figure that is nan makes its case an error that names it; the others are kept", function()
+check.case("a result that is nan makes its case an error that names it; the others are kept", function()
   local study = noted(new_folder(), sg.grid{ a = { 1, 2, 3, 4, 5 } }, function(case)
     if case.a == 2 then return { dPx = 0 / 0 } end
     if case.a == 3 then return { curve = { 1, math.huge } } end
@@ -268,11 +268,11 @@ check.case("a figure that is nan makes its case an error that names it; the othe
     return { dPx = 1 }
   end):execute{}
   check.equal(study.rows[1].dPx, 1)
-  check.holds(study.rows[2].reason, "case a=2: the figure dPx is nan (not a number). Hint: figures are finite numbers",
+  check.holds(study.rows[2].reason, "case a=2: the result dPx is nan (not a number). Hint: results are finite numbers",
     "return nil for unknown ones")
-  check.holds(study.rows[3].reason, "case a=3: the figure curve[2] is infinity")
-  check.holds(study.rows[4].reason, "the figure 'a' has the name of a parameter")
-  check.holds(study.rows[5].reason, "run returned nothing. Hint: return a table of figures")
+  check.holds(study.rows[3].reason, "case a=3: the result curve[2] is infinity")
+  check.holds(study.rows[4].reason, "the result 'a' has the name of a parameter")
+  check.holds(study.rows[5].reason, "run returned nothing. Hint: return a table of results")
   check.equal({ study.rows[2].failed, study.rows[2].dPx }, { true, nil })
 end)
 

@@ -42,8 +42,24 @@ present state: inverted linear elastic bodies. run.warnings starts with these.]]
     more = [[
 A failed step ends the run; this is a result, not an error: run.failed, run.reason, run.cause (the reason behind
 minimum_step), run.report (in words, with the worst places and what may help), run.places (for sg.picture's marks). The
-model keeps the last accepted state. Reasons: completed, stopped, interrupted, cut, iterations, diverged, cycling,
-lost_projection, inverted, singular, indefinite, nan, line_search, penetration, turning_point, minimum_step, left_path.
+model keeps the last accepted state. Reasons:
+  completed        all steps converged
+  stopped          on_step or on_iteration returned "stop"
+  interrupted      Ctrl-C
+  cut              on_step returned "cut", and increments cannot be shorter
+  minimum_step     an increment of the smallest size failed; run.cause is the reason
+  iterations       no convergence within newton.iterations
+  diverged         the residual grew beyond 1e12 times the forces of the run
+  cycling          contact points change their states without end (set cycling, chattering)
+  lost_projection  contact points alternately find and lose their closest point at an open end of the master
+  inverted         an element is turned inside out (J ≤ 0)
+  singular         the tangent is singular: an unconstrained body, or a limit point
+  indefinite       no convergence, and the tangent has negative eigenvalues: beyond a limit point
+  nan              the residual is not a finite number
+  line_search      no step length reduces the residual
+  penetration      augmentation does not reduce the penetration to its tolerance
+  turning_point    the prescribed quantity cannot increase further on this path: see arc_length
+  left_path        an arc-length increment converged on another part of the path
 run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns: step,
 increments, iterations, wall; <support>.fx, .fy, in 3D .fz, .moment if it rotates, .ux, .uy, .uz, .angle if driven;
 <load>.fx …, .tx … or .pressure; <contact>.fx …, .area, .max_pressure, .max_penetration.
@@ -107,14 +123,14 @@ the work is missing from the energy balance]] },
     arguments = { { "name", t.name(function(run) return run:columns() end), "a column" } },
     example = "run:column \"grip.fy\"" },
   { "run:attempts", [[Returns the attempts at a converged or failed step: a list of { from, to, converged, reason,
-iterations, residuals, fallback, restarted }, where from and to are fractions of the step, and again tells whether the
-attempt started at the step's start although a part was accepted.]],
+iterations, residuals, fallback, restarted }, where from and to are fractions of the step, and restarted tells whether
+the attempt started at the step's start although a part was accepted.]],
     arguments = { a_step },
     example = "run:attempts(1)[1].iterations" },
   { "run:residuals", "Returns the residual norms of the iterations of a step's last attempt.",
     arguments = { a_step },
     example = "run:residuals(run.steps)" },
-  { "run:states", [[Returns the states that a run has kept, in order, for sg.picture{ states = run:states() }: those
+  { "run:states", [[Returns the states that a run has stored, in order, for sg.picture{ states = run:states() }: those
 selected by the option `states` of model:run; by default the start, the end of each stage and the last accepted one.]],
     example = "sg.picture{ states = run:states(), field = \"uy\", file = \"states.png\" }" },
   { "run:csv", "Writes all columns to a CSV file; a value that on_step did not return is an empty field.",

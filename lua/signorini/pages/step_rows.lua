@@ -17,8 +17,8 @@ linear elastic bodies; "auto": automatic choice]], default = "auto" }
 
 local loop = {
   tolerance, iterations,
-  { "line_search", t.choice { "none", "residual", "energy" }, [[how Newton updates are shortened: by the norm of the
-residual (non-monotone) or by the energy]], default = "none" },
+  { "line_search", t.choice { "none", "residual", "energy" }, [[how Newton corrections are shortened: by the norm of
+the residual (non-monotone) or by the energy]], default = "none" },
   { "freeze_active_set", t.switch(t.range(0, 1), 0.01), [[contact states are frozen until |f·Δu| has decreased to this
 fraction of its first value; true is 0.01]], default = false },
   { "active_set_changes", t.integer(0, 1000000), [[a contact point that changes its state more often in a step is fixed
@@ -26,7 +26,7 @@ in it (a slipping one as sticking) until the others have converged; 0: never]], 
 }
 
 local augmented = { "augmented", t.switch(t.named {
-  { "penetration", t.share, "largest penetration, as a fraction of the largest body's size", default = 1e-6 },
+  { "penetration", t.share, "largest penetration, as a fraction of the largest body's diagonal", default = 1e-6 },
   { "loops", t.integer(1, 1000000), "maximum number of augmentations per step", default = 100 },
 }, {}), [[augmented Lagrangian method (Uzawa): pressures are augmented until penetration and separation of closed points
 are within the tolerance]],

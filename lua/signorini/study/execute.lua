@@ -75,12 +75,12 @@ end
 local function finished(text, failure, limit)
   if text then return core.read_json(text) end
   if failure == "time" then
-    return { outcome = "time", reason = ("not done within %g s"):format(limit), wall = limit, figures = {} }
+    return { outcome = "time", reason = ("not done within %g s"):format(limit), wall = limit, results = {} }
   end
   local message = failure:match "^failed: (.*)$"
   local first = message and message:match "^[^\n]*" or failure
   if failure:find "signal 9" then first = first .. ": killed from outside, possibly because memory ran out" end
-  return { outcome = message and "error" or "crashed", reason = first, traceback = message, figures = {} }
+  return { outcome = message and "error" or "crashed", reason = first, traceback = message, results = {} }
 end
 
 local function outcome_text(record)

@@ -35,7 +35,7 @@ end
 function store.read(study, entry)
   if not study.folder then return nil end
   local record, damaged = read(case_file(study, entry))
-  if record and type(record.case) == "table" and type(record.figures) == "table"
+  if record and type(record.case) == "table" and type(record.results) == "table"
     and type(record.outcome) == "string" then
     return record, false
   end
