@@ -34,7 +34,7 @@
 --      signorini scripts/ironing2d.lua variant=validation [mesh=48] [orders=N2,N4]; mesh: spans along both faces.
 
 local sg = require "signorini"
-local amplitude = require "ironing2d.amplitude"
+local measure = require "ironing2d.measure"
 local convergence = require "ironing2d.convergence"
 local deep = require "ironing2d.deep"
 local output = require "ironing2d.output"
@@ -83,7 +83,7 @@ local function solve_all(options, suffix, files)
   end)
   for _, study in ipairs(studies) do
     for _, case in ipairs(study.cases) do case.work = median_run(case.runs) end
-    amplitude.compare(study.cases, study.cases[reference_label])
+    measure.compare(study.cases, study.cases[reference_label])
   end
   return studies
 end
@@ -95,15 +95,15 @@ local function report_mesh(options, study, suffix, files)
     :format(mesh, problem.variants.standard.press_steps + problem.variants.standard.slide_steps,
       options["repeat"] > 1 and (", medians of %d runs"):format(options["repeat"]) or ""))
   print(output.work_table(cases))
-  print(("\nOscillation of the contact forces at %s, max − min over steps %d to %d%s"):format(mesh, amplitude.first,
-    amplitude.last, published and ", compared with Table 7.3" or ", raw and detrended by a parabola"))
-  print(output.amplitude_table(cases, published))
+  print(("\nOscillation of the contact forces at %s, max − min over steps %d to %d%s"):format(mesh, measure.first,
+    measure.last, published and ", compared with Table 7.3" or ", raw and detrended by a parabola"))
+  print(output.oscillation_table(cases, published))
   files:draw("forces" .. suffix(mesh) .. ".png", "an accepted step", function(file)
     return output.draw_forces(file, cases, "Ironing, mesh " .. mesh)
   end)
   local need = "N2 among the orders, and runs that complete the window"
-  files:draw("amplitudes" .. suffix(mesh) .. ".png", need, function(file)
-    return output.draw_amplitudes(file, cases, "Ironing, mesh " .. mesh, published)
+  files:draw("oscillations" .. suffix(mesh) .. ".png", need, function(file)
+    return output.draw_oscillations(file, cases, "Ironing, mesh " .. mesh, published)
   end)
 end
 

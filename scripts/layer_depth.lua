@@ -34,7 +34,7 @@ local problems = {
   peeling = {
     script = "peeling2d", arguments = "mesh=m1", title = "Peeling",
     names = { "dM" }, units = { "1e-3 E0 L0³" }, factors = { 1e3 },
-    read = function(case) return case.dofs, case.work.wall, { case.window.amplitude } end,
+    read = function(case) return case.dofs, case.work.wall, { case.window.oscillation } end,
   },
   ironing = {
     script = "ironing2d", arguments = "mesh=m1", repeats = "repeat", title = "Ironing",

@@ -110,7 +110,7 @@ local function case_of(label, mesh) return cases[label .. " " .. mesh] end
 local thin, finite = steady.thin_moment(), steady.finite_moment()
 print(("\nOscillation and steepest slopes of the moment in %g° to %g°, with Table 7.8 (whole steps; path: all states)")
   :format(table.unpack(options.window)))
-print(output.amplitude_table(cases))
+print(output.oscillation_table(cases))
 print(("\nMean moment of the window, and from the energy balance: thin strip %.4f, finite strain %.4f E0 L0³")
   :format(thin, finite))
 print(output.plateau_table(cases, thin, finite))
@@ -143,7 +143,7 @@ for _, mesh in ipairs(options.mesh) do
   end
 end
 if #options.mesh > 1 then
-  draw("amplitude_over_mesh.png", output.draw_over_mesh, options.orders, options.mesh, case_of)
+  draw("oscillation_over_mesh.png", output.draw_over_mesh, options.orders, options.mesh, case_of)
 end
 if #pictures > 0 then
   sg.sheet{ pictures, file = files "states.png", columns = math.min(2, #pictures),

@@ -25,7 +25,7 @@
 --      medians; time: cpu, or wall on a machine without other load. Finished cases are kept in `out`.
 
 local sg = require "signorini"
-local amplitude = require "ironing2d.amplitude"
+local measure = require "ironing2d.measure"
 local hertz = require "hertz2d.problem"
 local ironing = require "ironing2d.problem"
 local timed = require "speed_against_accuracy.timed"
@@ -60,7 +60,7 @@ local problems = {
       local solved = ironing.solve{ set_up = ironing.variants.standard, label = case.order, mesh = case.mesh,
                                     thickness_degree = case.thickness_degree }
       local run = solved.run
-      return { oscillation = amplitude.of(run:column "grip.fx").detrended, iterations = run.iterations,
+      return { oscillation = measure.oscillation(run:column "grip.fx").detrended, iterations = run.iterations,
                dofs = solved.die_dofs.total + solved.slab_dofs.total,
                failed = run.failed, reason = run.failed and run.report or nil }
     end,

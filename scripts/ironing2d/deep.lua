@@ -1,7 +1,7 @@
 -- The deep variant: which discretizations converge, by number of contact points, with and without halving of steps.
 
 local sg = require "signorini"
-local amplitude = require "ironing2d.amplitude"
+local measure = require "ironing2d.measure"
 local output = require "ironing2d.output"
 local problem = require "ironing2d.problem"
 
@@ -107,11 +107,11 @@ function deep.run(options, files)
       local comparisons, best = study_mesh(options, mesh, coarser, files)
       table.move(comparisons, 1, #comparisons, #all + 1, all)
       if coarser == 1 then
-        amplitude.compare(best, best.N2)
+        measure.compare(best, best.N2)
         studies[#studies + 1], studies[mesh] = { mesh = mesh, cases = best }, { mesh = mesh, cases = best }
         print(("\nOscillations at %s with %d(p+1) contact points, max − min over steps %d to %d, raw and detrended")
-          :format(mesh, options.points[#options.points], amplitude.first, amplitude.last))
-        print(output.amplitude_table(best))
+          :format(mesh, options.points[#options.points], measure.first, measure.last))
+        print(output.oscillation_table(best))
         files:draw(("forces_%s.png"):format(mesh), "an accepted step", function(file)
           return output.draw_forces(file, best, "Deep ironing, " .. mesh)
         end)

@@ -22,7 +22,7 @@ function output.work_table(cases)
 end
 
 --- Beside the published values where there are some, otherwise beside those without the trend.
-function output.amplitude_table(cases, published)
+function output.oscillation_table(cases, published)
   local rows, formats = {}, { "%s", "%.3e", "%.2f", "%.2f", "%.3e", "%.2f", "%.2f" }
   for i, case in ipairs(cases) do
     local dPy, dPx, printed = case.dPy, case.dPx, published and (published[case.label] or {})
@@ -75,7 +75,7 @@ function output.draw_forces(file, cases, title)
 end
 
 --- Oscillations by discretization, in % of those of the reference; returns whether there was anything to draw.
-function output.draw_amplitudes(file, cases, title, published)
+function output.draw_oscillations(file, cases, title, published)
   local chart = { file = file, title = title .. ": oscillation of the contact forces", ylabel = "oscillation (% of N2)",
                   log = "y", xrange = { 0.5, #cases + 0.5 }, xticks = {} }
   local curves = 0

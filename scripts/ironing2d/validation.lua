@@ -1,7 +1,7 @@
 -- The validation variant (section 6.2): forces over the steps for N2 and N4, as a whole and magnified.
 
 local sg = require "signorini"
-local amplitude = require "ironing2d.amplitude"
+local measure = require "ironing2d.measure"
 local output = require "ironing2d.output"
 local problem = require "ironing2d.problem"
 
@@ -22,14 +22,15 @@ local function mean(values, first, last)
 end
 
 --- Adds to a case its forces at the end of the pressing and their means and oscillations in the middle of the sliding.
-local function measure(case, set_up)
+local function add_forces(case, set_up)
   local run, first, last = case.run, middle(set_up)
   if run.steps < last then return end
   local Px, Py = run:column "grip.fx", run:column "grip.fy"
   for i = 1, run.steps do Py[i] = -Py[i] end
   case.pressed = { Px = Px[set_up.press_steps], Py = Py[set_up.press_steps] }
   case.mean = { Px = mean(Px, first, last), Py = mean(Py, first, last) }
-  case.oscillation = { Px = amplitude.of(Px, first, last).detrended, Py = amplitude.of(Py, first, last).detrended }
+  case.oscillation = { Px = measure.oscillation(Px, first, last).detrended,
+                       Py = measure.oscillation(Py, first, last).detrended }
 end
 
 local function force_table(cases)
@@ -74,7 +75,7 @@ function validation.run(options, files)
                                 step = { adaptive = true }, on_step = i == 1 and keep or nil }
     print(case.run)
     case.run:csv(files(label .. ".csv"))
-    measure(case, set_up)
+    add_forces(case, set_up)
     cases[i], cases[label] = case, case
   end
   local first, last = middle(set_up)

@@ -1,7 +1,7 @@
 -- The standard variant: comparison with Tables 7.10 and 7.11 for several radii of the cap and initial gaps.
 
 local sg = require "signorini"
-local amplitude = require "ironing3d.amplitude"
+local measure = require "ironing3d.measure"
 local output = require "ironing3d.output"
 local problem = require "ironing3d.problem"
 
@@ -45,7 +45,7 @@ end
 --- suffices, pressed at its beginning.
 local function path_of(slide)
   if slide == "full" then return problem.start, problem.way end
-  return amplitude.from, amplitude.to - amplitude.from
+  return measure.from, measure.to - measure.from
 end
 
 --- Runs all orders of one cap and gap; returns { radius, gap, depth, cases }, cases also by label and mesh.
@@ -59,7 +59,7 @@ local function solve_set(options, radius, gap, files)
     [1] = true, [press // 2] = true, [press] = true, [press + along] = true,
   }
   local function solve(label, mesh)
-    local case = amplitude.measure(problem.solve{
+    local case = measure.oscillations(problem.solve{
       label = label, mesh = mesh, radius = radius, depth = depth, cap = options.cap, from = from, way = way,
       down = options.down, linear = options.linear, on_step = #set.cases == 0 and keep or nil,
     })
@@ -75,7 +75,7 @@ local function solve_set(options, radius, gap, files)
   files:draw(("states_R%g_gap%g.png"):format(radius, gap), "an accepted step", function(file)
     return draw_states(file, ("%s, R = %g, depth %g"):format(set.cases[1].label, radius, depth))
   end)
-  amplitude.compare(set.cases, set.cases["N2 coarse"])
+  measure.compare(set.cases, set.cases["N2 coarse"])
   return set
 end
 
@@ -101,14 +101,14 @@ function oscillation.run(options, files)
       print(("\nR = %g, gap %g (depth %g): work"):format(radius, gap, set.depth))
       print(output.work_table(set.cases))
       print(("\nR = %g, gap %g (depth %g): max − min for the center from x = %g to %g, and Table 7.10")
-        :format(radius, gap, set.depth, amplitude.from, amplitude.to))
-      print(output.amplitude_table(set.cases, printed))
-      output.amplitude_csv(files("amplitudes" .. name .. ".csv"), set, printed)
+        :format(radius, gap, set.depth, measure.from, measure.to))
+      print(output.oscillation_table(set.cases, printed))
+      output.oscillation_csv(files("oscillations" .. name .. ".csv"), set, printed)
       files:draw("forces" .. name .. ".png", "a state that slides", function(file)
         return output.draw_forces(file, set.cases, ("R = %g, depth %g"):format(radius, set.depth))
       end)
-      files:draw("amplitudes" .. name .. ".png", "N2 among the orders, runs that complete the window", function(file)
-        return output.draw_amplitudes(file, set, printed)
+      files:draw("oscillations" .. name .. ".png", "N2 among the orders, runs that complete the window", function(file)
+        return output.draw_oscillations(file, set, printed)
       end)
     end
   end

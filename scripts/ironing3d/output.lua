@@ -1,4 +1,4 @@
--- Tables and charts of 3D ironing. A case is what problem.solve returns, measured by amplitude.lua.
+-- Tables and charts of 3D ironing. A case is what problem.solve returns, measured by measure.lua.
 
 local sg = require "signorini"
 
@@ -43,7 +43,7 @@ function output.work_table(cases)
   }
 end
 
-local function amplitude_rows(cases, published)
+local function oscillation_rows(cases, published)
   local rows = {}
   for i, case in ipairs(cases) do
     local dPz, dPx, printed = case.dPz, case.dPx, published[case.label .. " " .. case.mesh] or {}
@@ -55,20 +55,20 @@ local function amplitude_rows(cases, published)
 end
 
 --- Oscillations, and in % of coarse N2: raw, detrended by a parabola, as published.
-function output.amplitude_table(cases, published)
+function output.oscillation_table(cases, published)
   return sg.table{
     columns = { "label", "mesh", "Pz", "dPz", "dPz", "detrended", "printed", "dPx", "dPx", "detrended", "printed" },
     units = { "", "", "", "", "% of N2", "% of N2", "% of N2", "", "% of N2", "% of N2", "% of N2" },
-    rows = amplitude_rows(cases, published),
+    rows = oscillation_rows(cases, published),
     formats = { "%s", "%s", "%.3f", "%.3e", "%.2f", "%.2f", "%.2f", "%.3e", "%.2f", "%.2f", "%.2f" },
   }
 end
 
-function output.amplitude_csv(file, set, published)
+function output.oscillation_csv(file, set, published)
   local names = { "label", "mesh", "pressed", "dPz", "dPz_percent", "dPz_detrended_percent", "dPz_printed_percent",
                   "dPx", "dPx_percent", "dPx_detrended_percent", "dPx_printed_percent" }
   local data = { columns = names, comments = { ("R = %g, depth %g"):format(set.radius, set.depth) } }
-  local rows = amplitude_rows(set.cases, published)
+  local rows = oscillation_rows(set.cases, published)
   for c, name in ipairs(names) do
     data[name] = {}
     for r, row in ipairs(rows) do data[name][r] = row[c] or "" end
@@ -122,7 +122,7 @@ function output.draw_forces(file, cases, title)
 end
 
 --- Oscillations in % of those of coarse N2, with the published ones; returns whether there were any.
-function output.draw_amplitudes(file, set, published)
+function output.draw_oscillations(file, set, published)
   local chart = { file = file, ylabel = "oscillation (% of N2)", log = "y", xrange = { 0.5, #set.cases + 0.5 },
                   xticks = {}, title = ("3D ironing, R = %g, depth %g"):format(set.radius, set.depth) }
   for i, case in ipairs(set.cases) do

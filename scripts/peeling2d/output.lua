@@ -28,15 +28,15 @@ local function thousandth(value) return value and 1e3 * value end
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Oscillation and slopes, with the published ones.
-function output.amplitude_table(cases)
+function output.oscillation_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     local w, p = case.window, case.printed
-    local amplitude, rise, fall = thousandth(w.amplitude), thousandth(w.rise), thousandth(w.fall)
+    local oscillation, rise, fall = thousandth(w.oscillation), thousandth(w.rise), thousandth(w.fall)
     rows[i] = { case.label, case.mesh, case.dofs, p.dofs,
-                amplitude, p["dM_1e-3_E0L0cubed"], ratio(amplitude, p["dM_1e-3_E0L0cubed"]),
+                oscillation, p["dM_1e-3_E0L0cubed"], ratio(oscillation, p["dM_1e-3_E0L0cubed"]),
                 rise, p["max_slope_1e-3"], ratio(rise, p["max_slope_1e-3"]),
-                fall, p["min_slope_1e-3"], ratio(fall, p["min_slope_1e-3"]), thousandth(w.path_amplitude) }
+                fall, p["min_slope_1e-3"], ratio(fall, p["min_slope_1e-3"]), thousandth(w.path_oscillation) }
   end
   return sg.table{
     columns = { "label", "mesh", "DOFs", "publ.", "dM", "publ.", "ratio", "rise", "publ.", "ratio", "fall", "publ.",
@@ -153,7 +153,7 @@ function output.draw_over_mesh(file, orders, meshes, case_of)
     local ours = { x = {}, y = {}, label = label, markers = true, color = l }
     for m, mesh in ipairs(meshes) do
       local case = case_of(label, mesh)
-      add(ours, m, thousandth(case.window.amplitude))
+      add(ours, m, thousandth(case.window.oscillation))
       add(printed_ones, m + aside, case.printed["dM_1e-3_E0L0cubed"])
     end
     if #ours.x > 0 then chart[#chart + 1] = ours end

@@ -82,7 +82,7 @@ function output.draw_path(file, cases, title)
 end
 
 --- Oscillations by discretization in % of those of N2; returns whether there was anything to draw.
-function output.draw_amplitudes(file, cases, title)
+function output.draw_oscillations(file, cases, title)
   local chart = { file = file, title = title, ylabel = "oscillation (% of N2)", log = "y",
                   xrange = { 0.5, #cases + 0.5 }, xticks = {} }
   for i, case in ipairs(cases) do chart.xticks[i] = { i, case.label } end

@@ -6,7 +6,7 @@
 -- symmetry, y = const.), line_search, linear }; see study.solve.
 
 local sg = require "signorini"
-local plane = require "ironing2d.amplitude"
+local plane = require "ironing2d.measure"
 
 local study = {}
 
@@ -39,7 +39,8 @@ local function measure(problem, case)
   end
   case.pressed, case.first_failure = case.Pz[case.press], first_failure(run)
   case.first, case.last = window(problem, case)
-  case.dPx, case.dPz = plane.of(case.Px, case.first, case.last), plane.of(case.Pz, case.first, case.last)
+  case.dPx = plane.oscillation(case.Px, case.first, case.last)
+  case.dPz = plane.oscillation(case.Pz, case.first, case.last)
   if run.failed then return end
   local drag = table.move(case.Pz, case.press + 1, #case.Pz, 1, {})
   local sum = 0

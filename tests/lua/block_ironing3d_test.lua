@@ -60,7 +60,7 @@ check.case("a layer reduces the oscillations to less than a third", function()
 end)
 
 check.case("charts, states, a table and a file per label", function()
-  check.pictures(folder, { "path", "Pz", "Px", "amplitudes", "states" })
+  check.pictures(folder, { "path", "Pz", "Px", "oscillations", "states" })
   local forces = sg.csv.read(folder .. "/forces.csv")
   check.equal(forces:column "label", { "N2", "N2-N2.1" })
   check.equal(forces:column "drag_mean", { study.cases.N2.drag.mean, study.cases["N2-N2.1"].drag.mean })

@@ -54,7 +54,7 @@ end)
 
 --- The files are there and are pictures.
 check.case("a sheet of states, two charts, and a file per label that tells what the run does", function()
-  check.pictures(folder, { "states", "forces", "amplitudes" })
+  check.pictures(folder, { "states", "forces", "oscillations" })
   for _, case in ipairs(study.cases) do
     local read = sg.csv.read(("%s/%s.csv"):format(folder, case.label))
     check.equal(read:column "grip.fx", case.run:column "grip.fx")

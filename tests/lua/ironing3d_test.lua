@@ -41,8 +41,8 @@ check.case("files: a run's columns, oscillations, two charts, a sheet of states"
   check.equal(#study.files, 5)
   local read = sg.csv.read(folder .. "/N2_coarse_R7.5_gap9.6.csv")
   check.equal(read:column "grip.fz", study.sets[1].cases["N2 coarse"].run:column "grip.fz")
-  check.equal(sg.csv.read(folder .. "/amplitudes_R7.5_gap9.6.csv"):column "dPz_printed_percent", { 100 })
-  check.pictures(folder, { "forces_R7.5_gap9.6", "amplitudes_R7.5_gap9.6", "states_R7.5_gap9.6" })
+  check.equal(sg.csv.read(folder .. "/oscillations_R7.5_gap9.6.csv"):column "dPz_printed_percent", { 100 })
+  check.pictures(folder, { "forces_R7.5_gap9.6", "oscillations_R7.5_gap9.6", "states_R7.5_gap9.6" })
 end)
 
 check.case("without friction a state does not depend on the path", function()
