@@ -42,7 +42,7 @@ local problem = require "ironing2d.problem"
 local validation = require "ironing2d.validation"
 
 local picture_steps = { [4] = true, [23] = true, [46] = true, [80] = true, [160] = true, [250] = true }
-local reference_label = "N2"
+local reference_order = "N2"
 
 -- ── The standard variant ─────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -62,16 +62,16 @@ local function solve_all(options, suffix, files)
     for m, mesh in ipairs(options.mesh) do
       local study = studies[m] or { mesh = mesh, cases = {} }
       studies[m], studies[mesh] = study, study
-      for i, label in ipairs(options.orders) do
-        local case = problem.solve{ set_up = problem.variants.standard, label = label, mesh = mesh,
+      for i, order in ipairs(options.orders) do
+        local case = problem.solve{ set_up = problem.variants.standard, order = order, mesh = mesh,
                                     linear = options.linear, on_step = round * m * i == 1 and keep or nil }
         case.model = nil
         if round == 1 then
-          print(("%s at %s"):format(label, mesh))
+          print(("%s at %s"):format(order, mesh))
           print(case.run)
-          case.run:csv(files(label .. suffix(mesh) .. ".csv"))
+          case.run:csv(files(order .. suffix(mesh) .. ".csv"))
           case.runs = { case.run }
-          study.cases[i], study.cases[label] = case, case
+          study.cases[i], study.cases[order] = case, case
         else
           table.insert(study.cases[i].runs, case.run)
         end
@@ -83,7 +83,7 @@ local function solve_all(options, suffix, files)
   end)
   for _, study in ipairs(studies) do
     for _, case in ipairs(study.cases) do case.work = median_run(case.runs) end
-    measure.compare(study.cases, study.cases[reference_label])
+    measure.compare(study.cases, study.cases[reference_order])
   end
   return studies
 end

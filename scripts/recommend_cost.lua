@@ -18,8 +18,8 @@ local options = sg.arguments{
 }
 local meshes = { "m1", "m2", "m3", "m4", "m5", "m6", "m7" }
 
-local function scene(label, mesh)
-  local model, stage = hertz.scene{ label = label, mesh = mesh, load = "force" }
+local function scene(order, mesh)
+  local model, stage = hertz.scene{ order = order, mesh = mesh, load = "force" }
   stage.steps = 5
   return model, { stage }
 end
@@ -50,7 +50,7 @@ for i, at_most in ipairs(options.at_most) do
   local search, run = sg.median(searches), sg.median(runs)
   costs[i] = { at_most = at_most, tries = #found.tries, search = search, uniform = run, ratio = search / run }
   figures[i] = { at_most, search, run, search / run }
-  rows[i] = { 100 * at_most, ("%s, %s"):format(found.label, found.mesh), #found.tries, search,
+  rows[i] = { 100 * at_most, ("%s, %s"):format(found.order, found.mesh), #found.tries, search,
               "N2, " .. meshes[finest + 1], run, search / run }
 end
 print(sg.table{

@@ -57,7 +57,7 @@ local problems = {
   ironing = {
     title = "Ironing", error = "oscillation of the drag", unit = "N/mm",
     solve = function(case)
-      local solved = ironing.solve{ set_up = ironing.variants.standard, label = case.order, mesh = case.mesh,
+      local solved = ironing.solve{ set_up = ironing.variants.standard, order = case.order, mesh = case.mesh,
                                     thickness_degree = case.thickness_degree }
       local run = solved.run
       return { oscillation = measure.oscillation(run:column "grip.fx").detrended, iterations = run.iterations,
@@ -70,7 +70,7 @@ local problems = {
     title = "Hertz", error = "L₂ error of the pressure", reference = { order = "N2-N2.2", thickness_degree = 2,
     mesh = "m6" },
     solve = function(case)
-      local model, stage, ring = hertz.scene{ label = case.order, mesh = case.mesh,
+      local model, stage, ring = hertz.scene{ order = case.order, mesh = case.mesh,
                                               thickness_degree = case.thickness_degree,
                                               load = "displacement" }
       stage.steps = 10

@@ -37,12 +37,12 @@ local function force_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     local pressed, average, oscillation = case.pressed or {}, case.mean or {}, case.oscillation or {}
-    rows[i] = { case.label, case.die_dofs.total + case.slab_dofs.total, case.run.iterations, case.run.cutbacks,
+    rows[i] = { case.order, case.die_dofs.total + case.slab_dofs.total, case.run.iterations, case.run.cutbacks,
                 pressed.Py, pressed.Px, average.Py, average.Px, case.mean and average.Px / average.Py,
                 oscillation.Py, oscillation.Px }
   end
   return sg.table{
-    columns = { "label", "DOFs", "iterations", "cut-backs", "Py pressed", "Px pressed", "mean Py", "mean Px",
+    columns = { "order", "DOFs", "iterations", "cut-backs", "Py pressed", "Px pressed", "mean Py", "mean Px",
                 "Px/Py", "oscillation Py", "oscillation Px" },
     units = { "", "", "", "", "N/mm", "N/mm", "N/mm", "N/mm", "", "N/mm", "N/mm" }, rows = rows,
     formats = { "%s", "%d", "%d", "%d", "%.5f", "%.5f", "%.5f", "%.5f", "%.4f", "%.1e", "%.1e" },
@@ -58,7 +58,7 @@ local function draw_magnified(file, cases, set_up, column, sign, name)
     local values, steps = case.run:column(column), {}
     if #values >= last then
       for k = first, last do steps[#steps + 1], values[k] = k, sign * values[k] end
-      chart[#chart + 1] = { x = steps, y = table.move(values, first, last, 1, {}), label = case.label, color = i }
+      chart[#chart + 1] = { x = steps, y = table.move(values, first, last, 1, {}), label = case.order, color = i }
     end
   end
   if #chart > 0 then sg.chart(chart) end
@@ -69,14 +69,14 @@ end
 function validation.run(options, files)
   local set_up, mesh, cases = problem.variants.validation, options.mesh, {}
   local keep, draw_states = output.record_states(picture_steps)
-  for i, label in ipairs(options.orders) do
-    print(("%s at %s spans"):format(label, mesh))
-    local case = problem.solve{ set_up = set_up, label = label, mesh = mesh, linear = options.linear,
+  for i, order in ipairs(options.orders) do
+    print(("%s at %s spans"):format(order, mesh))
+    local case = problem.solve{ set_up = set_up, order = order, mesh = mesh, linear = options.linear,
                                 step = { adaptive = true }, on_step = i == 1 and keep or nil }
     print(case.run)
-    case.run:csv(files(label .. ".csv"))
+    case.run:csv(files(order .. ".csv"))
     add_forces(case, set_up)
-    cases[i], cases[label] = case, case
+    cases[i], cases[order] = case, case
   end
   local first, last = middle(set_up)
   print(("\nForces on the die; means and oscillations (max − min, detrended) over steps %d to %d; mu is %g")

@@ -28,7 +28,7 @@ the best-fit parabola.]],
 
   run = function(case)
     local solved, spent = timed(function()
-      return problem.solve{ set_up = problem.variants.standard, label = case.order, mesh = case.mesh }
+      return problem.solve{ set_up = problem.variants.standard, order = case.order, mesh = case.mesh }
     end)
     local run = solved.run
     return { wall = spent.wall, cpu = spent.cpu, iterations = run.iterations,

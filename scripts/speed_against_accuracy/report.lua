@@ -14,10 +14,10 @@ local function series(texts)
 end
 
 --- The smallest and the largest error of an order.
-local function extremes(comparison, label)
+local function extremes(comparison, order)
   local least, largest = math.huge, 0
   for _, curve in ipairs(comparison.curves) do
-    for _, point in ipairs(curve.name == label and curve.points or {}) do
+    for _, point in ipairs(curve.name == order and curve.points or {}) do
       least, largest = math.min(least, point.error), math.max(largest, point.error)
     end
   end
@@ -25,8 +25,8 @@ local function extremes(comparison, label)
 end
 
 --- Whether the largest error of one order is below the smallest of another one.
-local function is_better(comparison, label, other)
-  local _, worst = extremes(comparison, label)
+local function is_better(comparison, order, other)
+  local _, worst = extremes(comparison, order)
   return worst < extremes(comparison, other)
 end
 
@@ -95,7 +95,7 @@ local function compare(measured, error, options, files, blocks)
   local missing = left_out(comparison)
   if missing then blocks[#blocks + 1] = { text = missing } end
   local ratios = tables.ratios(comparison, error)
-  sg.csv.write(files(chart .. "_ratios.csv"), { columns = { "label", "against", "least_error", "largest_error",
+  sg.csv.write(files(chart .. "_ratios.csv"), { columns = { "order", "against", "least_error", "largest_error",
     "share_at_least", "share_in_the_middle", "share_at_largest" }, rows = ratios.rows })
   if #ratios.rows > 0 then
     blocks[#blocks + 1] = { title = ("Ratio of times, A to B, at equal %s"):format(error.title), table = ratios }

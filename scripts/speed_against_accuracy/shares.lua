@@ -9,10 +9,10 @@ shares.pairs = { { "N2-N2.1", "N2" }, { "N2-N2.2", "N2" }, { "N2-N2.2", "N4" }, 
 
 --- { at (errors), share (ratio of times at each of them) }, or { why } if there is no common error, from a comparison
 --- by sg.work_precision. nil if one of the two was not run.
-function shares.of(comparison, label, other)
+function shares.of(comparison, order, other)
   for _, ratio in ipairs(comparison.ratios) do
-    local turned = ratio.a == other and ratio.b == label
-    if turned or ratio.a == label and ratio.b == other then
+    local turned = ratio.a == other and ratio.b == order
+    if turned or ratio.a == order and ratio.b == other then
       if ratio.why then return { why = ratio.why } end
       local found = { at = ratio.at, share = {} }
       for i, value in ipairs(ratio.ratio) do found.share[i] = turned and 1 / value or value end
@@ -23,13 +23,13 @@ end
 
 --- The ratios of a pair of orders in the middle of the common errors, over all problems' results, in increasing order:
 --- a list of { share, problem (its title), error (its title) }.
-function shares.over_all(results, label, other)
+function shares.over_all(results, order, other)
   local list = {}
   for _, result in ipairs(results) do
     local problem = result.measured.problem
     for _, error in ipairs(problem.errors) do
       local comparison = result.comparisons[error.name]
-      local found = comparison and shares.of(comparison, label, other)
+      local found = comparison and shares.of(comparison, order, other)
       if found and found.share then
         list[#list + 1] = { share = found.share[(#found.share + 1) // 2], problem = problem.title, error = error.title }
       end

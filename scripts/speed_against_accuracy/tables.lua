@@ -51,10 +51,10 @@ function tables.ratios(comparison, error)
   for _, name in ipairs { "smallest error", "largest error" } do add_column(to, name, error.unit, error_format) end
   for _, name in ipairs { "at smallest", "middle", "at largest" } do add_column(to, name, "", share_format) end
   for i, ratio in ipairs(comparison.ratios) do
-    local label, other = ratio.a, ratio.b
-    if (ratio.ratio[2] or 0) > 1 then label, other = other, label end
-    local share = (shares.of(comparison, label, other) or {}).share or {}
-    to.rows[i] = { label, other, ratio.from, ratio.to, share[1], share[2], share[3] }
+    local order, other = ratio.a, ratio.b
+    if (ratio.ratio[2] or 0) > 1 then order, other = other, order end
+    local share = (shares.of(comparison, order, other) or {}).share or {}
+    to.rows[i] = { order, other, ratio.from, ratio.to, share[1], share[2], share[3] }
   end
   return to
 end

@@ -59,10 +59,10 @@ check.case("a layer reduces the oscillations to less than a third", function()
   end
 end)
 
-check.case("charts, states, a table and a file per label", function()
+check.case("charts, states, a table and a file per order", function()
   check.pictures(folder, { "path", "Pz", "Px", "oscillations", "states" })
   local forces = sg.csv.read(folder .. "/forces.csv")
-  check.equal(forces:column "label", { "N2", "N2-N2.1" })
+  check.equal(forces:column "order", { "N2", "N2-N2.1" })
   check.equal(forces:column "drag_mean", { study.cases.N2.drag.mean, study.cases["N2-N2.1"].drag.mean })
   check.equal(sg.csv.read(folder .. "/N2.csv"):column "grip.fz", study.cases.N2.run:column "grip.fz")
   check.equal(#study.files, 2 + 1 + 5)

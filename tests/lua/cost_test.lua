@@ -6,10 +6,10 @@ local check = require "check"
 local soft, stiff = sg.neo_hookean{ E = 1, nu = 0.3 }, sg.neo_hookean{ E = 1000, nu = 0.3 }
 
 --- A die on a slab; contact where `where` says.
-local function ironing(label, where)
+local function ironing(order, where)
   local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 1.5, 1.5 } },
-                       elements = { 6, 2 }, order = label, contact = "south", thickness_degree = 1, material = stiff }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = label,
+                       elements = { 6, 2 }, order = order, contact = "south", thickness_degree = 1, material = stiff }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = order,
                         contact = "north", thickness_degree = 1, material = soft }
   return sg.model{
     bodies   = { die = die, slab = slab },

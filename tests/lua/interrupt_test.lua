@@ -82,7 +82,7 @@ end)
 check.case("an interrupted recommendation reports it and is kept", function()
   local output = type_in [[
 interrupt() r = sg.recommend{ scene = function() return pressed(), stages, saving end, error = "top.fy", at_most = 0.1 }
-print("kept", r.label, #r.tries)
+print("kept", r.order, #r.tries)
 ]]
   check.holds(output, "Stopped by Ctrl-C", "kept\tnil\t1")
 end)

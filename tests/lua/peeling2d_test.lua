@@ -19,10 +19,10 @@ local coarse = run("mesh=m0", "orders=N2", "steps=400", "window=34,40", "iterati
 check.case("Tables 7.8 and B.2: degrees of freedom of the published strip", function()
   local rows, counted = sg.reference "peeling2d_table7_8_and_B2".rows, 0
   for _, row in ipairs(rows) do
-    local label, mesh, printed = row[1], row[2], row[6]
-    local _, strip = problem.scene(label, mesh, problem.length, problem.bonded)
+    local order, mesh, printed = row[1], row[2], row[6]
+    local _, strip = problem.scene(order, mesh, problem.length, problem.bonded)
     local dofs = strip:dofs().total
-    if dofs ~= printed then error(("%s at %s: %d, printed %d"):format(label, mesh, dofs, printed)) end
+    if dofs ~= printed then error(("%s at %s: %d, printed %d"):format(order, mesh, dofs, printed)) end
     counted = counted + 1
   end
   check.equal(counted, 39)
@@ -44,7 +44,7 @@ end)
 check.case("the plateau is the moment of the energy balance at finite strains, and not the thin strip's", function()
   local finite, thin = steady.finite_moment(), steady.thin_moment()
   for _, case in ipairs(study.cases) do
-    check.within_share(case.label, case.window.mean, finite, 5e-4)
+    check.within_share(case.order, case.window.mean, finite, 5e-4)
     assert(math.abs(case.window.mean / thin - 1) > 1e-3)
   end
 end)

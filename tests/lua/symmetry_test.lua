@@ -17,17 +17,17 @@ end
 -- there at which they are continuous only, which refinement keeps. So both have the same solutions.
 
 --- A ring pressed into a slab; `part` is "whole" or "half", "fixed" is the half in which `fix` holds the plane.
-local function ironing(part, label)
+local function ironing(part, order)
   local whole = part == "whole"
   local shape = whole and sg.shapes.half_annulus or sg.shapes.quarter_annulus
   local die = sg.body{ patch = shape{ inner = 0.3, outer = 0.5, center = { 1.5, 1.5 } },
-                       elements = { whole and 6 or 3, 2 }, order = label, contact = "south", material = stiff }
+                       elements = { whole and 6 or 3, 2 }, order = order, contact = "south", material = stiff }
   local function line(y)
     return sg.nurbs.curve{ degree = 1, knots = whole and { 0, 0, 0.5, 1, 1 } or { 0, 0, 1, 1 },
                            points = whole and { { 0, y }, { 1.5, y }, { 3, y } } or { { 1.5, y }, { 3, y } } }
   end
   local slab = sg.body{ patch = sg.nurbs.ruled{ a = line(0), b = line(1) }, elements = { whole and 8 or 4, 3 },
-                        order = label, contact = "north", material = soft }
+                        order = order, contact = "north", material = soft }
   local supports = { bed = { on = slab:face "south", fix = "xy" },
                      grip = { on = whole and { die:face "west", die:face "east" } or die:face "east",
                               drive = "y", fix = "x" } }
@@ -41,8 +41,8 @@ end
 
 check.case("half a model in 2D has half of the force", function()
   local press = { { steps = 5, grip = { -0.15 } } }
-  for _, label in ipairs { "N2", "N4", "N2-N4" } do
-    local whole, half = grip(ironing("whole", label), press), grip(ironing("half", label), press)
+  for _, order in ipairs { "N2", "N4", "N2-N4" } do
+    local whole, half = grip(ironing("whole", order), press), grip(ironing("half", order), press)
     check.near(whole[2] / half[2], 2, 2e-9)
     check.near(whole[1], 0, 1e-12)
   end

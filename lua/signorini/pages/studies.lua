@@ -217,7 +217,7 @@ there is none, nil and a text about the closest case. Failed rows and rows witho
 and meshes from coarse to fine, estimates the error of each from the next level, and stops as soon as an estimate is
 within the tolerance. Prints the attempts and their times.]],
     named = {
-      { "scene", t.callback, "function of label and mesh that returns a model, and what model:run takes" },
+      { "scene", t.callback, "function of order and mesh that returns a model, and what model:run takes" },
       { "error", t.either(t.text, t.callback), [[quantity whose error is estimated: a column of the run such as
 "ground.max_pressure" (its last value), or a function of model and run that returns a number, or a list of numbers at
 places independent of the mesh]] },
@@ -227,12 +227,12 @@ places independent of the mesh]] },
 before, in any form that scene accepts]], default = { 1, 2, 4, 8, 16, 32 } },
       { "limit", t.positive, "time after which no further level is started", unit = "seconds", otherwise = "none" } },
     more = [[
-The result has label, mesh, error (the estimate), wall (s) and unknowns of the case of least work within the tolerance
+The result has order, mesh, error (the estimate), wall (s) and unknowns of the case of least work within the tolerance
 (nil if there is none), tries, spent (s) and report. Work is unknowns times iterations, which is reproducible. With d
-the relative distance of the last label's figures on two levels and r the fraction of the error that remains after one
+the relative distance of the last order's figures on two levels and r the fraction of the error that remains after one
 level (1/2; from three levels on as observed, if larger) the error of the finer level is about d r/(1 - r); that of
 coarser cases is larger by their distance from it. This is the discretization error only; errors of penalty, steps or
-the scene are not included. Labels that take about the work of another one and have twice its error are not tried
+the scene are not included. Orders that take about the work of another one and have twice its error are not tried
 again.]],
     example = [[sg.recommend{ scene = press, error = "grip.fy", at_most = 0.1, meshes = {1, 2, 4} }]] },
   { "sg.convergence_map", [[Returns a convergence map: where the solve converges over two parameters, and where and why
