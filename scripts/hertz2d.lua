@@ -1,6 +1,6 @@
 -- Hertz line contact: effect of varying-order layers on the pressure of a cylinder on a rigid plane.
 --
--- Problem: a quarter of a hollow elastic cylinder stands on a rigid plane and is pressed onto it.
+-- Problem: a quarter of a hollow elastic cylinder rests on a rigid plane and is pressed onto it.
 --
 --         x = 0   ______   load=displacement: u_y = −0.00463 of the cut y = 0
 --        u_x = 0 |  cut |  load=force: the half load P0 Ro, uniformly distributed over the cut

@@ -1,6 +1,6 @@
 -- Hertz point contact in 3D: an eighth of a hollow sphere on a rigid plane, compared with an axisymmetric model.
 --
--- Problem: an eighth of a hollow elastic sphere stands on a rigid plane and is pressed onto it at its equator.
+-- Problem: an eighth of a hollow elastic sphere rests on a rigid plane and is pressed onto it at its equator.
 --
 --                z
 --                |  .-'   x, y >= 0, z <= 0: u_x = 0 on the plane x = 0, u_y = 0 on y = 0

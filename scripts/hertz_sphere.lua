@@ -1,6 +1,6 @@
 -- Hertz point contact: a hollow sphere on a rigid plane as an axisymmetric model.
 --
--- Problem: the lower half of a hollow elastic sphere stands on a rigid plane and is pressed onto it at its equator.
+-- Problem: the lower half of a hollow elastic sphere rests on a rigid plane and is pressed onto it at its equator.
 --
 --          r = 0   ______   the load pi Ro² P0 is uniformly distributed over the cut at the equator
 --        u_r = 0 |  cut |

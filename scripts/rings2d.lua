@@ -86,12 +86,12 @@ end
 
 -- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local function deviation(value, beside) return beside and 100 * (value / beside - 1) or nil end
+local function deviation(value, reference) return reference and 100 * (value / reference - 1) or nil end
 
 local function error_table(cases)
-  local rows, beside = {}, published "rings2d_error_table7_5"
+  local rows, reference = {}, published "rings2d_error_table7_5"
   for i, case in ipairs(cases) do
-    local row = printed(beside, case)
+    local row = printed(reference, case)
     rows[i] = { case.order, case.mesh, case.pN_error, row.pN_L2_error, deviation(case.pN_error, row.pN_L2_error),
                 case.pT_error, row.pT_L2_error, deviation(case.pT_error, row.pT_L2_error),
                 case.coulomb.touching, case.coulomb.sticking, case.coulomb.deviation }
@@ -107,19 +107,19 @@ end
 --- One row per rule, one column per case.
 local function rule_table(cases)
   local columns, units, formats, last = { "points", "zone", "edge" }, { "", "", "" }, {}, { "published", "", "" }
-  local beside, rows = published "rings2d_error_table7_5", {}
+  local reference, rows = published "rings2d_error_table7_5", {}
   for i, rule in ipairs(rules) do rows[i] = { rule.quadrature, rule.zone, rule.edge } end
   for i, case in ipairs(cases) do
     columns[3 + i], units[3 + i], formats[3 + i] = case.order, case.mesh, "%.3e"
     for k, row in ipairs(rows) do row[3 + i] = case.errors[k] end
-    last[3 + i] = printed(beside, case).pN_L2_error
+    last[3 + i] = printed(reference, case).pN_L2_error
   end
   rows[#rows + 1] = last
   return sg.table{ columns = columns, units = units, rows = rows, formats = formats }
 end
 
 local function time_table(cases)
-  local rows, beside, unit = {}, published "rings2d_time_table7_6", nil
+  local rows, reference, unit = {}, published "rings2d_time_table7_6", nil
   for _, case in ipairs(cases) do
     if case.order == "N2" and case.mesh == "m1" then unit = case.times.wall end
   end
@@ -127,7 +127,7 @@ local function time_table(cases)
     local t = case.times
     rows[i] = { case.order, case.mesh, case.dofs, case.run.iterations / case.run.steps, 1e3 * t.wall, 1e3 * t.bulk,
                 1e3 * t.contact, 1e3 * t.linear, 1e3 * t.rest, unit and t.wall / unit,
-                printed(beside, case).time_over_N2_m1 }
+                printed(reference, case).time_over_N2_m1 }
   end
   return sg.table{
     columns = { "order", "mesh", "DOFs", "iterations", "wall", "bulk", "contact", "linear", "rest", "over N2 m1",

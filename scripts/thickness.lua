@@ -22,7 +22,7 @@
 --           the deflection with one element and 16 % with eight.
 -- Run: signorini scripts/thickness.lua [problems=ironing,hertz,cantilever,cantilever49] [orders=N2,N2-N2.2]
 --      [thickness_degree=1,2] [meshes=m1,m2,m3] [rounds=1] [time=cpu] [out=out/thickness]; rounds: runs per case, for
---      medians; time: cpu, or wall on a machine without other load. Finished cases are kept in `out`.
+--      medians; time: cpu, or wall on a machine without other load. Finished cases are saved in `out`.
 
 local sg = require "signorini"
 local measure = require "ironing2d.measure"

@@ -1,6 +1,6 @@
 -- Twisting with friction: torque and force of a hollow hemisphere pressed into a cube and rotated.
 --
--- Problem: a hollow hemisphere stands on a cube; its ring is pressed down, then rotated about its axis.
+-- Problem: a hollow hemisphere rests on a cube; its ring is pressed down, then rotated about its axis.
 --
 --               ↻  ring: u_z = −1 in 10 steps, then rotated by 180° about z in 90 steps
 --          ┌┐       ┌┐   hollow hemisphere, radii 2/3 and 1, neo-Hooke, E = 5

@@ -21,7 +21,7 @@ function output.work_table(cases)
   }
 end
 
---- Beside the published values where there are some, otherwise beside those without the trend.
+--- Oscillations with the published values where there are some, otherwise with the detrended ones.
 function output.oscillation_table(cases, published)
   local rows, formats = {}, { "%s", "%.3e", "%.2f", "%.2f", "%.3e", "%.2f", "%.2f" }
   for i, case in ipairs(cases) do
@@ -30,9 +30,9 @@ function output.oscillation_table(cases, published)
                 dPy.raw, dPy.raw_percent, printed and printed.dPy_percent_of_N2 or dPy.detrended_percent,
                 dPx.raw, dPx.raw_percent, printed and printed.dPx_percent_of_N2 or dPx.detrended_percent }
   end
-  local beside = published and "published" or "detrended"
+  local other = published and "published" or "detrended"
   return sg.table{
-    columns = { "order", "dPy", "dPy", beside, "dPx", "dPx", beside },
+    columns = { "order", "dPy", "dPy", other, "dPx", "dPx", other },
     units = { "", "N/mm", "% of N2", "% of N2", "N/mm", "% of N2", "% of N2" }, rows = rows, formats = formats,
   }
 end

@@ -19,7 +19,7 @@ problem.variants = {
 }
 
 --- Elements of die and slab by mesh: m1 to m6, each of which halves every span of the one before (Table 7.1), or the
---- number of spans along both faces in the proportions of section 6.2, where 48 stands for 48 × 8 and 48 × 24; nothing
+--- number of spans along both faces in the proportions of section 6.2, where 48 means 48 × 8 and 48 × 24; nothing
 --- if the name is not a mesh.
 function problem.elements(mesh)
   local level = math.tointeger(mesh:match "^m([1-6])$")

@@ -22,7 +22,7 @@ end
 --- dofs, converges; empty if there is none.
 function output.printed(order, mesh) return printed[order .. " " .. mesh] or {} end
 
-local function ratio(value, beside) return value and beside and value / beside or nil end
+local function ratio(value, reference) return value and reference and value / reference or nil end
 local function thousandth(value) return value and 1e3 * value end
 
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────

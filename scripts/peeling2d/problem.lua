@@ -59,8 +59,8 @@ end
 --- Peels one strip by prescribed rotation; where that ends before the last step, with control = "arc", by arc length
 --- from there on. `options`: length, bonded, steps, control, iterations, linear; on_step(model, angle) sees every whole
 --- step. Returns a case: order, mesh, dofs, model, rotation (the run under rotation control alone), arc (what followed,
---- if anything), and of both together the lists step (with parts of a step where arcs led), angle (degrees) and moment
---- (E0 L0³), reached (whole steps), iterations, wall and timings (s).
+--- if anything), and of both together the lists step (with parts of a step where arc length was used), angle
+--- (degrees) and moment (E0 L0³), reached (whole steps), iterations, wall and timings (s).
 function problem.solve(order, mesh, options, on_step)
   local model, strip = problem.scene(order, mesh, options.length, options.bonded)
   local case = { order = order, mesh = mesh, dofs = strip:dofs().total, model = model,

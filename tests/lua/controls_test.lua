@@ -20,10 +20,10 @@ local function largest_difference(a, b)
 end
 
 --- A spring whose steps are not solved unless `works(options)` of an attempt; see spring.lua.
-local function spring_model(works, loose)
+local function spring_model(works, unconstrained)
   local model
   model = spring(function() return not works(model.options) and "cycling" or nil end)
-  if loose then function model:unconstrained_bodies() return { "ball" } end end
+  if unconstrained then function model:unconstrained_bodies() return { "ball" } end end
   model.run = run_path
   return model
 end

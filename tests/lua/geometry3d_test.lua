@@ -208,7 +208,7 @@ check.case("orders per direction, layers on any face, none across a pole", funct
     "face 'south' of this body collapses across the layer on contact face 'west'", "or another contact face")
 end)
 
---- The force on a rigid plane that presses a hemisphere held at its ring.
+--- The force on a rigid plane that presses a hemisphere supported at its ring.
 local function pressed(poles, elements, ring)
   local half = sg.body {
     patch = sg.shapes.hollow_hemisphere { inner = 0.5, outer = 1, poles = poles }, elements = elements, order = "N2",

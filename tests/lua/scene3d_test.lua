@@ -38,7 +38,7 @@ end)
 check.case("an edge and a corner are intersections of their faces", function()
   local b = sg.body{ patch = sg.shapes.block{ size = {2, 1, 3} }, elements = {2, 2, 2}, order = "N2", contact = "back",
                      material = linear }
-  -- Only what is held does not move under a pull: read off which points these are.
+  -- Only constrained points do not move under a pull: read off which these are.
   local model = sg.model{ bodies = { b = b },
     supports = { edge = { on = b:edge "south-back", drive = "xyz" }, rest = { on = b:face "front", fix = "xyz" },
                  tip = { on = b:corner "east-north-back", drive = "z" } } }

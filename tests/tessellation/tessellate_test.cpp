@@ -36,7 +36,8 @@ SupportedControlPoints face_points(const Scene<3>& scene, nurbs::Side side) {
 /// An undeformed hollow octant.
 Scene<3> octant() {
   Scene<3> scene = one_body(nurbs::sphere_octant(0.5, 1, Eigen::Vector3d(0, 0, 0)), {2, 2, 2}, front);
-  scene.supports.push_back({"hold", {face_points(scene, back)}, {Hold::fixed, Hold::fixed, Hold::fixed}});
+  scene.supports.push_back(
+      {"hold", {face_points(scene, back)}, {Constraint::fixed, Constraint::fixed, Constraint::fixed}});
   return scene;
 }
 
@@ -44,10 +45,13 @@ Scene<3> octant() {
 Scene<3> pressed(const contact::Obstacle<3>& obstacle) {
   Scene<3> scene = one_body(nurbs::block({2, 1, 1}, Eigen::Vector3d(0, 0, 0)), {4, 2, 2}, back);
   scene.obstacles.push_back(obstacle);
-  scene.supports.push_back({"bed", {face_points(scene, front)}, {Hold::free, Hold::free, Hold::fixed}});
-  scene.supports.push_back({"left", {face_points(scene, west)}, {Hold::fixed, Hold::free, Hold::free}});
-  scene.supports.push_back({"near", {face_points(scene, south)}, {Hold::free, Hold::fixed, Hold::free}});
-  scene.supports.push_back({"tool", {}, {Hold::fixed, Hold::fixed, Hold::driven}, {0}});
+  scene.supports.push_back(
+      {"bed", {face_points(scene, front)}, {Constraint::free, Constraint::free, Constraint::fixed}});
+  scene.supports.push_back(
+      {"left", {face_points(scene, west)}, {Constraint::fixed, Constraint::free, Constraint::free}});
+  scene.supports.push_back(
+      {"near", {face_points(scene, south)}, {Constraint::free, Constraint::fixed, Constraint::free}});
+  scene.supports.push_back({"tool", {}, {Constraint::fixed, Constraint::fixed, Constraint::driven}, {0}});
   scene.contacts.push_back({"touch", {0, back}, ObstacleReference{0}, contact::PenaltyLaw{50, 0, 0}, 5});
   return scene;
 }

@@ -114,7 +114,7 @@ attempt started at the step's start although a part was accepted.]],
   { "run:residuals", "Returns the residual norms of the iterations of a step's last attempt.",
     arguments = { a_step },
     example = "run:residuals(run.steps)" },
-  { "run:states", [[Returns the states that a run has kept, in order, for sg.picture{ states = run:states() }: those
+  { "run:states", [[Returns the states that a run has stored, in order, for sg.picture{ states = run:states() }: those
 selected by the option `states` of model:run; by default the start, the end of each stage and the last accepted one.]],
     example = "sg.picture{ states = run:states(), field = \"uy\", file = \"states.png\" }" },
   { "run:csv", "Writes all columns to a CSV file; a value that on_step did not return is an empty field.",
