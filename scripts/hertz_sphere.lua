@@ -31,7 +31,7 @@ local load, penalty = math.pi * outer ^ 2 * 1e-4, 1000
 
 --- The sphere on its plane, and the traction on its cut. `o`: order, mesh; for the study of the size also size, the
 --- multiple of R/a (the load falls with its cube; there are as many elements per half-width near the contact and
---- beyond), stiffer, the multiple of the penalty, and through, the degree in the thickness direction.
+--- beyond), stiffer, the multiple of the penalty, and thickness_degree.
 local function scene(o)
   local size = o.size or 1
   -- 0.75 n elements in the part 0.1/size of the length, 0.25 n size in the rest: twice the size, twice as many there

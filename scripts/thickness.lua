@@ -32,7 +32,7 @@ local timed = require "speed_against_accuracy.timed"
 
 -- ── Problems: solve(case) → figures; error(row, reference) ───────────────────────────────────────────────────────────
 
---- A cantilever's mean deflection at its loaded end. `case` as in a study: order, through, mesh.
+--- A cantilever's mean deflection at its loaded end. `case` as in a study: order, thickness_degree, mesh.
 local function deflection(case, nu)
   local ny = 1 << (math.tointeger(case.mesh:sub(2)) - 1)
   local beam = sg.body{
@@ -100,8 +100,8 @@ local options = sg.arguments{
 }
 local files = sg.files(options.out)
 
---- "N2, thickness_degree = 1"
-local function space_of(row) return ("%s, through = %d"):format(row.order, row.thickness_degree) end
+--- "N2, thickness degree 1"
+local function space_of(row) return ("%s, thickness degree %d"):format(row.order, row.thickness_degree) end
 
 local function measured(name)
   local problem = problems[name]

@@ -9,7 +9,6 @@ local study = require "solid_ironing.study"
 local sixty = {}
 
 --- User times in seconds of the other programs, and the range of their mean pressing force during the drag.
---- lies.
 sixty.febio, sixty.getfem, sixty.range = 13.6, 61, { 5.75, 5.85 }
 
 local press, slide = 10, 50
@@ -47,6 +46,14 @@ function sixty.cheapest(cases)
   return best
 end
 
+--- The sentence on the cheapest case, or that there is none.
+function sixty.verdict(case)
+  if not case then return ("no case lies within %g to %g"):format(table.unpack(sixty.range)) end
+  return ("cheapest within %g to %g: %s at %s, thickness degree %d, %.2f s: 1/%.1f of FEBio's, 1/%.1f of GetFEM's")
+    :format(sixty.range[1], sixty.range[2], case.order, case.mesh.name, case.thickness_degree, case.user,
+      sixty.febio / case.user, sixty.getfem / case.user)
+end
+
 local function csv(file, cases)
   local data = { columns = { "order", "mesh", "part", "thickness_degree", "points", "dofs", "iterations", "cutbacks",
                              "user",
@@ -60,8 +67,8 @@ local function csv(file, cases)
   sg.csv.write(file, data)
 end
 
---- Runs all combinations of the lists orders, mesh, part ("half" or "whole"), through, points (texts: a number or
---- "auto", 3(p + 1)). Returns { cases, cheapest }.
+--- Runs all combinations of the lists orders, mesh, part ("half" or "whole"), thickness_degree, points (texts: a number
+--- or "auto", 3(p + 1)). Returns { cases, cheapest }.
 function sixty.run(problem, options, files)
   local cases = sg.grid({ mesh = options.mesh }, { part = options.part },
                         { thickness_degree = options.thickness_degree },
@@ -85,10 +92,7 @@ function sixty.run(problem, options, files)
   print(result_table(cases))
   csv(files "sixty.csv", cases)
   local cheapest = sixty.cheapest(cases)
-  print(cheapest and ("cheapest within %g to %g: %s at %s, thickness degree %d, %.2f s: 1/%.1f of FEBio's, 1/%.1f of ")
-    :format(sixty.range[1], sixty.range[2], cheapest.order, cheapest.mesh.name, cheapest.through, cheapest.user,
-      sixty.febio / cheapest.user, sixty.getfem / cheapest.user) .. "GetFEM's"
-    or ("no case lies within %g to %g"):format(table.unpack(sixty.range)))
+  print(sixty.verdict(cheapest))
   files:draw("sixty.png", "a step of the sliding", function(file)
     local named = {}
     for i, case in ipairs(cases) do

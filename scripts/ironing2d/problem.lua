@@ -55,15 +55,15 @@ end
 
 --- Model, die and slab of a variant; `points` are the Gauss points per contact element, 3(p + 1) by default; through:
 --- the degree in the thickness direction, 1 by default, as published.
-function problem.scene(set_up, order, elements, points, through)
+function problem.scene(set_up, order, elements, points, thickness_degree)
   local die = sg.body{
     patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { set_up.start, 1.5 } },
-    elements = elements.die, order = order, contact = "south", thickness_degree = through or 1,
+    elements = elements.die, order = order, contact = "south", thickness_degree = thickness_degree or 1,
     material = sg.neo_hookean{ E = set_up.die_modulus, nu = 0.3 },
   }
   local slab = sg.body{
     patch    = sg.shapes.rectangle{ width = 3, height = 1 },
-    elements = elements.slab, order = order, contact = "north", thickness_degree = through or 1,
+    elements = elements.slab, order = order, contact = "north", thickness_degree = thickness_degree or 1,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local model = sg.model{

@@ -2,8 +2,8 @@
 --
 -- A problem is { title, die (its name), length (the slab's), start (x of the die's center), depth, way, scene(case) };
 -- scene returns the model with the supports `grip` (drives x and z) and `bed` and the contact `interface`, the die and
--- the slab. A case is { order, mesh, press, slide (steps), through, points, half (the scene is cut at its plane of
--- symmetry, y = const.), line_search, linear }; see study.solve.
+-- the slab. A case is { order, mesh, press, slide (steps), thickness_degree, points, half (the scene is cut at its
+-- plane of symmetry, y = const.), line_search, linear }; see study.solve.
 
 local sg = require "signorini"
 local plane = require "ironing2d.measure"

@@ -86,7 +86,7 @@ Scene<3> block_above_plane(double gap) {
   plan.elements = {2, 2, 1};
   plan.contact = {front};
   plan.labels.assign(2, nurbs::parse_label("N2"));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const nurbs::Patch patch = nurbs::block({1, 1, 0.6}, Eigen::Vector3d(0, 0, gap));
   Scene<3> scene;
   scene.bodies.push_back(

@@ -17,7 +17,7 @@ Scene<2> disc(const solid::Material& material, solid::Kind kind, const std::vect
   plan.elements = {3, 2};
   plan.contact = {nurbs::side_of("north", 2)};
   plan.labels = {nurbs::parse_label("N2")};
-  plan.through = 2;
+  plan.thickness_degree = 2;
   const auto space =
       std::make_shared<const nurbs::Discretization>(nurbs::rectangle(1.5, 0.5, Eigen::Vector2d(0, 0)), plan);
   Scene<2> scene;

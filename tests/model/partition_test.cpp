@@ -29,7 +29,7 @@ Scene<3> block(std::vector<int> elements, const std::string& label, const std::s
   plan.elements = std::move(elements);
   plan.contact = {nurbs::side_of(contact, 3)};
   plan.labels.assign(2, nurbs::parse_label(label));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const auto space =
       std::make_shared<const nurbs::Discretization>(nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0)), plan);
   scene.bodies.push_back({"block", std::make_shared<const solid::Body<3>>(space, solid::neo_hookean(1, 0.3))});

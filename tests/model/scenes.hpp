@@ -13,13 +13,14 @@ namespace signorini::model::test {
 
 inline std::shared_ptr<const solid::Body<2>> make_body(const nurbs::Patch& patch, std::vector<int> elements,
                                                        const std::string& label, const std::string& contact,
-                                                       const solid::Material& material, std::optional<int> through = 1,
+                                                       const solid::Material& material,
+                                                       std::optional<int> thickness_degree = 1,
                                                        solid::Kind kind = solid::Kind::plane_strain) {
   nurbs::Plan plan;
   plan.elements = std::move(elements);
   plan.contact = {nurbs::side_of(contact, 2)};
   plan.labels = {nurbs::parse_label(label)};
-  plan.through = through;
+  plan.thickness_degree = thickness_degree;
   return std::make_shared<const solid::Body<2>>(std::make_shared<const nurbs::Discretization>(patch, plan), material,
                                                 kind);
 }

@@ -28,7 +28,7 @@ std::shared_ptr<const solid::Body<3>> make_solid(const nurbs::Patch& patch, std:
   plan.elements = std::move(elements);
   plan.contact = {contact};
   plan.labels.assign(2, nurbs::parse_label(label));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   return std::make_shared<const solid::Body<3>>(std::make_shared<const nurbs::Discretization>(patch, plan), material);
 }
 

@@ -22,7 +22,7 @@ Scene<3> one_body(const nurbs::Patch& patch, std::vector<int> elements, nurbs::S
   plan.elements = std::move(elements);
   plan.contact = {contact};
   plan.labels.assign(2, nurbs::parse_label("N2-N2.1"));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const auto space = std::make_shared<const nurbs::Discretization>(patch, plan);
   Scene<3> scene;
   scene.bodies.push_back({"body", std::make_shared<const solid::Body<3>>(space, solid::neo_hookean(1, 0.3))});
@@ -212,7 +212,7 @@ Model<2> annulus() {
   plan.elements = {2, 1};
   plan.contact = {south};
   plan.labels.assign(1, nurbs::parse_label("N2"));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const auto space =
       std::make_shared<const nurbs::Discretization>(nurbs::half_annulus(0.5, 1, Eigen::Vector2d(0, 0)), plan);
   Scene<2> scene;
