@@ -18,8 +18,8 @@ local options = sg.arguments{
 }
 local meshes = { "m1", "m2", "m3", "m4", "m5", "m6", "m7" }
 
-local function scene(label, mesh)
-  local model, stage = hertz.scene{ label = label, mesh = mesh, load = "force" }
+local function scene(order, mesh)
+  local model, stage = hertz.scene{ order = order, mesh = mesh, load = "force" }
   stage.steps = 5
   return model, { stage }
 end

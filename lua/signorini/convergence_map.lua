@@ -9,7 +9,7 @@ local csv = require "signorini.csv"
 local execute = require("signorini.study.execute").execute
 local format_table = require "signorini.table"
 local grid = require "signorini.study.grid"
-local in_name_of = require "signorini.in_name_of"
+local on_behalf_of = require "signorini.on_behalf_of"
 local lists = require "signorini.lists"
 local make_study = require("signorini.study").make
 local pictures = require "signorini.convergence_map.pictures"
@@ -39,12 +39,12 @@ end
 
 --- The user's results; those that are not finite numbers are left out.
 local function read_results(results)
-  local kept = {}
+  local finite = {}
   check.value(types.map { kind = "number", gaps = true }, results, where, "what results returns")
   for name, value in next, results do
-    if value == value and math.abs(value) < math.huge then kept[name] = value end
+    if value == value and math.abs(value) < math.huge then finite[name] = value end
   end
-  return kept
+  return finite
 end
 
 --- Solves the cell at x, y with these functions and returns the result of the study's case. Their errors propagate.
@@ -87,14 +87,14 @@ local function write_file(where, name, map)
     return row
   end)
   local heads = lists.joined(columns, lists.map(results, function(result) return "result " .. result end))
-  in_name_of(where, "sg.csv.write", csv.write, name, { columns = heads, rows = rows, comments = { title(map) } })
+  on_behalf_of(where, "sg.csv.write", csv.write, name, { columns = heads, rows = rows, comments = { title(map) } })
 end
 
 --- Whether the map's file exists. If it belongs to something else, or no folder keeps its cells, this is an error, so
 --- that it is not overwritten.
 local function is_there(where, name, map)
   if not core.exists(name) then return false end
-  local data, folder = in_name_of(where, "sg.csv.read", csv.read, name), map.study.folder
+  local data, folder = on_behalf_of(where, "sg.csv.read", csv.read, name), map.study.folder
   if data.comments[1] ~= title(map) then
     core.fail(("%s: '%s' contains something other (%s) than this map (%s). Hint: remove it, or choose another file")
       :format(where, name, data.comments[1] or "without a title", title(map)))
@@ -133,7 +133,7 @@ local function new_map(options)
   check_axis("y", y)
   if x.name == y.name then core.fail(("%s: x.name and y.name must differ, both are '%s'"):format(where, x.name)) end
   local parts = { scene = options.scene, path = options.path, results = options.results }
-  local study = in_name_of(where, "sg.study", make_study, {
+  local study = on_behalf_of(where, "sg.study", make_study, {
     name = options.name, cases = cases_of(x, y), parts = parts, folder = name and name:gsub("%.csv$", "") .. ".cells",
     run = function(case) return solve_cell(parts, case[x.name], case[y.name]) end,
   })

@@ -1,4 +1,4 @@
--- sg.study: a function evaluated for many cases, its results kept in a folder, and methods to read them.
+-- sg.study: a function evaluated for many cases, its results saved in a folder, and methods to read them.
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -16,7 +16,7 @@ local Study = lists.merged({ execute = execute.method, __name = "study" }, metho
 Study.__index = Study
 core.types.study = Study
 
--- Fields that some studies lack: parts of a study have no cases but `whole`, and without a folder nothing is kept. All
+-- Fields that some studies lack: parts of a study have no cases but `whole`, and without a folder nothing is saved. All
 -- other unknown names are misspelled.
 named.strict_type(Study, "study", "cases inputs whole folder parts fresh on_record")
 
@@ -52,7 +52,7 @@ end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A study of checked arguments. In addition to those of sg.study: no folder (nothing is kept), `fresh` (the folder is
+--- A study of checked arguments. In addition to those of sg.study: no folder (nothing is saved), `fresh` (the folder is
 --- emptied first), `parts` (by name, what the results depend on, if that is not `run`), and on_record(), called when
 --- records of cases were read or written.
 local function make(study)

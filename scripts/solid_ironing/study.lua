@@ -2,11 +2,11 @@
 --
 -- A problem is { title, die (its name), length (the slab's), start (x of the die's center), depth, way, scene(case) };
 -- scene returns the model with the supports `grip` (drives x and z) and `bed` and the contact `interface`, the die and
--- the slab. A case is { label, mesh, press, slide (steps), through, points, half (the scene is cut at its plane of
--- symmetry, y = const.), line_search, linear }; see study.solve.
+-- the slab. A case is { order, mesh, press, slide (steps), thickness_degree, points, half (the scene is cut at its
+-- plane of symmetry, y = const.), line_search, linear }; see study.solve.
 
 local sg = require "signorini"
-local plane = require "ironing2d.amplitude"
+local plane = require "ironing2d.measure"
 
 local study = {}
 
@@ -39,7 +39,8 @@ local function measure(problem, case)
   end
   case.pressed, case.first_failure = case.Pz[case.press], first_failure(run)
   case.first, case.last = window(problem, case)
-  case.dPx, case.dPz = plane.of(case.Px, case.first, case.last), plane.of(case.Pz, case.first, case.last)
+  case.dPx = plane.oscillation(case.Px, case.first, case.last)
+  case.dPz = plane.oscillation(case.Pz, case.first, case.last)
   if run.failed then return end
   local drag = table.move(case.Pz, case.press + 1, #case.Pz, 1, {})
   local sum = 0

@@ -56,12 +56,12 @@ local function results(_, run)
 end
 
 local files, results = sg.files(options.out), {}
-for _, label in ipairs(options.orders) do
-  results[label] = study.solve({
-    name = ("Ironing back and forth, %s at %s"):format(label, options.mesh), key = label,
+for _, order in ipairs(options.orders) do
+  results[order] = study.solve({
+    name = ("Ironing back and forth, %s at %s"):format(order, options.mesh), key = order,
     x = { name = "length of a step (published: 1)", values = options.coarser },
     y = { name = "coefficient of friction", values = options.friction },
-    scene = function(_, mu) return (ironing.scene(with_friction(mu), label, elements)) end,
+    scene = function(_, mu) return (ironing.scene(with_friction(mu), order, elements)) end,
     path = function(_, coarser) return path(coarser) end,
     results = results,
   }, options, files)

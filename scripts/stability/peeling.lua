@@ -46,8 +46,8 @@ local files, results = sg.files(options.out), {}
 for _, control in ipairs(options.control) do
   results[control] = study.solve({
     name = ("Peeling to %g°, %s"):format(angle, names[control]), key = control,
-    x = { name = "label", values = options.orders }, y = { name = "mesh", values = options.meshes },
-    scene = function(label, mesh) return (peeling.scene(label, mesh, length, bonded)) end,
+    x = { name = "order", values = options.orders }, y = { name = "mesh", values = options.meshes },
+    scene = function(order, mesh) return (peeling.scene(order, mesh, length, bonded)) end,
     path = function()
       return { { name = "rotate", steps = steps, edge = angle } },
         { newton = { iterations = 30 }, arc_length = control == "arc" }

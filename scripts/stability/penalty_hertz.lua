@@ -61,13 +61,13 @@ end
 local files = sg.files(options.out)
 local maps = study.solve({
   name = ("Hertz at %s, load by %s"):format(mesh, load),
-  x = { name = "label", values = options.orders },
+  x = { name = "order", values = options.orders },
   y = { name = "penalty", values = options.penalties },
-  scene = function(label, penalty)
-    return (hertz.scene{ label = label, mesh = mesh, load = load, penalty = penalty })
+  scene = function(order, penalty)
+    return (hertz.scene{ order = order, mesh = mesh, load = load, penalty = penalty })
   end,
-  path = function(_, label, penalty)
-    local _, stage = hertz.scene{ label = label, mesh = mesh, load = load, penalty = penalty }
+  path = function(_, order, penalty)
+    local _, stage = hertz.scene{ order = order, mesh = mesh, load = load, penalty = penalty }
     stage.steps = steps
     return { stage }
   end,

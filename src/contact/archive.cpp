@@ -75,7 +75,7 @@ Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>) {
 }
 
 template <int D> void write(ArchiveWriter& to, const Method<D>& method) {
-  require(!std::holds_alternative<Maker<D>>(method), "contact.archive.own_formulation");
+  require(!std::holds_alternative<FormulationFactory<D>>(method), "contact.archive.own_formulation");
   to.put(static_cast<int>(method.index()));
   if (const auto* penalty = std::get_if<PenaltyLaw>(&method))
     to.put(*penalty);

@@ -24,7 +24,7 @@ local function gap_below(u)
   return gap
 end
 
---- A block of 20 × 4 on a film, held by its lid.
+--- A block of 20 × 4 on a film, supported at its lid.
 local function block(options)
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 20, height = height }, elements = {10, 2},
                         order = options.order or "N2", contact = "south",

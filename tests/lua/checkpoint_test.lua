@@ -64,7 +64,7 @@ local function continues(model, before, after, options)
 end
 
 check.case("frictional ironing in the plane, KLU", function()
-  local model = ironing{ label = "N2-N2.2" }
+  local model = ironing{ order = "N2-N2.2" }
   continues(model, { { steps = 10, grip = {0, -0.15} } }, "{ { steps = 15, grip = {0.3, -0.15} } }")
   check.equal(model:solver().linear, "klu")
 end)
@@ -139,7 +139,7 @@ check.case("a body of revolution", function()
 end)
 
 check.case("classical elements", function()
-  continues(ironing{ label = "L2" }, { { steps = 10, grip = {0, -0.1} } }, "{ { steps = 6, grip = {0.1, -0.1} } }")
+  continues(ironing{ order = "L2" }, { { steps = 10, grip = {0, -0.1} } }, "{ { steps = 6, grip = {0.1, -0.1} } }")
 end)
 
 --- An indenter on a slab in space, to be pressed, dragged, turned.

@@ -7,7 +7,7 @@ local spring = require "spring"
 local run_path = require "spring_run"
 
 --- Pressed by 0.5 in 46 steps, plain Newton cycles in the 33rd or the 34th.
-local function deep() return ironing{ E = 1e4, mu = 0.1, label = "N4", penalty = 1000, points = 7 } end
+local function deep() return ironing{ E = 1e4, mu = 0.1, order = "N4", penalty = 1000, points = 7 } end
 
 --- The published path's first 60 steps: 46 of pressing, 14 of sliding.
 local sixty = { { name = "press", steps = 46, grip = {0, -0.23} },
@@ -20,10 +20,10 @@ local function largest_difference(a, b)
 end
 
 --- A spring whose steps are not solved unless `works(options)` of an attempt; see spring.lua.
-local function spring_model(works, loose)
+local function spring_model(works, unconstrained)
   local model
   model = spring(function() return not works(model.options) and "cycling" or nil end)
-  if loose then function model:unconstrained_bodies() return { "ball" } end end
+  if unconstrained then function model:unconstrained_bodies() return { "ball" } end end
   model.run = run_path
   return model
 end
@@ -136,7 +136,7 @@ check.case("fixed states of cycling points do no harm: if they cannot be freed t
     check.equal({ run.reason, run.steps < 46, run.places[1].contact }, { "cycling", true, "interface" })
     check.holds(run.report, "contact points whose state was fixed change it again when they are released")
   end
-  local run = ironing{ E = 1e4, mu = 0.1, label = "N6", points = 7 }:run({ { steps = 46, grip = {0, -0.5} } },
+  local run = ironing{ E = 1e4, mu = 0.1, order = "N6", points = 7 }:run({ { steps = 46, grip = {0, -0.5} } },
     sg.plain{ newton = { active_set_changes = 4 } })
   check.equal({ run.failed, run.steps }, { false, 46 })
 end)

@@ -47,8 +47,8 @@ check.case("nothing else", function()
 end)
 
 check.case("peeling on a coarse mesh jumps over its snap-backs in completed steps, and says where", function()
-  local function peel(label, options)
-    return (peeling.scene(label, "m0", 100, 85)):run({ { name = "rotate", steps = 150, edge = 30 } }, options)
+  local function peel(order, options)
+    return (peeling.scene(order, "m0", 100, 85)):run({ { name = "rotate", steps = 150, edge = 30 } }, options)
   end
   local run = peel "N2"
   check.equal({ run.reason, #run.warnings }, { "completed", 1 })

@@ -8,7 +8,7 @@ local problem = require "hertz2d.problem"
 local steps = 5
 
 local function scene(order, mesh)
-  local model, stage = problem.scene{ label = order, mesh = mesh, load = "force" }
+  local model, stage = problem.scene{ order = order, mesh = mesh, load = "force" }
   stage.steps = steps
   return model, { stage }
 end

@@ -63,8 +63,8 @@ check.case("ratios of all pairs: within the errors that both reach, or why there
 end)
 
 check.case("the fastest case with at most the error of N2 is at least as accurate and not slower", function()
-  local shares = require "speed_against_accuracy.shares"
-  local list = shares.least(results.ironing.measured.cases, "dPx", "wall")
+  local ratios = require "speed_against_accuracy.ratios"
+  local list = ratios.least(results.ironing.measured.cases, "dPx", "wall")
   check.equal(#list, 2)
   for _, pair in ipairs(list) do
     assert(pair.best.dPx <= pair.plain.dPx and pair.best.wall <= pair.plain.wall)

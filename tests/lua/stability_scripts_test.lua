@@ -71,7 +71,7 @@ check.case("Hertz over the penalty: a high one makes the pressure oscillate, a l
   local plain, robust = result.maps.plain, result.maps.robust
   check.equal(outcomes(plain), { "completed", "completed", "completed", "completed", "completed", "cycling" })
   check_controls(result.maps, 6)
-  local function oscillation(label, penalty) return plain:cell(label, penalty).results.oscillation end
+  local function oscillation(order, penalty) return plain:cell(order, penalty).results.oscillation end
   check.near({ oscillation("N2", 1e2), oscillation("N2", 1e4), oscillation("N2-N2.2", 1e4) },
     { 0.00325, 0.1230, 0.0144 }, 5e-4)
   check.near(robust:cell("N2", 1e4).results.penetration, 3.23e-6, 1e-8)
@@ -104,7 +104,7 @@ check.case("locking: the force of L1 is too high the nearer nu comes to 0.5, tha
   local robust = result.maps.robust
   check_controls(result.maps, 6)
   check.equal({ result.reference:converged() }, { 2, 2 })
-  local function off(label, nu) return robust:cell(label, nu).results.error end
+  local function off(order, nu) return robust:cell(order, nu).results.error end
   check.near({ off("L1", 0.45), off("L1", 0.499), off("N2", 0.45) }, { 0.2125, 1.537, 0.0085 }, 1e-3)
   check.near({ off("N4", 0.45), off("N4", 0.499) }, { 0.0047, 0.0104 }, 1e-3)
   check_files(result, 4)
@@ -137,8 +137,8 @@ end)
 
 check.case("augmented: no penetration remains; the effect on the pressure depends on the layer", function()
   local result = study("augmented", "penalties=1e2", "reference=m4")
-  local function results(label)
-    local plain, augmented = result.cases[label .. " 100 penalty"], result.cases[label .. " 100 augmented"]
+  local function results(order)
+    local plain, augmented = result.cases[order .. " 100 penalty"], result.cases[order .. " 100 augmented"]
     check.equal({ plain.outcome, augmented.outcome }, { "completed", "completed" })
     check.equal({ plain.penetration > 1e-4, augmented.penetration <= 5 ^ 0.5 * 1e-6 }, { true, true })
     check.equal({ plain.force_percent < -3, math.abs(augmented.force_percent) < 0.2 }, { true, true })

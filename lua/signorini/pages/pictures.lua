@@ -53,8 +53,8 @@ local entries = { "pictures", t.either(t.object "picture", t.list(t.object "pict
 
 return {
   title = "Pictures and charts", word = "pictures",
-  { "sg.picture", [[Returns a picture of a model's present state, of a state kept by a run, or of patches, and writes it
-to `file` if given. Later changes of the model do not affect the picture.]],
+  { "sg.picture", [[Returns a picture of a model's present state, of a state stored by a run, or of patches, and writes
+it to `file` if given. Later changes of the model do not affect the picture.]],
     named = {
       "Contents, one of:",
       { "model", t.object "model", "shows its present state", optional = true },
@@ -103,7 +103,7 @@ the bodies. The cut face shows the field]], otherwise = "no cut" },
       { "names", t.flag, "patches: names of faces, ξ¹ ξ² ξ³ along the directions, numbers of several patches",
         default = true, needs = { "patch" } },
       "Layout and file:",
-      { "title", t.text, "title above the picture", otherwise = "none; that of a kept state" },
+      { "title", t.text, "title above the picture", otherwise = "none; that of a stored state" },
       { "crop", t.numbers(), [[{xmin, xmax, ymin, ymax}: shows only this part; in 3D with zmin, zmax: the rectangle
 around this box as seen, with everything in front of and behind it]], otherwise = "all", unit = "length" },
       { "inset", t.numbers(), "part in the same form, magnified in a box within the picture",

@@ -126,7 +126,7 @@ step]], optional = true },
 uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding error. The file of a
 finished run returns that run at once. Scene and stages must be the same]], default = false },
   { "states", t.worded(t.either(t.integer(2), t.list(t.integer(0)), t.callback),
-    "a number of states from 2, a list of steps, or a function"), [[states kept for run:states(): this number, evenly
+    "a number of states from 2, a list of steps, or a function"), [[states stored for run:states(): this number, evenly
 from start to end, those of the listed steps (0 is the start), or those for which function(info) returns true; a resumed
 run has those since its resumption]], otherwise = "the start and the end of each stage" },
   { "on_step", t.callback, [[function(info), called after each step with info.step, info.stage, info["grip.fx"] …;

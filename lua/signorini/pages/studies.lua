@@ -48,7 +48,7 @@ local filter = t.either({ kind = "map", of = { kind = "any", of = strings }, nam
 return {
   title = "Studies",
   word = "studies",
-  { "sg.study", [[Returns a study: a function evaluated for many cases, whose results are kept. study:execute{} runs
+  { "sg.study", [[Returns a study: a function evaluated for many cases, whose results are saved. study:execute{} runs
 each case in a separate process, so variables that the function changes do not affect other cases.]],
     named = {
       { "name", t.text, "name in tables, charts and of the folder" },
@@ -118,7 +118,7 @@ false: select rows with study:where, or give series.]],
   { "study:execute", [[Runs the cases that are missing in the study's folder or whose inputs have changed, prints how
 many are reused and how many are to be solved, and returns the study. Each finished case is written to disk at once: if
 the program is stopped by Ctrl-C or killed, the same call continues with the missing cases. A failed case is a result
-and is kept. A case that ended with an error, or whose process crashed, is reported on standard error at the end, runs
+and is saved. A case that ended with an error, or whose process crashed, is reported on standard error at the end, runs
 again at the next call, and makes the exit status of the program 1, unless the script ends with os.exit.]],
     may_be_empty = true,
     named = { at_once, limit,

@@ -130,19 +130,19 @@ function scenes.build(scene, mirrored)
   end
   local patch, top, bottom = slab_patch(scene.kind)
   local slab = body(patch, "slab", top, 1)
-  local bodies, faces, held = { slab = slab }, { slab = slab:face(top) }, {}
+  local bodies, faces, driven = { slab = slab }, { slab = slab:face(top) }, {}
   if scene.shape == "cylinder" then
-    held = cylinder(scene.kind, sign * scene.place)
-    faces.body = held
+    driven = cylinder(scene.kind, sign * scene.place)
+    faces.body = driven
   else
     local shape, face, sides = shapes[scene.kind][scene.shape](scene.place)
     bodies.body = body(shape, "body", face, scene.E)
     faces.body = bodies.body:face(face)
-    for i, side in ipairs(sides) do held[i] = bodies.body:face(mirrored and other_side[side] or side) end
+    for i, side in ipairs(sides) do driven[i] = bodies.body:face(mirrored and other_side[side] or side) end
   end
   local model = sg.model{
     bodies = bodies,
-    supports = { bed = { on = slab:face(bottom), fix = all }, grip = { on = held, drive = all } },
+    supports = { bed = { on = slab:face(bottom), fix = all }, grip = { on = driven, drive = all } },
     contacts = { interface = {
       slave = faces[scene.slave], master = faces[scene.slave == "slab" and "body" or "slab"], penalty = scene.penalty,
       friction = scene.mu > 0 and { mu = scene.mu, penalty = scene.penalty } or nil,
