@@ -33,12 +33,12 @@ local function untouched(run, model, contact)
     least < math.huge and ("%.4g"):format(least) or "unknown, because no point has a foot point on the master")
 end
 
---- The size of the smallest body: its largest extent along an axis.
+--- The size of the smallest body, the diagonal of its bounding box.
 local function smallest_size(model)
   local function size(name)
-    return math.max(table.unpack(lists.map(lists.ranges(model:body(name):points()), function(range)
-      return range[2] - range[1]
-    end)))
+    local sum = 0
+    for _, range in ipairs(lists.ranges(model:body(name):points())) do sum = sum + (range[2] - range[1]) ^ 2 end
+    return math.sqrt(sum)
   end
   local name = lists.least(model:body_names(), size)
   return name and size(name) or math.huge, name

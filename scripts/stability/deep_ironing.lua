@@ -45,7 +45,7 @@ local function scene(order, multiple)
 end
 
 --- The forces on the die at the end of the path.
-local function results(_, run)
+local function forces(_, run)
   return { drag = run:column "grip.fx"[run.steps], press = -run:column "grip.fy"[run.steps] }
 end
 
@@ -59,7 +59,7 @@ for _, name in ipairs(points) do
     y = { name = "length of a step (published: 1)", values = coarser },
     scene = function(order) return scene(order, multiple) end,
     path = function(_, _, times) return ironing.path(set_up, times) end,
-    results = results,
+    results = forces,
   }, options, files)
 end
 

@@ -47,7 +47,7 @@ local function path(coarser)
 end
 
 --- Drag over pressing force in the middle of the forward and the backward slide.
-local function results(_, run)
+local function forces(_, run)
   local function drag(stages)
     local step = run.stages[1].steps + math.floor((stages - 0.5) * run.stages[2].steps)
     return run:column "grip.fx"[step] / -run:column "grip.fy"[step]
@@ -63,7 +63,7 @@ for _, order in ipairs(options.orders) do
     y = { name = "coefficient of friction", values = options.friction },
     scene = function(_, mu) return (ironing.scene(with_friction(mu), order, elements)) end,
     path = function(_, coarser) return path(coarser) end,
-    results = results,
+    results = forces,
   }, options, files)
 end
 files:report()

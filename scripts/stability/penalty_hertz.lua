@@ -45,7 +45,7 @@ local mesh, load, steps = options.mesh, options.load, options.steps
 local part = 0.8 -- of the half-width; excludes the edge, where the number of active points changes
 
 --- Oscillation of the pressure, half-width and largest penetration.
-local function results(model, run)
+local function pressure_results(model, run)
   local profile = model:profile "ground"
   local a, peak = hertz.hertz(2 * run:column "ground.fy"[run.steps])
   local half_width = sg.profile_edges{ profile = profile }.to
@@ -71,7 +71,7 @@ local maps = study.solve({
     stage.steps = steps
     return { stage }
   end,
-  results = results,
+  results = pressure_results,
   charts = {
     { key = "oscillation", name = "oscillation", log = true, label = "oscillation of the pressure / peak" },
     { key = "penetration", name = "penetration", log = true, label = "largest penetration" },

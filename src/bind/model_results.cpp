@@ -110,8 +110,8 @@ template <int D> void push_body_cost(lua_State* L, const model::Model<D>& model,
       for (int i = D * function; i < D * (function + 1); ++i)
         if (unknown(i) >= 0) layer.insert(unknown(i));
   const auto unknowns_in_all = static_cast<int>(all.size()), in_layer = static_cast<int>(layer.size());
-  push_fields(L, "unknowns", unknowns_in_all, "contact_layer", in_layer, "bulk", unknowns_in_all - in_layer,
-              "prescribed", prescribed, "elements", body.elements(), "gauss_points", points);
+  push_fields(L, "unknowns", unknowns_in_all, "interface", in_layer, "bulk", unknowns_in_all - in_layer, "prescribed",
+              prescribed, "elements", body.elements(), "gauss_points", points);
 }
 
 /// Bytes of the factors as measured by the linear solver; before the first solve an estimate for the solver that would

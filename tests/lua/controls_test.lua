@@ -314,7 +314,7 @@ check.case("only a converged step is accepted", function()
   model:set_target("grip", {0, -5})
   check.equal(model:solve_step{}.reason, "inverted")
   refused("the step has failed (inverted)", "Hint: call model:rollback()")
-  check.fails(function() model:residual() end, "model:residual: the present state has no residual", "model:rollback()")
+  check.fails(function() model:residual() end, "model:residual: the current state has no residual", "model:rollback()")
   check.equal(model:iterate{}.reason, "inverted") -- it stays failed
   model:rollback()
   check.equal(#model:residual(), #model:unknowns())

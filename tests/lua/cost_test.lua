@@ -25,12 +25,12 @@ check.case("the numbers are those of bodies, contacts and solver, before a solve
   local cost = model:cost()
   -- N2 on 8 elements along the slab: 10 functions, N4 on its face: 12; through it 4 rows, the lowest fixed. The die's
   -- arc has a knot of its own in the middle, C0: one function more; two more are fixed at the ends of each row.
-  check.equal({ cost.bodies.slab.unknowns, cost.bodies.slab.contact_layer, cost.bodies.slab.bulk,
+  check.equal({ cost.bodies.slab.unknowns, cost.bodies.slab.interface, cost.bodies.slab.bulk,
                 cost.bodies.slab.prescribed }, { 2 * 32, 2 * 12, 2 * 20, 2 * 10 })
   check.equal({ cost.bodies.slab.elements, cost.bodies.slab.gauss_points }, { 24, 16 * 3 * 2 + 8 * 5 * 2 })
   local die = cost.bodies.die
   check.equal(die.unknowns + die.prescribed, model:body "die":dofs().total)
-  check.equal(die.contact_layer, model:body "die":dofs().interface - 4)
+  check.equal(die.interface, model:body "die":dofs().interface - 4)
   check.equal({ cost.unknowns, cost.obstacles }, { die.unknowns + 64, 0 })
   check.equal(cost.unknowns, #model:unknowns())
   check.equal({ cost.contacts.interface.points, cost.contacts.interface.rigid }, { 6 * 15, false })

@@ -27,7 +27,7 @@ local camera = t.either(t.choice(core.cameras), t.worded(t.named {
 }, "a table { from = …, up = … }"))
 
 local mark = t.named {
-  { "x", t.point, "place in the present state", unit = "length" },
+  { "x", t.point, "place in the current state", unit = "length" },
   { "text", t.text, "short text next to it", default = "" },
 }
 for _, key in ipairs { "kind", "body", "element", "point", "contact", "X", "value" } do -- the rest of run.places
@@ -53,14 +53,14 @@ local entries = { "pictures", t.either(t.object "picture", t.list(t.object "pict
 
 return {
   title = "Pictures and charts", word = "pictures",
-  { "sg.picture", [[Returns a picture of a model's present state, of a state stored by a run, or of patches, and writes
+  { "sg.picture", [[Returns a picture of a model's current state, of a state stored by a run, or of patches, and writes
 it to `file` if given. Later changes of the model do not affect the picture.]],
     named = {
       "Contents, one of:",
-      { "model", t.object "model", "shows its present state", optional = true },
+      { "model", t.object "model", "shows its current state", optional = true },
       { "state", t.object "state", "an entry of run:states()", optional = true, excludes = { "states", "patch" } },
       { "patch", t.one_or_more(t.object "patch"),
-        "patches of one dimension, in gray", optional = true, excludes = { "model" } },
+        "patches in gray, all in the plane or all in 3D", optional = true, excludes = { "model" } },
       "Several states or fields:",
       of_models { "states", t.list(t.object "state", nil, 1), [[run:states(): one picture each, as in sg.sheet; or,
 depending on the file's name ("x-%04d.png", "x.ogv"), as in sg.film]], optional = true },
@@ -68,10 +68,11 @@ depending on the file's name ("x-%04d.png", "x.ogv"), as in sg.film]], optional 
         optional = true, excludes = { "field", "patch", why = "it replaces it" } },
       merged(columns, { needs = { "states", "fields" } }), merged(fps, { needs = { "states" } }),
       "Colors:",
-      of_models { "field", field, [[displacements ux uy u (length), Cauchy stresses sxx syy szz sxy, von_mises,
-pressure (-tr sigma/3), I1 (tr sigma; all force per area), F11 F12 F21 F22 F33 (none); for solids also uz sxz syz F13 …
-F32; contact_pressure (force per current area) on slave faces, in the plane as a band along them. Stresses are evaluated
-at the points drawn, neither extrapolated nor averaged, so that jumps between elements are visible]],
+      of_models { "field", field, [[displacements ux uy u (length); Cauchy stresses (force per area) sxx syy szz sxy,
+von_mises, pressure (-tr sigma/3), I1 (tr sigma: the first invariant of the stress, not of C); deformation gradient (no
+unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per current area) on slave
+faces, in the plane as a band along them. Stresses are evaluated at the points drawn, neither extrapolated nor averaged,
+so that jumps between elements are visible]],
         otherwise = "gray" },
       { "factor", t.number, "multiplies the field", default = 1, needs = { "field", "fields" } },
       { "label", t.text, "title of the color bar", otherwise = "the field's name with its factor",
@@ -80,11 +81,11 @@ at the points drawn, neither extrapolated nor averaged, so that jumps between el
         otherwise = "that of the values, without outliers of up to 0.5 %" },
       { "contours", contours, [[contour lines: true: at the ticks of the color bar; a number: so many levels within the
 range; or a list of levels]], otherwise = "none", needs = { "field", "fields" } },
-      { "bar", t.flag, "color bar with the lowest and the highest value at its ends", default = true },
+      { "bar", t.flag, "color bar of the range, with the field's extremes at its ends", default = true },
       { "colormap", t.choice(core.colormaps), "'coolwarm' suits values of both signs", default = "viridis" },
       "Parts drawn:",
       of_models { "bodies", t.list(body_name, nil, 1), "names of the bodies", otherwise = "all" },
-      of_models { "deformed", t.flag, "present shape; false: reference shape", default = true },
+      of_models { "deformed", t.flag, "current shape; false: reference shape", default = true },
       of_models { "undeformed", t.flag, "also the reference shape, dashed, in 3D also translucent",
         default = false },
       { "mesh", t.flag, "element boundaries", default = true },
@@ -94,8 +95,8 @@ tractions (force per current area) at the contact points of slave faces, with a 
         otherwise = "none" },
       of_models { "obstacles", t.flag, "rigid obstacles", default = true },
       of_models { "mirror", t.choice { "x", "y", "z", "xy", "xz", "yz", "xyz" },
-        [[adds mirror images at 0 of these axes; for bodies that cross the mirror, the image of their larger part; z:
-solids]], otherwise = "none" },
+        [[adds the mirror image about the plane x = 0, y = 0 or z = 0 (solids), for "xy" about both; of a body that
+crosses the plane the larger part is mirrored]], otherwise = "none" },
       of_models { "cut", cut, [[Solids: the half to remove. "y": larger y, "-y": smaller y, cut through the middle of
 the bodies. The cut face shows the field]], otherwise = "no cut" },
       { "marks", t.list(mark), "rings at places, such as run.places; the first ones have priority where space is short",

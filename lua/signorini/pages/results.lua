@@ -39,10 +39,11 @@ return {
   title = "Results of a model",
   word = "results",
   { "model:profile", [[Returns lists along the slave face, one entry per contact point: x, y (current), X, Y
-(reference), area (on which the traction acts), pressure, traction (tangential; in the plane positive along the face's
-xi; on the slave it acts in the opposite direction), gap, state ("open", "stick", "slip", "adhesion"). At a slipping
-point |traction| = mu pressure. In 3D also z, Z, and tx, ty, tz, the components of the tangential traction t_T, whose
-magnitude is `traction`; -t_T acts on the slave. Any other name is an error.]],
+(reference), area (on which the traction acts), pressure, traction (of friction, along the chord from slip point to foot
+point, which is tangential on a straight master; in the plane positive along the slave face's xi; on the slave it acts
+in the opposite direction), gap, state ("open", "stick", also of a closed point without friction, "slip", "adhesion").
+At a slipping point |traction| = mu pressure. In 3D also z, Z, and tx, ty, tz, the components of the friction traction
+t_T, whose magnitude is `traction`; -t_T acts on the slave. Reading any other field is an error.]],
     arguments = { a_contact },
     example = "model:profile(\"interface\").pressure" },
   { "model:sample", "Returns a field's value at a parametric point of a body.",
@@ -57,7 +58,7 @@ of a slave face, on which xi must be]] },
   { "model:energy", [[Returns { stored, contact, friction, work }: strain energy of the bodies; energy of penalty
 springs or of adhesion; dissipation by friction in all accepted steps; work of supports and loads in all accepted steps
 (trapezoidal rule). Per unit depth in plane strain. work = stored + contact + friction in the limit of small steps,
-except for the change of the slave's area: see share/doc/theory.md, What is measured.]],
+except for the change of the slave's area: see share/doc/theory.md, Output quantities.]],
     example = "model:energy().stored" },
   { "model:reaction", [[Returns the force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, followed,
 for a support that rotates, by the moment about its center (in 3D about the axis); for a load, its force. Also by name:

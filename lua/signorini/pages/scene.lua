@@ -20,7 +20,7 @@ local contact = {
   { "slave", slave, [[face over which contact is integrated; pressures are computed at its contact points. Use the finer
 mesh, of equal meshes the softer body (the published ironing studies use the stiff die)]] },
   { "master", t.either(face, obstacle), [[face of the other body onto which these points are projected, or an obstacle.
-Beyond an open end of the master the traction decreases to zero over 0.3 of its last element]] },
+The master is extended beyond an open end by 0.3 of its last element; there the traction decreases to zero]] },
   { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. Required unless adhesion is
 given. 10 to 1000 times E / h of the softer body is usual, h its element size;
 model:contact_resultant(name).max_penetration is the penetration that remains, and augmented = true of model:run removes
@@ -104,7 +104,7 @@ sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", tr
       { "rotate", t.worded(t.either(t.flag, t.choice { "x", "y", "z" }, t.space_point),
         "true in the plane; in 3D 'x', 'y', 'z' or a vector {ax, ay, az}"), [[the face rotates as a rigid body about its
 centroid, in 3D about the axis through it, by an angle in degrees that stages give after the driven components; in 3D a
-list of faces rotates as one]], otherwise = "no rotation" },
+list of faces rotates as one, in the plane it must be one face]], otherwise = "no rotation" },
       { "symmetry", t.flag, [[fixes the normal component on flat faces in a plane of symmetry x, y or z = c, in an
 axisymmetric model on the axis or y = c. Each plane of symmetry halves the scene and its forces; on the axis forces
 remain those of the full circle]],
@@ -118,8 +118,9 @@ supports = { bed  = { on = slab:face "south", fix = "xy" },
   { "load", "Applies a dead load to faces: neither direction nor magnitude follows the deformation.",
     head = "loads = { <name> = { on, traction or pressure } }, in sg.model{ … }",
     named = load,
-    more = [[The value given here acts from the first step on; stages give new ones. model:reaction(name) is the force;
-the columns of a run are <name>.fx …, and .tx … or .pressure.]],
+    more = [[The value given here is that at the start of the path; stages change it linearly to theirs. A load that no
+stage names acts in full from the first step; to increase one from zero, give 0 here and its value in a stage.
+model:reaction(name) is the force; the columns of a run are <name>.fx …, and .tx … or .pressure.]],
     example = [[loads = { push = { on = die:face "east", traction = {0, -1} } }]] },
   { "contact", "Defines contact between the face of a body and another body or an obstacle.",
     head = "contacts = { <name> = { slave, master, penalty, friction, points, adhesion, where } }, in sg.model{ … }",

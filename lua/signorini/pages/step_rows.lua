@@ -8,7 +8,7 @@ local t = require "signorini.types"
 
 local rows = {}
 
-local tolerance = { "tolerance", t.positive, "residual that counts as zero, relative to the forces of the run",
+local tolerance = { "tolerance", t.positive, "residual that counts as zero, relative to reactions and loads",
                     default = 1e-10 }
 local iterations = { "iterations", t.integer(1, 1000000), "maximum number of iterations per attempt", default = 25 }
 local linear = { "linear", t.choice(core.linear_solvers), [[linear solver. "klu", "umfpack": direct; "reuse": a reused
@@ -21,8 +21,8 @@ local loop = {
 the residual (non-monotone) or by the energy]], default = "none" },
   { "freeze_active_set", t.switch(t.range(0, 1), 0.01), [[contact states are frozen until |f·Δu| has decreased to this
 fraction of its first value; true is 0.01]], default = false },
-  { "active_set_changes", t.integer(0, 1000000), [[a contact point that changes its state more often in a step is fixed
-in it (a slipping one as sticking) until the others have converged; 0: never]], default = 0 },
+  { "active_set_changes", t.integer(0, 1000000), [[a contact point that changes its state more than this number of times
+in a step is fixed in it (a slipping one as sticking) until the others have converged; 0: never]], default = 0 },
 }
 
 local augmented = { "augmented", t.switch(t.named {
@@ -80,7 +80,7 @@ local cutting = {
   { "max", t.share, "largest increment, a fraction of the step", default = 1 },
   { "min", t.share, "smallest increment, a fraction of the step", otherwise = "1/64, at most max",
     derived = function(values) return math.min(values.max, shortest) end },
-  { "growth", t.range(1), "growth factor after an increment that took at most half of the iterations", default = 2 },
+  { "growth", t.range(1), "growth factor after an increment that took at most half of newton.iterations", default = 2 },
 }
 cutting.conflict = function(values, given)
   for _, key in ipairs { "min", "max", "growth" } do
@@ -101,12 +101,13 @@ rows.run = {
   { "arc_length", t.flag, [[where a step fails, arc-length continuation follows the path, also past turning points,
 until the end of the step is passed; rows between steps have fractional step numbers, run.controls lists where control
 changed]], default = false },
-  control("step", t.named(cutting), [[step cutting: a failed step is cut in half; the rows of a run remain the steps,
-their increments are in run.cutbacks, run:column "increments" and run:attempts(step)]]),
-  control("fallback", t.flag, [[a failed step is tried again with fallbacks: with the tangent predictor and, if the
-tangent is singular because of an unconstrained body, with damping; then, if it cannot be cut further, with damping, a
-line search, pseudo-transient continuation, a frozen active set. run.fallbacks counts their successes; run.warnings
-names steps solved by fallbacks that may lead to another branch of solutions]]),
+  control("step", t.named(cutting), [[step cutting: a failed step is cut in half. A run still has one row per step;
+run.cutbacks counts the cuts, run:column "increments" the increments of each step, run:attempts(step) lists all
+attempts]]),
+  control("fallback", t.flag, [[a failed step is tried again with fallbacks, one at a time: the tangent predictor;
+damping, if an unconstrained body makes the tangent singular. Then it is cut; where it cannot be cut further follow
+damping in other cases, a line search, pseudo-transient continuation, a frozen active set. run.fallbacks counts their
+successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions]]),
   control("predictor", predictors, first_guess),
   { "newton", t.named(loop), "Newton's method in each attempt", default = {} },
   linear, augmented, damping, pseudo_transient,

@@ -68,7 +68,8 @@ A case remains valid as long as its parameters, everything that run refers to an
 run refers to its own text, to that of the script's functions that it calls, and to the values that these use: numbers,
 tables, and the contents of bodies and models. With inputs, only the parameters and the inputs are compared. Besides its
 results each row has wall, the seconds that run took, unless run returned a result of that name. A case without results
-has failed = true, outcome ("failed", "error", "crashed", or "time" if it exceeded the limit) and reason.]],
+has failed = true, outcome ("failed", "error", "crashed", or "time" if it exceeded the limit of study:execute)
+and reason.]],
     example = [[study = sg.study{ name = "steps", cases = sg.grid{ steps = {5, 10} },
   run = function(case)
     local run = press("N2", 1):run{ { name = "press", steps = case.steps, grip = {0, -0.1} } }
@@ -184,7 +185,7 @@ comparison; print shows time ratios, the front and omitted cases.]],
           otherwise = "all other parameters together" },
         only_rows,
         { "at", t.list(t.positive, nil, 1), "errors at which times are compared",
-          otherwise = "the smallest, the middle and the largest one that both curves reach" },
+          otherwise = "for each pair of curves the smallest, the middle and the largest one that both reach" },
         { "file", t.text, "name that ends with .png, .svg or .pdf", optional = true },
         { "files", t.list(t.text), "several such names", optional = true },
       }, of_chart("title xlabel ylabel size",
@@ -229,11 +230,11 @@ before, in any form that scene accepts]], default = { 1, 2, 4, 8, 16, 32 } },
     more = [[
 The result has order, mesh, error (the estimate), wall (s) and unknowns of the case of least work within the tolerance
 (nil if there is none), tries, spent (s) and report. Work is unknowns times iterations, which is reproducible. With d
-the relative difference of the quantity on two levels, both with the last order that was solved on them, and r the
-fraction of the error that remains after one level (1/2; from three levels on as observed, if larger), the error of the
-finer level is about d r/(1 - r); that of coarser cases is larger by their difference from it. This is the
-discretization error only; errors of penalty, steps or the scene are not included. Orders that take about the work of
-another one and have twice its error are not tried again.]],
+the relative difference of the quantity on two levels, both with the order that comes last in the list among those
+solved on both, and r the fraction of the error that remains after one level (1/2; from three levels on as observed, if
+larger), the error of the finer level is about d r/(1 - r); that of coarser cases is larger by their difference from it.
+This is the discretization error only; errors of penalty, steps or the scene are not included. Orders that take about
+the work of another one and have twice its error are not tried again.]],
     example = [[sg.recommend{ scene = press, quantity = "grip.fy", at_most = 0.1, meshes = {1, 2, 4} }]] },
   { "sg.convergence_map", [[Returns a convergence map: where the solve converges over two parameters, and where and why
 it fails. It is a study with a case for each pair of values: a separate process calls scene and path. Errors, crashes
@@ -252,7 +253,8 @@ again]], otherwise = "not stored" } },
 A cell: x, y, outcome, reached (fraction of the path, 0 to 1), steps, increments, iterations, cutbacks, fallback_steps,
 wall (s), report and place of a failure, results. outcome is run.reason ("completed" for converged cells), or "error"
 (in one of the functions), "crashed", "time".]],
-    example = [[map = sg.convergence_map{ x = { name = "order", values = {"N2", "N4"} },
+    example = [[-- press(order, mesh), a function of your own, returns a model and its stages
+map = sg.convergence_map{ x = { name = "order", values = {"N2", "N4"} },
   y = { name = "steps", values = {5, 10} }, scene = function(order) return (press(order, 1)) end,
   path = function(model, order, steps) return { { steps = steps, grip = {0, -0.1} } } end }]] },
   { "map", "The result of sg.convergence_map; print(map) shows how many cells converged, and the table.",
