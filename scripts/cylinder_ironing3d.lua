@@ -32,7 +32,7 @@ local sg = require "signorini"
 local orders = require "solid_ironing.orders"
 local mesh = require "solid_ironing.mesh"
 
-local problem = { title = "Cylinder ironing", length = 2.5, start = 0.5, depth = 0.2, way = 1.5 }
+local problem = { title = "Cylinder ironing", length = 2.5, start = 0.5, depth = 0.2, distance = 1.5 }
 
 function problem.scene(case)
   local slab = sg.body{

@@ -8,13 +8,13 @@ local problem = {}
 --- is pressed in how many steps, how far it is dragged in how many steps.
 problem.variants = {
   standard = {
-    die_modulus = 1e3, mu = 0.2, start = 0.75, depth = 0.23, press_steps = 46, way = 1.5, slide_steps = 250,
+    die_modulus = 1e3, mu = 0.2, start = 0.75, depth = 0.23, press_steps = 46, distance = 1.5, slide_steps = 250,
   },
   deep = {
-    die_modulus = 1e4, mu = 0.1, start = 0.75, depth = 0.5, press_steps = 46, way = 1.5, slide_steps = 250,
+    die_modulus = 1e4, mu = 0.1, start = 0.75, depth = 0.5, press_steps = 46, distance = 1.5, slide_steps = 250,
   },
   validation = {
-    die_modulus = 1e3, mu = 0.3, start = 0.5, depth = 0.075, press_steps = 10, way = 2, slide_steps = 200,
+    die_modulus = 1e3, mu = 0.3, start = 0.5, depth = 0.075, press_steps = 10, distance = 2, slide_steps = 200,
   },
 }
 
@@ -49,7 +49,7 @@ end
 function problem.path(set_up, coarser)
   return {
     { name = "press", steps = math.ceil(set_up.press_steps / coarser), grip = { 0, -set_up.depth } },
-    { name = "slide", steps = math.ceil(set_up.slide_steps / coarser), grip = { set_up.way, -set_up.depth } },
+    { name = "slide", steps = math.ceil(set_up.slide_steps / coarser), grip = { set_up.distance, -set_up.depth } },
   }
 end
 

@@ -9,7 +9,7 @@ local depth = {}
 
 --- Presses a case and adds the list of `states`, one per step: depth, Pz, area, max_pressure, max_penetration.
 function depth.solve(case)
-  case.mesh, case.depth, case.way, case.states = case.mesh or "coarse", problem.published_depth, 0, {}
+  case.mesh, case.depth, case.distance, case.states = case.mesh or "coarse", problem.published_depth, 0, {}
   case.on_step = function(_, info)
     table.insert(case.states, { depth = -info["grip.uz"], Pz = -info["grip.fz"], area = info["interface.area"],
                                 max_pressure = info["interface.max_pressure"],

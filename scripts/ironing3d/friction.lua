@@ -18,7 +18,7 @@ end
 --- Runs a case along the middle of the slab; adds `energies`, one balance per step of the run, and ratio, the mean of
 --- Px over that of Pz in the last pitch of the slab's elements.
 function friction.solve(case)
-  case.from, case.energies = 50 - case.way / 2, {}
+  case.from, case.energies = 50 - case.distance / 2, {}
   case.on_step = function(model) table.insert(case.energies, balance(model)) end
   problem.solve(case)
   local pitch, finish, Px, Pz = 100 / problem.meshes[case.mesh].slab[1], case.x[#case.x], 0, 0
@@ -77,9 +77,9 @@ function friction.run(options, files)
   for _, order in ipairs(options.orders) do
     for _, mu in ipairs(options.mu) do
       local case = friction.solve{
-        order = order, mesh = "coarse", radius = radius, depth = depth, mu = mu, way = options.way, cap = options.cap,
-        down = problem.down / options.finer, along = problem.along / options.finer, penalty = options.penalty,
-        linear = options.linear,
+        order = order, mesh = "coarse", radius = radius, depth = depth, mu = mu, distance = options.distance,
+        cap = options.cap, down = problem.down / options.finer, along = problem.along / options.finer,
+        penalty = options.penalty, linear = options.linear,
       }
       local name = ("%s_mu%g"):format(order, mu)
       print(("%s, mu = %g"):format(order, mu))
@@ -93,7 +93,7 @@ function friction.run(options, files)
     end
   end
   print(("\nR = %g, depth %g, dragged by %g through the middle: forces and energies")
-    :format(radius, depth, options.way))
+    :format(radius, depth, options.distance))
   print(result_table(cases))
   files:draw("ratio.png", "a state that slides", function(file) return draw_ratio(file, cases) end)
   files:draw("forces.png", "a state that slides", function(file)

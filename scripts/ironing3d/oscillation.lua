@@ -44,7 +44,7 @@ end
 --- Where a case is pressed and how far it slides. Without friction a state does not depend on the path, so the window
 --- suffices, pressed at its beginning.
 local function path_of(slide)
-  if slide == "full" then return problem.start, problem.way end
+  if slide == "full" then return problem.start, problem.distance end
   return measure.from, measure.to - measure.from
 end
 
@@ -52,15 +52,15 @@ end
 local function solve_set(options, radius, gap, files)
   local depth = problem.published_depth - gap
   local set = { radius = radius, gap = gap, depth = depth, cases = {} }
-  local from, way = path_of(options.slide)
+  local from, distance = path_of(options.slide)
   local press = math.floor(depth / options.down + 0.5)
-  local along = math.floor(way / problem.along + 0.5)
+  local along = math.floor(distance / problem.along + 0.5)
   local keep, draw_states = output.record_states{
     [1] = true, [press // 2] = true, [press] = true, [press + along] = true,
   }
   local function solve(order, mesh)
     local case = measure.oscillations(problem.solve{
-      order = order, mesh = mesh, radius = radius, depth = depth, cap = options.cap, from = from, way = way,
+      order = order, mesh = mesh, radius = radius, depth = depth, cap = options.cap, from = from, distance = distance,
       down = options.down, linear = options.linear, on_step = #set.cases == 0 and keep or nil,
     })
     case.model = nil

@@ -22,7 +22,7 @@ local function ending(case)
   local run = case.run
   if not run.failed then return "complete" end
   local column, what = "grip.uz", "depth"
-  if #run.stages > 1 then column, what = "grip.ux", "way" end
+  if #run.stages > 1 then column, what = "grip.ux", "distance" end
   local reached = run:column(column)
   return ("%s at %s %.2f"):format(run.reason, what, math.abs(reached[#reached] or 0))
 end

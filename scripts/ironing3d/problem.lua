@@ -51,19 +51,19 @@ function problem.scene(case, center)
   return model, indenter, slab
 end
 
---- The stages of a case: pressed by `depth` in steps of `down`, dragged by `way` in steps of `along`; both as published
---- unless given.
+--- The stages of a case: pressed by `depth` in steps of `down`, dragged by `distance` in steps of `along`; both as
+--- published unless given.
 function problem.stages(case)
-  local depth, way = case.depth, case.way
+  local depth, distance = case.depth, case.distance
   local function count(length, step) return math.max(1, math.floor(length / step + 0.5)) end
   local stages = { { name = "press", steps = count(depth, case.down or problem.down), grip = { 0, 0, -depth } } }
-  if way > 0 then
-    stages[2] = { name = "slide", steps = count(way, case.along or problem.along), grip = { way, 0, -depth } }
+  if distance > 0 then
+    stages[2] = { name = "slide", steps = count(distance, case.along or problem.along), grip = { distance, 0, -depth } }
   end
   return stages
 end
 
---- Runs a case { order, mesh, radius, depth, from, way }, also with what problem.scene takes, `down`, `along`, and
+--- Runs a case { order, mesh, radius, depth, from, distance }, also with what problem.scene takes, `down`, `along`, and
 --- `step`, `linear` and `on_step(model, info)` as model:run takes them. `from` is the x of the indenter's center while
 --- it is pressed. Adds to the case: model, run, dofs of indenter and slab, x (the center's x after every step of
 --- the sliding), Px and Pz there (forces of the indenter on the slab), pressed (Pz at full depth).
@@ -88,6 +88,6 @@ function problem.solve(case)
 end
 
 --- Where the published path begins, and how long it is.
-problem.start, problem.way = start, finish - start
+problem.start, problem.distance = start, finish - start
 
 return problem

@@ -40,7 +40,7 @@ their oscillation. Failed steps are halved, and their time counts.]],
   run = function(case)
     local solved, spent = timed(function()
       return problem.solve{ order = case.order, mesh = case.mesh, radius = 7.5, depth = 5.4, down = down,
-                            from = 50 - window / 2, way = window, along = window / slide }
+                            from = 50 - window / 2, distance = window, along = window / slide }
     end)
     local run, dofs = solved.run, solved.dofs
     -- The window's first state is the one from which the indenter starts to slide.

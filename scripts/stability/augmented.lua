@@ -66,17 +66,17 @@ end
 local cases, rows = {}, {}
 for _, order in ipairs(orders) do
   for _, penalty in ipairs(penalties) do
-    for _, way in ipairs { "penalty", "augmented" } do
+    for _, method in ipairs { "penalty", "augmented" } do
       local case = solve(order, options.mesh, penalty,
-        sg.robust{ augmented = way == "augmented" and { penetration = penetration, loops = loops } or nil })
-      case.way = way
+        sg.robust{ augmented = method == "augmented" and { penetration = penetration, loops = loops } or nil })
+      case.method = method
       if case.profile then
         case.error, case.inside = errors(case)
         case.force_percent, case.peak_percent = 100 * (case.force / reference.force - 1), 100 * (case.peak / p0 - 1)
       end
       cases[#cases + 1] = case
-      cases[("%s %g %s"):format(order, penalty, way)] = case
-      rows[#rows + 1] = { order, penalty, way, case.outcome, case.run.iterations, case.penetration, case.error,
+      cases[("%s %g %s"):format(order, penalty, method)] = case
+      rows[#rows + 1] = { order, penalty, method, case.outcome, case.run.iterations, case.penetration, case.error,
                           case.inside, case.force_percent, case.peak_percent }
     end
   end
@@ -85,7 +85,7 @@ end
 print(("Hertz at %s: penalty alone and augmented to a penetration of %g; errors against N2-N2.2 at %s, penalty %g")
   :format(options.mesh, penetration, options.reference, reference_penalty))
 print(sg.table{
-  columns = { "order", "penalty", "way", "outcome", "iterations", "penetration", "L2 error", "inside 0.8 a", "force",
+  columns = { "order", "penalty", "method", "outcome", "iterations", "penetration", "L2 error", "inside 0.8 a", "force",
               "peak" },
   units = { "", "", "", "", "", "", "of p_0", "of p_0", "% off", "% off" }, rows = rows,
   formats = { penalty = "%g", penetration = "%.2e", ["L2 error"] = "%.2e", ["inside 0.8 a"] = "%.2e", force = "%.3f",
@@ -99,11 +99,11 @@ local function chart(key, ylabel, title)
   local drawing = { file = files(key .. ".png"), title = title, xlabel = "penalty (E / R)", ylabel = ylabel,
                     log = "xy" }
   for i, order in ipairs(orders) do
-    for _, way in ipairs { "penalty", "augmented" } do
-      local line = { x = {}, y = {}, label = ("%s, %s"):format(order, way), dashed = way == "augmented", color = i,
-                     markers = true }
+    for _, method in ipairs { "penalty", "augmented" } do
+      local line = { x = {}, y = {}, label = ("%s, %s"):format(order, method), dashed = method == "augmented",
+                     color = i, markers = true }
       for _, penalty in ipairs(penalties) do
-        local case = cases[("%s %g %s"):format(order, penalty, way)]
+        local case = cases[("%s %g %s"):format(order, penalty, method)]
         if case[key] then line.x[#line.x + 1], line.y[#line.y + 1] = penalty, case[key] end
       end
       if #line.x > 0 then drawing[#drawing + 1] = line end

@@ -104,7 +104,7 @@ end)
 -- ── 3D ironing on its sparsest mesh ──────────────────────────────────────────────────────────────────────────────────
 
 local function iron3d(finer, mu)
-  local case = friction3d.solve{ order = "N2", mesh = "sparse", radius = 7.5, depth = 2, mu = mu, way = 6,
+  local case = friction3d.solve{ order = "N2", mesh = "sparse", radius = 7.5, depth = 2, mu = mu, distance = 6,
                                  down = 0.2 / finer, along = 0.3 / finer }
   check.equal({ case.run.failed, #case.energies }, { false, case.run.steps })
   return case

@@ -47,9 +47,9 @@ end)
 
 check.case("without friction a state does not depend on the path", function()
   local case = { order = "N2", mesh = "sparse", radius = 7.5, depth = 2 }
-  local function solve(from, way)
+  local function solve(from, distance)
     return problem.solve{ order = case.order, mesh = case.mesh, radius = case.radius, depth = case.depth, from = from,
-                          way = way }
+                          distance = distance }
   end
   local slid, pressed = solve(44.3, 3), solve(47.3, 0)
   check.within("Pz", slid.Pz[10], pressed.pressed, 1e-8)
@@ -65,7 +65,7 @@ end)
 
 check.case("the mean drag over a pitch is mu times the pressing force, zero without friction", function()
   local function drag(mu)
-    local case = friction.solve{ order = "N2", mesh = "sparse", radius = 7.5, depth = 2, mu = mu, way = 15 }
+    local case = friction.solve{ order = "N2", mesh = "sparse", radius = 7.5, depth = 2, mu = mu, distance = 15 }
     check.equal(case.run.failed, false)
     return case.ratio, case.model:contact_resultant "interface"
   end

@@ -38,12 +38,12 @@ local kinds = {
   plane = {
     shapes = { "block", "half ring", "cylinder" },
     orders = { "L1", "L2", "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N2.3", "N3-N3.1" },
-    body = { { 2, 6 }, { 1, 3 } }, slab = { { 6, 16 }, { 2, 4 } }, place = 0.7, way = 0.6,
+    body = { { 2, 6 }, { 1, 3 } }, slab = { { 6, 16 }, { 2, 4 } }, place = 0.7, distance = 0.6,
   },
   space = {
     shapes = { "block", "half ring", "cylinder", "indenter" },
     orders = { "L1", "N2", "N3", "N2-N3", "N2-N2.1" },
-    body = { { 2, 3 }, { 1, 2 }, { 1, 1 } }, slab = { { 4, 6 }, { 2, 4 }, { 1, 2 } }, place = 0.2, way = 0.3,
+    body = { { 2, 3 }, { 1, 2 }, { 1, 1 } }, slab = { { 4, 6 }, { 2, 4 }, { 1, 2 } }, place = 0.2, distance = 0.3,
   },
 }
 scenes.kinds = { "plane", "space" }
@@ -69,7 +69,7 @@ function scenes.describe(kind, seed)
   scene.penalty = roll.decades(30, 300) * math.min(scene.E, 1)
   scene.place = roll.uniform(-ranges.place, ranges.place)
   scene.press = roll.uniform(0.01, 0.2)
-  scene.drag = roll.uniform(-ranges.way, ranges.way)
+  scene.drag = roll.uniform(-ranges.distance, ranges.distance)
   scene.steps = { press = roll.integer(2, 6), drag = roll.integer(4, 24) }
   return scene
 end
