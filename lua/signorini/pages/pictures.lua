@@ -70,8 +70,9 @@ depending on the file's name ("x-%04d.png", "x.ogv"), as in sg.film]], optional 
       "Colors:",
       of_models { "field", field, [[displacements ux uy u (length), Cauchy stresses sxx syy szz sxy, von_mises,
 pressure, I1 (tr sigma; force per area), F11 F12 F21 F22 F33 (none); for solids also uz sxz syz F13 … F32;
-contact_pressure (force per current area) on slave faces, in the plane as a band along them. Stresses are evaluated at
-the points drawn, neither extrapolated nor averaged, so that jumps between elements are visible]], otherwise = "gray" },
+contact_pressure (force per current area, with adhesion per reference area) on slave faces, in the plane as a band along
+them. Stresses are evaluated at the points drawn, neither extrapolated nor averaged, so that jumps between elements are
+visible]], otherwise = "gray" },
       { "factor", t.number, "multiplies the field", default = 1, needs = { "field", "fields" } },
       { "label", t.text, "title of the color bar", otherwise = "the field's name with its factor",
         needs = { "field" }, excludes = { "fields", why = "each of which has its own color bar" } },

@@ -29,6 +29,10 @@ it]], unit = "pressure per length", optional = true },
     { "mu", t.non_negative, "Coulomb's coefficient of friction, tan of the angle of friction, not the angle" },
     { "penalty", t.positive, "tangential penalty, stiffness of elastic slip", unit = "pressure per length" },
   }, "Coulomb friction", otherwise = "none" },
+  { "per", t.choice { "current", "reference" }, [[area of the slave face on which tractions act, and to which penalty
+and friction.penalty refer. "current" is that of the published studies; with "reference" and without friction the forces
+derive from an energy, and the tangent is symmetric. Adhesion acts per reference area]],
+    otherwise = '"current", with adhesion "reference"' },
   { "points", t.integer(1, 100), "Gauss points per slave element and direction",
     otherwise = "3 (p + 1), p the higher degree along the face" },
   { "adhesion", t.named {
@@ -45,6 +49,10 @@ contact.conflict = function(values)
       return ("it has both adhesion and %s, but the van der Waals law is repulsive already: remove one of the two")
         :format(other)
     end
+  end
+  if values.adhesion and values.per == "current" then
+    return 'it has adhesion and per = "current", but the van der Waals law is a force per reference area: write per = '
+      .. '"reference", or omit it'
   end
   if not (values.adhesion or values.penalty) then
     return "penalty (normal penalty, pressure per length) is missing: it must be a positive number, or give "
@@ -122,7 +130,8 @@ supports = { bed  = { on = slab:face "south", fix = "xy" },
 the columns of a run are <name>.fx …, and .tx … or .pressure.]],
     example = [[loads = { push = { on = die:face "east", traction = {0, -1} } }]] },
   { "contact", "Defines contact between the face of a body and another body or an obstacle.",
-    head = "contacts = { <name> = { slave, master, penalty, friction, points, adhesion, where } }, in sg.model{ … }",
+    head = "contacts = { <name> = { slave, master, penalty, friction, per, points, adhesion, where } }, "
+      .. "in sg.model{ … }",
     named = contact,
     more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run.
 Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85) to
