@@ -31,9 +31,9 @@ auto members(Adhesion& law) {
 
 /// The position follows from the displacements; a point that acts is not beyond the master.
 template <int D> auto members(PointResult<D>& result) {
-  auto& [state, position, gap, beyond, settled, pressure, tangents, friction, force, area, law_area, potential] =
+  auto& [state, position, gap, beyond, settled, pressure, area, tangents, friction, force, law_area, potential] =
       result;
-  return std::tie(state, gap, pressure, tangents, friction, force, area, law_area, potential);
+  return std::tie(state, gap, pressure, area, tangents, friction, force, law_area, potential);
 }
 
 /// `cleared` is not stored, because settling resets it.

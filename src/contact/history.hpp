@@ -14,12 +14,12 @@ template <int D> struct PointResult {
   bool beyond = false;              ///< its closest point is an open end of the master
   bool settled = true;              ///< the searches for its closest point and, once accepted, its slip point converged
   double pressure = 0;
+  double area = 0; ///< to which the tractions refer: current; adhesion: reference
   /// Of the slave face at a touching point, current, not of unit length
   Eigen::Matrix<double, D, D - 1> tangents = Eigen::Matrix<double, D, D - 1>::Zero();
   Vec<D> friction = Vec<D>::Zero(); ///< t_T; the traction on the slave is t_N n̄ − t_T
-  Vec<D> force = Vec<D>::Zero();    ///< on the slave: traction × current area of the point
-  double area = 0;                  ///< to which the tractions refer: current; adhesion: reference
-  double law_area = 0;              ///< on which the law's tractions act: differs if current from reference
+  Vec<D> force = Vec<D>::Zero();    ///< on the slave: traction × area
+  double law_area = 0;              ///< on which the law's tractions act: current or reference
   double potential = 0;             ///< energy of the law at this point
 };
 
