@@ -161,19 +161,29 @@ TEST(ReferenceArea, TangentOfSolidsInEveryState) {
 TEST(ReferenceArea, OnlyFadingPointsMakeTheTangentUnsymmetric) {
   Census sum;
   Random random(5);
-  for (double x : {2.4, 2.95}) { // above the slab, whose end is x = 3, and at the end
-    Couple couple("N2", slab("N2"), per_reference(0), x, 1.0);
-    couple.touch();
-    couple.move_die(0, -0.06);
-    couple.shake(random, 0.0005);
-    compare_with_differences(couple, sum);
-    int beyond = 0;
-    for (const auto& point : couple.pair.results())
-      beyond += point.state != ContactState::open && point.position(0) > 3;
-    EXPECT_EQ(beyond > 0, x > 2.5);
-    EXPECT_EQ(is_symmetric(couple), x < 2.5);
-  }
-  EXPECT_EQ(sum.states, 2);
+  for (double x : {2.4, 2.95}) // above the slab, whose end is x = 3, and at the end
+    for (double mu : {0.0, 0.3})
+      for (bool revolved : {false, true}) {
+        Couple couple("N2", slab("N2"), per_reference(mu), x, 1.0, revolved);
+        couple.touch();
+        couple.move_die(0, -0.06);
+        couple.shake(random, 0.0005);
+        compare_with_differences(couple, sum);
+        int beyond = 0;
+        for (const auto& point : couple.pair.results())
+          beyond += point.state != ContactState::open && point.position(0) > 3;
+        EXPECT_EQ(beyond > 0, x > 2.5);
+        EXPECT_EQ(is_symmetric(couple), x < 2.5 && mu == 0);
+      }
+  EXPECT_GE(sum.states, 6) << sum.stepped_over << " states lay on a change of state";
+  Couple3 solid("N2", wavy_plate(random, 3, 0.02, 2, 4), per_reference(0), {2.9, 2.9, 0.1}); // at a corner
+  Census3 solids;
+  solid.touch();
+  solid.move_die({0, 0, -0.05});
+  solid.evaluate();
+  compare_with_differences(solid, random, solids);
+  EXPECT_EQ(solids.compared, 1);
+  EXPECT_FALSE(is_symmetric(solid));
 }
 
 // ── Results ──────────────────────────────────────────────────────────────────────────────────────────────────────────
