@@ -112,6 +112,19 @@ check.case("symmetric tangents take the symmetric solver, others do not", functi
   end
 end)
 
+check.case("Newton's method converges quadratically while no point changes its state", function()
+  for _, kind in ipairs { "plane", "axisymmetric", "solid" } do
+    local run = block{ kind = kind, per = "reference" }:run({ { steps = 4, grip = -0.3 } },
+      { linear = "klu", newton = { tolerance = 1e-10 } })
+    local above, r = {}, run:residuals(1)
+    for _, value in ipairs(r) do
+      if value > 1e-13 * r[1] then above[#above + 1] = math.log(value) end -- above rounding error
+    end
+    local n = #above
+    check.within(kind .. ", order", (above[n] - above[n - 1]) / (above[n - 1] - above[n - 2]), 2, 0.2)
+  end
+end)
+
 check.case("solvers and controls lead to the same state", function()
   local expected
   for _, options in ipairs { { linear = "klu" }, { linear = "umfpack" }, { linear = "reuse" }, sg.robust {},
