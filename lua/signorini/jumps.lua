@@ -3,6 +3,7 @@
 -- balance. On a smooth path the missing energy is O(Δ³) in the step length Δ. This needs only the energies and the
 -- length of each step: no factorization, no further step.
 
+local energy_balance = require "signorini.energy_balance"
 local lists = require "signorini.lists"
 
 local jumps = {}
@@ -51,7 +52,7 @@ function jumps.note(record, model, step, length)
   local work = now.work - before.work
   steps[#steps + 1] = {
     step = step, length = length, work = math.abs(work),
-    missing = work - (now.stored - before.stored) - (now.contact - before.contact) - (now.friction - before.friction),
+    missing = energy_balance.missing(before, now),
   }
   if #steps <= neighbors then return end
   judge(record, #steps - neighbors)

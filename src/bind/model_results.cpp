@@ -41,6 +41,8 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   const auto sum = contact::resultant(model.present.contacts[contact]);
   push_fields(L, "area", sum.area, "max_pressure", sum.max_pressure, "max_penetration", sum.max_penetration, "active",
               sum.active, "slipping", sum.slipping);
+  const auto* law = std::get_if<contact::PenaltyLaw>(&model.system.scene.contacts[contact].method);
+  set_field(L, "per", law && law->per == contact::TractionArea::current ? "current" : "reference");
   set_force<D>(L, sum.force);
   const auto set_tally = [&](const char* name, const char* place, const auto& tally) {
     set_field(L, name, static_cast<int>(tally.count));
@@ -85,7 +87,8 @@ template <int D> int sample(const model::Model<D>& model, lua_State* L) {
 
 template <int D> int energy(const model::Model<D>& model, lua_State* L) {
   const model::Energies now = model::energies(model);
-  push_fields(L, "stored", now.stored, "contact", now.contact, "friction", now.friction, "work", now.work);
+  push_fields(L, "stored", now.stored, "contact", now.contact, "friction", now.friction, "work", now.work,
+              "area_growth", now.growth);
   return 1;
 }
 

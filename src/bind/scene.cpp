@@ -42,6 +42,7 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
     law.friction = friction.get<double>("mu");
     law.tangential = friction.get<double>("penalty");
   }
+  if (a.has("per") && a.get<std::string>("per") == "reference") law.per = contact::TractionArea::reference;
   return law;
 }
 

@@ -10,7 +10,7 @@ namespace signorini::model {
 
 namespace {
 
-const ArchiveKind kind{"checkpoint", 1};
+const ArchiveKind kind{"checkpoint", 2};
 
 using Parts = std::vector<ScenePart>;
 

@@ -30,7 +30,7 @@ template <int D> Vec<D> load_resultant(const Model<D>& model, int load) {
 }
 
 template <int D> Energies energies(const Model<D>& model) {
-  Energies sum{0, 0, 0, model.path.work};
+  Energies sum{0, 0, 0, model.path.work, 0};
   const auto& bodies = model.system.scene.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     sum.stored += solid::stored_energy(*bodies[b].body, body_displacement(model, static_cast<int>(b)).data(),
@@ -38,6 +38,7 @@ template <int D> Energies energies(const Model<D>& model) {
   for (const auto& history : model.present.contacts) {
     sum.contact += contact::potential(history);
     sum.friction += history.dissipated;
+    sum.growth += history.growth;
   }
   return sum;
 }

@@ -184,7 +184,7 @@ TEST(Checkpoint, FilesOfAnotherKindAreErrors) {
   EXPECT_NE(message_of([&] { load(folder.file("a")); }).find("base.archive.kind"), std::string::npos);
   write_archive(folder.file("b"), {"checkpoint", 99}, {});
   EXPECT_NE(message_of([&] { load(folder.file("b")); }).find("written = 99"), std::string::npos);
-  write_archive(folder.file("c"), {"checkpoint", 1}, {});
+  write_archive(folder.file("c"), {"checkpoint", 2}, {});
   EXPECT_THROW(load(folder.file("c")), Error);
 }
 

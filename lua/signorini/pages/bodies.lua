@@ -109,7 +109,7 @@ patch:reverse(1) exchanges inside and outside. ]] .. driven,
   { "obstacle", [[The result of sg.rigid.*: a rigid master without unknowns; print(obstacle) shows its shape. It is
 fixed unless a support drives it: supports = { push = { on = obstacle, drive = "y" } }; stages then give its
 displacement, push = {-0.1}, and run:column "push.fy" returns the force that the support exerts
-on it, opposite to the contact force.]],
+on the obstacle, which equals the contact force on the slave, run:column "touch.fy".]],
     example = [[
 disc = sg.rigid.cylinder{ center = {1.5, 2}, radius = 1 }
 sg.model{ bodies = { slab = slab },

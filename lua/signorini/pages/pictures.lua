@@ -70,15 +70,15 @@ depending on the file's name ("x-%04d.png", "x.ogv"), as in sg.film]], optional 
       "Colors:",
       of_models { "field", field, [[displacements ux uy u (length); Cauchy stresses (force per area) sxx syy szz sxy,
 von_mises, pressure (-tr sigma/3), I1 (tr sigma: the first invariant of the stress, not of C); deformation gradient (no
-unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per current area) on slave
-faces, in the plane as a band along them. Stresses are evaluated at the points drawn, neither extrapolated nor averaged,
-so that jumps between elements are visible]],
+unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per current area, with adhesion
+per reference area) on slave faces, in the plane as a band along them. Stresses are evaluated at the points drawn,
+neither extrapolated nor averaged, so that jumps between elements are visible]],
         otherwise = "gray" },
       { "factor", t.number, "multiplies the field", default = 1, needs = { "field", "fields" } },
       { "label", t.text, "title of the color bar", otherwise = "the field's name with its factor",
         needs = { "field" }, excludes = { "fields", why = "each of which has its own color bar" } },
       { "range", t.interval, "lowest and highest value of the colors, in the unit of the field times factor",
-        otherwise = "that of the values, without outliers of up to 0.5 %" },
+        otherwise = "that of the values, without the lowest and highest ones, up to 0.5 % of the points drawn" },
       { "contours", contours, [[contour lines: true: at the ticks of the color bar; a number: so many levels within the
 range; or a list of levels]], otherwise = "none", needs = { "field", "fields" } },
       { "bar", t.flag, "color bar of the range, with the field's extremes at its ends", default = true },
@@ -104,13 +104,14 @@ the bodies. The cut face shows the field]], otherwise = "no cut" },
       { "names", t.flag, "patches: names of faces, ξ¹ ξ² ξ³ along the directions, numbers of several patches",
         default = true, needs = { "patch" } },
       "Layout and file:",
-      { "title", t.text, "title above the picture", otherwise = "none; that of a stored state" },
+      { "title", t.text, "title above the picture", otherwise = "that of a stored state" },
       { "crop", t.numbers(), [[{xmin, xmax, ymin, ymax}: shows only this part; in 3D with zmin, zmax: the rectangle
 around this box as seen, with everything in front of and behind it]], otherwise = "all", unit = "length" },
       { "inset", t.numbers(), "part in the same form, magnified in a box within the picture",
         otherwise = "none", unit = "length" },
       { "camera", camera, [[Solids: the direction from which they are seen in parallel projection. "iso": from the
-front, the right and above; "front": from -y, z upwards; "left": from -x; "top": from +z, y upwards]],
+front, the right and above; "front": from -y, z upwards; "left": from -x; "top": from +z, y upwards. These
+are directions of view, not names of faces]],
         otherwise = '"iso", with a cut from the side on which the cut face is seen' },
       { "unit", t.text, 'unit of length such as "mm", shown at the axes and the ruler', otherwise = "none" },
       { "axes", t.list(t.text), [[names of the axes, one per direction: {"r in mm", "z in mm"}]],

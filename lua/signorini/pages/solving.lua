@@ -35,7 +35,8 @@ these, too): bodies that overlap before the first step by more than 1 % of the t
 ratios that lock, mu above 3, penalties above 1e8 times the stiffness of an element, contacts that act twice. About the
 current state: inverted linear elastic bodies. run.warnings starts with these.]],
     example = "model:warnings()  --> {}" },
-  { "model:run", "Solves a model along its load path and returns a run.",
+  { "model:run", [[Solves a model along its load path and returns a run. A further run continues from the
+model's state; its steps are counted from 1 again.]],
     arguments = { { "stages", stages, "parts of the load path" },
                   { "options", t.named(rows.run), "controls, records and files of the run", default = {} } },
     rows = rows.run,
@@ -50,11 +51,11 @@ model keeps the last accepted state. Reasons:
   minimum_step     an increment of the smallest size failed; run.cause is the reason
   iterations       no convergence within newton.iterations
   diverged         the residual grew beyond 1e12 times the forces of the run
-  cycling          contact points change their states without end (set cycling, chattering)
-  lost_projection  contact points alternately find and lose their closest point at an open end of the master
+  cycling          no convergence within newton.iterations, and contact points still change their states
+  lost_projection  contact points alternately find and lose their closest point at an edge of the master
   inverted         an element is turned inside out (J ≤ 0)
-  singular         the tangent is singular: an unconstrained body, or a limit point
-  indefinite       no convergence, and the tangent has negative eigenvalues: beyond a limit point
+  singular         the tangent is singular: an unconstrained body, or a turning point
+  indefinite       no convergence, and the tangent has negative eigenvalues: beyond a turning point
   nan              the residual is not a finite number
   line_search      no step length reduces the residual
   penetration      augmentation does not reduce the penetration to its tolerance

@@ -29,7 +29,8 @@ local augmented = { "augmented", t.switch(t.named {
   { "penetration", t.share, "largest penetration, as a fraction of the largest body's diagonal", default = 1e-6 },
   { "loops", t.integer(1, 1000000), "maximum number of augmentations per step", default = 100 },
 }, {}), [[augmented Lagrangian method (Uzawa): pressures are augmented until penetration and separation of closed points
-are within the tolerance]],
+are within the tolerance. On a deformable master, curved under the slave, the default tolerance is often not reached,
+and the step fails with penetration. Not with arc_length]],
   default = false }
 
 local damping = { "damping", t.flag, [[damps unconstrained bodies until contact holds them; the converged state is in
@@ -76,7 +77,8 @@ end
 
 local shortest = 1 / 64 -- increment
 local cutting = {
-  { "adaptive", t.flag, "whether failed steps are cut; false: each step is solved once, as a whole", default = true },
+  { "adaptive", t.flag, "whether failed steps are cut; false: each step is solved as a whole, also by fallbacks",
+    default = true },
   { "max", t.share, "largest increment, a fraction of the step", default = 1 },
   { "min", t.share, "smallest increment, a fraction of the step", otherwise = "1/64, at most max",
     derived = function(values) return math.min(values.max, shortest) end },
@@ -105,8 +107,9 @@ changed]], default = false },
 run.cutbacks counts the cuts, run:column "increments" the increments of each step, run:attempts(step) lists all
 attempts]]),
   control("fallback", t.flag, [[a failed step is tried again with fallbacks, one at a time: the tangent predictor;
-damping, if an unconstrained body makes the tangent singular. Then it is cut; where it cannot be cut further follow
-damping in other cases, a line search, pseudo-transient continuation, a frozen active set. run.fallbacks counts their
+damping, if an unconstrained body makes the tangent singular. If these fail, the step is cut. When it cannot be cut
+further, these are tried: damping, if it was not tried before; a line search; pseudo-transient continuation; a frozen
+active set. run.fallbacks counts their
 successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions]]),
   control("predictor", predictors, first_guess),
   { "newton", t.named(loop), "Newton's method in each attempt", default = {} },
