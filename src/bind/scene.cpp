@@ -42,7 +42,9 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
     law.friction = friction.get<double>("mu");
     law.tangential = friction.get<double>("penalty");
   }
-  return law;
+  if (a.get<std::string>("method") == "gpts") return law;
+  const bool reduced = a.has("multipliers") && a.get<std::string>("multipliers") == "reduced";
+  return contact::MortarLaw{law, reduced ? contact::MultiplierSpace::reduced : contact::MultiplierSpace::equal};
 }
 
 /// The user's function of the reference position. It is called only while the model is created, when sg.model's

@@ -10,7 +10,7 @@ namespace signorini::contact {
 
 struct MortarLaw {
   PenaltyLaw penalty; ///< at multipliers
-  MultiplierSpace multipliers = MultiplierSpace::reduced;
+  MultiplierSpace multipliers = MultiplierSpace::equal;
 };
 
 /// Tractions Σ M_A (z_A n̄ − t_A) per reference area with the pressures z_A and frictions t_A of mortar_law.hpp. Without

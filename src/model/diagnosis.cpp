@@ -81,8 +81,9 @@ void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<P
     diagnosis.places.push_back(contact_point(model, points[k], what(points[k])));
   if (points.empty()) return;
   const FailurePlace& first = diagnosis.places.front();
+  const bool weighted = model.system.contacts[at(points.front().contact)]->multipliers() > 0;
   diagnosis.messages.push_back(Message(
-      "model.diagnosis.points",
+      weighted ? "model.diagnosis.multipliers" : "model.diagnosis.points",
       {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
 }
 

@@ -41,8 +41,8 @@ return {
   { "model:profile", [[Returns lists along the slave face, one entry per contact point: x, y (current), X, Y
 (reference), area (on which the traction acts), pressure, traction (tangential; in the plane positive along the face's
 xi; on the slave it acts in the opposite direction), gap, state ("open", "stick", "slip", "adhesion"). At a slipping
-point |traction| = mu pressure. In 3D also z, Z, and tx, ty, tz, the components of the tangential traction t_T, whose
-magnitude is `traction`; -t_T acts on the slave. Any other name is an error.]],
+point |traction| = mu pressure (mortar: at each multiplier). In 3D also z, Z, and tx, ty, tz, the components of the
+tangential traction t_T, whose magnitude is `traction`; -t_T acts on the slave. Any other name is an error.]],
     arguments = { a_contact },
     example = "model:profile(\"interface\").pressure" },
   { "model:sample", "Returns a field's value at a parametric point of a body.",
@@ -69,7 +69,8 @@ fx, fy, fz, moment.]],
     example = "model:reaction(\"grip\").fy" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, unsettled,
 crossed }: the force on the slave (fz in 3D), the current area in contact, extremes, and the numbers of contact points
-that touch and slip. unsettled: how often, in all accepted states so far, the search for a closest point or slip point
+that touch and slip; with method = "mortar" also weighted_penetration, the largest of the multipliers, and `area` is the
+reference area. unsettled: how often, in all accepted states so far, the search for a closest point or slip point
 ended at the limit of iterations; unsettled_at is the reference position of the latest such point. crossed, crossed_at:
 the same for points that passed through the master since the previous state without contact.]],
     arguments = { a_contact },

@@ -29,6 +29,12 @@ it]], unit = "pressure per length", optional = true },
     { "mu", t.non_negative, "Coulomb's coefficient of friction, tan of the angle of friction, not the angle" },
     { "penalty", t.positive, "tangential penalty, stiffness of elastic slip", unit = "pressure per length" },
   }, "Coulomb friction", otherwise = "none" },
+  { "method", t.choice { "gpts", "mortar" }, [[gpts: Gauss-point-to-surface, penalty at the contact points, tractions
+per current area. mortar: penalty on gaps and slips that are weighted by functions on the slave face (multipliers),
+tractions per reference area; a high penalty then does not over-constrain]], default = "gpts" },
+  { "multipliers", t.choice { "equal", "reduced" }, [[functions of the multipliers if method = "mortar". equal: those of
+the slave face. reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element), proven stable
+(inf-sup); for degree p >= 2]], otherwise = "equal" },
   { "points", t.integer(1, 100), "Gauss points per slave element and direction",
     otherwise = "3 (p + 1), p the higher degree along the face" },
   { "adhesion", t.named {
@@ -45,6 +51,14 @@ contact.conflict = function(values)
       return ("it has both adhesion and %s, but the van der Waals law is repulsive already: remove one of the two")
         :format(other)
     end
+  end
+  if values.adhesion and values.method == "mortar" then
+    return 'it has both adhesion and method = "mortar", but van der Waals forces act at contact points: remove one of '
+      .. "the two"
+  end
+  if values.multipliers and values.method ~= "mortar" then
+    return ('multipliers = "%s" is for method = "mortar": add this method, or remove multipliers')
+      :format(values.multipliers)
   end
   if not (values.adhesion or values.penalty) then
     return "penalty (normal penalty, pressure per length) is missing: it must be a positive number, or give "
@@ -122,7 +136,7 @@ supports = { bed  = { on = slab:face "south", fix = "xy" },
 the columns of a run are <name>.fx …, and .tx … or .pressure.]],
     example = [[loads = { push = { on = die:face "east", traction = {0, -1} } }]] },
   { "contact", "Defines contact between the face of a body and another body or an obstacle.",
-    head = "contacts = { <name> = { slave, master, penalty, friction, points, adhesion, where } }, in sg.model{ … }",
+    head = "contacts = { <name> = { slave, master, penalty, friction, method, … } }, in sg.model{ … }",
     named = contact,
     more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run.
 Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85) to
