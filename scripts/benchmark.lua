@@ -13,7 +13,7 @@
 -- Expected: bulk grows in proportion to the DOFs (exponent 1); contact with the square root of the DOFs in 2D and with
 --           their power 2/3 in 3D; factorization asymptotically with the exponent 1.5 in 2D and 2 in 3D, less on small
 --           meshes. The linear solver therefore takes most of the time in 3D.
--- Run: signorini scripts/benchmark.lua [plane=m1,m2,m3,m4,m5] [solid=sparse,coarse,middle,fine] [label=N2] [steps=3]
+-- Run: signorini scripts/benchmark.lua [plane=m1,m2,m3,m4,m5] [solid=sparse,coarse,middle,fine] [order=N2] [steps=3]
 --      [solvers=ironing-m1,…] [repeats=3] [linear=umfpack] [element=8] [out=out/benchmark] [page=none]; steps: timed
 --      steps; solvers: models on which the linear solvers are compared, or none; repeats: passes, of which the median
 --      counts; element: elements along an edge of the block for the reference value; page: folder with benchmark.md,
@@ -30,19 +30,19 @@ local options = sg.arguments{
   plane = { { "m1", "m2", "m3", "m4", "m5" }, choices = problems.plane.meshes, none = true },
   solid = { { "sparse", "coarse", "middle", "fine" }, choices = problems.solid.meshes, none = true },
   solvers = { solvers.names, choices = solvers.names, none = true },
-  label = "N2", steps = 3, repeats = 3, linear = { "umfpack", choices = { "auto", "klu", "umfpack", "reuse" } },
+  order = "N2", steps = 3, repeats = 3, linear = { "umfpack", choices = { "auto", "klu", "umfpack", "reuse" } },
   element = 8, out = "out/benchmark", page = "none",
 }
 local files = sg.files(options.out)
 
 local cases, exponents = {}, {}
 -- Warm-up: the first picture loads the renderer, the first large factorization starts BLAS.
-measure.case({ problem = "plane", label = "N2", mesh = "m1" },
+measure.case({ problem = "plane", order = "N2", mesh = "m1" },
   { steps = 1, repeats = 1, linear = "umfpack", out = options.out })
 for _, name in ipairs { "plane", "solid" } do
   local sizes, costs, own = {}, {}, {}
   for i, mesh in ipairs(options[name]) do
-    local case = measure.case({ problem = name, label = options.label, mesh = mesh }, options)
+    local case = measure.case({ problem = name, order = options.order, mesh = mesh }, options)
     own[i], cases[#cases + 1] = case, case
     if i > 1 and case.dofs <= own[i - 1].dofs then error(("%s: meshes must be in increasing order"):format(name), 0) end
   end

@@ -45,7 +45,7 @@ local orders = require "solid_ironing.orders"
 local mesh = require "solid_ironing.mesh"
 local sixty = require "block_ironing3d.sixty"
 
-local problem = { title = "Block ironing", length = 20, start = 3.75, depth = 1, way = 12.5 }
+local problem = { title = "Block ironing", length = 20, start = 3.75, depth = 1, distance = 12.5 }
 
 --- The elements of the half with y < 5: half as many across.
 local function half_of(elements) return { elements[1], elements[2] // 2, elements[3] } end
@@ -56,13 +56,13 @@ function problem.scene(case)
   local across = case.half and half_of or function(elements) return elements end
   local slab = sg.body{
     patch    = sg.shapes.block{ size = {20, 10 * width, 10} },
-    elements = across(case.mesh.slab), order = case.label, contact = "back",
+    elements = across(case.mesh.slab), order = case.order, contact = "back",
     thickness_degree = case.thickness_degree or 1,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local block = sg.body{
     patch    = sg.shapes.block{ size = {4, 4 * width, 4}, corner = {problem.start - 2, 3, 10} },
-    elements = across(case.mesh.die), order = case.label, contact = "front",
+    elements = across(case.mesh.die), order = case.order, contact = "front",
     thickness_degree = case.thickness_degree or 1,
     material = sg.neo_hookean{ E = 10, nu = 0.3 },
   }

@@ -29,7 +29,8 @@ local problems = {
     return plane.scene(set_up, "N2", plane.elements "m1"), plane.path(set_up, 1)
   end },
   { name = "3D ironing, N2, " .. options.mesh, begin = function()
-    local case = { label = "N2", mesh = options.mesh, radius = 7.5, depth = 2, way = 0.3 * options.slides, down = 0.5 }
+    local case = { order = "N2", mesh = options.mesh, radius = 7.5, depth = 2,
+                   distance = 0.3 * options.slides, down = 0.5 }
     return solid.scene(case, 50), solid.stages(case)
   end },
 }

@@ -32,18 +32,18 @@ local sg = require "signorini"
 local orders = require "solid_ironing.orders"
 local mesh = require "solid_ironing.mesh"
 
-local problem = { title = "Cylinder ironing", length = 2.5, start = 0.5, depth = 0.2, way = 1.5 }
+local problem = { title = "Cylinder ironing", length = 2.5, start = 0.5, depth = 0.2, distance = 1.5 }
 
 function problem.scene(case)
   local slab = sg.body{
     patch    = sg.shapes.block{ size = {2.5, 1, 0.6} },
-    elements = case.mesh.slab, order = case.label, contact = "back", thickness_degree = 1,
+    elements = case.mesh.slab, order = case.order, contact = "back", thickness_degree = 1,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local die = sg.body{
     patch    = sg.shapes.half_cylinder_shell{ inner = 0.4, outer = 0.5, width = 0.6,
                                               center = {problem.start, 0.2, 0.6 + 0.5} },
-    elements = case.mesh.die, order = case.label, contact = "front", thickness_degree = 1,
+    elements = case.mesh.die, order = case.order, contact = "front", thickness_degree = 1,
     material = sg.neo_hookean{ E = 100, nu = 0.3 },
   }
   local model = sg.model{

@@ -1,6 +1,6 @@
 -- Hertz line contact: effect of varying-order layers on the pressure of a cylinder on a rigid plane.
 --
--- Problem: a quarter of a hollow elastic cylinder stands on a rigid plane and is pressed onto it.
+-- Problem: a quarter of a hollow elastic cylinder rests on a rigid plane and is pressed onto it.
 --
 --         x = 0   ______   load=displacement: u_y = −0.00463 of the cut y = 0
 --        u_x = 0 |  cut |  load=force: the half load P0 Ro, uniformly distributed over the cut
@@ -43,9 +43,9 @@ local function solve(o, steps, linear)
   local model, stage, ring = problem.scene(o)
   stage.steps = steps
   local run = model:run({ stage }, sg.plain{ linear = linear })
-  if run.failed then error(("%s at %s: %s"):format(o.label, o.mesh, run.report), 0) end
+  if run.failed then error(("%s at %s: %s"):format(o.order, o.mesh, run.report), 0) end
   local wall = sg.wall_time() - began
-  local case = { label = o.label, mesh = o.mesh, run = run, wall = wall, dofs = ring:dofs(), model = model }
+  local case = { order = o.order, mesh = o.mesh, run = run, wall = wall, dofs = ring:dofs(), model = model }
   case.profile, case.edges = model:profile "ground", sg.profile_edges{ profile = model:profile "ground" }
   case.force, case.peak = run:column "ground.fy"[steps], run:column "ground.max_pressure"[steps]
   case.a, case.p0 = problem.hertz(2 * case.force)
@@ -54,10 +54,10 @@ local function solve(o, steps, linear)
   return case
 end
 
---- Solves all pairs of label and mesh. Only the first one keeps its model.
+--- Solves all pairs of order and mesh. Only the first one keeps its model.
 local function solve_all(list, options)
   return in_turns(list, options.repeats, function(pair, k)
-    local case = solve({ label = pair[1], mesh = pair[2], load = options.load }, options.steps, options.linear)
+    local case = solve({ order = pair[1], mesh = pair[2], load = options.load }, options.steps, options.linear)
     if k > 1 then case.model = nil end
     return case
   end)
@@ -75,14 +75,14 @@ local function case_table(cases, finest)
   local rows, printed = {}, printed_dofs()
   local function add(case)
     local t = case.times
-    rows[#rows + 1] = { case.label, case.mesh, case.dofs.total, printed[case.mesh .. case.label], case.peak_percent,
+    rows[#rows + 1] = { case.order, case.mesh, case.dofs.total, printed[case.mesh .. case.order], case.peak_percent,
                         case.width_percent, case.spacing_percent, case.error, case.run.iterations, t.wall, t.bulk,
                         t.contact, t.linear }
   end
   for _, case in ipairs(cases) do add(case) end
   add(finest)
   return sg.table{
-    columns = { "label", "mesh", "DOFs", "published", "peak", "a", "points", "L2 error", "iterations", "wall", "bulk",
+    columns = { "order", "mesh", "DOFs", "published", "peak", "a", "points", "L2 error", "iterations", "wall", "bulk",
                 "contact", "linear" },
     units = { "", "", "", "", "% off", "% off", "% of a", "", "", "s", "s", "s", "s" }, rows = rows,
     formats = { "%s", "%s", "%d", "%d", "%.2f", "%.2f", "%.2f", "%.2e", "%d", "%.3f", "%.3f", "%.3f", "%.3f" },
@@ -112,7 +112,7 @@ local function size_study(options)
   local cases, rows = {}, {}
   for _, stiffer in ipairs { 1, 10 } do
     for _, size in ipairs(options.sizes) do
-      local o = { label = "N2-N2.2", mesh = "m4", load = "force", size = size, stiffer = stiffer, thickness_degree = 2 }
+      local o = { order = "N2-N2.2", mesh = "m4", load = "force", size = size, stiffer = stiffer, thickness_degree = 2 }
       local case = solve(o, options.steps, options.linear)
       case.size, case.stiffer = size, stiffer
       cases[#cases + 1] = case
@@ -140,8 +140,8 @@ local function draw_pressure(cases, finest, mesh, file)
     end
     chart[#chart + 1] = line
   end
-  for _, label in ipairs(figures.error) do
-    if cases[label .. " " .. mesh] then curve(cases[label .. " " .. mesh], label, false) end
+  for _, order in ipairs(figures.error) do
+    if cases[order .. " " .. mesh] then curve(cases[order .. " " .. mesh], order, false) end
   end
   curve(finest, ("N2 at %s"):format(finest.mesh), true)
   local ellipse = { x = {}, y = {}, label = "Hertz", dashed = true, marker = "none", width = 2 }
@@ -153,10 +153,10 @@ end
 --- Figures 7.15 to 7.17: errors over the mesh or the time. Curves drawn first are on top.
 local function draw_errors(chart, cases, orders, meshes, abscissa)
   chart.ylabel = "L2 error of p / p_ref"
-  for _, label in ipairs(orders) do
-    local line = { x = {}, y = {}, label = label, markers = true, marker = label == "N2-N4" and "open circle" or nil }
+  for _, order in ipairs(orders) do
+    local line = { x = {}, y = {}, label = order, markers = true, marker = order == "N2-N4" and "open circle" or nil }
     for i, mesh in ipairs(meshes) do
-      local case = cases[label .. " " .. mesh]
+      local case = cases[order .. " " .. mesh]
       if case then line.x[#line.x + 1], line.y[#line.y + 1] = abscissa(case, i), case.error end
     end
     if #line.x > 0 then chart[#chart + 1] = line end
@@ -177,14 +177,14 @@ local options = sg.arguments{
 local files, cases = sg.files(options.out), {}
 
 local function write_profile(case)
-  local data = { columns = { "x", "y", "pressure", "gap" }, comments = { ("%s at %s"):format(case.label, case.mesh) } }
+  local data = { columns = { "x", "y", "pressure", "gap" }, comments = { ("%s at %s"):format(case.order, case.mesh) } }
   for _, name in ipairs(data.columns) do data[name] = case.profile[name] end
-  sg.csv.write(files(("%s_%s.csv"):format(case.label, case.mesh)), data)
+  sg.csv.write(files(("%s_%s.csv"):format(case.order, case.mesh)), data)
 end
 
 local list = { { "N2", options.reference } }
 for _, mesh in ipairs(options.meshes) do
-  for _, label in ipairs(options.orders) do list[#list + 1] = { label, mesh } end
+  for _, order in ipairs(options.orders) do list[#list + 1] = { order, mesh } end
 end
 local solved = solve_all(list, options)
 local finest = solved[1]
@@ -194,7 +194,7 @@ for i = 2, #solved do
   case.error = sg.profile_error{ profile = case.profile, reference = finest.profile, normalize = "max",
                                  coordinate = function(point) return point.x / finest.edges.to end }
   write_profile(case)
-  cases[i - 1], cases[case.label .. " " .. case.mesh] = case, case
+  cases[i - 1], cases[case.order .. " " .. case.mesh] = case, case
 end
 
 print(("\nLoad by %s: peak pressure and half-width against Hertz's, L2 error of p/p_ref over x/a_ref against N2 at %s,")

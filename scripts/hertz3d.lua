@@ -1,6 +1,6 @@
 -- Hertz point contact in 3D: an eighth of a hollow sphere on a rigid plane, compared with an axisymmetric model.
 --
--- Problem: an eighth of a hollow elastic sphere stands on a rigid plane and is pressed onto it at its equator.
+-- Problem: an eighth of a hollow elastic sphere rests on a rigid plane and is pressed onto it at its equator.
 --
 --                z
 --                |  .-'   x, y >= 0, z <= 0: u_x = 0 on the plane x = 0, u_y = 0 on y = 0
@@ -43,13 +43,13 @@ local function crowded(at)
   return { elements = 0.75, length = 0.1, at = at }
 end
 
---- The eighth of the sphere. `o`: label, mesh, around (elements around z, by default n/4).
+--- The eighth of the sphere. `o`: order, mesh, around (elements around z, by default n/4).
 local function solid_scene(o)
   local n = elements_of(o.mesh)
   local ball = sg.body{
     patch    = sg.shapes.sphere_octant{ inner = inner, outer = outer },
     elements = { o.around or n // 4, n, n }, grading = { false, crowded "end", crowded "start" },
-    order    = o.label, contact = "front", thickness_degree = 1,
+    order    = o.order, contact = "front", thickness_degree = 1,
     material = sg.linear_elastic{ E = young, nu = poisson },
   }
   local model = sg.model{
@@ -67,7 +67,7 @@ local function revolved_scene(o)
   local n = elements_of(o.mesh)
   local ball = sg.body{
     patch    = sg.shapes.quarter_annulus{ inner = inner, outer = outer, start = 270 },
-    elements = { n, n }, grading = { crowded "start", crowded "start" }, order = o.label, contact = "south",
+    elements = { n, n }, grading = { crowded "start", crowded "start" }, order = o.order, contact = "south",
     thickness_degree = 1,
     material = sg.linear_elastic{ E = young, nu = poisson },
   }
@@ -118,8 +118,8 @@ end
 local function solve(o, scene, options)
   local run = scene.model:run({ { name = "press", steps = options.steps, push = scene.target } },
     sg.plain{ linear = options.linear })
-  if run.failed then error(("%s at %s: %s"):format(o.label, o.mesh, run.report), 0) end
-  local case = { label = o.label, mesh = o.mesh, around = o.around or elements_of(o.mesh) // 4, dofs = scene.dofs,
+  if run.failed then error(("%s at %s: %s"):format(o.order, o.mesh, run.report), 0) end
+  local case = { order = o.order, mesh = o.mesh, around = o.around or elements_of(o.mesh) // 4, dofs = scene.dofs,
                  model = scene.model, run = run, spread = 0 }
   case.a, case.p0 = hertz(load)
   case.profile = scene.model:profile "ground"
@@ -151,12 +151,12 @@ end
 local function case_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
-    rows[i] = { case.label, case.mesh, case.around, case.dofs.total, case.peak_percent, case.width_percent,
+    rows[i] = { case.order, case.mesh, case.around, case.dofs.total, case.peak_percent, case.width_percent,
                 case.spacing_percent, case.spread_percent, case.force_percent, case.error, case.run.iterations,
                 case.run.wall }
   end
   return sg.table{
-    columns = { "label", "mesh", "around", "DOFs", "peak", "a", "points", "spread", "force", "L2 error", "iterations",
+    columns = { "order", "mesh", "around", "DOFs", "peak", "a", "points", "spread", "force", "L2 error", "iterations",
                 "wall" },
     units = { "", "", "", "", "% off", "% off", "% of a", "% of p0", "% off", "", "", "s" }, rows = rows,
     formats = { "%s", "%s", "%d", "%d", "%.2f", "%.2f", "%.2f", "%.0e", "%.0e", "%.2e", "%d", "%.2f" },
@@ -167,11 +167,11 @@ local function twin_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     local twin = case.twin
-    rows[i] = { case.label, case.mesh, twin.dofs.total, twin.peak_percent, twin.width_percent, case.peak_apart,
+    rows[i] = { case.order, case.mesh, twin.dofs.total, twin.peak_percent, twin.width_percent, case.peak_apart,
                 case.width_apart, twin.run.iterations, twin.run.wall, case.time_ratio }
   end
   return sg.table{
-    columns = { "label", "mesh", "DOFs", "peak", "a", "3D peak", "3D a", "iterations", "wall", "3D time" },
+    columns = { "order", "mesh", "DOFs", "peak", "a", "3D peak", "3D a", "iterations", "wall", "3D time" },
     units = { "", "", "", "% off", "% off", "% apart", "% apart", "", "s", "times" }, rows = rows,
     formats = { "%s", "%s", "%d", "%.2f", "%.2f", "%.0e", "%.0e", "%d", "%.3f", "%.0f" },
   }
@@ -188,12 +188,12 @@ local function curve(case, options)
   return line
 end
 
---- Figure 6.7: the pressure of one label on all meshes over the contact coordinate, with Hertz's.
-local function draw_pressure(cases, label, file)
-  local chart = { file = file, title = ("Hertz in 3D, %s: contact pressure"):format(label), xlabel = "r / a",
+--- Figure 6.7: the pressure of one order on all meshes over the contact coordinate, with Hertz's.
+local function draw_pressure(cases, order, file)
+  local chart = { file = file, title = ("Hertz in 3D, %s: contact pressure"):format(order), xlabel = "r / a",
                   ylabel = "p / p_0", xrange = { 0, 1.2 }, inset = { xrange = { 0.85, 1.05 }, yrange = { 0, 0.6 } } }
   for _, case in ipairs(cases) do
-    if case.label == label then chart[#chart + 1] = curve(case, { label = case.mesh }) end
+    if case.order == order then chart[#chart + 1] = curve(case, { label = case.mesh }) end
   end
   local exact = { x = {}, y = {}, label = "Hertz", dashed = true, marker = "none" }
   for i = 0, 400 do exact.x[i + 1], exact.y[i + 1] = i / 400, math.sqrt(1 - (i / 400) ^ 2) end
@@ -205,7 +205,7 @@ end
 local function draw_states(case, files)
   local function draw(name, what, options)
     options.model, options.file = case.model, files(name)
-    options.title = ("Hertz in 3D, %s at %s: %s"):format(case.label, case.mesh, what)
+    options.title = ("Hertz in 3D, %s at %s: %s"):format(case.order, case.mesh, what)
     sg.picture(options)
   end
   draw("szz.png", "vertical stress", { field = "szz" })
@@ -224,16 +224,16 @@ local options = sg.arguments{
 local files, cases, turns = sg.files(options.out), {}, {}
 
 for _, mesh in ipairs(options.meshes) do
-  for _, label in ipairs(options.orders) do
-    local case = solve_both({ label = label, mesh = mesh }, options)
+  for _, order in ipairs(options.orders) do
+    local case = solve_both({ order = order, mesh = mesh }, options)
     local data = { columns = { "r", "pressure", "gap" }, r = case.profile.x, pressure = case.profile.pressure,
                    gap = case.profile.gap }
-    sg.csv.write(files(("%s_%s.csv"):format(label, mesh)), data)
-    cases[#cases + 1], cases[label .. " " .. mesh] = case, case
+    sg.csv.write(files(("%s_%s.csv"):format(order, mesh)), data)
+    cases[#cases + 1], cases[order .. " " .. mesh] = case, case
   end
 end
 for _, around in ipairs(options.around) do
-  local o = { label = options.orders[1], mesh = options.meshes[1], around = around }
+  local o = { order = options.orders[1], mesh = options.meshes[1], around = around }
   turns[#turns + 1] = solve(o, solid_scene(o), options)
 end
 
@@ -243,7 +243,7 @@ print "\nThe axisymmetric model with the same meridian mesh, and the difference 
 print(twin_table(cases))
 print "\nElements around the axis"
 print(case_table(turns))
-for _, label in ipairs(options.orders) do draw_pressure(cases, label, files(("pressure_%s.png"):format(label))) end
+for _, order in ipairs(options.orders) do draw_pressure(cases, order, files(("pressure_%s.png"):format(order))) end
 draw_states(cases[#cases], files)
 files:report()
 

@@ -1,6 +1,6 @@
 -- Hertz point contact: a hollow sphere on a rigid plane as an axisymmetric model.
 --
--- Problem: the lower half of a hollow elastic sphere stands on a rigid plane and is pressed onto it at its equator.
+-- Problem: the lower half of a hollow elastic sphere rests on a rigid plane and is pressed onto it at its equator.
 --
 --          r = 0   ______   the load pi Ro² P0 is uniformly distributed over the cut at the equator
 --        u_r = 0 |  cut |
@@ -29,9 +29,9 @@ local load, penalty = math.pi * outer ^ 2 * 1e-4, 1000
 
 -- ── Scene and path ───────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The sphere on its plane, and the traction on its cut. `o`: label, mesh; for the study of the size also size, the
+--- The sphere on its plane, and the traction on its cut. `o`: order, mesh; for the study of the size also size, the
 --- multiple of R/a (the load falls with its cube; there are as many elements per half-width near the contact and
---- beyond), stiffer, the multiple of the penalty, and through, the degree in the thickness direction.
+--- beyond), stiffer, the multiple of the penalty, and thickness_degree.
 local function scene(o)
   local size = o.size or 1
   -- 0.75 n elements in the part 0.1/size of the length, 0.25 n size in the rest: twice the size, twice as many there
@@ -40,7 +40,7 @@ local function scene(o)
   local graded = { elements = 0.75 / growth, length = 0.1 / size, at = "start" }
   local ball = sg.body{
     patch    = sg.shapes.quarter_annulus{ inner = inner, outer = outer, start = 270 },
-    elements = { count, count }, grading = { graded, graded }, order = o.label, contact = "south",
+    elements = { count, count }, grading = { graded, graded }, order = o.order, contact = "south",
     thickness_degree = o.thickness_degree or 1,
     material = sg.linear_elastic{ E = young, nu = poisson },
   }
@@ -68,8 +68,8 @@ end
 local function solve(o, steps, linear)
   local model, traction, dofs = scene(o)
   local run = model:run({ { name = "press", steps = steps, push = { 0, traction } } }, sg.plain{ linear = linear })
-  if run.failed then error(("%s at %s: %s"):format(o.label, o.mesh, run.report), 0) end
-  local case = { label = o.label, mesh = o.mesh, size = o.size or 1, stiffer = o.stiffer or 1, run = run, dofs = dofs,
+  if run.failed then error(("%s at %s: %s"):format(o.order, o.mesh, run.report), 0) end
+  local case = { order = o.order, mesh = o.mesh, size = o.size or 1, stiffer = o.stiffer or 1, run = run, dofs = dofs,
                  model = model, profile = model:profile "ground" }
   local expected = load / case.size ^ 3
   case.a, case.p0 = hertz(expected)
@@ -89,12 +89,12 @@ end
 local function case_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
-    rows[i] = { case.label, case.mesh, case.stiffer, case.size, outer / case.a, case.dofs.total, case.peak_percent,
+    rows[i] = { case.order, case.mesh, case.stiffer, case.size, outer / case.a, case.dofs.total, case.peak_percent,
                 case.width_percent, case.spacing_percent, case.force_percent, case.error, case.run.iterations,
                 case.run.wall }
   end
   return sg.table{
-    columns = { "label", "mesh", "penalty", "size", "R/a", "DOFs", "peak", "a", "points", "force", "L2 error",
+    columns = { "order", "mesh", "penalty", "size", "R/a", "DOFs", "peak", "a", "points", "force", "L2 error",
                 "iterations", "wall" },
     units = { "", "", "times", "times", "", "", "% off", "% off", "% of a", "% off", "", "", "s" }, rows = rows,
     formats = { "%s", "%s", "%d", "%g", "%.1f", "%d", "%.2f", "%.2f", "%.2f", "%.0e", "%.2e", "%d", "%.3f" },
@@ -107,7 +107,7 @@ local function size_study(options)
   local cases = {}
   for _, stiffer in ipairs { 1, 10 } do
     for _, size in ipairs(options.sizes) do
-      cases[#cases + 1] = solve({ label = "N2-N2.2", mesh = "m3", size = size, stiffer = stiffer,
+      cases[#cases + 1] = solve({ order = "N2-N2.2", mesh = "m3", size = size, stiffer = stiffer,
                                   thickness_degree = 2 },
         options.steps, options.linear)
     end
@@ -115,12 +115,12 @@ local function size_study(options)
   return cases
 end
 
---- Figure 6.7: the pressure of one label on all meshes over the contact coordinate, with Hertz's.
-local function draw_pressure(cases, label, file)
-  local chart = { file = file, title = ("Hertz, sphere, %s: contact pressure"):format(label), xlabel = "r / a",
+--- Figure 6.7: the pressure of one order on all meshes over the contact coordinate, with Hertz's.
+local function draw_pressure(cases, order, file)
+  local chart = { file = file, title = ("Hertz, sphere, %s: contact pressure"):format(order), xlabel = "r / a",
                   ylabel = "p / p_0", xrange = { 0, 1.2 }, inset = { xrange = { 0.85, 1.05 }, yrange = { 0, 0.6 } } }
   for _, case in ipairs(cases) do
-    if case.label == label then
+    if case.order == order then
       local line, pressure = { x = {}, y = {}, label = case.mesh, marker = "none" }, case.profile.pressure
       for i, r in ipairs(case.profile.x) do
         if r < 1.25 * case.a then line.x[#line.x + 1], line.y[#line.y + 1] = r / case.a, pressure[i] / case.p0 end
@@ -144,12 +144,12 @@ local options = sg.arguments{
 local files, cases = sg.files(options.out), {}
 
 for _, mesh in ipairs(options.meshes) do
-  for _, label in ipairs(options.orders) do
-    local case = solve({ label = label, mesh = mesh }, options.steps, options.linear)
+  for _, order in ipairs(options.orders) do
+    local case = solve({ order = order, mesh = mesh }, options.steps, options.linear)
     local data = { columns = { "x", "y", "pressure", "gap" } }
     for _, name in ipairs(data.columns) do data[name] = case.profile[name] end
-    sg.csv.write(files(("%s_%s.csv"):format(label, mesh)), data)
-    cases[#cases + 1], cases[label .. " " .. mesh] = case, case
+    sg.csv.write(files(("%s_%s.csv"):format(order, mesh)), data)
+    cases[#cases + 1], cases[order .. " " .. mesh] = case, case
   end
 end
 
@@ -161,10 +161,10 @@ if #options.sizes > 1 then
   print "\nFinite size: degree 2 in the thickness direction"
   print(case_table(sizes))
 end
-for _, label in ipairs(options.orders) do draw_pressure(cases, label, files(("pressure_%s.png"):format(label))) end
+for _, order in ipairs(options.orders) do draw_pressure(cases, order, files(("pressure_%s.png"):format(order))) end
 local last = cases[#cases]
 sg.picture{ model = last.model, field = "syy", file = files "syy.png", mesh = true, crop = { 0, 0.15, -1.003, -0.9 },
-            title = ("Hertz, sphere, %s at %s: stress near the contact"):format(last.label, last.mesh) }
+            title = ("Hertz, sphere, %s at %s: stress near the contact"):format(last.order, last.mesh) }
 files:report()
 
 return { cases = cases, sizes = sizes, files = files }

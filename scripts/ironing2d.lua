@@ -34,7 +34,7 @@
 --      signorini scripts/ironing2d.lua variant=validation [mesh=48] [orders=N2,N4]; mesh: spans along both faces.
 
 local sg = require "signorini"
-local amplitude = require "ironing2d.amplitude"
+local measure = require "ironing2d.measure"
 local convergence = require "ironing2d.convergence"
 local deep = require "ironing2d.deep"
 local output = require "ironing2d.output"
@@ -42,7 +42,7 @@ local problem = require "ironing2d.problem"
 local validation = require "ironing2d.validation"
 
 local picture_steps = { [4] = true, [23] = true, [46] = true, [80] = true, [160] = true, [250] = true }
-local reference_label = "N2"
+local reference_order = "N2"
 
 -- ── The standard variant ─────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -62,16 +62,16 @@ local function solve_all(options, suffix, files)
     for m, mesh in ipairs(options.mesh) do
       local study = studies[m] or { mesh = mesh, cases = {} }
       studies[m], studies[mesh] = study, study
-      for i, label in ipairs(options.orders) do
-        local case = problem.solve{ set_up = problem.variants.standard, label = label, mesh = mesh,
+      for i, order in ipairs(options.orders) do
+        local case = problem.solve{ set_up = problem.variants.standard, order = order, mesh = mesh,
                                     linear = options.linear, on_step = round * m * i == 1 and keep or nil }
         case.model = nil
         if round == 1 then
-          print(("%s at %s"):format(label, mesh))
+          print(("%s at %s"):format(order, mesh))
           print(case.run)
-          case.run:csv(files(label .. suffix(mesh) .. ".csv"))
+          case.run:csv(files(order .. suffix(mesh) .. ".csv"))
           case.runs = { case.run }
-          study.cases[i], study.cases[label] = case, case
+          study.cases[i], study.cases[order] = case, case
         else
           table.insert(study.cases[i].runs, case.run)
         end
@@ -83,7 +83,7 @@ local function solve_all(options, suffix, files)
   end)
   for _, study in ipairs(studies) do
     for _, case in ipairs(study.cases) do case.work = median_run(case.runs) end
-    amplitude.compare(study.cases, study.cases[reference_label])
+    measure.compare(study.cases, study.cases[reference_order])
   end
   return studies
 end
@@ -95,15 +95,15 @@ local function report_mesh(options, study, suffix, files)
     :format(mesh, problem.variants.standard.press_steps + problem.variants.standard.slide_steps,
       options["repeat"] > 1 and (", medians of %d runs"):format(options["repeat"]) or ""))
   print(output.work_table(cases))
-  print(("\nOscillation of the contact forces at %s, max − min over steps %d to %d%s"):format(mesh, amplitude.first,
-    amplitude.last, published and ", compared with Table 7.3" or ", raw and detrended by a parabola"))
-  print(output.amplitude_table(cases, published))
+  print(("\nOscillation of the contact forces at %s, max − min over steps %d to %d%s"):format(mesh, measure.first,
+    measure.last, published and ", compared with Table 7.3" or ", raw and detrended by a parabola"))
+  print(output.oscillation_table(cases, published))
   files:draw("forces" .. suffix(mesh) .. ".png", "an accepted step", function(file)
     return output.draw_forces(file, cases, "Ironing, mesh " .. mesh)
   end)
   local need = "N2 among the orders, and runs that complete the window"
-  files:draw("amplitudes" .. suffix(mesh) .. ".png", need, function(file)
-    return output.draw_amplitudes(file, cases, "Ironing, mesh " .. mesh, published)
+  files:draw("oscillations" .. suffix(mesh) .. ".png", need, function(file)
+    return output.draw_oscillations(file, cases, "Ironing, mesh " .. mesh, published)
   end)
 end
 

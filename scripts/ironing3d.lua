@@ -32,9 +32,9 @@
 --      [slide=window] [down=0.2] [cap=1] [linear=auto] [out=out/ironing3d]; radius and gap can be lists; fine:
 --      discretizations on the doubled mesh, or none; slide=full: the whole path; down: step length of pressing; cap:
 --      biquadratic spans per direction that represent the sphere.
---      signorini scripts/ironing3d.lua variant=friction [orders=N2] [radius=7.5] [gap=5] [mu=0,0.3] [way=30] [finer=1]
---      [penalty=100]; way: sliding distance through the middle of the slab; finer: divides the steps; penalty: normal
---      and tangential.
+--      signorini scripts/ironing3d.lua variant=friction [orders=N2] [radius=7.5] [gap=5] [mu=0,0.3] [distance=30]
+--      [finer=1] [penalty=100]; distance: of sliding through the middle of the slab; finer: divides the steps; penalty:
+--      normal and tangential.
 --      signorini scripts/ironing3d.lua variant=depth [orders=N2] [radius=7.5,12,25.5] [from=50,47.3]; from: x of the
 --      center of the indenter.
 --      signorini scripts/ironing3d.lua variant=cost [orders=N2] [mesh=sparse,coarse,middle,fine] [layered=N2-N2.2]
@@ -60,7 +60,7 @@ local options = sg.arguments{
                  fine = { { "N2" }, none = true }, radius = radii{ 25.5 }, gap = gaps{ 5.0 }, cap = 1,
                  slide = { "window", choices = { "window", "full" } }, down = down, out = "out/ironing3d" },
     friction = { radius = radii{ 7.5 }, gap = gaps{ 5.0 }, mu = { { 0, 0.3 }, at_least = 0 }, cap = 1,
-                 way = { 30.0, at_least = 0.3, below = 76 }, finer = { 1.0, at_least = 0.25 },
+                 distance = { 30.0, at_least = 0.3, below = 76 }, finer = { 1.0, at_least = 0.25 },
                  penalty = { 100.0, above = 0 }, out = "out/ironing3d_friction" },
     depth = { radius = radii{ 7.5, 12, 25.5 }, from = { { 50, 47.3 }, at_least = 5, below = 95 }, cap = 1, down = down,
               out = "out/ironing3d_depth" },

@@ -34,7 +34,7 @@ local problems = {
   peeling = {
     script = "peeling2d", arguments = "mesh=m1", title = "Peeling",
     names = { "dM" }, units = { "1e-3 E0 L0³" }, factors = { 1e3 },
-    read = function(case) return case.dofs, case.work.wall, { case.window.amplitude } end,
+    read = function(case) return case.dofs, case.work.wall, { case.window.oscillation } end,
   },
   ironing = {
     script = "ironing2d", arguments = "mesh=m1", repeats = "repeat", title = "Ironing",
@@ -58,21 +58,21 @@ local base = "N2"
 
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The label of a layer of a depth: "N2-N2.1", "N2-N2.1x2", "N2.1".
-local function label_of(layer, depth)
+--- The order of a layer of a depth: "N2-N2.1", "N2-N2.1x2", "N2.1".
+local function order_of(layer, depth)
   if depth == "all" then return layer end
   return ("%s-%s%s"):format(base, layer, depth == "1" and "" or "x" .. depth)
 end
 
---- Runs a problem's script with all orders. Returns its cases: { layer, depth, label, dofs, wall, errors }, the first
+--- Runs a problem's script with all orders. Returns its cases: { layer, depth, order, dofs, wall, errors }, the first
 --- one that of no layer.
 local function study(name, options)
   local problem = problems[name]
-  local cases, orders = { { layer = base, depth = "0", label = base } }, { base }
+  local cases, orders = { { layer = base, depth = "0", order = base } }, { base }
   for _, layer in ipairs(options.layers) do
     for _, depth in ipairs(options.rows) do
-      local label = label_of(layer, depth)
-      cases[#cases + 1], orders[#orders + 1] = { layer = layer, depth = depth, label = label }, label
+      local order = order_of(layer, depth)
+      cases[#cases + 1], orders[#orders + 1] = { layer = layer, depth = depth, order = order }, order
     end
   end
   local words = {}
@@ -83,9 +83,9 @@ local function study(name, options)
   words[#words + 1] = ("out=%s/%s"):format(options.out, name)
   local script = assert(loadfile(assert(package.searchpath(problem.script, package.path))))
   local found = {}
-  for _, case in ipairs(script(table.unpack(words)).cases) do found[case.label] = case end
+  for _, case in ipairs(script(table.unpack(words)).cases) do found[case.order] = case end
   for _, case in ipairs(cases) do
-    case.dofs, case.wall, case.errors = problem.read(found[case.label])
+    case.dofs, case.wall, case.errors = problem.read(found[case.order])
     for i, factor in ipairs(problem.factors) do case.errors[i] = case.errors[i] and factor * case.errors[i] end
   end
   return cases
@@ -106,7 +106,7 @@ local function depth_table(cases, problem)
     local i = #sheet.columns + 1
     sheet.columns[i], sheet.units[i], sheet.formats[i] = column, unit, format
   end
-  for _, column in ipairs { "layer", "rows", "label" } do add(column, "", "%s") end
+  for _, column in ipairs { "layer", "rows", "order" } do add(column, "", "%s") end
   add("DOFs", "", "%d")
   for i, name in ipairs(problem.names) do
     add(name, problem.units[i], "%.4f")
@@ -115,7 +115,7 @@ local function depth_table(cases, problem)
   add("time", "s", "%.2f")
   add("of one row", "", "%.2f")
   for i, case in ipairs(cases) do
-    local one, row = one_row(cases, case.layer), { case.layer, case.depth, case.label, case.dofs }
+    local one, row = one_row(cases, case.layer), { case.layer, case.depth, case.order, case.dofs }
     for j in ipairs(problem.names) do
       local whole = one and one.errors[j]
       row[3 + 2 * j] = case.errors[j]
@@ -178,9 +178,9 @@ for _, name in ipairs(options.problems) do
   print(("\n%s: error and time by the depth of the layer (of one row: compared with the same layer one row deep)")
     :format(problem.title))
   print(depth_table(cases, problem))
-  local data = { columns = { "layer", "rows", "label", "dofs", "wall_s", table.unpack(problem.names) }, rows = {} }
+  local data = { columns = { "layer", "rows", "order", "dofs", "wall_s", table.unpack(problem.names) }, rows = {} }
   for i, case in ipairs(cases) do
-    data.rows[i] = { case.layer, case.depth, case.label, case.dofs, case.wall,
+    data.rows[i] = { case.layer, case.depth, case.order, case.dofs, case.wall,
                      table.unpack(case.errors, 1, #problem.names) }
   end
   sg.csv.write(files(name .. ".csv"), data)

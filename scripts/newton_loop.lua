@@ -16,7 +16,7 @@ local presses, slides = options.steps, options.slides
 local depth = set_up.depth * (presses / set_up.press_steps)
 local stages = {
   { name = "press", steps = presses, grip = { 0, -depth } },
-  { name = "slide", steps = slides, grip = { set_up.way * (slides / set_up.slide_steps), -depth } },
+  { name = "slide", steps = slides, grip = { set_up.distance * (slides / set_up.slide_steps), -depth } },
 }
 
 -- ── The loop ─────────────────────────────────────────────────────────────────────────────────────────────────────────

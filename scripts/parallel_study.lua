@@ -28,8 +28,8 @@ local options = sg.arguments{
 
 local function solve(case)
   local set_up = ironing.variants.standard
-  local model = ironing.scene(set_up, case.label, ironing.elements(case.mesh),
-    case.points * (ironing.layer_degree(case.label) + 1))
+  local model = ironing.scene(set_up, case.order, ironing.elements(case.mesh),
+    case.points * (ironing.layer_degree(case.order) + 1))
   local run = model:run(ironing.path(set_up, 1), sg.plain{ step = { adaptive = true }, on_step = function(info)
     return info.step == case.steps and "stop" or nil
   end })
@@ -41,14 +41,14 @@ end
 local function new_study(folder)
   return sg.study{
     name = "ironing", folder = folder, units = { drag = "N/mm", press = "N/mm" }, run = solve,
-    cases = sg.grid{ label = options.orders, points = { 1, 2, 3 }, steps = { options.steps },
+    cases = sg.grid{ order = options.orders, points = { 1, 2, 3 }, steps = { options.steps },
                      mesh = { options.mesh } },
   }
 end
 
 --- The table of what the cases computed, without the times, which differ.
 local function table_of(study)
-  return study:table{ columns = { "label", "points", "iterations", "drag", "press" } }
+  return study:table{ columns = { "order", "points", "iterations", "drag", "press" } }
 end
 
 if options.once ~= "" then
@@ -89,11 +89,11 @@ study:csv(files "cases.csv")
 
 local folder = options.out .. "/killed"
 
---- The seconds that the finished cases took, by label and points.
+--- The seconds that the finished cases took, by order and points.
 local function finished()
   local cases = {}
   for _, row in ipairs(new_study(folder):read().rows) do
-    cases[row.label .. " " .. row.points] = row.wall -- measured once: another one would mean another run
+    cases[row.order .. " " .. row.points] = row.wall -- measured once: another one would mean another run
   end
   return cases
 end

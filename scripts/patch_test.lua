@@ -36,9 +36,9 @@ local exact_pairs = { { "matching", 4, 4, "lower" }, { "matching", 4, 4, "upper"
 local pairs_with_kinks = { { "master finer", 2, 6, "lower" }, { "non-matching", 3, 5, "lower" },
                            { "non-matching", 3, 5, "upper" } }
 
---- Of a label's functions on the face: their degree, and the first derivative that jumps between elements.
-local function smoothness(label)
-  local kind, degree, elevations = label:match "([NL])(%d+)%.?(%d*)x?%d*$"
+--- Of an order's functions on the face: their degree, and the first derivative that jumps between elements.
+local function smoothness(order)
+  local kind, degree, elevations = order:match "([NL])(%d+)%.?(%d*)x?%d*$"
   degree, elevations = math.tointeger(tonumber(degree)), math.tointeger(tonumber(elevations)) or 0
   return degree + elevations, kind == "L" and 1 or degree
 end
@@ -52,7 +52,7 @@ local function block(o, side, young)
   return sg.body{
     patch    = flat and sg.shapes.rectangle{ width = 2, height = 1, corner = { 0, height } } or
                sg.shapes.block{ size = { 2, 2, 1 }, corner = { 0, 0, height } },
-    elements = flat and { count, 2 } or { count, count, 2 }, order = o.label,
+    elements = flat and { count, 2 } or { count, count, 2 }, order = o.order,
     contact  = flat and (lower and "north" or "south") or (lower and "back" or "front"), thickness_degree = 1,
     material = materials[o.material]{ E = young, nu = o.sides == "free" and 0 or 0.3 },
   }
@@ -102,7 +102,7 @@ local function solve(o)
   local model = scene(o)
   local run = model:run({ { name = "press", steps = 2, push = load } }, sg.plain{})
   if run.failed then
-    error(("%s, %d|%d elements, %dD: %s"):format(o.label, o.lower, o.upper, o.dimension, run.report), 0)
+    error(("%s, %d|%d elements, %dD: %s"):format(o.order, o.lower, o.upper, o.dimension, run.report), 0)
   end
   local case = { profile = model:profile "joint", pressure_error = 0 }
   for key, value in pairs(o) do case[key] = value end
@@ -117,15 +117,15 @@ end
 
 -- ── Studies ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- All cases with a list of pairs of meshes; `points` gives the numbers of points for a label's degree.
+--- All cases with a list of pairs of meshes; `points` gives the numbers of points for an order's degree.
 local function solve_all(options, list, points)
   local cases = {}
   for _, dimension in ipairs(options.dimensions) do
     for _, material in ipairs(options.materials) do
-      for _, label in ipairs(options.orders) do
+      for _, order in ipairs(options.orders) do
         for _, pair in ipairs(list) do
-          for _, count in ipairs(points(smoothness(label))) do
-            local case = solve{ dimension = dimension, material = material, label = label, sides = options.sides,
+          for _, count in ipairs(points(smoothness(order))) do
+            local case = solve{ dimension = dimension, material = material, order = order, sides = options.sides,
                                 pair = pair[1], lower = pair[2], upper = pair[3], slave = pair[4], points = count }
             cases[#cases + 1] = case
             collectgarbage() -- Lua does not count the memory of models and would keep hundreds
@@ -137,11 +137,11 @@ local function solve_all(options, list, points)
   return cases
 end
 
---- Cases of one dimension, material, label, pair and slave, sorted by the number of points.
+--- Cases of one dimension, material, order, pair and slave, sorted by the number of points.
 local function in_series(cases)
   local series = {}
   for _, case in ipairs(cases) do
-    local name = ("%dD %s %s %s %s"):format(case.dimension, case.material, case.label, case.pair, case.slave)
+    local name = ("%dD %s %s %s %s"):format(case.dimension, case.material, case.order, case.pair, case.slave)
     if not series[name] then
       series[name] = { name = name, first = case }
       series[#series + 1] = series[name]
@@ -180,8 +180,8 @@ local function rate_study(options)
       local octave = case.points < 16 and 1 or case.points < 32 and 2 or 3
       octaves[octave] = math.max(octaves[octave], case.pressure_error)
     end
-    local _, jump = smoothness(row.first.label)
-    rates[i] = { label = row.first.label, slave = row.first.slave, octaves = octaves, expected = -(jump + 1),
+    local _, jump = smoothness(row.first.order)
+    rates[i] = { order = row.first.order, slave = row.first.slave, octaves = octaves, expected = -(jump + 1),
                  exponent = exponent(row) }
   end
   return rates
@@ -190,10 +190,10 @@ end
 --- Effect of the penalty on the errors: plane, N2 and N2-N2.2, the finer mesh as slave.
 local function penalty_study(options)
   local cases = {}
-  for _, label in ipairs { "N2", "N2-N2.2" } do
+  for _, order in ipairs { "N2", "N2-N2.2" } do
     for _, value in ipairs(options.penalties) do
-      local case = solve{ dimension = 2, material = "linear", label = label, sides = options.sides, penalty = value,
-                          lower = 3, upper = 5, slave = "upper", points = 3 * (smoothness(label) + 1) }
+      local case = solve{ dimension = 2, material = "linear", order = order, sides = options.sides, penalty = value,
+                          lower = 3, upper = 5, slave = "upper", points = 3 * (smoothness(order) + 1) }
       cases[#cases + 1] = case
     end
   end
@@ -202,21 +202,21 @@ end
 
 -- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Of each dimension, material and label: the largest error over the pairs and the numbers of points.
+--- Of each dimension, material and order: the largest error over the pairs and the numbers of points.
 local function exact_table(cases)
   local rows = {}
   for _, case in ipairs(cases) do
-    local name = ("%dD %s %s"):format(case.dimension, case.material, case.label)
+    local name = ("%dD %s %s"):format(case.dimension, case.material, case.order)
     local row = rows[name]
     if not row then
-      row = { case.dimension .. "D", case.material, case.label, 0, 0, 0 }
+      row = { case.dimension .. "D", case.material, case.order, 0, 0, 0 }
       rows[name], rows[#rows + 1] = row, row
     end
     for i, key in ipairs { "pressure_error", "stress_error", "force_error" } do
       row[3 + i] = math.max(row[3 + i], case[key])
     end
   end
-  return sg.table{ columns = { "", "material", "label", "pressure", "stress", "force" }, rows = rows,
+  return sg.table{ columns = { "", "material", "order", "pressure", "stress", "force" }, rows = rows,
                    formats = { "%s", "%s", "%s", "%.1e", "%.1e", "%.1e" } }
 end
 
@@ -227,16 +227,16 @@ local function error_table(series)
     local first, at = row.first, {}
     for _, case in ipairs(row) do at[case.points] = case end
     local function value(times, key)
-      local case = at[times * (smoothness(first.label) + 1)]
+      local case = at[times * (smoothness(first.order) + 1)]
       return case and case[key]
     end
     local most = row[#row]
-    rows[i] = { first.dimension .. "D", first.material, first.label, first.pair, first.slave,
+    rows[i] = { first.dimension .. "D", first.material, first.order, first.pair, first.slave,
                 value(1, "pressure_error"), value(2, "pressure_error"), value(3, "pressure_error"), most.pressure_error,
                 value(3, "stress_error"), most.stress_error }
   end
   return sg.table{
-    columns = { "", "material", "label", "meshes", "slave", "p+1", "2(p+1)", "3(p+1)", "most", "stress 3(p+1)",
+    columns = { "", "material", "order", "meshes", "slave", "p+1", "2(p+1)", "3(p+1)", "most", "stress 3(p+1)",
                 "most" }, rows = rows,
     formats = { "%s", "%s", "%s", "%s", "%s", "%.1e", "%.1e", "%.1e", "%.1e", "%.1e", "%.1e" },
   }
@@ -245,22 +245,22 @@ end
 local function rate_table(rates)
   local rows = {}
   for i, r in ipairs(rates) do
-    rows[i] = { r.label, r.slave, r.octaves[1], r.octaves[2], r.octaves[3], r.exponent, r.expected }
+    rows[i] = { r.order, r.slave, r.octaves[1], r.octaves[2], r.octaves[3], r.exponent, r.expected }
   end
-  return sg.table{ columns = { "label", "slave", "n = 8…15", "16…31", "32…63", "exponent", "expected" }, rows = rows,
+  return sg.table{ columns = { "order", "slave", "n = 8…15", "16…31", "32…63", "exponent", "expected" }, rows = rows,
                    formats = { "%s", "%s", "%.1e", "%.1e", "%.1e", "%.2f", "%d" } }
 end
 
 local function penalty_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
-    rows[i] = { case.label, case.penalty, case.points, case.pressure_error, case.stress_error }
+    rows[i] = { case.order, case.penalty, case.points, case.pressure_error, case.stress_error }
   end
-  return sg.table{ columns = { "label", "penalty", "points", "pressure", "stress" }, rows = rows,
+  return sg.table{ columns = { "order", "penalty", "points", "pressure", "stress" }, rows = rows,
                    formats = { "%s", "%g", "%d", "%.1e", "%.1e" } }
 end
 
---- The error of the pressure over the number of points, by label; non-matching meshes, one material.
+--- The error of the pressure over the number of points, by order; non-matching meshes, one material.
 local function draw_errors(series, dimension, material, slave, file)
   local chart = { file = file, title = ("Patch test in %dD: 5 elements on 3, slave %s"):format(dimension, slave),
                   log = "xy", xlabel = "points per element and direction", ylabel = "largest error of p / p_0" }
@@ -268,7 +268,7 @@ local function draw_errors(series, dimension, material, slave, file)
     local first = row.first
     if first.dimension == dimension and first.material == material and first.pair == "non-matching" and
        first.slave == slave then
-      local line = { x = {}, y = {}, label = first.label, markers = true }
+      local line = { x = {}, y = {}, label = first.order, markers = true }
       for i, case in ipairs(row) do line.x[i], line.y[i] = case.points, case.pressure_error end
       chart[#chart + 1] = line
     end
@@ -277,13 +277,13 @@ local function draw_errors(series, dimension, material, slave, file)
 end
 
 local function draw_pressure(options, file)
-  local label = options.orders[1]
-  for _, name in ipairs(options.orders) do label = name == "N2" and name or label end
-  local degree = smoothness(label)
-  local chart = { file = file, title = ("Patch test in 2D, %s: 3 elements under 5, slave upper"):format(label),
+  local order = options.orders[1]
+  for _, name in ipairs(options.orders) do order = name == "N2" and name or order end
+  local degree = smoothness(order)
+  local chart = { file = file, title = ("Patch test in 2D, %s: 3 elements under 5, slave upper"):format(order),
                   xlabel = "x", ylabel = "p / p_0" }
   for _, times in ipairs { 1, 2, 3 } do
-    local case = solve{ dimension = 2, material = options.materials[1], label = label, lower = 3, upper = 5,
+    local case = solve{ dimension = 2, material = options.materials[1], order = order, lower = 3, upper = 5,
                         slave = "upper", points = times * (degree + 1), sides = options.sides }
     local line = { x = case.profile.x, y = {}, label = ("%d points"):format(case.points), marker = "none" }
     for i, pressure in ipairs(case.profile.pressure) do line.y[i] = pressure / load end
@@ -326,11 +326,11 @@ if options.dimensions[1] == 2 or options.dimensions[2] == 2 then
   draw_pressure(options, files "pressure.png")
 end
 
-local data = { columns = { "dimension", "material", "label", "meshes", "slave", "points", "pressure_error",
+local data = { columns = { "dimension", "material", "order", "meshes", "slave", "points", "pressure_error",
                            "stress_error" }, rows = {},
                comments = { "largest errors relative to p0, sides " .. options.sides } }
 for i, case in ipairs(cases) do
-  data.rows[i] = { case.dimension, case.material, case.label, case.pair, case.slave, case.points, case.pressure_error,
+  data.rows[i] = { case.dimension, case.material, case.order, case.pair, case.slave, case.points, case.pressure_error,
                    case.stress_error }
 end
 sg.csv.write(files "errors.csv", data)

@@ -55,18 +55,18 @@ local options = sg.arguments{
 }
 local files, cases = sg.files(options.out), {}
 
---- Runs a label on a mesh `repeat` times; `work` is the run of median wall time, the earlier one of two in the middle.
-local function solve(label, mesh, on_step)
+--- Runs an order on a mesh `repeat` times; `work` is the run of median wall time, the earlier one of two in the middle.
+local function solve(order, mesh, on_step)
   local rounds = {}
   for round = 1, options["repeat"] do
-    rounds[round] = problem.solve(label, mesh, options, round == 1 and on_step or nil)
+    rounds[round] = problem.solve(order, mesh, options, round == 1 and on_step or nil)
   end
   local case = rounds[1]
   table.sort(rounds, function(a, b) return a.wall < b.wall end)
   case.work = rounds[(#rounds + 1) // 2]
   case.window, case.snap_backs = measure.window(case, options.window), measure.snap_backs(case)
   local published = options.length == problem.length and options.bonded == problem.bonded
-  case.printed = published and output.printed(label, mesh) or {}
+  case.printed = published and output.printed(order, mesh) or {}
   return case
 end
 
@@ -83,34 +83,34 @@ end
 
 --- Prints the results of a case as soon as they are known.
 local function tell(case)
-  print(("%s at %s, %d degrees of freedom"):format(case.label, case.mesh, case.dofs))
+  print(("%s at %s, %d degrees of freedom"):format(case.order, case.mesh, case.dofs))
   print(case.rotation)
   if case.arc then print(("From %.1f° on, arc length where rotation control fails:\n%s")
     :format(case.rotation.steps * problem.pitch, case.arc)) end
 end
 
 local function write(case)
-  sg.csv.write(files(("%s_%s.csv"):format(case.label, case.mesh)), {
+  sg.csv.write(files(("%s_%s.csv"):format(case.order, case.mesh)), {
     columns = { "step", "angle", "moment" }, step = case.step, angle = case.angle, moment = case.moment,
     comments = { ("%s at %s: angle in degrees, moment in E0 L0³; fractional steps are arc-length increments")
-      :format(case.label, case.mesh), case.rotation.report },
+      :format(case.order, case.mesh), case.rotation.report },
   })
 end
 
 for _, mesh in ipairs(options.mesh) do
-  for _, label in ipairs(options.orders) do
-    local case = solve(label, mesh, #cases == 0 and keep_state or nil)
+  for _, order in ipairs(options.orders) do
+    local case = solve(order, mesh, #cases == 0 and keep_state or nil)
     tell(case)
     write(case)
-    cases[#cases + 1], cases[label .. " " .. mesh] = case, case
+    cases[#cases + 1], cases[order .. " " .. mesh] = case, case
   end
 end
-local function case_of(label, mesh) return cases[label .. " " .. mesh] end
+local function case_of(order, mesh) return cases[order .. " " .. mesh] end
 
 local thin, finite = steady.thin_moment(), steady.finite_moment()
 print(("\nOscillation and steepest slopes of the moment in %g° to %g°, with Table 7.8 (whole steps; path: all states)")
   :format(table.unpack(options.window)))
-print(output.amplitude_table(cases))
+print(output.oscillation_table(cases))
 print(("\nMean moment of the window, and from the energy balance: thin strip %.4f, finite strain %.4f E0 L0³")
   :format(thin, finite))
 print(output.plateau_table(cases, thin, finite))
@@ -130,24 +130,24 @@ end
 
 for _, mesh in ipairs(options.mesh) do
   local shown = {}
-  for i, label in ipairs(options.orders) do shown[i] = case_of(label, mesh) end
+  for i, order in ipairs(options.orders) do shown[i] = case_of(order, mesh) end
   output.draw_moment(files(("moment_%s.png"):format(mesh)), case_of("N2", mesh) or shown[1], finite, options.window)
-  for name, wanted in pairs { standard = function(label) return not label:find "-" end,
-                              layer = function(label) return label:find "-" ~= nil end } do
+  for name, wanted in pairs { standard = function(order) return not order:find "-" end,
+                              layer = function(order) return order:find "-" ~= nil end } do
     draw(("plateau_%s_%s.png"):format(name, mesh), output.draw_plateau, shown,
       ("Peeling, mesh %s: moment on the plateau, %s"):format(mesh, name == "layer" and "layers on N2" or "standard"),
       options.window, wanted)
   end
   for _, case in ipairs(shown) do
-    draw(("snap_back_%s_%s.png"):format(case.label, mesh), output.draw_snap_back, case)
+    draw(("snap_back_%s_%s.png"):format(case.order, mesh), output.draw_snap_back, case)
   end
 end
 if #options.mesh > 1 then
-  draw("amplitude_over_mesh.png", output.draw_over_mesh, options.orders, options.mesh, case_of)
+  draw("oscillation_over_mesh.png", output.draw_over_mesh, options.orders, options.mesh, case_of)
 end
 if #pictures > 0 then
   sg.sheet{ pictures, file = files "states.png", columns = math.min(2, #pictures),
-            title = ("Peeling, %s at %s"):format(cases[1].label, cases[1].mesh) }
+            title = ("Peeling, %s at %s"):format(cases[1].order, cases[1].mesh) }
 end
 files:report()
 

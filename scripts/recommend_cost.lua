@@ -18,8 +18,8 @@ local options = sg.arguments{
 }
 local meshes = { "m1", "m2", "m3", "m4", "m5", "m6", "m7" }
 
-local function scene(label, mesh)
-  local model, stage = hertz.scene{ label = label, mesh = mesh, load = "force" }
+local function scene(order, mesh)
+  local model, stage = hertz.scene{ order = order, mesh = mesh, load = "force" }
   stage.steps = 5
   return model, { stage }
 end
@@ -31,12 +31,12 @@ local function timed(body)
   return sg.wall_time() - began, result
 end
 
-local costs, rows, figures = {}, {}, {}
+local costs, rows, results = {}, {}, {}
 for i, at_most in ipairs(options.at_most) do
   local searches, runs, found, finest = {}, {}, nil, 0
   for k = 1, options.repeats do
     searches[k], found = timed(function()
-      return sg.recommend{ scene = scene, error = "ground.max_pressure", at_most = at_most, meshes = meshes }
+      return sg.recommend{ scene = scene, quantity = "ground.max_pressure", at_most = at_most, meshes = meshes }
     end)
     for _, case in ipairs(found.tries) do finest = math.max(finest, case.level) end
     if not meshes[finest + 1] then
@@ -49,8 +49,8 @@ for i, at_most in ipairs(options.at_most) do
   end
   local search, run = sg.median(searches), sg.median(runs)
   costs[i] = { at_most = at_most, tries = #found.tries, search = search, uniform = run, ratio = search / run }
-  figures[i] = { at_most, search, run, search / run }
-  rows[i] = { 100 * at_most, ("%s, %s"):format(found.label, found.mesh), #found.tries, search,
+  results[i] = { at_most, search, run, search / run }
+  rows[i] = { 100 * at_most, ("%s, %s"):format(found.order, found.mesh), #found.tries, search,
               "N2, " .. meshes[finest + 1], run, search / run }
 end
 print(sg.table{
@@ -60,6 +60,6 @@ print(sg.table{
 })
 sg.mkdir(options.out)
 sg.csv.write(options.out .. "/recommend_cost.csv", { columns = { "at_most", "search", "uniform", "ratio" },
-                                                     rows = figures })
+                                                     rows = results })
 
 return costs

@@ -66,10 +66,10 @@ local function measure(case, finest, coordinate)
   case.coulomb = coulomb(case.profile)
 end
 
---- The row of a published table for a label and a mesh.
+--- The row of a published table for an order and a mesh.
 local function printed(rows, case)
   for _, row in ipairs(rows) do
-    if row.discretization == case.label and row.mesh == case.mesh then return row end
+    if row.discretization == case.order and row.mesh == case.mesh then return row end
   end
   return {}
 end
@@ -86,18 +86,18 @@ end
 
 -- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local function deviation(value, beside) return beside and 100 * (value / beside - 1) or nil end
+local function deviation(value, reference) return reference and 100 * (value / reference - 1) or nil end
 
 local function error_table(cases)
-  local rows, beside = {}, published "rings2d_error_table7_5"
+  local rows, reference = {}, published "rings2d_error_table7_5"
   for i, case in ipairs(cases) do
-    local row = printed(beside, case)
-    rows[i] = { case.label, case.mesh, case.pN_error, row.pN_L2_error, deviation(case.pN_error, row.pN_L2_error),
+    local row = printed(reference, case)
+    rows[i] = { case.order, case.mesh, case.pN_error, row.pN_L2_error, deviation(case.pN_error, row.pN_L2_error),
                 case.pT_error, row.pT_L2_error, deviation(case.pT_error, row.pT_L2_error),
                 case.coulomb.touching, case.coulomb.sticking, case.coulomb.deviation }
   end
   return sg.table{
-    columns = { "label", "mesh", "p_N", "published", "differs", "p_T", "published", "differs", "touching", "sticking",
+    columns = { "order", "mesh", "p_N", "published", "differs", "p_T", "published", "differs", "touching", "sticking",
                 "|p_T| / mu p_N − 1" },
     units = { "", "", "", "", "%", "", "", "%", "points", "points", "at most" }, rows = rows,
     formats = { "%s", "%s", "%.3e", "%.3e", "%.1f", "%.3e", "%.3e", "%.1f", "%d", "%d", "%.1e" },
@@ -107,30 +107,30 @@ end
 --- One row per rule, one column per case.
 local function rule_table(cases)
   local columns, units, formats, last = { "points", "zone", "edge" }, { "", "", "" }, {}, { "published", "", "" }
-  local beside, rows = published "rings2d_error_table7_5", {}
+  local reference, rows = published "rings2d_error_table7_5", {}
   for i, rule in ipairs(rules) do rows[i] = { rule.quadrature, rule.zone, rule.edge } end
   for i, case in ipairs(cases) do
-    columns[3 + i], units[3 + i], formats[3 + i] = case.label, case.mesh, "%.3e"
+    columns[3 + i], units[3 + i], formats[3 + i] = case.order, case.mesh, "%.3e"
     for k, row in ipairs(rows) do row[3 + i] = case.errors[k] end
-    last[3 + i] = printed(beside, case).pN_L2_error
+    last[3 + i] = printed(reference, case).pN_L2_error
   end
   rows[#rows + 1] = last
   return sg.table{ columns = columns, units = units, rows = rows, formats = formats }
 end
 
 local function time_table(cases)
-  local rows, beside, unit = {}, published "rings2d_time_table7_6", nil
+  local rows, reference, unit = {}, published "rings2d_time_table7_6", nil
   for _, case in ipairs(cases) do
-    if case.label == "N2" and case.mesh == "m1" then unit = case.times.wall end
+    if case.order == "N2" and case.mesh == "m1" then unit = case.times.wall end
   end
   for i, case in ipairs(cases) do
     local t = case.times
-    rows[i] = { case.label, case.mesh, case.dofs, case.run.iterations / case.run.steps, 1e3 * t.wall, 1e3 * t.bulk,
+    rows[i] = { case.order, case.mesh, case.dofs, case.run.iterations / case.run.steps, 1e3 * t.wall, 1e3 * t.bulk,
                 1e3 * t.contact, 1e3 * t.linear, 1e3 * t.rest, unit and t.wall / unit,
-                printed(beside, case).time_over_N2_m1 }
+                printed(reference, case).time_over_N2_m1 }
   end
   return sg.table{
-    columns = { "label", "mesh", "DOFs", "iterations", "wall", "bulk", "contact", "linear", "rest", "over N2 m1",
+    columns = { "order", "mesh", "DOFs", "iterations", "wall", "bulk", "contact", "linear", "rest", "over N2 m1",
                 "published" },
     units = { "", "", "", "per step", "ms", "ms", "ms", "ms", "ms", "", "" }, rows = rows,
     formats = { "%s", "%s", "%d", "%.2f", "%.1f", "%.1f", "%.1f", "%.1f", "%.1f", "%.3f", "%.3f" },
@@ -154,9 +154,9 @@ local function draw_traction(cases, finest, mesh, value, coordinate, file)
     chart[#chart + 1] = { x = x, y = y, label = label, dashed = dashed, marker = "none" }
   end
   for _, case in ipairs(cases) do
-    if case.mesh == mesh then curve(case, case.label, false) end
+    if case.mesh == mesh then curve(case, case.order, false) end
   end
-  curve(finest, ("%s at %s"):format(finest.label, finest.mesh), true)
+  curve(finest, ("%s at %s"):format(finest.order, finest.mesh), true)
   sg.chart(chart)
 end
 
@@ -170,7 +170,7 @@ local function write_errors(cases, file)
   local columns, rows = { "discretization", "mesh", "points", "zone", "edge", "pN_L2_error" }, {}
   for _, case in ipairs(cases) do
     for i, rule in ipairs(rules) do
-      rows[#rows + 1] = { case.label, case.mesh, rule.quadrature, rule.zone, rule.edge, case.errors[i] }
+      rows[#rows + 1] = { case.order, case.mesh, rule.quadrature, rule.zone, rule.edge, case.errors[i] }
     end
   end
   sg.csv.write(file, { columns = columns, rows = rows })
@@ -195,22 +195,22 @@ end
 
 local list = { { "N2", options.reference } }
 for _, mesh in ipairs(options.meshes) do
-  for _, label in ipairs(options.orders) do list[#list + 1] = { label, mesh } end
+  for _, order in ipairs(options.orders) do list[#list + 1] = { order, mesh } end
 end
 local solved = in_turns(list, options.repeats,
   function(pair) return problem.solve(pair[1], pair[2], options.linear) end)
 local finest = solved[1]
-write_profile(finest, files(("%s_%s.csv"):format(finest.label, finest.mesh)))
+write_profile(finest, files(("%s_%s.csv"):format(finest.order, finest.mesh)))
 for i = 2, #solved do
   local case = solved[i]
   measure(case, finest, options.coordinate)
-  write_profile(case, files(("%s_%s.csv"):format(case.label, case.mesh)))
-  cases[i - 1], cases[case.label .. " " .. case.mesh] = case, case
+  write_profile(case, files(("%s_%s.csv"):format(case.order, case.mesh)))
+  cases[i - 1], cases[case.order .. " " .. case.mesh] = case, case
 end
 problem.solve(options.orders[1], options.meshes[1], options.linear, keep_state)
 
 print(("\nL2 errors of the contact tractions against %s at %s over %s, with Table 7.5 (N/m²·√m)")
-  :format(finest.label, finest.mesh, options.coordinate))
+  :format(finest.order, finest.mesh, options.coordinate))
 print(error_table(cases))
 print "\nError of p_N by rule of integration (arguments of sg.profile_error)"
 print(rule_table(cases))

@@ -52,14 +52,14 @@ local function die_patch(left, apex)
   return sg.nurbs.ruled{ a = arc, b = sg.nurbs.line{ from = { left, top }, to = { left + 1.2, top } } }
 end
 
-local function scene(label, options)
+local function scene(order, options)
   local n = 1 << (math.tointeger(tonumber(options.mesh:sub(2))) - 1)
   local die = sg.body{
-    patch = die_patch(0.2, 4.2), elements = { 3 * n, 2 * n }, order = label, contact = "south",
+    patch = die_patch(0.2, 4.2), elements = { 3 * n, 2 * n }, order = order, contact = "south",
     thickness_degree = options.thickness_degree, material = sg.neo_hookean{ E = 6896, nu = 0.32 },
   }
   local block = sg.body{
-    patch = sg.shapes.rectangle{ width = 12, height = 4 }, elements = { 30 * n, 8 * n }, order = label,
+    patch = sg.shapes.rectangle{ width = 12, height = 4 }, elements = { 30 * n, 8 * n }, order = order,
     contact = "north", thickness_degree = options.thickness_degree, material = sg.neo_hookean{ E = 689.6, nu = 0.32 },
   }
   return sg.model{
@@ -73,10 +73,10 @@ end
 --- 0 to 1 while the die is pressed, 1 to 2 while it slides.
 local function time_of(step, steps) return step <= steps and step / steps or 1 + (step - steps) / (5 * steps) end
 
---- Runs one discretization. Returns { label, run, model, dofs, time, V, H, pictures }: lists over the steps, and the
+--- Runs one discretization. Returns { order, run, model, dofs, time, V, H, pictures }: lists over the steps, and the
 --- states at picture_times.
-local function solve(label, options)
-  local model, die, block = scene(label, options)
+local function solve(order, options)
+  local model, die, block = scene(order, options)
   local pictures, next_picture = {}, 1
   local run = model:run({
     { name = "press", steps = options.steps, grip = { 0, -1 } },
@@ -89,7 +89,7 @@ local function solve(label, options)
                                             label = "von Mises stress (N/mm²)", title = ("time %g"):format(time) }
     end
   end })
-  local case = { label = label, run = run, model = model, dofs = die:dofs().total + block:dofs().total,
+  local case = { order = order, run = run, model = model, dofs = die:dofs().total + block:dofs().total,
                  pictures = pictures, time = {}, V = run:column "grip.fy", H = run:column "grip.fx" }
   for step = 1, run.steps do
     case.time[step], case.V[step] = time_of(step, options.steps), -case.V[step]
@@ -125,7 +125,7 @@ local function force_table(cases, published)
   local rows, at_time = {}, {}
   for _, row in ipairs(published.rows) do at_time[row[1]] = row end
   for _, case in ipairs(cases) do
-    rows[#rows + 1] = force_row(case.label, function(time) return at(case, case.V, time), at(case, case.H, time) end)
+    rows[#rows + 1] = force_row(case.order, function(time) return at(case, case.V, time), at(case, case.H, time) end)
   end
   local column = {}
   for i, name in ipairs(published.columns) do column[name] = i end
@@ -159,12 +159,12 @@ local function work_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     local run = case.run
-    rows[i] = { case.label, case.dofs, run.steps, run.iterations, run.cutbacks,
+    rows[i] = { case.order, case.dofs, run.steps, run.iterations, run.cutbacks,
                 math.max(0, table.unpack(run:column "interface.max_penetration")), case.oscillation.V,
                 case.oscillation.H, run.wall }
   end
   return sg.table{
-    columns = { "label", "DOFs", "steps", "iterations", "cut-backs", "overlap", "oscillation V", "oscillation H",
+    columns = { "order", "DOFs", "steps", "iterations", "cut-backs", "overlap", "oscillation V", "oscillation H",
                 "wall" },
     units = { "", "", "", "", "", "mm", "N/mm", "N/mm", "s" }, rows = rows,
     formats = { overlap = "%.4f", ["oscillation V"] = "%.2f", ["oscillation H"] = "%.2f", wall = "%.2f" },
@@ -177,7 +177,7 @@ local function draw_forces(cases, published, file)
   for i, case in ipairs(cases) do
     for _, list in ipairs { case.V, case.H } do
       if #list > 0 then
-        chart[#chart + 1] = { x = case.time, y = list, label = case.label, color = i, marker = "none" }
+        chart[#chart + 1] = { x = case.time, y = list, label = case.order, color = i, marker = "none" }
       end
     end
   end
@@ -201,13 +201,13 @@ local options = sg.arguments{
 local files, cases = sg.files(options.out), {}
 
 local published = sg.reference "shallow_ironing2d_forces"
-for i, label in ipairs(options.orders) do
-  print(("%s at %s"):format(label, options.mesh))
-  local case = solve(label, options)
+for i, order in ipairs(options.orders) do
+  print(("%s at %s"):format(order, options.mesh))
+  local case = solve(order, options)
   print(case.run)
-  case.run:csv(files(label .. ".csv"))
+  case.run:csv(files(order .. ".csv"))
   case.oscillation = { V = oscillation(case, case.V), H = oscillation(case, case.H) }
-  cases[i], cases[label] = case, case
+  cases[i], cases[order] = case, case
 end
 print(("\nWork at %s; overlap: largest penetration (mm); oscillation: max − min from time %g to %g"):format(
   options.mesh, table.unpack(oscillation_times)))

@@ -22,17 +22,17 @@
 --           the deflection with one element and 16 % with eight.
 -- Run: signorini scripts/thickness.lua [problems=ironing,hertz,cantilever,cantilever49] [orders=N2,N2-N2.2]
 --      [thickness_degree=1,2] [meshes=m1,m2,m3] [rounds=1] [time=cpu] [out=out/thickness]; rounds: runs per case, for
---      medians; time: cpu, or wall on a machine without other load. Finished cases are kept in `out`.
+--      medians; time: cpu, or wall on a machine without other load. Finished cases are saved in `out`.
 
 local sg = require "signorini"
-local amplitude = require "ironing2d.amplitude"
+local measure = require "ironing2d.measure"
 local hertz = require "hertz2d.problem"
 local ironing = require "ironing2d.problem"
 local timed = require "speed_against_accuracy.timed"
 
--- ── Problems: solve(case) → figures; error(row, reference) ───────────────────────────────────────────────────────────
+-- ── Problems: solve(case) → results; error(row, reference) ───────────────────────────────────────────────────────────
 
---- A cantilever's mean deflection at its loaded end. `case` as in a study: order, through, mesh.
+--- A cantilever's mean deflection at its loaded end. `case` as in a study: order, thickness_degree, mesh.
 local function deflection(case, nu)
   local ny = 1 << (math.tointeger(case.mesh:sub(2)) - 1)
   local beam = sg.body{
@@ -57,10 +57,10 @@ local problems = {
   ironing = {
     title = "Ironing", error = "oscillation of the drag", unit = "N/mm",
     solve = function(case)
-      local solved = ironing.solve{ set_up = ironing.variants.standard, label = case.order, mesh = case.mesh,
+      local solved = ironing.solve{ set_up = ironing.variants.standard, order = case.order, mesh = case.mesh,
                                     thickness_degree = case.thickness_degree }
       local run = solved.run
-      return { oscillation = amplitude.of(run:column "grip.fx").detrended, iterations = run.iterations,
+      return { oscillation = measure.oscillation(run:column "grip.fx").detrended, iterations = run.iterations,
                dofs = solved.die_dofs.total + solved.slab_dofs.total,
                failed = run.failed, reason = run.failed and run.report or nil }
     end,
@@ -70,7 +70,7 @@ local problems = {
     title = "Hertz", error = "L₂ error of the pressure", reference = { order = "N2-N2.2", thickness_degree = 2,
     mesh = "m6" },
     solve = function(case)
-      local model, stage, ring = hertz.scene{ label = case.order, mesh = case.mesh,
+      local model, stage, ring = hertz.scene{ order = case.order, mesh = case.mesh,
                                               thickness_degree = case.thickness_degree,
                                               load = "displacement" }
       stage.steps = 10
@@ -100,8 +100,8 @@ local options = sg.arguments{
 }
 local files = sg.files(options.out)
 
---- "N2, thickness_degree = 1"
-local function space_of(row) return ("%s, through = %d"):format(row.order, row.thickness_degree) end
+--- "N2, thickness degree 1"
+local function space_of(row) return ("%s, thickness degree %d"):format(row.order, row.thickness_degree) end
 
 local function measured(name)
   local problem = problems[name]
@@ -119,9 +119,9 @@ local function measured(name)
     name = "thickness: " .. name, cases = list, sequential = true, folder = ("%s/%s"):format(options.out, name),
     units = { cpu = "s" },
     run = function(case)
-      local figures, spent = timed(function() return problem.solve(case) end)
-      figures.wall, figures.cpu = spent.wall, spent.cpu
-      return figures
+      local results, spent = timed(function() return problem.solve(case) end)
+      results.wall, results.cpu = spent.wall, spent.cpu
+      return results
     end,
   }:execute{}
   local reference = wanted and study:row{ round = 0 }

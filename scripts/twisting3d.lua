@@ -1,6 +1,6 @@
 -- Twisting with friction: torque and force of a hollow hemisphere pressed into a cube and rotated.
 --
--- Problem: a hollow hemisphere stands on a cube; its ring is pressed down, then rotated about its axis.
+-- Problem: a hollow hemisphere rests on a cube; its ring is pressed down, then rotated about its axis.
 --
 --               ↻  ring: u_z = −1 in 10 steps, then rotated by 180° about z in 90 steps
 --          ┌┐       ┌┐   hollow hemisphere, radii 2/3 and 1, neo-Hooke, E = 5
@@ -38,11 +38,11 @@ local meshes = { m1 = { {4, 4, 1}, {4, 4, 2} }, m2 = { {6, 6, 2}, {6, 6, 3} }, m
 local function scene(o, options)
   local cube = sg.body{
     patch    = sg.shapes.block{ size = { 2, 2, 2 }, corner = { -1, -1, -2 } }, elements = meshes[o.mesh][2],
-    order    = o.label, contact = "back", thickness_degree = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 },
+    order    = o.order, contact = "back", thickness_degree = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local hemisphere = sg.body{
     patch    = sg.shapes.hollow_hemisphere{ inner = 2 / 3, outer = 1, center = { 0, 0, 1 }, poles = options.poles },
-    elements = meshes[o.mesh][1], order = o.label, contact = "front", thickness_degree = 2,
+    elements = meshes[o.mesh][1], order = o.order, contact = "front", thickness_degree = 2,
     material = sg.neo_hookean{ E = 5, nu = 0.3 },
   }
   local ring = options.poles == "ends" and { hemisphere:face "west", hemisphere:face "east" } or hemisphere:face "south"
@@ -103,11 +103,11 @@ local function imbalance(energy)
   return (energy.work - energy.stored - energy.contact - energy.friction) / energy.work
 end
 
---- Presses and twists. `o`: label, mesh, steps to press and to twist, on_step(model, row). Stores a row per
+--- Presses and twists. `o`: order, mesh, steps to press and to twist, on_step(model, row). Stores a row per
 --- step; level, swing and ratio are those of the last third of the angle. A failed run keeps its rows.
 local function twist(o, options)
   local model, dofs = scene(o, options)
-  local case = { label = o.label, mesh = o.mesh, dofs = dofs, rows = {} }
+  local case = { order = o.order, mesh = o.mesh, dofs = dofs, rows = {} }
   local sign = options.slave == "cube" and -1 or 1
   local function keep(info)
     local m, reaction, energy = measure(model:profile "joint"), model:reaction "ring", model:energy()
@@ -156,12 +156,12 @@ local function twist_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     local last = case.rows[#case.rows] or {}
-    rows[i] = { case.label, case.mesh, case.dofs, case.reached, case.slips_from, last.force, case.level,
+    rows[i] = { case.order, case.mesh, case.dofs, case.reached, case.slips_from, last.force, case.level,
                 case.swing and 100 * case.swing, case.ratio, case.off and 100 * case.off, case.imbalance,
                 case.run.iterations, case.run.cutbacks, case.run.wall }
   end
   return sg.table{
-    columns = { "label", "mesh", "DOFs", "reached", "slips from", "force", "torque", "swing", "M / μ∫pr dA", "most",
+    columns = { "order", "mesh", "DOFs", "reached", "slips from", "force", "torque", "swing", "M / μ∫pr dA", "most",
                 "balance", "iterations", "halved", "wall" },
     units = { "", "", "", "°", "°", "", "", "%", "", "% off", "of work", "", "", "s" }, rows = rows,
     formats = { "%s", "%s", "%d", "%g", "%g", "%.4f", "%.4f", "%.2f", "%.4f", "%.2f", "%.1e", "%d", "%d", "%.0f" },
@@ -187,7 +187,7 @@ local columns = { "step", "angle", "force", "moment", "torque", "friction", "sti
 local function write_rows(case, file)
   local data = { columns = columns, rows = {}, comments = {
     ("twisting, %s at %s; force: on the ring, downwards; moment: its torque; torque: mu times the integral of p r ")
-      :format(case.label, case.mesh) .. "over the contact; friction: the moment of the tangential tractions" } }
+      :format(case.order, case.mesh) .. "over the contact; friction: the moment of the tangential tractions" } }
   for i, row in ipairs(case.rows) do
     data.rows[i] = {}
     for k, name in ipairs(columns) do data.rows[i][k] = row[name] end
@@ -212,7 +212,7 @@ end
 local function draw(cases, key, ylabel, file)
   local chart = { file = file, title = "Twisting: " .. ylabel, xlabel = "angle (°)", ylabel = ylabel }
   for i, case in ipairs(cases) do
-    local name = ("%s at %s"):format(case.label, case.mesh)
+    local name = ("%s at %s"):format(case.order, case.mesh)
     chart[#chart + 1] = curve(case, key, { label = name })
     if key == "moment" then
       chart[#chart + 1] = curve(case, "torque", { label = "μ∫p r dA", dashed = true, color = 2 * i - 1 })
@@ -260,12 +260,12 @@ end
 if wanted.twist then
   local whole, cut = {}, {}
   for _, mesh in ipairs(options.meshes) do
-    for _, label in ipairs(options.orders) do
-      local case = twist({ label = label, mesh = mesh, press = options.press, twist = options.twist,
+    for _, order in ipairs(options.orders) do
+      local case = twist({ order = order, mesh = mesh, press = options.press, twist = options.twist,
                            on_step = #cases == 0 and keep_states(whole, cut, options) or nil }, options)
-      if case.run.failed then print(("%s at %s: %s"):format(label, mesh, case.run.report)) end
-      write_rows(case, files(("%s_%s.csv"):format(label, mesh)))
-      cases[#cases + 1], cases[label .. " " .. mesh] = case, case
+      if case.run.failed then print(("%s at %s: %s"):format(order, mesh, case.run.report)) end
+      write_rows(case, files(("%s_%s.csv"):format(order, mesh)))
+      cases[#cases + 1], cases[order .. " " .. mesh] = case, case
     end
   end
   print(("\nTwisting, slave: %s; torque and its swing (max − min): over the last third of the angle")
@@ -278,7 +278,7 @@ end
 
 if wanted.balance then
   for i, factor in ipairs { 1, 2, 4 } do
-    balance[i] = twist({ label = options.orders[1], mesh = options.meshes[1], press = factor * options.press,
+    balance[i] = twist({ order = options.orders[1], mesh = options.meshes[1], press = factor * options.press,
                          twist = factor * options.twist }, options)
   end
   print "\nEnergy balance with smaller steps"

@@ -45,7 +45,7 @@ local stages = {
 
 local files = sg.files(options.out)
 
--- One case: solve it, write its forces and its picture, return the figures to compare.
+-- One case: solve it, write its forces and its picture, return the results to compare.
 local function solve(case)
   local model = scene(case.order, case.mesh)
   local run = model:run(stages)

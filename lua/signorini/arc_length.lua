@@ -66,10 +66,10 @@ local least_reach = 0.02 -- as a fraction of the step
 --- increments can also lead backward although there is one.
 local function turns_back(step, length, reach)
   local model = step.model
-  local kept = model:snapshot()
+  local saved = model:snapshot()
   local result = step:probe(step.done + math.max(reach, least_reach))
   local near = result.converged and model:last_length() <= 4 * length
-  model:restore(kept)
+  model:restore(saved)
   return not near
 end
 

@@ -1,7 +1,7 @@
 -- Checks the arguments of a call against the function's table (signorini.pages) and fills in the defaults. Errors name
 -- the function, the argument, its value, the expectation and, where known, a hint.
 
-local check_company = require "signorini.company"
+local check_dependencies = require "signorini.dependencies"
 local core = require "signorini.core"
 local describe = require "signorini.describe"
 local fits = require "signorini.fits"
@@ -246,7 +246,7 @@ local function read_named(rows, value, where, name, rest, owner, entries)
       end
     end
   end
-  for _, row in ipairs(rows) do check_company(row, value, where, prefix) end
+  for _, row in ipairs(rows) do check_dependencies(row, value, where, prefix) end
   for key, entry in next, rest and value or {} do
     if whole[key] == nil then whole[key] = read(rest, entry, where, prefix .. tostring(key)) end
   end

@@ -2,7 +2,7 @@
 -- state of the run: the path, the position on it, the memory of the step policy, and the record of the run. A resumed
 -- run ends with bitwise identical results.
 
-local in_name_of = require "signorini.in_name_of"
+local on_behalf_of = require "signorini.on_behalf_of"
 local core = require "signorini.core"
 local counted = require "signorini.counted"
 local describe = require "signorini.describe"
@@ -12,10 +12,10 @@ local where = "model:run"
 
 --- Fields of a run that are rebuilt or written in another form; all others are saved as they are.
 local apart = { "failed", "reason", "cause", "report", "recorders", "before", "step", "names", "values", "histories",
-                "extra", "kept", "step_column", "increment_column", "iteration_column", "wall_column" }
+                "extra", "stored_states", "step_column", "increment_column", "iteration_column", "wall_column" }
 
 --- Calls a file function of the core; its errors become errors of model:run.
-local function call(name, ...) return in_name_of(where, "core." .. name, core[name], ...) end
+local function call(name, ...) return on_behalf_of(where, "core." .. name, core[name], ...) end
 
 -- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -44,8 +44,8 @@ end
 
 -- ── Saving ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local Keeper = {}
-Keeper.__index = Keeper
+local Checkpoint = {}
+Checkpoint.__index = Checkpoint
 
 --- A list as core.pack writes it, from the bytes of its entries: MessagePack's "array 32".
 local function list(parts) return (">BI4"):pack(0xdd, #parts) .. table.concat(parts) end
@@ -67,7 +67,7 @@ local function seconds_spent(model, before)
 end
 
 --- The state of the run, as bytes.
-function Keeper:text(model, run, path, place, policy)
+function Checkpoint:text(model, run, path, place, policy)
   local record = {}
   for key, value in pairs(run) do
     if not lists.holds(apart, key) then record[key] = value end
@@ -82,7 +82,7 @@ end
 
 --- A written file survives the process, but only a file on the disk survives a power failure. Waiting for the disk
 --- takes time, so it is done at each save only on request, otherwise at most once a second.
-function Keeper:save(model, run, path, place, policy, ended)
+function Checkpoint:save(model, run, path, place, policy, ended)
   local now, patience = core.now(), 1 -- seconds
   local durable = self.durable or ended or not self.synced or now - self.synced > patience
   if durable then self.synced = now end
@@ -90,7 +90,7 @@ function Keeper:save(model, run, path, place, policy, ended)
 end
 
 --- After an accepted step: saves the run if it is due, or if the path has ended.
-function Keeper:step(model, run, path, place, policy)
+function Checkpoint:step(model, run, path, place, policy)
   local ended = place.stage == #path and place.number == path[#path].steps
   if ended or run.steps % self.every == 0 then self:save(model, run, path, place, policy, ended) end
 end
@@ -98,7 +98,7 @@ end
 -- ── Resuming ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The state of the run in a file, checked against the present path.
-function Keeper:read(path, run)
+function Checkpoint:read(path, run)
   local text = call("checkpoint_text", self.file)
   if text == "" then
     core.fail(("%s: '%s' was saved by model:save, not by a run. Hint: load it with sg.load, and run without resume")
@@ -124,7 +124,7 @@ function Keeper:read(path, run)
 end
 
 --- Restores model, run and policy from the file. Returns the position on the path.
-function Keeper:take_up(model, run, path, policy)
+function Checkpoint:resume_from_file(model, run, path, policy)
   local state, rows, histories = self:read(path, run)
   call("restore", model, self.file)
   for key, value in pairs(state.record) do run[key] = value end
@@ -142,8 +142,8 @@ end
 
 --- The position at which the run begins: the start of the path, or that of the file: { stage, number } of the last
 --- accepted step.
-function Keeper:begin(model, run, path, policy)
-  if self.resume and core.exists(self.file) then return self:take_up(model, run, path, policy) end
+function Checkpoint:begin(model, run, path, policy)
+  if self.resume and core.exists(self.file) then return self:resume_from_file(model, run, path, policy) end
   local place = { stage = 1, number = 0 }
   self:save(model, run, path, place, policy) -- a file that cannot be written is reported now, not after a step
   return place
@@ -160,5 +160,5 @@ function none:step() end
 return function(options)
   local wanted = options.checkpoint
   return wanted and setmetatable({ file = wanted.file, every = wanted.every, durable = wanted.durable,
-                                   resume = options.resume, rows = {}, histories = {} }, Keeper) or none
+                                   resume = options.resume, rows = {}, histories = {} }, Checkpoint) or none
 end

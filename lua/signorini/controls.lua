@@ -6,12 +6,12 @@ local rows = require "signorini.pages.step_rows"
 local controls = {}
 
 --- The fallbacks in the order in which they are tried after a failed attempt: the name in records, and the solver
---- arguments that differ from those of the failed attempt. `loose`: only for unconstrained bodies. `early`: tried
---- before a step is cut, always or for that reason. The others are tried only where the step cannot be cut any more,
---- because on a long step they may converge to an equilibrium on another branch.
+--- arguments that differ from those of the failed attempt. `unconstrained`: only for unconstrained bodies. `early`:
+--- tried before a step is cut, always or for that reason. The others are tried only where the step cannot be cut any
+--- more, because on a long step they may converge to an equilibrium on another branch.
 local fallbacks = {
   { name = "tangent", change = { predictor = "tangent" }, early = true },
-  { name = "damping", change = { predictor = "tangent", damping = true }, loose = true, early = "singular" },
+  { name = "damping", change = { predictor = "tangent", damping = true }, unconstrained = true, early = "singular" },
   { name = "line search", change = { predictor = "tangent", line_search = "residual", pseudo_transient = false } },
   { name = "pseudo-transient",
     change = { predictor = "tangent", line_search = "none", pseudo_transient = true } },
@@ -32,10 +32,10 @@ end
 
 --- The fallbacks for a solver, a list of { name, solver, early } that is also a table by name.
 function controls.fallbacks(model, solver)
-  local tries, loose = {}, #model:contact_names() > 0 and #model:unconstrained_bodies() > 0
+  local tries, unconstrained = {}, #model:contact_names() > 0 and #model:unconstrained_bodies() > 0
   for _, fallback in ipairs(fallbacks) do
     local changed, differs = controls.changed(solver, fallback.change)
-    if differs and (loose or not fallback.loose) then
+    if differs and (unconstrained or not fallback.unconstrained) then
       tries[fallback.name] = { name = fallback.name, solver = changed, early = fallback.early }
       tries[#tries + 1] = tries[fallback.name]
     end

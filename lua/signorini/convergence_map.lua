@@ -9,7 +9,7 @@ local csv = require "signorini.csv"
 local execute = require("signorini.study.execute").execute
 local format_table = require "signorini.table"
 local grid = require "signorini.study.grid"
-local in_name_of = require "signorini.in_name_of"
+local on_behalf_of = require "signorini.on_behalf_of"
 local lists = require "signorini.lists"
 local make_study = require("signorini.study").make
 local pictures = require "signorini.convergence_map.pictures"
@@ -18,7 +18,7 @@ local values = require "signorini.study.values"
 
 local where = "sg.convergence_map"
 
-local Map = { picture = pictures.outcomes, figure = pictures.figure }
+local Map = { picture = pictures.outcomes, heatmap = pictures.heatmap }
 Map.__index = Map
 Map.__name = "convergence map"
 core.types.map = Map
@@ -37,14 +37,14 @@ local function reached(run, stages)
   return done / total
 end
 
---- The user's figures; those that are not finite numbers are left out.
-local function read_figures(figures)
-  local kept = {}
-  check.value(types.map { kind = "number", gaps = true }, figures, where, "the result of figures")
-  for name, value in next, figures do
-    if value == value and math.abs(value) < math.huge then kept[name] = value end
+--- The user's results; those that are not finite numbers are left out.
+local function read_results(results)
+  local finite = {}
+  check.value(types.map { kind = "number", gaps = true }, results, where, "what results returns")
+  for name, value in next, results do
+    if value == value and math.abs(value) < math.huge then finite[name] = value end
   end
-  return kept
+  return finite
 end
 
 --- Solves the cell at x, y with these functions and returns the result of the study's case. Their errors propagate.
@@ -61,8 +61,8 @@ local function solve_cell(functions, x, y)
                  increments = #accepted(run.histories), iterations = run.iterations, cutbacks = run.cutbacks,
                  fallback_steps = run.fallback_steps or 0, wall = run.wall, report = run.report,
                  place = place and place.text,
-                 figures = {} }
-  if completed and functions.figures then cell.figures = read_figures(functions.figures(model, run, x, y)) end
+                 results = {} }
+  if completed and functions.results then cell.results = read_results(functions.results(model, run, x, y)) end
   return { cell = cell, failed = not completed,
            reason = not completed and ("%s: %s"):format(run.reason, run.report) or nil }
 end
@@ -80,21 +80,21 @@ end
 
 --- Writes a map's cells, one per row, for the function `where`.
 local function write_file(where, name, map)
-  local figures = values.figure_names(map.cells)
+  local results = values.result_names(map.cells)
   local rows = lists.map(map.cells, function(cell)
     local row = lists.map(columns, function(column) return cell[column] end)
-    for i, figure in ipairs(figures) do row[#columns + i] = cell.figures[figure] end
+    for i, result in ipairs(results) do row[#columns + i] = cell.results[result] end
     return row
   end)
-  local heads = lists.joined(columns, lists.map(figures, function(figure) return "figure " .. figure end))
-  in_name_of(where, "sg.csv.write", csv.write, name, { columns = heads, rows = rows, comments = { title(map) } })
+  local heads = lists.joined(columns, lists.map(results, function(result) return "result " .. result end))
+  on_behalf_of(where, "sg.csv.write", csv.write, name, { columns = heads, rows = rows, comments = { title(map) } })
 end
 
 --- Whether the map's file exists. If it belongs to something else, or no folder keeps its cells, this is an error, so
 --- that it is not overwritten.
 local function is_there(where, name, map)
   if not core.exists(name) then return false end
-  local data, folder = in_name_of(where, "sg.csv.read", csv.read, name), map.study.folder
+  local data, folder = on_behalf_of(where, "sg.csv.read", csv.read, name), map.study.folder
   if data.comments[1] ~= title(map) then
     core.fail(("%s: '%s' contains something other (%s) than this map (%s). Hint: remove it, or choose another file")
       :format(where, name, data.comments[1] or "without a title", title(map)))
@@ -132,8 +132,8 @@ local function new_map(options)
   check_axis("x", x)
   check_axis("y", y)
   if x.name == y.name then core.fail(("%s: x.name and y.name must differ, both are '%s'"):format(where, x.name)) end
-  local parts = { scene = options.scene, path = options.path, figures = options.figures }
-  local study = in_name_of(where, "sg.study", make_study, {
+  local parts = { scene = options.scene, path = options.path, results = options.results }
+  local study = on_behalf_of(where, "sg.study", make_study, {
     name = options.name, cases = cases_of(x, y), parts = parts, folder = name and name:gsub("%.csv$", "") .. ".cells",
     run = function(case) return solve_cell(parts, case[x.name], case[y.name]) end,
   })
@@ -144,8 +144,8 @@ end
 
 --- The cell of a case: its result, or its outcome.
 local function cell_of(entry, record, map)
-  local cell = record.figures.cell or { outcome = record.outcome, report = record.traceback or record.reason,
-                                        wall = record.wall, figures = {} }
+  local cell = record.results.cell or { outcome = record.outcome, report = record.traceback or record.reason,
+                                        wall = record.wall, results = {} }
   cell.x, cell.y = entry.case[map.x.name], entry.case[map.y.name]
   return cell
 end
@@ -182,15 +182,15 @@ function Map:table()
   local columns = { self.x.name, self.y.name, "outcome", "reached", "increments", "iterations", "cut-backs",
                     "fallback_steps",
                     "wall" }
-  local figures, first, formats = values.figure_names(self.cells), #columns, { [4] = "%.1f", [9] = "%.2f" }
-  for i = 1, #figures do formats[first + i] = "%.4g" end
+  local results, first, formats = values.result_names(self.cells), #columns, { [4] = "%.1f", [9] = "%.2f" }
+  for i = 1, #results do formats[first + i] = "%.4g" end
   local rows = lists.map(self.cells, function(cell)
     local row = { cell.x, cell.y, cell.outcome, cell.reached and 100 * cell.reached, cell.increments, cell.iterations,
                   cell.cutbacks, cell.fallback_steps, cell.wall }
-    for i, name in ipairs(figures) do row[first + i] = cell.figures[name] end
+    for i, name in ipairs(results) do row[first + i] = cell.results[name] end
     return row
   end)
-  return format_table { columns = lists.joined(columns, figures), units = { [4] = "%", [9] = "s" }, rows = rows,
+  return format_table { columns = lists.joined(columns, results), units = { [4] = "%", [9] = "s" }, rows = rows,
                         formats = formats }
 end
 

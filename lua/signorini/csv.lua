@@ -7,7 +7,7 @@ local check = require "signorini.check"
 local check_rows = require "signorini.table_rows"
 local core = require "signorini.core"
 local counted = require "signorini.counted"
-local in_name_of = require "signorini.in_name_of"
+local on_behalf_of = require "signorini.on_behalf_of"
 local lists = require "signorini.lists"
 local format_table = require "signorini.table"
 
@@ -98,7 +98,7 @@ local function file_text(data)
 end
 
 function csv.write(file, data)
-  in_name_of("sg.csv.write", "core.write_file", core.write_file, file, file_text(data))
+  on_behalf_of("sg.csv.write", "core.write_file", core.write_file, file, file_text(data))
 end
 
 -- ── Reading ──────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -176,7 +176,7 @@ local function head(fields, count, where)
 end
 
 function csv.read(file)
-  local text = in_name_of("sg.csv.read", "core.read_file", core.read_file, file)
+  local text = on_behalf_of("sg.csv.read", "core.read_file", core.read_file, file)
   text = text:gsub("^\xEF\xBB\xBF", ""):gsub("\r\n?", "\n")
 
   local data = setmetatable({ rows = {}, comments = {} }, Data)

@@ -31,17 +31,23 @@ local function acts(list)
   return lists.any(list, function(state) return state.contact ~= 0 or state.friction ~= 0 end)
 end
 
+--- What is missing in the balance between two states of a path, positive if energy is lost. The energy of the springs
+--- per area times the growth of the area on which tractions act is no work of a force: it enters next to the work.
+function energy_balance.missing(before, after)
+  local function change(name) return after[name] - before[name] end
+  return change "work" + change "area_growth" - change "stored" - change "contact" - change "friction"
+end
+
 --- A sentence on the stage with the largest missing energy; nil if that is small. `list`: energies at the start of each
---- stage and at the end. Not counted are the energy in the springs of the contacts, because tractions per current area
---- do work ½ ε g² ȧ that no spring stores, and stages with jumps.
+--- stage and at the end. Not counted are the energy in the springs of the contacts, because with friction penetrating
+--- points travel another distance than their slip points, and stages with jumps.
 function energy_balance.warning(run, list)
   local work, worst, first = 0, nil, 1
   for i, stage in ipairs(run.stages) do
     local a, b = list[i], list[i + 1]
     if not b then return nil end -- resumed from a file without these
     local done, stored, friction = b.work - a.work, b.stored - a.stored, b.friction - a.friction
-    local missing = math.abs(done - stored - friction - (b.contact - a.contact))
-                    - math.max(math.abs(a.contact), math.abs(b.contact))
+    local missing = math.abs(energy_balance.missing(a, b)) - math.max(math.abs(a.contact), math.abs(b.contact))
     local last = first + stage.steps - 1
     local histories = table.move(run.histories, first, last, 1, {})
     work = work + math.max(math.abs(done), math.abs(stored), friction)

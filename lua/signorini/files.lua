@@ -4,7 +4,7 @@ local check = require "signorini.check"
 local counted = require "signorini.counted"
 local core = require "signorini.core"
 local holds = require("signorini.lists").holds
-local in_name_of = require "signorini.in_name_of"
+local on_behalf_of = require "signorini.on_behalf_of"
 local types = require "signorini.types"
 
 local Files = {}
@@ -37,6 +37,6 @@ function Files:report()
 end
 
 return function(folder)
-  in_name_of("sg.files", "core.mkdir", core.mkdir, folder)
+  on_behalf_of("sg.files", "core.mkdir", core.mkdir, folder)
   return setmetatable({ folder = folder }, Files)
 end

@@ -3,6 +3,7 @@
 -- balance. On a smooth path the missing energy is O(Δ³) in the step length Δ. This needs only the energies and the
 -- length of each step: no factorization, no further step.
 
+local energy_balance = require "signorini.energy_balance"
 local lists = require "signorini.lists"
 
 local jumps = {}
@@ -51,15 +52,15 @@ function jumps.note(record, model, step, length)
   local work = now.work - before.work
   steps[#steps + 1] = {
     step = step, length = length, work = math.abs(work),
-    missing = work - (now.stored - before.stored) - (now.contact - before.contact) - (now.friction - before.friction),
+    missing = energy_balance.missing(before, now),
   }
   if #steps <= neighbors then return end
   judge(record, #steps - neighbors)
   if #steps > 2 * neighbors then table.remove(steps, 1) end
 end
 
---- A sentence on the steps that were found. `arcs`: arc length is on, but is used only where a step fails.
-function jumps.warning(record, arcs)
+--- A sentence on the steps that were found. `arc_length`: it is on, but is used only where a step fails.
+function jumps.warning(record, arc_length)
   local found = record.found
   if #found == 0 then return nil end
   local most = lists.least(found, function(entry) return -entry.part end)
@@ -72,7 +73,7 @@ function jumps.warning(record, arcs)
     table.concat(others, ", "), more > 0 and (" and %d more"):format(more) or "")
   return ("step %d has probably jumped to another branch of solutions: its displacements are %.2g times those of "
     .. "neighboring steps, and %.2g %% of its work was released%s. Hint: %s"):format(most.step, most.times,
-    100 * most.part, rest, arcs and "arc length is used only where a step fails; take shorter steps"
+    100 * most.part, rest, arc_length and "arc length is used only where a step fails; take shorter steps"
       or "follow the path with arc_length = true")
 end
 

@@ -124,7 +124,7 @@ function pages.is_needed(row) return row.default == nil and not (row.otherwise o
 function pages.head(page)
   if page.head then return page.head end
   if type(page.named) == "string" then return page.name .. "{ … }" end
-  return call(page, listed(pages.shown(page)))
+  return call(page, page.fields and "" or listed(pages.shown(page)))
 end
 
 --- The same in at most so many characters; the last arguments are left out.

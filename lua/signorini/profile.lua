@@ -71,11 +71,11 @@ local function stretch(where, name, data, coordinate, value, edge)
   while low > 1 and sign * (s[low] - s[low - 1]) > 0 do low = low - 1 end
   while high < #s and sign * (s[high + 1] - s[high]) > 0 do high = high + 1 end
   local part = { s = {}, v = {}, from = math.min(s[first], s[last]), to = math.max(s[first], s[last]) }
-  local gap, kept = edge == "gap" and column(where, name, data, "gap", "edge"), {}
+  local gap, gaps = edge == "gap" and column(where, name, data, "gap", "edge"), {}
   for i = sign > 0 and low or high, sign > 0 and high or low, sign do
-    part.s[#part.s + 1], part.v[#part.v + 1], kept[#kept + 1] = s[i], v[i], gap and gap[i]
+    part.s[#part.s + 1], part.v[#part.v + 1], gaps[#gaps + 1] = s[i], v[i], gap and gap[i]
   end
-  if gap then add_edges(part, kept) end
+  if gap then add_edges(part, gaps) end
   return part
 end
 

@@ -2,7 +2,7 @@
 
 local check = require "signorini.check"
 local counted = require "signorini.counted"
-local in_name_of = require "signorini.in_name_of"
+local on_behalf_of = require "signorini.on_behalf_of"
 local core = require "signorini.core"
 local lists = require "signorini.lists"
 
@@ -21,13 +21,13 @@ local function write_list(series)
   local lines = lists.map(series, function(state)
     return ('    <DataSet timestep="%.17g" part="0" file="%s"/>\n'):format(state.time, escaped(state.name))
   end)
-  in_name_of("sg.pvd", "core.write_file", core.write_file, series.file,
+  on_behalf_of("sg.pvd", "core.write_file", core.write_file, series.file,
     header .. "  <Collection>\n" .. table.concat(lines) .. "  </Collection>\n</VTKFile>\n")
 end
 
 --- Reads the list of a file that an earlier process has written.
 local function read_list(series)
-  local text = in_name_of("sg.pvd", "core.read_file", core.read_file, series.file)
+  local text = on_behalf_of("sg.pvd", "core.read_file", core.read_file, series.file)
   if text:sub(1, #header) ~= header then
     core.fail(("sg.pvd: '%s' was not written by sg.pvd, so it cannot be continued. Hint: leave out resume, or choose "
       .. "another name"):format(series.file))
@@ -53,7 +53,7 @@ function Series:add(state)
     core.fail(("series:add: time is %g, but the state before it has %g: times must increase"):format(time, last.time))
   end
   local name = ("%s_%04d.vtu"):format(self.stem, #self + 1)
-  in_name_of("series:add", "sg.vtu", core.sg.vtu,
+  on_behalf_of("series:add", "sg.vtu", core.sg.vtu,
     { model = state.model, file = self.folder .. name, deformed = state.deformed })
   self[#self + 1] = { time = time, name = name }
   write_list(self)

@@ -22,49 +22,49 @@ local about = 1.1
 
 -- ── One case ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The result of `error` as a list of finite numbers.
+--- The result of `quantity` as a list of finite numbers.
 local function measure(search, model, run)
-  local figure
-  if type(search.error) == "string" then
-    local column = run:column(check.value(types.choice(run:columns()), search.error, where, "error"))
-    figure = column[#column]
+  local value
+  if type(search.quantity) == "string" then
+    local column = run:column(check.value(types.choice(run:columns()), search.quantity, where, "quantity"))
+    value = column[#column]
   else
-    figure = search.error(model, run)
+    value = search.quantity(model, run)
   end
-  if figure == nil then core.fail(where .. ": error must return a number or a list of numbers, got nothing") end
-  local list = type(figure) == "table" and figure or { figure }
-  return check.value(types.list(types.number, nil, 1), list, where, "the result of error")
+  if value == nil then core.fail(where .. ": quantity must return a number or a list of numbers, got nothing") end
+  local list = type(value) == "table" and value or { value }
+  return check.value(types.list(types.number, nil, 1), list, where, "the result of quantity")
 end
 
 --- Raises an error if the second of two levels is not finer, because the error cannot be estimated from them.
-local function check_finer(search, label, level, unknowns)
-  local coarser = search.by_level[level - 1][label]
+local function check_finer(search, order, level, unknowns)
+  local coarser = search.by_level[level - 1][order]
   if coarser and unknowns <= coarser.unknowns then
     core.fail(("%s: %s has %d unknowns on mesh %s and %d on mesh %s. Hint: order meshes from coarse to fine, and "
-      .. "use them in scene"):format(where, label, coarser.unknowns, values.text(coarser.mesh), unknowns,
+      .. "use them in scene"):format(where, order, coarser.unknowns, values.text(coarser.mesh), unknowns,
         values.text(search.meshes[level])))
   end
 end
 
 --- Solves a case; adds it to the list of tries.
-local function try(search, label, level)
+local function try(search, order, level)
   local mesh, began = search.meshes[level], core.now()
-  local model, stages, options = search.scene(label, mesh)
+  local model, stages, options = search.scene(order, mesh)
   if type(model) ~= "userdata" then
     core.fail(("%s: scene must return a model and its stages, got %s"):format(where, core.describe(model)))
   end
   local unknowns = #model:unknowns()
-  check_finer(search, label, level, unknowns)
+  check_finer(search, order, level, unknowns)
   local run = model:run(stages, options)
-  local case = { label = label, mesh = mesh, level = level, wall = core.now() - began, unknowns = unknowns }
+  local case = { order = order, mesh = mesh, level = level, wall = core.now() - began, unknowns = unknowns }
   -- Unlike seconds it is the same in every search, so that the result is reproducible.
   case.work = case.unknowns * run.iterations
-  if run.failed then case.failed = run.reason else case.figure = measure(search, model, run) end
+  if run.failed then case.failed = run.reason else case.value = measure(search, model, run) end
   search.interrupted = run.reason == "interrupted"
   search.tries[#search.tries + 1] = case
-  search.by_level[level][label] = case
+  search.by_level[level][order] = case
   search.spent = search.spent + case.wall
-  search.display:line(("recommend: %s, mesh %s: %s, %.2f s%s"):format(label, values.text(mesh),
+  search.display:line(("recommend: %s, mesh %s: %s, %.2f s%s"):format(order, values.text(mesh),
     counted(case.unknowns, "unknown"), case.wall, case.failed and ", " .. case.failed or ""))
   return case
 end
@@ -80,27 +80,27 @@ end
 --- ‖a − b‖ / ‖b‖.
 local function distance(a, b)
   if #a ~= #b then
-    core.fail(("%s: error returned lists of %d and of %d numbers. Hint: return the values at the same places each time")
-      :format(where, #a, #b))
+    core.fail(("%s: quantity returned lists of %d and of %d numbers. Hint: return the values at the same places "
+      .. "each time"):format(where, #a, #b))
   end
   local difference, scale = lists.map(a, function(value, i) return value - b[i] end), norm(b)
   if scale == 0 then
-    core.fail(where .. ": the result of error is zero, so it has no relative error. Hint: measure another quantity")
+    core.fail(where .. ": the result of quantity is zero, so it has no relative error. Hint: choose another quantity")
   end
   return norm(difference) / scale
 end
 
-local function solved(search, level, label)
-  local case = (search.by_level[level] or {})[label]
-  return case and case.figure and case
+local function solved(search, level, order)
+  local case = (search.by_level[level] or {})[order]
+  return case and case.value and case
 end
 
 --- The convergence factor of a level: the ratio of errors that the last three levels of the discretization show.
-local function ratio(search, label, level)
-  local older, old = solved(search, level - 2, label), solved(search, level - 1, label)
-  local new = solved(search, level, label)
+local function ratio(search, order, level)
+  local older, old = solved(search, level - 2, order), solved(search, level - 1, order)
+  local new = solved(search, level, order)
   if not older then return usual_ratio end
-  local before, now = distance(older.figure, old.figure), distance(old.figure, new.figure)
+  local before, now = distance(older.value, old.value), distance(old.value, new.value)
   if before == 0 then return now == 0 and usual_ratio or worst_ratio end
   return math.max(usual_ratio, math.min(worst_ratio, now / before))
 end
@@ -110,11 +110,11 @@ end
 --- r/(1 − r); that of a coarser case is larger by its distance from the reference.
 local function estimate(search, reference)
   local level = reference.level
-  local r = ratio(search, reference.label, level)
-  local own = distance(solved(search, level - 1, reference.label).figure, reference.figure) * r / (1 - r)
+  local r = ratio(search, reference.order, level)
+  local own = distance(solved(search, level - 1, reference.order).value, reference.value) * r / (1 - r)
   reference.error = own
   for _, case in pairs(search.by_level[level - 1]) do
-    if case.figure then case.error = distance(case.figure, reference.figure) + own end
+    if case.value then case.error = distance(case.value, reference.value) + own end
   end
 end
 
@@ -127,8 +127,8 @@ end
 
 --- Whether another discretization is twice as accurate on a level for about the same work: then this one is not tried
 --- again.
-local function dominated(search, label, level)
-  local case = solved(search, level, label)
+local function dominated(search, order, level)
+  local case = solved(search, level, order)
   for _, other in pairs(search.by_level[level]) do
     if case and case.error and other.error and other.error < case.error / 2 and other.work < about * case.work then
       return true
@@ -142,10 +142,10 @@ end
 --- The last discretization, with the most functions, that was solved on a level and on the one below.
 local function reference_on(search, level)
   for i = #search.orders, 1, -1 do
-    local label = search.orders[i]
-    if not solved(search, level, label) then try(search, label, level) end
+    local order = search.orders[i]
+    if not solved(search, level, order) then try(search, order, level) end
     if search.interrupted then return end
-    if solved(search, level, label) and solved(search, level - 1, label) then return solved(search, level, label) end
+    if solved(search, level, order) and solved(search, level - 1, order) then return solved(search, level, order) end
   end
 end
 
@@ -155,9 +155,9 @@ local function explore(search)
     if reference then estimate(search, reference) end
     local best = cheapest(search)
     if best or search.interrupted or (search.limit and search.spent > search.limit) then return best end
-    for _, label in ipairs(search.orders) do
-      if not search.by_level[level][label] and level < #search.meshes and not dominated(search, label, level - 1) then
-        try(search, label, level)
+    for _, order in ipairs(search.orders) do
+      if not search.by_level[level][order] and level < #search.meshes and not dominated(search, order, level - 1) then
+        try(search, order, level)
         if search.interrupted then return end
       end
     end
@@ -176,22 +176,22 @@ local function verdict(search, best)
   if best then
     return ("%s on mesh %s meets the tolerance: its error is about %.3g, estimated from the next level; allowed %.3g. "
       .. "%s.")
-      :format(best.label, values.text(best.mesh), best.error, search.at_most, total)
+      :format(best.order, values.text(best.mesh), best.error, search.at_most, total)
   end
   local nearest = lists.least(search.tries, function(case) return case.error end)
   return ("None of these is known to be within %.3g%s. %s. Hint: try finer meshes.")
-    :format(search.at_most, nearest and ("; %s on mesh %s comes nearest with %.3g"):format(nearest.label,
+    :format(search.at_most, nearest and ("; %s on mesh %s comes nearest with %.3g"):format(nearest.order,
       values.text(nearest.mesh), nearest.error) or "", total)
 end
 
 --- The tries, and the result.
 function Recommendation:__tostring()
   local rows = lists.map(self.tries, function(case)
-    local figure = case.figure and (#case.figure == 1 and case.figure[1] or ("%d numbers"):format(#case.figure))
-    return { case.label, values.text(case.mesh), case.unknowns, case.wall, case.failed or figure, case.error,
-             case.label == self.label and case.mesh == self.mesh and "chosen" or "" }
+    local value = case.value and (#case.value == 1 and case.value[1] or ("%d numbers"):format(#case.value))
+    return { case.order, values.text(case.mesh), case.unknowns, case.wall, case.failed or value, case.error,
+             case.order == self.order and case.mesh == self.mesh and "chosen" or "" }
   end)
-  return format_table{ columns = { "order", "mesh", "unknowns", "wall", "figure", "estimated error", "" },
+  return format_table{ columns = { "order", "mesh", "unknowns", "wall", "value", "estimated error", "" },
     units = { [4] = "s" }, rows = rows, formats = { [4] = "%.3f", [6] = "%.2e" } } .. "\n" .. self.report
 end
 
@@ -199,9 +199,9 @@ return function(search)
   search.tries, search.by_level, search.spent, search.display = {}, { [0] = {} }, 0, progress(1)
   for level = 1, #search.meshes do search.by_level[level] = {} end
   local best = explore(search) or {}
-  local result = setmetatable({ label = best.label, mesh = best.mesh, error = best.error, wall = best.wall,
+  local result = setmetatable({ order = best.order, mesh = best.mesh, error = best.error, wall = best.wall,
     unknowns = best.unknowns, tries = search.tries, spent = search.spent,
-    report = verdict(search, best.label and best) }, Recommendation)
+    report = verdict(search, best.order and best) }, Recommendation)
   print(result)
   return result
 end

@@ -35,13 +35,13 @@ local function controls_on(options)
 end
 
 --- The options with { solver (arguments of model:solve_step), tries (see controls.lua), policy (see steps.lua), on
---- (controls that are on), keeper (of checkpoints), states (to be kept) }.
+--- (controls that are on), checkpoints (see checkpoint.lua), states (to be stored) }.
 local function read_options(model, options, path, total)
   options.solver = lists.merged(options.newton)
   for _, key in ipairs { "predictor", "linear", "augmented", "damping", "pseudo_transient" } do
     options.solver[key] = options[key]
   end
-  options.on, options.keeper = controls_on(options), checkpoint(options)
+  options.on, options.checkpoints = controls_on(options), checkpoint(options)
   options.policy = options.step.adaptive and steps.halving(options.step) or steps.plain()
   if options.arc_length then options.policy = arc_length.policy(options.policy) end
   options.tries = options.fallback and controls.fallbacks(model, options.solver) or {}
@@ -159,14 +159,14 @@ end
 
 --- The whole step at once from the state before it, whatever fraction is accepted; after a failure this is restored.
 function Step:attempt_from_start()
-  local kept, done, account = self.model:snapshot(), self.done, self.run.step
+  local saved, done, account = self.model:snapshot(), self.done, self.run.step
   local increments, length = account.increments, account.length
   self.model:restore(self.start)
   self.done, self.again, account.increments, account.length = 0, true, 0, length and 0
   local result = self:attempt(1)
   self.again = nil
   if not result.converged then
-    self.model:restore(kept)
+    self.model:restore(saved)
     self.done, account.increments, account.length = done, increments, length
   end
   return result
@@ -189,7 +189,7 @@ end
 --- `diagnoses`: after a failure, also the diagnosis.
 function Step:solve_arc(length, iterations, diagnoses)
   self:set_next_targets()
-  local model, solver, kept = self.model, self.solver, self.model:snapshot()
+  local model, solver, saved = self.model, self.solver, self.model:snapshot()
   local result = model:solve_arc { length = length, iterations = iterations, tolerance = solver.tolerance,
                                    linear = solver.linear }
   if not result.converged and diagnoses and not steps.is_wanted(result) then
@@ -197,10 +197,10 @@ function Step:solve_arc(length, iterations, diagnoses)
   end
   if result.converged then model:accept() else model:rollback() end
   if result.converged and model:last_length() > longest_chord * length then
-    model:restore(kept)
+    model:restore(saved)
     result.converged, result.reason = false, "left_path"
   end
-  return result, self.done + result.fraction, kept
+  return result, self.done + result.fraction, saved
 end
 
 --- Whether the step changes a target or the penalties.
@@ -221,9 +221,9 @@ function Step:has_fallbacks() return #self.options.tries > 0 and not self.option
 --- An arc-length increment, accepted unless it passes the end of the step.
 function Step:attempt_arc(length, iterations)
   local began = core.now()
-  local result, to, kept = self:solve_arc(length, iterations, true)
+  local result, to, saved = self:solve_arc(length, iterations, true)
   local accepted = result.converged and to < 1
-  if result.converged and not accepted then self.model:restore(kept) end
+  if result.converged and not accepted then self.model:restore(saved) end
   self.run:record_attempt(self.done, to, result, core.now() - began, nil, true)
   if accepted then
     self.done = to
@@ -324,15 +324,15 @@ end
 return function(model, stages, options)
   local path, total = read_stages(model, stages)
   options = read_options(model, options, path, total)
-  local policy, keeper = options.policy, options.keeper
+  local policy, checkpoints = options.policy, options.checkpoints
   local said, early = {}, run_warnings.of_path(model, path, options.solver)
   for _, warning in ipairs(model:warnings()) do said[warning] = true end
   local run = Run.new(model)
-  local place = keeper:begin(model, run, path, policy)
+  local place = checkpoints:begin(model, run, path, policy)
   run.used = { predictor = options.predictor, fallback = options.fallback, adaptive = options.step.adaptive,
-               arcs = options.arc_length }
+               arc_length = options.arc_length }
   local display = progress(total - run.steps)
-  if options.states.wants(run.steps) then run:keep_state(model, path[place.stage].name) end
+  if options.states.wants(run.steps) then run:store_state(model, path[place.stage].name) end
   for index = place.stage, #path do
     local stage = path[index]
     begin_stage(model, stage)
@@ -349,14 +349,14 @@ return function(model, stages, options)
         jumps.note(run.jumps, model, run.steps, run.step.length)
         place.stage, place.number = index, number
         if options.states.wants(run.steps, function() return run:info(stage, result) end) then
-          run:keep_state(model, stage.name)
+          run:store_state(model, stage.name)
         end
-        keeper:step(model, run, path, place, policy)
+        checkpoints:step(model, run, path, place, policy)
       end
       if run.reason == "interrupted" then core.interrupted_run = run end -- for the prompt
       if run.reason ~= "completed" then
         display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, number, stage.steps))
-        if options.states.last then run:keep_state(model, stage.name) end
+        if options.states.last then run:store_state(model, stage.name) end
         return close(run, model, display, said, early)
       end
     end
@@ -364,6 +364,6 @@ return function(model, stages, options)
     display:stage_end(stage.name, stage.steps, run.stages[#run.stages].iterations, run.stages[#run.stages].wall)
   end
   display:clear()
-  if options.states.last then run:keep_state(model, path[#path].name) end
+  if options.states.last then run:store_state(model, path[#path].name) end
   return close(run, model, display, said, early)
 end

@@ -5,7 +5,7 @@ local core = require "signorini.core"
 local csv = require "signorini.csv"
 local drives = require "signorini.drives"
 local energy_balance = require "signorini.energy_balance"
-local in_name_of = require "signorini.in_name_of"
+local on_behalf_of = require "signorini.on_behalf_of"
 local jumps = require "signorini.jumps"
 local lists = require "signorini.lists"
 local format_table = require "signorini.table"
@@ -92,10 +92,9 @@ end
 function Run.new(model)
   local run = setmetatable({
     failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, fallback_steps = 0,
-    wary = 0,
-    places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
-    names = {}, values = {}, histories = {}, recorders = {}, kept = {}, before = model:timings(), warnings = {},
-    unsettled = {}, crossed = {}, jumps = jumps.record(),
+    wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
+    names = {}, values = {}, histories = {}, recorders = {}, stored_states = {}, before = model:timings(),
+    warnings = {}, unsettled = {}, crossed = {}, jumps = jumps.record(),
   }, Run)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
   run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
@@ -150,12 +149,12 @@ end
 function Run:add_extra(name) self.extra[name] = add_column(self, name) end
 
 --- Adds the result of on_step to the last row: numbers by column name. A new name becomes a column.
-function Run:record_extra(figures)
+function Run:record_extra(results)
   local function reject()
-    check.reject("on_step", "its result", "nothing, \"stop\", \"cut\" or a table of numbers by name", figures)
+    check.reject("on_step", "its result", "nothing, \"stop\", \"cut\" or a table of numbers by name", results)
   end
-  if type(figures) ~= "table" then reject() end
-  for name, value in pairs(figures) do
+  if type(results) ~= "table" then reject() end
+  for name, value in pairs(results) do
     if type(name) ~= "string" then reject() end
     check.value(t.number, value, "on_step", name)
     if not self.extra[name] then
@@ -250,11 +249,11 @@ function Run:record_failure(step, result, turn)
   end
 end
 
---- Keeps the model's present state, once.
-function Run:keep_state(model, stage)
-  local last = self.kept[#self.kept]
+--- Stores the model's present state, once.
+function Run:store_state(model, stage)
+  local last = self.stored_states[#self.stored_states]
   if last and last.step == self.steps then return end
-  self.kept[#self.kept + 1] = states.keep(model, self.steps, stage)
+  self.stored_states[#self.stored_states + 1] = states.store(model, self.steps, stage)
 end
 
 --- The argument of on_step: step, stage, iterations, residual, and every column's value by name.
@@ -313,12 +312,12 @@ function Run:residuals(step)
   return copy(attempts[#attempts].residuals)
 end
 
-function Run:states() return copy(self.kept) end
+function Run:states() return copy(self.stored_states) end
 
 function Run:csv(file)
   local rows = {}
   for row = 1, self.rows do rows[row] = lists.map(self.names, function(name) return self.values[name][row] end) end
-  in_name_of("run:csv", "sg.csv.write", csv.write, file,
+  on_behalf_of("run:csv", "sg.csv.write", csv.write, file,
     { columns = self.names, rows = rows, comments = { self.report } })
 end
 

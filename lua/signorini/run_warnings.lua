@@ -33,12 +33,12 @@ local function untouched(run, model, contact)
     least < math.huge and ("%.4g"):format(least) or "unknown, because no point has a foot point on the master")
 end
 
---- The size of the smallest body: its largest extent along an axis.
+--- The size of the smallest body, the diagonal of its bounding box.
 local function smallest_size(model)
   local function size(name)
-    return math.max(table.unpack(lists.map(lists.ranges(model:body(name):points()), function(range)
-      return range[2] - range[1]
-    end)))
+    local sum = 0
+    for _, range in ipairs(lists.ranges(model:body(name):points())) do sum = sum + (range[2] - range[1]) ^ 2 end
+    return math.sqrt(sum)
   end
   local name = lists.least(model:body_names(), size)
   return name and size(name) or math.huge, name
@@ -61,12 +61,12 @@ end
 
 local loose_tolerance = 1e-3 -- relative to the forces of the run
 
-local told = setmetatable({}, { __mode = "k" }) -- models that have been warned about
+local warned = setmetatable({}, { __mode = "k" }) -- models that have been warned about
 
 --- A sentence, once for each model, for loads that act from the first step on because no stage changes them.
 local function constant_loads(model, path)
-  if told[model] then return nil end
-  told[model] = true
+  if warned[model] then return nil end
+  warned[model] = true
   local names = lists.map(drives.constant_loads(model, path), function(load) return ("'%s'"):format(load) end)
   if #names == 0 then return nil end
   return ("no stage changes the load%s %s, which act%s in full from the first step on. Hint: to apply a load in steps, "
@@ -117,7 +117,7 @@ function run_warnings.of_run(run, model, early)
     texts[#texts + 1] = unsettled(run, contact)
   end
   texts[#texts + 1] = path_controls.warning(run)
-  texts[#texts + 1] = jumps.warning(run.jumps, run.used.arcs)
+  texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length)
   texts[#texts + 1] = energy_balance.warning(run, run.energies)
   return texts
 end

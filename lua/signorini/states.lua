@@ -1,4 +1,4 @@
--- The states that a run keeps, for pictures of the path: model:run(stages, { states = … }) and run:states().
+-- The states that a run stores, for pictures of the path: model:run(stages, { states = … }) and run:states().
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -40,7 +40,7 @@ end
 local states = {}
 
 --- What the option requests: a function of a step and of a function that returns its `info`, and whether the very last
---- state is kept in any case.
+--- state is stored in any case.
 function states.read(where, wanted, path, total)
   if type(wanted) == "function" then
     return { wants = function(step, info) return step > 0 and wanted(info()) end, last = false }
@@ -51,7 +51,7 @@ function states.read(where, wanted, path, total)
 end
 
 --- The model's present state as an entry of run:states().
-function states.keep(model, step, stage)
+function states.store(model, step, stage)
   local title = step == 0 and "start" or ("%s, step %d"):format(stage, step)
   return setmetatable({ step = step, stage = stage, title = title, snapshot = model:snapshot() }, State)
 end

@@ -35,8 +35,8 @@ local Halving = {}
 Halving.__index = Halving
 
 --- Increments of at most `max` steps: a failed one is halved, down to `min`; after an easy one the next may be `growth`
---- times as long. The length is kept from step to step, so that in a difficult part of the path not every step begins
---- with failures.
+--- times as long. The length carries over from step to step, so that in a difficult part of the path not every step
+--- begins with failures.
 function steps.halving(options)
   return setmetatable({ memory = { length = options.max }, min = options.min, max = options.max,
                         growth = options.growth }, Halving)

@@ -1,9 +1,9 @@
--- sg.study: a function evaluated for many cases, its results kept in a folder, and methods to read them.
+-- sg.study: a function evaluated for many cases, its results saved in a folder, and methods to read them.
 
 local check = require "signorini.check"
 local core = require "signorini.core"
 local execute = require "signorini.study.execute"
-local figure_names = require("signorini.study.values").figure_names
+local result_names = require("signorini.study.values").result_names
 local lists = require "signorini.lists"
 local named = require "signorini.named"
 local read_cases = require("signorini.study.cases").read
@@ -16,16 +16,16 @@ local Study = lists.merged({ execute = execute.method, __name = "study" }, metho
 Study.__index = Study
 core.types.study = Study
 
--- Fields that some studies lack: parts of a study have no cases but `whole`, and without a folder nothing is kept. All
+-- Fields that some studies lack: parts of a study have no cases but `whole`, and without a folder nothing is saved. All
 -- other unknown names are misspelled.
 named.strict_type(Study, "study", "cases inputs whole folder parts fresh on_record")
 
 -- ── From records to rows ─────────────────────────────────────────────────────────────────────────────────────────────
 
---- The row of a case: its parameters and figures by name, wall (s; the figure of that name if run returned one), and
+--- The row of a case: its parameters and results by name, wall (s; the result of that name if run returned one), and
 --- failed, outcome, reason of a failed case.
 function Study:row_of(entry, record)
-  local row = lists.merged({ wall = record.wall }, entry.case, record.figures)
+  local row = lists.merged({ wall = record.wall }, entry.case, record.results)
   if record.outcome ~= "done" then
     row.failed, row.outcome, row.reason = true, record.outcome, record.reason or record.outcome
   end
@@ -34,7 +34,7 @@ end
 
 --- Rebuilds the rows from the records of the known cases.
 function Study:gather()
-  self.rows, self.figures = {}, figure_names(self.records)
+  self.rows, self.results = {}, result_names(self.records)
   for i, entry in ipairs(self.cases) do
     if self.records[i] then self.rows[#self.rows + 1] = self:row_of(entry, self.records[i]) end
   end
@@ -52,11 +52,11 @@ end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A study of checked arguments. In addition to those of sg.study: no folder (nothing is kept), `fresh` (the folder is
+--- A study of checked arguments. In addition to those of sg.study: no folder (nothing is saved), `fresh` (the folder is
 --- emptied first), `parts` (by name, what the results depend on, if that is not `run`), and on_record(), called when
 --- records of cases were read or written.
 local function make(study)
-  study.records, study.unsaved, study.rows, study.figures = {}, {}, {}, {}
+  study.records, study.unsaved, study.rows, study.results = {}, {}, {}, {}
   study.sequential, study.units = study.sequential or false, study.units or {}
   study.units.wall = study.units.wall or "s"
   study.cases, study.parameters = read_cases(study.cases)

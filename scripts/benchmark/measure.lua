@@ -6,22 +6,22 @@ local solid = require "ironing3d.problem"
 
 local measure = {}
 
---- By dimension: the meshes in increasing order, the field that is drawn, and begin(label, mesh, steps), which returns
+--- By dimension: the meshes in increasing order, the field that is drawn, and begin(order, mesh, steps), which returns
 --- a model, its bodies, the stage that is not timed and the one that is.
 measure.problems = {
   plane = {
     name = "2D ironing", meshes = { "m1", "m2", "m3", "m4", "m5", "m6" }, field = "uy",
-    begin = function(label, mesh, steps)
+    begin = function(order, mesh, steps)
       local set_up = plane.variants.standard
-      local model, die, slab = plane.scene(set_up, label, plane.elements(mesh))
+      local model, die, slab = plane.scene(set_up, order, plane.elements(mesh))
       return model, { die, slab }, { name = "press", steps = 10, grip = { 0, -0.05 } },
         { name = "slide", steps = steps, grip = { 0.006 * steps, -0.05 } }
     end,
   },
   solid = {
     name = "3D ironing", meshes = solid.mesh_names, field = "uz",
-    begin = function(label, mesh, steps)
-      local model, indenter, slab = solid.scene({ label = label, mesh = mesh, radius = 7.5 }, 50)
+    begin = function(order, mesh, steps)
+      local model, indenter, slab = solid.scene({ order = order, mesh = mesh, radius = 7.5 }, 50)
       return model, { indenter, slab }, { name = "press", steps = 4, grip = { 0, 0, -1 } },
         { name = "slide", steps = steps, grip = { 0.3 * steps, 0, -1 } }
     end,
@@ -59,7 +59,7 @@ end
 --- One pass over a case: milliseconds per iteration by account, and per file, with the sizes.
 local function pass(problem, case, options)
   collectgarbage() -- Lua does not count the memory of models
-  local model, bodies, press, slide = problem.begin(case.label, case.mesh, options.steps)
+  local model, bodies, press, slide = problem.begin(case.order, case.mesh, options.steps)
   local how = sg.plain{ linear = options.linear, step = { adaptive = true } }
   finished(model:run({ press }, how))
   model:time_search(true)
@@ -75,7 +75,7 @@ local function pass(problem, case, options)
   return spent
 end
 
---- A case { problem (name), label, mesh }, to which milliseconds are added by name: per iteration those of the pass
+--- A case { problem (name), order, mesh }, to which milliseconds are added by name: per iteration those of the pass
 --- with the median iteration of `options.repeats`, so that accounts add up, and per file medians of all passes. Options
 --- also have linear, steps (timed) and out (folder).
 function measure.case(case, options)

@@ -39,7 +39,7 @@ function report.output_table(cases) return case_table(cases, measure.outputs, {}
 function report.sheet(cases, options)
   local names = table.move(all_accounts, 1, #all_accounts, 1, {})
   names[#names + 1] = "around"
-  local sheet = case_sheet(cases, names, { "label", "unknowns", "iterations" })
+  local sheet = case_sheet(cases, names, { "order", "unknowns", "iterations" })
   sheet.comments = { ("ms per iteration and per file, medians of %d; linear solver %s"):format(options.repeats,
     options.linear) }
   return sheet

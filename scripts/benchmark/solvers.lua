@@ -29,7 +29,7 @@ end
 
 local function pressed_ring(mesh)
   return function(steps)
-    local model, stage = hertz.scene{ label = "N2", mesh = mesh, load = "displacement" }
+    local model, stage = hertz.scene{ order = "N2", mesh = mesh, load = "displacement" }
     stage.steps = steps
     return model, { stage }
   end

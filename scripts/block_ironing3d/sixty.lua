@@ -9,7 +9,6 @@ local study = require "solid_ironing.study"
 local sixty = {}
 
 --- User times in seconds of the other programs, and the range of their mean pressing force during the drag.
---- lies.
 sixty.febio, sixty.getfem, sixty.range = 13.6, 61, { 5.75, 5.85 }
 
 local press, slide = 10, 50
@@ -19,13 +18,13 @@ local function result_table(cases)
   for i, case in ipairs(cases) do
     local run, drag = case.run, case.drag or {}
     local inside = drag.mean and drag.mean >= sixty.range[1] and drag.mean <= sixty.range[2]
-    rows[i] = { case.label, case.mesh.name, case.part, case.thickness_degree, case.points or "3(p+1)", case.dofs.total,
+    rows[i] = { case.order, case.mesh.name, case.part, case.thickness_degree, case.points or "3(p+1)", case.dofs.total,
                 run.iterations, run.cutbacks, run.failed and run.reason or "complete", case.user, case.pressed,
                 drag.mean, drag.low, drag.high, drag.mean and (inside and "yes" or "no"), case.user / sixty.febio,
                 case.user / sixty.getfem }
   end
   return sg.table{
-    columns = { "label", "mesh", "part", "thickness_degree", "points", "DOFs", "iterations", "cut-backs", "end",
+    columns = { "order", "mesh", "part", "thickness_degree", "points", "DOFs", "iterations", "cut-backs", "end",
                 "user", "Pz",
                 "Pz", "Pz", "Pz", "5.75-5.85", "user", "user" },
     units = { "", "", "", "degree", "", "", "", "", "", "s", "pressed", "mean", "least", "greatest", "", "of FEBio's",
@@ -47,25 +46,33 @@ function sixty.cheapest(cases)
   return best
 end
 
+--- The sentence on the cheapest case, or that there is none.
+function sixty.verdict(case)
+  if not case then return ("no case lies within %g to %g"):format(table.unpack(sixty.range)) end
+  return ("cheapest within %g to %g: %s at %s, thickness degree %d, %.2f s: 1/%.1f of FEBio's, 1/%.1f of GetFEM's")
+    :format(sixty.range[1], sixty.range[2], case.order, case.mesh.name, case.thickness_degree, case.user,
+      sixty.febio / case.user, sixty.getfem / case.user)
+end
+
 local function csv(file, cases)
-  local data = { columns = { "label", "mesh", "part", "thickness_degree", "points", "dofs", "iterations", "cutbacks",
+  local data = { columns = { "order", "mesh", "part", "thickness_degree", "points", "dofs", "iterations", "cutbacks",
                              "user",
                              "pressed", "drag_mean", "drag_low", "drag_high" },
                  comments = { ("user time in s; FEBio %g, GetFEM %g"):format(sixty.febio, sixty.getfem) }, rows = {} }
   for i, case in ipairs(cases) do
     local drag = case.drag or {}
-    data.rows[i] = { case.label, case.mesh.name, case.part, case.thickness_degree, case.points, case.dofs.total,
+    data.rows[i] = { case.order, case.mesh.name, case.part, case.thickness_degree, case.points, case.dofs.total,
                      case.run.iterations, case.run.cutbacks, case.user, case.pressed, drag.mean, drag.low, drag.high }
   end
   sg.csv.write(file, data)
 end
 
---- Runs all combinations of the lists orders, mesh, part ("half" or "whole"), through, points (texts: a number or
---- "auto", 3(p + 1)). Returns { cases, cheapest }.
+--- Runs all combinations of the lists orders, mesh, part ("half" or "whole"), thickness_degree, points (texts: a number
+--- or "auto", 3(p + 1)). Returns { cases, cheapest }.
 function sixty.run(problem, options, files)
   local cases = sg.grid({ mesh = options.mesh }, { part = options.part },
                         { thickness_degree = options.thickness_degree },
-                        { points = options.points }, { label = options.orders })
+                        { points = options.points }, { order = options.orders })
   for i, case in ipairs(cases) do
     local name, points = case.mesh, case.points
     case.mesh, case.points = meshes.read(name), math.tointeger(tonumber(points))
@@ -77,7 +84,7 @@ function sixty.run(problem, options, files)
     case.press, case.slide, case.line_search, case.linear = press, slide, options.line_search, options.linear
     cases[i] = study.solve(problem, case)
     print(("%s at %s (%s), thickness degree %d, points %s: %.2f s of user time")
-      :format(case.label, name, case.part, case.thickness_degree, points, case.user))
+      :format(case.order, name, case.part, case.thickness_degree, points, case.user))
     print(case.run)
   end
   print(("\n%d + %d steps; pressing force at full depth and during sliding; user time compared with FEBio's %g s ")
@@ -85,14 +92,11 @@ function sixty.run(problem, options, files)
   print(result_table(cases))
   csv(files "sixty.csv", cases)
   local cheapest = sixty.cheapest(cases)
-  print(cheapest and ("cheapest within %g to %g: %s at %s, thickness degree %d, %.2f s: 1/%.1f of FEBio's, 1/%.1f of ")
-    :format(sixty.range[1], sixty.range[2], cheapest.label, cheapest.mesh.name, cheapest.through, cheapest.user,
-      sixty.febio / cheapest.user, sixty.getfem / cheapest.user) .. "GetFEM's"
-    or ("no case lies within %g to %g"):format(table.unpack(sixty.range)))
+  print(sixty.verdict(cheapest))
   files:draw("sixty.png", "a step of the sliding", function(file)
     local named = {}
     for i, case in ipairs(cases) do
-      named[i] = setmetatable({ label = ("%s %s %s q=%d %s"):format(case.label, case.mesh.name, case.part,
+      named[i] = setmetatable({ order = ("%s %s %s q=%d %s"):format(case.order, case.mesh.name, case.part,
         case.thickness_degree, case.points or "3(p+1)") }, { __index = case })
     end
     return output.draw_force(file, named, "Pz", {

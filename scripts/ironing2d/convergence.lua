@@ -16,7 +16,7 @@ local pairs_of_equals = {
   { "N2-N6", "m4", "N6", "m4", 59.58 },
 }
 
-local function case_of(studies, label, mesh) return studies[mesh] and studies[mesh].cases[label] end
+local function case_of(studies, order, mesh) return studies[mesh] and studies[mesh].cases[order] end
 
 --- The pairs of which both were run, with the fraction of time that the first one saves.
 function convergence.savings(studies)
@@ -31,7 +31,7 @@ function convergence.savings(studies)
   return found
 end
 
-local function name_of(case) return case.label .. " " .. case.mesh end
+local function name_of(case) return case.order .. " " .. case.mesh end
 
 --- The cheapest case whose two detrended oscillations are at most those of a given case.
 local function cheapest_as_good(studies, reference)
@@ -115,10 +115,10 @@ local function draw_work_precision(file, studies, orders)
   local chart = { file = file, xlabel = "time (s)", ylabel = "oscillation dPx, detrended (N/mm)", log = "xy",
                   title = ("Ironing: oscillation of the drag over time, meshes %s to %s"):format(studies[1].mesh,
                     studies[#studies].mesh) }
-  for l, label in ipairs(orders) do
-    local line = { x = {}, y = {}, label = label, markers = true, color = l }
+  for l, order in ipairs(orders) do
+    local line = { x = {}, y = {}, label = order, markers = true, color = l }
     for _, study in ipairs(studies) do
-      local case = study.cases[label]
+      local case = study.cases[order]
       if case and case.dPx.detrended then
         line.x[#line.x + 1], line.y[#line.y + 1] = case.work.wall, case.dPx.detrended
       end
@@ -144,7 +144,7 @@ function convergence.report(studies, orders, files)
   local whole, case = longest(studies)
   files:draw("time_over_mesh.png", "an accepted step", function(file)
     return output.draw_over_mesh({ file = file, ylabel = "analysis time (%)",
-      title = ("Ironing: time of an analysis; 100 %% is %s at %s, %.2f s"):format(case.label, case.mesh, whole) },
+      title = ("Ironing: time of an analysis; 100 %% is %s at %s, %.2f s"):format(case.order, case.mesh, whole) },
       studies, orders, function(each) return 100 * each.work.wall / whole end)
   end)
   files:draw("accuracy_over_time.png", "runs that reach the window", function(file)

@@ -1,7 +1,7 @@
 -- The deep variant: which discretizations converge, by number of contact points, with and without halving of steps.
 
 local sg = require "signorini"
-local amplitude = require "ironing2d.amplitude"
+local measure = require "ironing2d.measure"
 local output = require "ironing2d.output"
 local problem = require "ironing2d.problem"
 
@@ -14,7 +14,7 @@ local picture_steps = { [1] = true, [46] = true, [171] = true, [296] = true }
 --- section 7.1.4), and an independent program without step control.
 local thesis = { [3] = { N2 = "fails" } }
 local independent = { [1] = { N2 = "fails", N4 = "fails" }, [2] = { N2 = "fails at 17" }, [3] = {} }
-local function finding(found, multiple, label) return found[multiple] and (found[multiple][label] or "converges") end
+local function finding(found, multiple, order) return found[multiple] and (found[multiple][order] or "converges") end
 
 --- The number of iterations after which the last residuals repeat (contact states cycle), or nil.
 local function cycle(residuals)
@@ -40,14 +40,14 @@ local function outcome(run)
   return ("%s at %d"):format(length and ("cycle of %d"):format(length) or last.reason, step)
 end
 
---- Runs a discretization with and without halving. Returns { label, mesh, multiple, coarser, plain, halving }, both as
+--- Runs a discretization with and without halving. Returns { order, mesh, multiple, coarser, plain, halving }, both as
 --- problem.solve returns them.
-local function compare(options, label, mesh, multiple, coarser, on_step)
-  local case = { set_up = problem.variants.deep, label = label, mesh = mesh, coarser = coarser, linear = options.linear,
-                 points = multiple * (problem.layer_degree(label) + 1) }
+local function compare(options, order, mesh, multiple, coarser, on_step)
+  local case = { set_up = problem.variants.deep, order = order, mesh = mesh, coarser = coarser, linear = options.linear,
+                 points = multiple * (problem.layer_degree(order) + 1) }
   local plain = problem.solve(case)
   case.step, case.on_step = { adaptive = true }, on_step
-  return { label = label, mesh = mesh, multiple = multiple, coarser = coarser, plain = plain,
+  return { order = order, mesh = mesh, multiple = multiple, coarser = coarser, plain = plain,
            halving = problem.solve(case) }
 end
 
@@ -56,32 +56,32 @@ local function outcome_table(comparisons)
   for i, c in ipairs(comparisons) do
     local plain, halving = c.plain.run, c.halving.run
     local published = c.mesh == "m1" and c.coarser == 1
-    rows[i] = { c.label, ("%d(p+1)"):format(c.multiple), outcome(plain), plain.iterations, outcome(halving),
-                halving.iterations, halving.cutbacks, published and finding(thesis, c.multiple, c.label),
-                published and finding(independent, c.multiple, c.label) }
+    rows[i] = { c.order, ("%d(p+1)"):format(c.multiple), outcome(plain), plain.iterations, outcome(halving),
+                halving.iterations, halving.cutbacks, published and finding(thesis, c.multiple, c.order),
+                published and finding(independent, c.multiple, c.order) }
     for j = 8, 9 do rows[i][j] = rows[i][j] or "–" end
   end
   return sg.table{
-    columns = { "label", "points", "equal steps", "iterations", "halving", "iterations", "cut-backs", "thesis",
+    columns = { "order", "points", "equal steps", "iterations", "halving", "iterations", "cut-backs", "thesis",
                 "independent" }, rows = rows,
   }
 end
 
 --- The table of one mesh and step length; charts and CSV files for the largest number of points, states of the first
---- label.
+--- order.
 local function study_mesh(options, mesh, coarser, files)
   local comparisons, best = {}, { mesh = mesh }
   local most = options.points[#options.points]
   local keep, draw_states = output.record_states(picture_steps)
   for _, multiple in ipairs(options.points) do
-    for i, label in ipairs(options.orders) do
+    for i, order in ipairs(options.orders) do
       local shown = coarser == 1 and multiple == most
-      local c = compare(options, label, mesh, multiple, coarser, shown and i == 1 and keep or nil)
+      local c = compare(options, order, mesh, multiple, coarser, shown and i == 1 and keep or nil)
       comparisons[#comparisons + 1] = c
       if shown then
         c.halving.work = c.halving.run
-        best[#best + 1], best[label] = c.halving, c.halving
-        c.halving.run:csv(files(("%s_%s.csv"):format(label, mesh)))
+        best[#best + 1], best[order] = c.halving, c.halving
+        c.halving.run:csv(files(("%s_%s.csv"):format(order, mesh)))
       end
     end
   end
@@ -107,11 +107,11 @@ function deep.run(options, files)
       local comparisons, best = study_mesh(options, mesh, coarser, files)
       table.move(comparisons, 1, #comparisons, #all + 1, all)
       if coarser == 1 then
-        amplitude.compare(best, best.N2)
+        measure.compare(best, best.N2)
         studies[#studies + 1], studies[mesh] = { mesh = mesh, cases = best }, { mesh = mesh, cases = best }
         print(("\nOscillations at %s with %d(p+1) contact points, max − min over steps %d to %d, raw and detrended")
-          :format(mesh, options.points[#options.points], amplitude.first, amplitude.last))
-        print(output.amplitude_table(best))
+          :format(mesh, options.points[#options.points], measure.first, measure.last))
+        print(output.oscillation_table(best))
         files:draw(("forces_%s.png"):format(mesh), "an accepted step", function(file)
           return output.draw_forces(file, best, "Deep ironing, " .. mesh)
         end)

@@ -9,30 +9,30 @@ function output.work_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     local run, spent = case.work, case.work.timings
-    rows[i] = { case.label, case.die_dofs.total, case.slab_dofs.total, case.die_dofs.total + case.slab_dofs.total,
+    rows[i] = { case.order, case.die_dofs.total, case.slab_dofs.total, case.die_dofs.total + case.slab_dofs.total,
                 case.die_dofs.interface + case.slab_dofs.interface, run.iterations / math.max(1, run.steps), run.wall,
                 spent.bulk, spent.contact, spent.linear, spent.rest }
   end
   return sg.table{
-    columns = { "label", "die", "slab", "total", "interface", "iterations", "wall", "bulk", "contact", "linear",
+    columns = { "order", "die", "slab", "total", "interface", "iterations", "wall", "bulk", "contact", "linear",
                 "rest" },
     units = { "", "DOFs", "DOFs", "DOFs", "DOFs", "per step", "s", "s", "s", "s", "s" }, rows = rows,
     formats = { iterations = "%.2f", wall = "%.3f", bulk = "%.3f", contact = "%.3f", linear = "%.3f", rest = "%.3f" },
   }
 end
 
---- Beside the published values where there are some, otherwise beside those without the trend.
-function output.amplitude_table(cases, published)
+--- Oscillations with the published values where there are some, otherwise with the detrended ones.
+function output.oscillation_table(cases, published)
   local rows, formats = {}, { "%s", "%.3e", "%.2f", "%.2f", "%.3e", "%.2f", "%.2f" }
   for i, case in ipairs(cases) do
-    local dPy, dPx, printed = case.dPy, case.dPx, published and (published[case.label] or {})
-    rows[i] = { case.label,
+    local dPy, dPx, printed = case.dPy, case.dPx, published and (published[case.order] or {})
+    rows[i] = { case.order,
                 dPy.raw, dPy.raw_percent, printed and printed.dPy_percent_of_N2 or dPy.detrended_percent,
                 dPx.raw, dPx.raw_percent, printed and printed.dPx_percent_of_N2 or dPx.detrended_percent }
   end
-  local beside = published and "published" or "detrended"
+  local other = published and "published" or "detrended"
   return sg.table{
-    columns = { "label", "dPy", "dPy", beside, "dPx", "dPx", beside },
+    columns = { "order", "dPy", "dPy", other, "dPx", "dPx", other },
     units = { "", "N/mm", "% of N2", "% of N2", "N/mm", "% of N2", "% of N2" }, rows = rows, formats = formats,
   }
 end
@@ -63,7 +63,7 @@ function output.draw_forces(file, cases, title)
       local values = case.run:column(column)
       for step, value in ipairs(values) do values[step] = sign * value end
       if #values > 0 then
-        chart[#chart + 1] = { x = case.run:column "step", y = values, label = name .. " " .. case.label,
+        chart[#chart + 1] = { x = case.run:column "step", y = values, label = name .. " " .. case.order,
                               dashed = dashed, color = i }
       end
     end
@@ -75,7 +75,7 @@ function output.draw_forces(file, cases, title)
 end
 
 --- Oscillations by discretization, in % of those of the reference; returns whether there was anything to draw.
-function output.draw_amplitudes(file, cases, title, published)
+function output.draw_oscillations(file, cases, title, published)
   local chart = { file = file, title = title .. ": oscillation of the contact forces", ylabel = "oscillation (% of N2)",
                   log = "y", xrange = { 0.5, #cases + 0.5 }, xticks = {} }
   local curves = 0
@@ -90,12 +90,12 @@ function output.draw_amplitudes(file, cases, title, published)
       chart[curves] = line
     end
   end
-  for i, case in ipairs(cases) do chart.xticks[i] = { i, case.label } end
+  for i, case in ipairs(cases) do chart.xticks[i] = { i, case.order } end
   curve("dPy", -0.1, function(case) return case.dPy.raw_percent end)
   curve("dPx", -0.1, function(case) return case.dPx.raw_percent end)
   if published then
-    curve("dPy published", 0.1, function(case) return (published[case.label] or {}).dPy_percent_of_N2 end)
-    curve("dPx published", 0.1, function(case) return (published[case.label] or {}).dPx_percent_of_N2 end)
+    curve("dPy published", 0.1, function(case) return (published[case.order] or {}).dPy_percent_of_N2 end)
+    curve("dPx published", 0.1, function(case) return (published[case.order] or {}).dPx_percent_of_N2 end)
   else
     curve("dPy detrended", 0.1, function(case) return case.dPy.detrended_percent end)
     curve("dPx detrended", 0.1, function(case) return case.dPx.detrended_percent end)
@@ -104,14 +104,14 @@ function output.draw_amplitudes(file, cases, title, published)
   return curves > 0
 end
 
---- Curves over the mesh, one per label: value(case) of every study that has the label. Returns whether there were any.
+--- Curves over the mesh, one per order: value(case) of every study that has the order. Returns whether there were any.
 function output.draw_over_mesh(chart, studies, orders, value)
   chart.xlabel, chart.log, chart.xticks, chart.xrange = "mesh", "y", {}, { 0.7, #studies + 0.3 }
   for i, study in ipairs(studies) do chart.xticks[i] = { i, study.mesh } end
-  for l, label in ipairs(orders) do
-    local line = { x = {}, y = {}, label = label, markers = true, color = l }
+  for l, order in ipairs(orders) do
+    local line = { x = {}, y = {}, label = order, markers = true, color = l }
     for i, study in ipairs(studies) do
-      local number = study.cases[label] and value(study.cases[label])
+      local number = study.cases[order] and value(study.cases[order])
       if number then line.x[#line.x + 1], line.y[#line.y + 1] = i, number end
     end
     if #line.x > 0 then chart[#chart + 1] = line end

@@ -8,18 +8,18 @@ local problem = {}
 --- is pressed in how many steps, how far it is dragged in how many steps.
 problem.variants = {
   standard = {
-    die_modulus = 1e3, mu = 0.2, start = 0.75, depth = 0.23, press_steps = 46, way = 1.5, slide_steps = 250,
+    die_modulus = 1e3, mu = 0.2, start = 0.75, depth = 0.23, press_steps = 46, distance = 1.5, slide_steps = 250,
   },
   deep = {
-    die_modulus = 1e4, mu = 0.1, start = 0.75, depth = 0.5, press_steps = 46, way = 1.5, slide_steps = 250,
+    die_modulus = 1e4, mu = 0.1, start = 0.75, depth = 0.5, press_steps = 46, distance = 1.5, slide_steps = 250,
   },
   validation = {
-    die_modulus = 1e3, mu = 0.3, start = 0.5, depth = 0.075, press_steps = 10, way = 2, slide_steps = 200,
+    die_modulus = 1e3, mu = 0.3, start = 0.5, depth = 0.075, press_steps = 10, distance = 2, slide_steps = 200,
   },
 }
 
 --- Elements of die and slab by mesh: m1 to m6, each of which halves every span of the one before (Table 7.1), or the
---- number of spans along both faces in the proportions of section 6.2, where 48 stands for 48 × 8 and 48 × 24; nothing
+--- number of spans along both faces in the proportions of section 6.2, where 48 means 48 × 8 and 48 × 24; nothing
 --- if the name is not a mesh.
 function problem.elements(mesh)
   local level = math.tointeger(mesh:match "^m([1-6])$")
@@ -38,10 +38,10 @@ function problem.meshes(default)
            expected = "m1 to m6, or a multiple of 6 as the spans along both faces" }
 end
 
---- Degree of the functions on the contact face: that of the label's last part, N2-N2.1x2 has 2 + 1.
-function problem.layer_degree(label)
-  local degree, elevations = label:match "[^-]*$":match "^%a(%d+)%.?(%d*)"
-  if not degree then error(("label '%s' has no degree on the contact face"):format(label), 0) end
+--- Degree of the functions on the contact face: that of the order's last part, N2-N2.1x2 has 2 + 1.
+function problem.layer_degree(order)
+  local degree, elevations = order:match "[^-]*$":match "^%a(%d+)%.?(%d*)"
+  if not degree then error(("order '%s' has no degree on the contact face"):format(order), 0) end
   return math.tointeger(degree) + (math.tointeger(elevations) or 0)
 end
 
@@ -49,21 +49,21 @@ end
 function problem.path(set_up, coarser)
   return {
     { name = "press", steps = math.ceil(set_up.press_steps / coarser), grip = { 0, -set_up.depth } },
-    { name = "slide", steps = math.ceil(set_up.slide_steps / coarser), grip = { set_up.way, -set_up.depth } },
+    { name = "slide", steps = math.ceil(set_up.slide_steps / coarser), grip = { set_up.distance, -set_up.depth } },
   }
 end
 
 --- Model, die and slab of a variant; `points` are the Gauss points per contact element, 3(p + 1) by default; through:
 --- the degree in the thickness direction, 1 by default, as published.
-function problem.scene(set_up, label, elements, points, through)
+function problem.scene(set_up, order, elements, points, thickness_degree)
   local die = sg.body{
     patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { set_up.start, 1.5 } },
-    elements = elements.die, order = label, contact = "south", thickness_degree = through or 1,
+    elements = elements.die, order = order, contact = "south", thickness_degree = thickness_degree or 1,
     material = sg.neo_hookean{ E = set_up.die_modulus, nu = 0.3 },
   }
   local slab = sg.body{
     patch    = sg.shapes.rectangle{ width = 3, height = 1 },
-    elements = elements.slab, order = label, contact = "north", thickness_degree = through or 1,
+    elements = elements.slab, order = order, contact = "north", thickness_degree = thickness_degree or 1,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local model = sg.model{
@@ -76,16 +76,16 @@ function problem.scene(set_up, label, elements, points, through)
   return model, die, slab
 end
 
---- Runs one case { set_up, label, mesh }, also with `points`, `thickness_degree`, `coarser` (steps that many times as
---- long), and `step`, `linear` and `on_step(model, info)` as model:run takes them. Returns { label, mesh, run, model,
+--- Runs one case { set_up, order, mesh }, also with `points`, `thickness_degree`, `coarser` (steps that many times as
+--- long), and `step`, `linear` and `on_step(model, info)` as model:run takes them. Returns { order, mesh, run, model,
 --- die_dofs, slab_dofs }.
 function problem.solve(case)
   local set_up = case.set_up
-  local model, die, slab = problem.scene(set_up, case.label, problem.elements(case.mesh), case.points,
+  local model, die, slab = problem.scene(set_up, case.order, problem.elements(case.mesh), case.points,
     case.thickness_degree)
   local run = model:run(problem.path(set_up, case.coarser or 1), sg.plain{ linear = case.linear, step = case.step,
      on_step = case.on_step and function(info) return case.on_step(model, info) end })
-  return { label = case.label, mesh = case.mesh, run = run, model = model,
+  return { order = case.order, mesh = case.mesh, run = run, model = model,
            die_dofs = die:dofs(), slab_dofs = slab:dofs() }
 end
 

@@ -1,7 +1,7 @@
 -- The validation variant (section 6.2): forces over the steps for N2 and N4, as a whole and magnified.
 
 local sg = require "signorini"
-local amplitude = require "ironing2d.amplitude"
+local measure = require "ironing2d.measure"
 local output = require "ironing2d.output"
 local problem = require "ironing2d.problem"
 
@@ -22,26 +22,27 @@ local function mean(values, first, last)
 end
 
 --- Adds to a case its forces at the end of the pressing and their means and oscillations in the middle of the sliding.
-local function measure(case, set_up)
+local function add_forces(case, set_up)
   local run, first, last = case.run, middle(set_up)
   if run.steps < last then return end
   local Px, Py = run:column "grip.fx", run:column "grip.fy"
   for i = 1, run.steps do Py[i] = -Py[i] end
   case.pressed = { Px = Px[set_up.press_steps], Py = Py[set_up.press_steps] }
   case.mean = { Px = mean(Px, first, last), Py = mean(Py, first, last) }
-  case.oscillation = { Px = amplitude.of(Px, first, last).detrended, Py = amplitude.of(Py, first, last).detrended }
+  case.oscillation = { Px = measure.oscillation(Px, first, last).detrended,
+                       Py = measure.oscillation(Py, first, last).detrended }
 end
 
 local function force_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     local pressed, average, oscillation = case.pressed or {}, case.mean or {}, case.oscillation or {}
-    rows[i] = { case.label, case.die_dofs.total + case.slab_dofs.total, case.run.iterations, case.run.cutbacks,
+    rows[i] = { case.order, case.die_dofs.total + case.slab_dofs.total, case.run.iterations, case.run.cutbacks,
                 pressed.Py, pressed.Px, average.Py, average.Px, case.mean and average.Px / average.Py,
                 oscillation.Py, oscillation.Px }
   end
   return sg.table{
-    columns = { "label", "DOFs", "iterations", "cut-backs", "Py pressed", "Px pressed", "mean Py", "mean Px",
+    columns = { "order", "DOFs", "iterations", "cut-backs", "Py pressed", "Px pressed", "mean Py", "mean Px",
                 "Px/Py", "oscillation Py", "oscillation Px" },
     units = { "", "", "", "", "N/mm", "N/mm", "N/mm", "N/mm", "", "N/mm", "N/mm" }, rows = rows,
     formats = { "%s", "%d", "%d", "%d", "%.5f", "%.5f", "%.5f", "%.5f", "%.4f", "%.1e", "%.1e" },
@@ -57,7 +58,7 @@ local function draw_magnified(file, cases, set_up, column, sign, name)
     local values, steps = case.run:column(column), {}
     if #values >= last then
       for k = first, last do steps[#steps + 1], values[k] = k, sign * values[k] end
-      chart[#chart + 1] = { x = steps, y = table.move(values, first, last, 1, {}), label = case.label, color = i }
+      chart[#chart + 1] = { x = steps, y = table.move(values, first, last, 1, {}), label = case.order, color = i }
     end
   end
   if #chart > 0 then sg.chart(chart) end
@@ -68,14 +69,14 @@ end
 function validation.run(options, files)
   local set_up, mesh, cases = problem.variants.validation, options.mesh, {}
   local keep, draw_states = output.record_states(picture_steps)
-  for i, label in ipairs(options.orders) do
-    print(("%s at %s spans"):format(label, mesh))
-    local case = problem.solve{ set_up = set_up, label = label, mesh = mesh, linear = options.linear,
+  for i, order in ipairs(options.orders) do
+    print(("%s at %s spans"):format(order, mesh))
+    local case = problem.solve{ set_up = set_up, order = order, mesh = mesh, linear = options.linear,
                                 step = { adaptive = true }, on_step = i == 1 and keep or nil }
     print(case.run)
-    case.run:csv(files(label .. ".csv"))
-    measure(case, set_up)
-    cases[i], cases[label] = case, case
+    case.run:csv(files(order .. ".csv"))
+    add_forces(case, set_up)
+    cases[i], cases[order] = case, case
   end
   local first, last = middle(set_up)
   print(("\nForces on the die; means and oscillations (max − min, detrended) over steps %d to %d; mu is %g")

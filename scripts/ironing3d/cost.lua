@@ -6,11 +6,11 @@ local problem = require "ironing3d.problem"
 
 local cost = {}
 
-local function solve(label, mesh, linear)
-  local model, indenter, slab = problem.scene({ label = label, mesh = mesh, radius = 25.5 }, 50)
+local function solve(order, mesh, linear)
+  local model, indenter, slab = problem.scene({ order = order, mesh = mesh, radius = 25.5 }, 50)
   local run = model:run({ { name = "press", steps = 5, grip = { 0, 0, -1 } } },
     sg.plain{ linear = linear, step = { adaptive = true } })
-  local case = { label = label, mesh = mesh, run = run, solver = model:solver(),
+  local case = { order = order, mesh = mesh, run = run, solver = model:solver(),
                  dofs = indenter:dofs().total + slab:dofs().total }
   for _, part in ipairs { "bulk", "contact", "linear", "rest" } do case[part] = run.timings[part] / run.iterations end
   case.assembly = case.bulk + case.contact
@@ -31,12 +31,12 @@ end
 local function result_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
-    rows[i] = { case.label, case.mesh, case.dofs, case.solver.unknowns, case.solver.linear, case.run.iterations,
+    rows[i] = { case.order, case.mesh, case.dofs, case.solver.unknowns, case.solver.linear, case.run.iterations,
                 1e3 * case.bulk, 1e3 * case.contact, 1e3 * case.linear, 1e3 * case.iteration,
                 case.assembly / case.linear, case.memory }
   end
   return sg.table{
-    columns = { "label", "mesh", "DOFs", "unknowns", "solver", "iterations", "bulk", "contact", "linear", "all",
+    columns = { "order", "mesh", "DOFs", "unknowns", "solver", "iterations", "bulk", "contact", "linear", "all",
                 "assembly", "memory" },
     units = { "", "", "", "", "", "", "ms/it.", "ms/it.", "ms/it.", "ms/it.", "of linear", "MB" }, rows = rows,
     formats = { "%s", "%s", "%d", "%d", "%s", "%d", "%.1f", "%.1f", "%.1f", "%.1f", "%.2f", "%.0f" },
@@ -55,18 +55,18 @@ local function draw(file, cases)
   return #cases > 0
 end
 
---- The study: every label on every mesh, then `layered` orders on the coarse one. Returns { cases, layered }. Memory is
+--- The study: every order on every mesh, then `layered` orders on the coarse one. Returns { cases, layered }. Memory is
 --- the process' largest so far: meshes come in rising order.
 function cost.run(options, files)
   local cases, layered, all = {}, {}, {}
-  local function add(list, label, mesh)
+  local function add(list, order, mesh)
     collectgarbage() -- Lua does not count the memory of models
-    local case = solve(label, mesh, options.linear)
+    local case = solve(order, mesh, options.linear)
     case.memory = memory()
     table.insert(list, case)
     table.insert(all, case)
   end
-  for _, label in ipairs(options.layered) do add(layered, label, "coarse") end
+  for _, order in ipairs(options.layered) do add(layered, order, "coarse") end
   for _, mesh in ipairs(options.mesh) do add(cases, options.orders[1], mesh) end
   print "Time of a Newton iteration (linear: factorization and solve), largest memory of the process so far"
   print(result_table(all))

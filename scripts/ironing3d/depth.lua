@@ -9,7 +9,7 @@ local depth = {}
 
 --- Presses a case and adds the list of `states`, one per step: depth, Pz, area, max_pressure, max_penetration.
 function depth.solve(case)
-  case.mesh, case.depth, case.way, case.states = case.mesh or "coarse", problem.published_depth, 0, {}
+  case.mesh, case.depth, case.distance, case.states = case.mesh or "coarse", problem.published_depth, 0, {}
   case.on_step = function(_, info)
     table.insert(case.states, { depth = -info["grip.uz"], Pz = -info["grip.fz"], area = info["interface.area"],
                                 max_pressure = info["interface.max_pressure"],
@@ -28,12 +28,12 @@ local function result_table(cases)
   for i, case in ipairs(cases) do
     local last, largest = case.states[#case.states] or {}, 0
     for _, state in ipairs(case.states) do largest = math.max(largest, state.area) end
-    rows[i] = { case.label, case.radius, case.from, last.depth, case.run.reason, case.turn and -case.turn,
+    rows[i] = { case.order, case.radius, case.from, last.depth, case.run.reason, case.turn and -case.turn,
                 case.run.iterations, case.run.cutbacks, last.Pz, largest, last.area, last.max_pressure,
                 last.max_penetration }
   end
   return sg.table{
-    columns = { "label", "R", "x", "depth", "end", "turns at", "iterations", "cut-backs", "Pz", "largest area", "area",
+    columns = { "order", "R", "x", "depth", "end", "turns at", "iterations", "cut-backs", "Pz", "largest area", "area",
                 "max p", "max penetration" },
     units = { "", "", "", "", "", "", "", "", "last", "", "last", "last", "last" }, rows = rows,
     formats = { "%s", "%g", "%g", "%.2f", "%s", "%.3f", "%d", "%d", "%.3f", "%.2f", "%.2f", "%.3f", "%.4f" },
@@ -43,7 +43,7 @@ end
 local function draw(file, cases, key, ylabel)
   local chart = { file = file, xlabel = "depth (mm)", ylabel = ylabel, title = "3D ironing: pressing to 10.4 mm" }
   for _, case in ipairs(cases) do
-    local line = { x = {}, y = {}, label = ("%s, R = %g, x = %g"):format(case.label, case.radius, case.from) }
+    local line = { x = {}, y = {}, label = ("%s, R = %g, x = %g"):format(case.order, case.radius, case.from) }
     for i, state in ipairs(case.states) do line.x[i], line.y[i] = state.depth, state[key] end
     if #line.x > 0 then chart[#chart + 1] = line end
   end
@@ -55,11 +55,11 @@ end
 function depth.run(options, files)
   local cases, pictures = {}, {}
   for _, radius in ipairs(options.radius) do
-    for _, label in ipairs(options.orders) do
+    for _, order in ipairs(options.orders) do
       for _, from in ipairs(options.from) do
-        local case = depth.solve{ label = label, radius = radius, from = from, cap = options.cap, down = options.down,
+        local case = depth.solve{ order = order, radius = radius, from = from, cap = options.cap, down = options.down,
                                   linear = options.linear }
-        local name = ("%s, R = %g, x = %g"):format(label, radius, from)
+        local name = ("%s, R = %g, x = %g"):format(order, radius, from)
         if #case.states > 0 then
           pictures[#pictures + 1] = output.picture(case.model,
             ("%s, depth %.2f"):format(name, case.states[#case.states].depth))
@@ -67,7 +67,7 @@ function depth.run(options, files)
         case.model = nil
         print(name)
         print(case.run)
-        case.run:csv(files(("%s_R%g_x%g.csv"):format(label, radius, from)))
+        case.run:csv(files(("%s_R%g_x%g.csv"):format(order, radius, from)))
         case.turn = turning_point(case.run)
         cases[#cases + 1] = case
       end

@@ -1,7 +1,7 @@
 -- The standard variant: comparison with Tables 7.10 and 7.11 for several radii of the cap and initial gaps.
 
 local sg = require "signorini"
-local amplitude = require "ironing3d.amplitude"
+local measure = require "ironing3d.measure"
 local output = require "ironing3d.output"
 local problem = require "ironing3d.problem"
 
@@ -19,14 +19,14 @@ end
 
 -- ── Degrees of freedom ───────────────────────────────────────────────────────────────────────────────────────────────
 
---- Degrees of freedom of all rows of Table 7.11 and the published ones: a list of { label, mesh, indenter, slab,
+--- Degrees of freedom of all rows of Table 7.11 and the published ones: a list of { order, mesh, indenter, slab,
 --- printed }, and in how many entries the two differ.
 function oscillation.degrees_of_freedom()
   local rows, differences = {}, 0
   for i, printed in ipairs(records "ironing3d_dofs_table7_11") do
-    local label, mesh = printed.discretization, printed.mesh
-    local indenter, slab = problem.bodies({ label = label, mesh = mesh, radius = 25.5 }, 50)
-    local row = { label = label, mesh = mesh, indenter = indenter:dofs(), slab = slab:dofs(), printed = printed }
+    local order, mesh = printed.discretization, printed.mesh
+    local indenter, slab = problem.bodies({ order = order, mesh = mesh, radius = 25.5 }, 50)
+    local row = { order = order, mesh = mesh, indenter = indenter:dofs(), slab = slab:dofs(), printed = printed }
     for _, part in ipairs { "interface", "bulk", "total" } do
       for _, body in ipairs { "indenter", "slab" } do
         if row[body][part] ~= printed[body .. "_" .. part] then differences = differences + 1 end
@@ -44,38 +44,38 @@ end
 --- Where a case is pressed and how far it slides. Without friction a state does not depend on the path, so the window
 --- suffices, pressed at its beginning.
 local function path_of(slide)
-  if slide == "full" then return problem.start, problem.way end
-  return amplitude.from, amplitude.to - amplitude.from
+  if slide == "full" then return problem.start, problem.distance end
+  return measure.from, measure.to - measure.from
 end
 
---- Runs all orders of one cap and gap; returns { radius, gap, depth, cases }, cases also by label and mesh.
+--- Runs all orders of one cap and gap; returns { radius, gap, depth, cases }, cases also by order and mesh.
 local function solve_set(options, radius, gap, files)
   local depth = problem.published_depth - gap
   local set = { radius = radius, gap = gap, depth = depth, cases = {} }
-  local from, way = path_of(options.slide)
+  local from, distance = path_of(options.slide)
   local press = math.floor(depth / options.down + 0.5)
-  local along = math.floor(way / problem.along + 0.5)
+  local along = math.floor(distance / problem.along + 0.5)
   local keep, draw_states = output.record_states{
     [1] = true, [press // 2] = true, [press] = true, [press + along] = true,
   }
-  local function solve(label, mesh)
-    local case = amplitude.measure(problem.solve{
-      label = label, mesh = mesh, radius = radius, depth = depth, cap = options.cap, from = from, way = way,
+  local function solve(order, mesh)
+    local case = measure.oscillations(problem.solve{
+      order = order, mesh = mesh, radius = radius, depth = depth, cap = options.cap, from = from, distance = distance,
       down = options.down, linear = options.linear, on_step = #set.cases == 0 and keep or nil,
     })
     case.model = nil
-    print(("%s %s, R = %g, gap %g"):format(label, mesh, radius, gap))
+    print(("%s %s, R = %g, gap %g"):format(order, mesh, radius, gap))
     print(case.run)
-    case.run:csv(files(("%s_%s_R%g_gap%g.csv"):format(label, mesh, radius, gap)))
+    case.run:csv(files(("%s_%s_R%g_gap%g.csv"):format(order, mesh, radius, gap)))
     table.insert(set.cases, case)
-    set.cases[label .. " " .. mesh] = case
+    set.cases[order .. " " .. mesh] = case
   end
-  for _, label in ipairs(options.orders) do solve(label, "coarse") end
-  for _, label in ipairs(options.fine) do solve(label, "fine") end
+  for _, order in ipairs(options.orders) do solve(order, "coarse") end
+  for _, order in ipairs(options.fine) do solve(order, "fine") end
   files:draw(("states_R%g_gap%g.png"):format(radius, gap), "an accepted step", function(file)
-    return draw_states(file, ("%s, R = %g, depth %g"):format(set.cases[1].label, radius, depth))
+    return draw_states(file, ("%s, R = %g, depth %g"):format(set.cases[1].order, radius, depth))
   end)
-  amplitude.compare(set.cases, set.cases["N2 coarse"])
+  measure.compare(set.cases, set.cases["N2 coarse"])
   return set
 end
 
@@ -101,14 +101,14 @@ function oscillation.run(options, files)
       print(("\nR = %g, gap %g (depth %g): work"):format(radius, gap, set.depth))
       print(output.work_table(set.cases))
       print(("\nR = %g, gap %g (depth %g): max − min for the center from x = %g to %g, and Table 7.10")
-        :format(radius, gap, set.depth, amplitude.from, amplitude.to))
-      print(output.amplitude_table(set.cases, printed))
-      output.amplitude_csv(files("amplitudes" .. name .. ".csv"), set, printed)
+        :format(radius, gap, set.depth, measure.from, measure.to))
+      print(output.oscillation_table(set.cases, printed))
+      output.oscillation_csv(files("oscillations" .. name .. ".csv"), set, printed)
       files:draw("forces" .. name .. ".png", "a state that slides", function(file)
         return output.draw_forces(file, set.cases, ("R = %g, depth %g"):format(radius, set.depth))
       end)
-      files:draw("amplitudes" .. name .. ".png", "N2 among the orders, runs that complete the window", function(file)
-        return output.draw_amplitudes(file, set, printed)
+      files:draw("oscillations" .. name .. ".png", "N2 among the orders, runs that complete the window", function(file)
+        return output.draw_oscillations(file, set, printed)
       end)
     end
   end

@@ -1,4 +1,4 @@
--- Tables and charts of 3D ironing. A case is what problem.solve returns, measured by amplitude.lua.
+-- Tables and charts of 3D ironing. A case is what problem.solve returns, measured by measure.lua.
 
 local sg = require "signorini"
 
@@ -7,12 +7,12 @@ local output = {}
 function output.dofs_table(dofs)
   local rows = {}
   for i, row in ipairs(dofs) do
-    rows[i] = { row.label, row.mesh, row.indenter.interface, row.indenter.bulk, row.indenter.total,
+    rows[i] = { row.order, row.mesh, row.indenter.interface, row.indenter.bulk, row.indenter.total,
                 row.slab.interface, row.slab.bulk, row.slab.total, row.indenter.total + row.slab.total,
                 row.printed.total }
   end
   return sg.table{
-    columns = { "label", "mesh", "interface", "bulk", "total", "interface", "bulk", "total", "total", "total" },
+    columns = { "order", "mesh", "interface", "bulk", "total", "interface", "bulk", "total", "total", "total" },
     units = { "", "", "indenter", "indenter", "indenter", "slab", "slab", "slab", "", "printed" }, rows = rows,
   }
 end
@@ -22,7 +22,7 @@ local function ending(case)
   local run = case.run
   if not run.failed then return "complete" end
   local column, what = "grip.uz", "depth"
-  if #run.stages > 1 then column, what = "grip.ux", "way" end
+  if #run.stages > 1 then column, what = "grip.ux", "distance" end
   local reached = run:column(column)
   return ("%s at %s %.2f"):format(run.reason, what, math.abs(reached[#reached] or 0))
 end
@@ -32,22 +32,22 @@ function output.work_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     local run, spent, dofs = case.run, case.run.timings, case.dofs
-    rows[i] = { case.label, case.mesh, dofs.indenter.total + dofs.slab.total, run.steps, run.iterations, run.cutbacks,
+    rows[i] = { case.order, case.mesh, dofs.indenter.total + dofs.slab.total, run.steps, run.iterations, run.cutbacks,
                 run.wall, spent.bulk, spent.contact, spent.linear, ending(case) }
   end
   return sg.table{
-    columns = { "label", "mesh", "DOFs", "steps", "iterations", "cut-backs", "wall", "bulk", "contact", "linear",
+    columns = { "order", "mesh", "DOFs", "steps", "iterations", "cut-backs", "wall", "bulk", "contact", "linear",
                 "end" },
     units = { "", "", "", "", "", "", "s", "s", "s", "s", "" }, rows = rows,
     formats = { wall = "%.1f", bulk = "%.1f", contact = "%.1f", linear = "%.1f" },
   }
 end
 
-local function amplitude_rows(cases, published)
+local function oscillation_rows(cases, published)
   local rows = {}
   for i, case in ipairs(cases) do
-    local dPz, dPx, printed = case.dPz, case.dPx, published[case.label .. " " .. case.mesh] or {}
-    rows[i] = { case.label, case.mesh, case.pressed,
+    local dPz, dPx, printed = case.dPz, case.dPx, published[case.order .. " " .. case.mesh] or {}
+    rows[i] = { case.order, case.mesh, case.pressed,
                 dPz.raw, dPz.raw_percent, dPz.detrended_percent, printed.dPz_percent_of_N2,
                 dPx.raw, dPx.raw_percent, dPx.detrended_percent, printed.dPx_percent_of_N2 }
   end
@@ -55,20 +55,20 @@ local function amplitude_rows(cases, published)
 end
 
 --- Oscillations, and in % of coarse N2: raw, detrended by a parabola, as published.
-function output.amplitude_table(cases, published)
+function output.oscillation_table(cases, published)
   return sg.table{
-    columns = { "label", "mesh", "Pz", "dPz", "dPz", "detrended", "printed", "dPx", "dPx", "detrended", "printed" },
+    columns = { "order", "mesh", "Pz", "dPz", "dPz", "detrended", "printed", "dPx", "dPx", "detrended", "printed" },
     units = { "", "", "", "", "% of N2", "% of N2", "% of N2", "", "% of N2", "% of N2", "% of N2" },
-    rows = amplitude_rows(cases, published),
+    rows = oscillation_rows(cases, published),
     formats = { "%s", "%s", "%.3f", "%.3e", "%.2f", "%.2f", "%.2f", "%.3e", "%.2f", "%.2f", "%.2f" },
   }
 end
 
-function output.amplitude_csv(file, set, published)
-  local names = { "label", "mesh", "pressed", "dPz", "dPz_percent", "dPz_detrended_percent", "dPz_printed_percent",
+function output.oscillation_csv(file, set, published)
+  local names = { "order", "mesh", "pressed", "dPz", "dPz_percent", "dPz_detrended_percent", "dPz_printed_percent",
                   "dPx", "dPx_percent", "dPx_detrended_percent", "dPx_printed_percent" }
   local data = { columns = names, comments = { ("R = %g, depth %g"):format(set.radius, set.depth) } }
-  local rows = amplitude_rows(set.cases, published)
+  local rows = oscillation_rows(set.cases, published)
   for c, name in ipairs(names) do
     data[name] = {}
     for r, row in ipairs(rows) do data[name][r] = row[c] or "" end
@@ -112,7 +112,7 @@ function output.draw_forces(file, cases, title)
     for i, case in ipairs(cases) do
       if #case.x > 0 then
         chart[#chart + 1] = { x = case.x, y = case[curve[1]], dashed = curve[2], color = i,
-                              label = ("%s %s %s"):format(curve[1], case.label,
+                              label = ("%s %s %s"):format(curve[1], case.order,
                                 case.mu and ("mu = %g"):format(case.mu) or case.mesh) }
       end
     end
@@ -122,16 +122,16 @@ function output.draw_forces(file, cases, title)
 end
 
 --- Oscillations in % of those of coarse N2, with the published ones; returns whether there were any.
-function output.draw_amplitudes(file, set, published)
+function output.draw_oscillations(file, set, published)
   local chart = { file = file, ylabel = "oscillation (% of N2)", log = "y", xrange = { 0.5, #set.cases + 0.5 },
                   xticks = {}, title = ("3D ironing, R = %g, depth %g"):format(set.radius, set.depth) }
   for i, case in ipairs(set.cases) do
-    chart.xticks[i] = { i, case.mesh == "coarse" and case.label or case.label .. " " .. case.mesh }
+    chart.xticks[i] = { i, case.mesh == "coarse" and case.order or case.order .. " " .. case.mesh }
   end
   local function curve(label, shift, percent)
     local line = { x = {}, y = {}, label = label, line = false, markers = true }
     for i, case in ipairs(set.cases) do
-      local value = percent(case, published[case.label .. " " .. case.mesh] or {})
+      local value = percent(case, published[case.order .. " " .. case.mesh] or {})
       if value then line.x[#line.x + 1], line.y[#line.y + 1] = i + shift, value end
     end
     if #line.x > 0 then chart[#chart + 1] = line end

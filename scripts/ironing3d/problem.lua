@@ -17,7 +17,7 @@ problem.meshes = {
 }
 problem.mesh_names = { "sparse", "coarse", "middle", "fine" }
 
---- Indenter and slab of a case { label, mesh, radius }, the indenter's lowest point touching the slab at x = `center`,
+--- Indenter and slab of a case { order, mesh, radius }, the indenter's lowest point touching the slab at x = `center`,
 --- y = 15. `cap` is the number of biquadratic spans per direction that the sphere consists of: one, as published, has
 --- no inner knots, so that DOFs are those of a block; with more, their knots remain C¹ for any order.
 function problem.bodies(case, center)
@@ -26,16 +26,16 @@ function problem.bodies(case, center)
   local indenter = sg.body{
     patch    = sg.shapes.spherical_indenter{ width = 10, depth = 10, height = 11, radius = case.radius,
                                              elements = case.cap or 1, corner = { center - 5, 10, 22 } },
-    elements = elements.indenter, order = case.label, contact = "front", thickness_degree = 1, material = material,
+    elements = elements.indenter, order = case.order, contact = "front", thickness_degree = 1, material = material,
   }
   local slab = sg.body{
     patch    = sg.shapes.block{ size = { 100, 30, 22 } },
-    elements = elements.slab, order = case.label, contact = "back", thickness_degree = 1, material = material,
+    elements = elements.slab, order = case.order, contact = "back", thickness_degree = 1, material = material,
   }
   return indenter, slab
 end
 
---- Model of a case { label, mesh, radius }, also with `mu`, `penalty` (both penalties, 100) and `points` (per direction
+--- Model of a case { order, mesh, radius }, also with `mu`, `penalty` (both penalties, 100) and `points` (per direction
 --- of a contact element, 3(p + 1)), and its two bodies.
 function problem.scene(case, center)
   local indenter, slab = problem.bodies(case, center)
@@ -51,19 +51,19 @@ function problem.scene(case, center)
   return model, indenter, slab
 end
 
---- The stages of a case: pressed by `depth` in steps of `down`, dragged by `way` in steps of `along`; both as published
---- unless given.
+--- The stages of a case: pressed by `depth` in steps of `down`, dragged by `distance` in steps of `along`; both as
+--- published unless given.
 function problem.stages(case)
-  local depth, way = case.depth, case.way
+  local depth, distance = case.depth, case.distance
   local function count(length, step) return math.max(1, math.floor(length / step + 0.5)) end
   local stages = { { name = "press", steps = count(depth, case.down or problem.down), grip = { 0, 0, -depth } } }
-  if way > 0 then
-    stages[2] = { name = "slide", steps = count(way, case.along or problem.along), grip = { way, 0, -depth } }
+  if distance > 0 then
+    stages[2] = { name = "slide", steps = count(distance, case.along or problem.along), grip = { distance, 0, -depth } }
   end
   return stages
 end
 
---- Runs a case { label, mesh, radius, depth, from, way }, also with what problem.scene takes, `down`, `along`, and
+--- Runs a case { order, mesh, radius, depth, from, distance }, also with what problem.scene takes, `down`, `along`, and
 --- `step`, `linear` and `on_step(model, info)` as model:run takes them. `from` is the x of the indenter's center while
 --- it is pressed. Adds to the case: model, run, dofs of indenter and slab, x (the center's x after every step of
 --- the sliding), Px and Pz there (forces of the indenter on the slab), pressed (Pz at full depth).
@@ -88,6 +88,6 @@ function problem.solve(case)
 end
 
 --- Where the published path begins, and how long it is.
-problem.start, problem.way = start, finish - start
+problem.start, problem.distance = start, finish - start
 
 return problem

@@ -51,7 +51,7 @@ local function window_rows(case, window)
   return complete and rows or nil
 end
 
---- { amplitude, rise, fall, path_amplitude, mean } in E0 L0³, slopes per degree; empty if the path ends before the
+--- { oscillation, rise, fall, path_oscillation, mean } in E0 L0³, slopes per degree; empty if the path ends before the
 --- window.
 function measure.window(case, window)
   local rows = window_rows(case, window)
@@ -70,7 +70,7 @@ function measure.window(case, window)
   for row = rows[1], rows[#rows] do
     path_low, path_high = math.min(path_low, case.moment[row]), math.max(path_high, case.moment[row])
   end
-  return { amplitude = high - low, rise = rise, fall = fall, path_amplitude = path_high - path_low,
+  return { oscillation = high - low, rise = rise, fall = fall, path_oscillation = path_high - path_low,
            mean = mean(case, rows[1], rows[#rows]) }
 end
 

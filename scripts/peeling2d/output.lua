@@ -18,28 +18,28 @@ do
   end
 end
 
---- The published row of a label on a mesh, of the strip of 200 nm: dM_1e-3_E0L0cubed, max_slope_1e-3, min_slope_1e-3,
+--- The published row of an order on a mesh, of the strip of 200 nm: dM_1e-3_E0L0cubed, max_slope_1e-3, min_slope_1e-3,
 --- dofs, converges; empty if there is none.
-function output.printed(label, mesh) return printed[label .. " " .. mesh] or {} end
+function output.printed(order, mesh) return printed[order .. " " .. mesh] or {} end
 
-local function ratio(value, beside) return value and beside and value / beside or nil end
+local function ratio(value, reference) return value and reference and value / reference or nil end
 local function thousandth(value) return value and 1e3 * value end
 
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Oscillation and slopes, with the published ones.
-function output.amplitude_table(cases)
+function output.oscillation_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     local w, p = case.window, case.printed
-    local amplitude, rise, fall = thousandth(w.amplitude), thousandth(w.rise), thousandth(w.fall)
-    rows[i] = { case.label, case.mesh, case.dofs, p.dofs,
-                amplitude, p["dM_1e-3_E0L0cubed"], ratio(amplitude, p["dM_1e-3_E0L0cubed"]),
+    local oscillation, rise, fall = thousandth(w.oscillation), thousandth(w.rise), thousandth(w.fall)
+    rows[i] = { case.order, case.mesh, case.dofs, p.dofs,
+                oscillation, p["dM_1e-3_E0L0cubed"], ratio(oscillation, p["dM_1e-3_E0L0cubed"]),
                 rise, p["max_slope_1e-3"], ratio(rise, p["max_slope_1e-3"]),
-                fall, p["min_slope_1e-3"], ratio(fall, p["min_slope_1e-3"]), thousandth(w.path_amplitude) }
+                fall, p["min_slope_1e-3"], ratio(fall, p["min_slope_1e-3"]), thousandth(w.path_oscillation) }
   end
   return sg.table{
-    columns = { "label", "mesh", "DOFs", "publ.", "dM", "publ.", "ratio", "rise", "publ.", "ratio", "fall", "publ.",
+    columns = { "order", "mesh", "DOFs", "publ.", "dM", "publ.", "ratio", "rise", "publ.", "ratio", "fall", "publ.",
                 "ratio", "dM path" },
     units = { "", "", "", "", "1e-3", "1e-3", "", "1e-3/°", "1e-3/°", "", "1e-3/°", "1e-3/°", "", "1e-3" }, rows = rows,
     formats = { "%s", "%s", "%d", "%d", "%.4f", "%.4f", "%.3f", "%.3f", "%.3f", "%.3f", "%.3f", "%.3f", "%.3f",
@@ -53,11 +53,11 @@ function output.plateau_table(cases, thin, finite)
   for _, case in ipairs(cases) do
     local mean = case.window.mean
     if mean then
-      rows[#rows + 1] = { case.label, case.mesh, mean, 100 * (mean / thin - 1), 100 * (mean / finite - 1) }
+      rows[#rows + 1] = { case.order, case.mesh, mean, 100 * (mean / thin - 1), 100 * (mean / finite - 1) }
     end
   end
   return sg.table{
-    columns = { "label", "mesh", "plateau", "off thin strip", "off finite strain" },
+    columns = { "order", "mesh", "plateau", "off thin strip", "off finite strain" },
     units = { "", "", "E0 L0³", "%", "%" }, rows = rows, formats = { "%s", "%s", "%.5f", "%.3f", "%.3f" },
   }
 end
@@ -71,11 +71,11 @@ function output.path_table(cases)
       widest, drop = math.max(widest or 0, back.width), math.max(drop or 0, back.drop)
     end
     local last = run:column "edge.angle"
-    rows[i] = { case.label, case.mesh, last[#last], run.reason, measure.reported_turn(run), case.angle[#case.angle],
+    rows[i] = { case.order, case.mesh, last[#last], run.reason, measure.reported_turn(run), case.angle[#case.angle],
                 case.arc and case.arc.reason or nil, #case.snap_backs, widest, thousandth(drop) }
   end
   return sg.table{
-    columns = { "label", "mesh", "rotation to", "because", "turn", "in all to", "because", "snap-backs", "widest",
+    columns = { "order", "mesh", "rotation to", "because", "turn", "in all to", "because", "snap-backs", "widest",
                 "drop" },
     units = { "", "", "°", "", "°", "°", "", "", "°", "1e-3" }, rows = rows,
     formats = { "%s", "%s", "%.1f", "%s", "%.2f", "%.1f", "%s", "%d", "%.4f", "%.3f" },
@@ -88,11 +88,11 @@ function output.time_table(cases, repeats)
   for i, case in ipairs(cases) do
     local work = case.work
     local spent = work.timings
-    rows[i] = { case.label, case.mesh, case.dofs, work.iterations / math.max(1, work.reached), work.wall, spent.bulk,
+    rows[i] = { case.order, case.mesh, case.dofs, work.iterations / math.max(1, work.reached), work.wall, spent.bulk,
                 spent.contact, spent.linear, spent.rest, 100 * (1 - spent.linear / work.wall) }
   end
   return sg.table{
-    columns = { "label", "mesh", "DOFs", "iterations", "wall", "bulk", "contact", "linear", "rest", "outside linear" },
+    columns = { "order", "mesh", "DOFs", "iterations", "wall", "bulk", "contact", "linear", "rest", "outside linear" },
     units = { "", "", "", "per step", "s", "s", "s", "s", "s", "%" }, rows = rows,
     formats = { "%s", "%s", "%d", "%.2f", "%.1f", "%.1f", "%.1f", "%.1f", "%.1f", "%.1f" },
   }, repeats > 1 and (", medians of %d runs"):format(repeats) or ""
@@ -118,21 +118,21 @@ function output.draw_moment(file, case, balance, window)
   local inset = last > window[1] and { xrange = { window[1], math.min(last, window[1] + 5) } } or nil
   sg.chart{
     file = file, xlabel = angle_label, ylabel = moment_label, yrange = { 0, 1.15 * balance }, inset = inset,
-    legend = false, title = ("Peeling: moment over rotation, %s at %s"):format(case.label, case.mesh),
+    legend = false, title = ("Peeling: moment over rotation, %s at %s"):format(case.order, case.mesh),
     hlines = { { balance, ("energy balance %.4f"):format(balance) } },
-    { x = case.angle, y = case.moment, label = case.label },
+    { x = case.angle, y = case.moment, label = case.order },
   }
 end
 
---- Figure 7.25: a part of the plateau, of all cases for which `wanted(label)`; returns whether there was anything to
+--- Figure 7.25: a part of the plateau, of all cases for which `wanted(order)`; returns whether there was anything to
 --- draw.
 function output.draw_plateau(file, cases, title, window, wanted)
   local to = math.min(window[2], window[1] + 6)
   local chart = { file = file, title = title, xlabel = angle_label, ylabel = moment_label, xrange = { window[1], to } }
   for i, case in ipairs(cases) do
     local x, y = part(case, window[1], to)
-    if #x > 1 and wanted(case.label) then
-      chart[#chart + 1] = { x = x, y = y, label = case.label, color = i }
+    if #x > 1 and wanted(case.order) then
+      chart[#chart + 1] = { x = x, y = y, label = case.order, color = i }
     end
   end
   if #chart > 0 then sg.chart(chart) end
@@ -149,11 +149,11 @@ function output.draw_over_mesh(file, orders, meshes, case_of)
     if y then curve.x[#curve.x + 1], curve.y[#curve.y + 1] = x, y end
   end
   for m, mesh in ipairs(meshes) do chart.xticks[m] = { m, mesh } end
-  for l, label in ipairs(orders) do
-    local ours = { x = {}, y = {}, label = label, markers = true, color = l }
+  for l, order in ipairs(orders) do
+    local ours = { x = {}, y = {}, label = order, markers = true, color = l }
     for m, mesh in ipairs(meshes) do
-      local case = case_of(label, mesh)
-      add(ours, m, thousandth(case.window.amplitude))
+      local case = case_of(order, mesh)
+      add(ours, m, thousandth(case.window.oscillation))
       add(printed_ones, m + aside, case.printed["dM_1e-3_E0L0cubed"])
     end
     if #ours.x > 0 then chart[#chart + 1] = ours end
@@ -179,7 +179,7 @@ function output.draw_snap_back(file, case)
   sg.chart{
     file = file, xlabel = angle_label, ylabel = moment_label,
     title = ("Peeling, %s at %s: the widest snap-back, %.3f° back from %.2f°")
-      :format(case.label, case.mesh, widest.width, widest.from),
+      :format(case.order, case.mesh, widest.width, widest.from),
     curve({ label = "path", color = 1, marker = "none" }),
     curve({ label = "whole steps", line = false, markers = true, marker = "circle", color = 1 }, true),
     curve({ label = "by arc length", line = false, markers = true, marker = "square", color = 2 }, false),

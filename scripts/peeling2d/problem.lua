@@ -25,10 +25,10 @@ end
 function problem.equilibrium_distance() return 15 ^ (-1 / 6) * problem.r0 end
 
 --- Model and strip. `length` of the strip, adhesion acts on the part x ≤ `bonded`.
-function problem.scene(label, mesh, length, bonded)
+function problem.scene(order, mesh, length, bonded)
   local strip = sg.body{
     patch    = sg.shapes.rectangle{ width = length, height = problem.height },
-    elements = problem.elements(mesh, length), order = label, contact = "south", thickness_degree = 1,
+    elements = problem.elements(mesh, length), order = order, contact = "south", thickness_degree = 1,
     material = sg.neo_hookean{ E = problem.modulus, nu = problem.poisson },
   }
   -- The substrate transmits no shear, and the edge is free to move, so one point of the strip is fixed in x.
@@ -58,12 +58,12 @@ end
 
 --- Peels one strip by prescribed rotation; where that ends before the last step, with control = "arc", by arc length
 --- from there on. `options`: length, bonded, steps, control, iterations, linear; on_step(model, angle) sees every whole
---- step. Returns a case: label, mesh, dofs, model, rotation (the run under rotation control alone), arc (what followed,
---- if anything), and of both together the lists step (with parts of a step where arcs led), angle (degrees) and moment
---- (E0 L0³), reached (whole steps), iterations, wall and timings (s).
-function problem.solve(label, mesh, options, on_step)
-  local model, strip = problem.scene(label, mesh, options.length, options.bonded)
-  local case = { label = label, mesh = mesh, dofs = strip:dofs().total, model = model,
+--- step. Returns a case: order, mesh, dofs, model, rotation (the run under rotation control alone), arc (what followed,
+--- if anything), and of both together the lists step (with parts of a step where arc length was used), angle
+--- (degrees) and moment (E0 L0³), reached (whole steps), iterations, wall and timings (s).
+function problem.solve(order, mesh, options, on_step)
+  local model, strip = problem.scene(order, mesh, options.length, options.bonded)
+  local case = { order = order, mesh = mesh, dofs = strip:dofs().total, model = model,
                  step = {}, angle = {}, moment = {}, iterations = 0, wall = 0, timings = {} }
   local solver = sg.plain{ newton = { iterations = options.iterations }, linear = options.linear,
                            on_step = on_step and function(info) return on_step(model, info["edge.angle"]) end }

@@ -1,7 +1,7 @@
 -- The moment of steady peeling from the energy balance of a strip that is peeled by a moment alone.
 --
 -- When the front moves by one unit of length, one more unit of strip is bent to the curvature k and one unit of the
--- bond is opened. The state at the front is only shifted, whatever the law of adhesion. So the work of the moment on
+-- bond is opened. The state at the front is only shifted, for any law of adhesion. So the work of the moment on
 -- the rotation is the energy stored plus the work of adhesion W (force per length):
 --   M k = U(k) + W,   M = dU/dk,   U(k) energy of the bent strip per reference length.
 -- U = EI k²/(2(1 − ν²)), I = h³/12, gives M²(1 − ν²)/(2EI) = W:

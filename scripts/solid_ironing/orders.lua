@@ -7,22 +7,22 @@ local study = require "solid_ironing.study"
 
 local orders = {}
 
-local reference_label = "N2"
+local reference_order = "N2"
 
---- `options`: orders, mesh (its name), press, slide, linear. Returns { mesh, cases }; cases also by label.
+--- `options`: orders, mesh (its name), press, slide, linear. Returns { mesh, cases }; cases also by order.
 function orders.run(problem, options, files)
   local mesh, press, slide = meshes.read(options.mesh), options.press, options.slide
   local cases, states = {}, {}
-  for i, label in ipairs(options.orders) do
-    local case = { label = label, mesh = mesh, press = press, slide = slide, linear = options.linear }
+  for i, order in ipairs(options.orders) do
+    local case = { order = order, mesh = mesh, press = press, slide = slide, linear = options.linear }
     if i == 1 then case.on_step, states = study.record_states(case, "uz", "displacement u_z") end
     study.solve(problem, case)
-    print(("%s at %s, %.1f s of processor time"):format(label, mesh.name, case.user))
+    print(("%s at %s, %.1f s of processor time"):format(order, mesh.name, case.user))
     print(case.run)
-    case.run:csv(files(label .. ".csv"))
-    cases[i], cases[label] = case, case
+    case.run:csv(files(order .. ".csv"))
+    cases[i], cases[order] = case, case
   end
-  study.compare(cases, cases[reference_label])
+  study.compare(cases, cases[reference_order])
   local first, last = cases[1].first, cases[1].last
   print(("\nWork, %d + %d steps, failed ones halved; without halving the path would have ended at the first failure")
     :format(press, slide))
@@ -42,12 +42,12 @@ function orders.run(problem, options, files)
   files:draw("Px.png", "a step of the sliding", function(file)
     return output.draw_force(file, cases, "Px", { title = title .. ": drag, without friction", ylabel = "Px" })
   end)
-  files:draw("amplitudes.png", "N2 among the orders, and runs that complete the window", function(file)
-    return output.draw_amplitudes(file, cases, title .. ": oscillation of the forces")
+  files:draw("oscillations.png", "N2 among the orders, and runs that complete the window", function(file)
+    return output.draw_oscillations(file, cases, title .. ": oscillation of the forces")
   end)
   files:draw("states.png", "a completed stage", function(file)
     if #states == 0 then return false end
-    sg.sheet{ states, file = file, columns = 1, title = ("%s, %s"):format(title, cases[1].label) }
+    sg.sheet{ states, file = file, columns = 1, title = ("%s, %s"):format(title, cases[1].order) }
     return true
   end)
   return { mesh = mesh, cases = cases }

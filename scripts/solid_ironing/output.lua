@@ -15,27 +15,27 @@ function output.work_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     local run, spent, failure = case.run, case.run.timings, case.first_failure
-    rows[i] = { case.label, case.dofs.die, case.dofs.slab, case.dofs.total, run.iterations,
+    rows[i] = { case.order, case.dofs.die, case.dofs.slab, case.dofs.total, run.iterations,
                 run.iterations / math.max(1, run.steps),
                 failure and ("%s in step %d"):format(failure.reason, failure.step) or "none", run.cutbacks,
                 ending(case), case.user, run.wall, spent.bulk, spent.contact, spent.linear }
   end
   return sg.table{
-    columns = { "label", "die", "slab", "total", "iterations", "iterations", "first failure", "cut-backs", "end",
+    columns = { "order", "die", "slab", "total", "iterations", "iterations", "first failure", "cut-backs", "end",
                 "user", "wall", "bulk", "contact", "linear" },
     units = { "", "DOFs", "DOFs", "DOFs", "", "per step", "", "", "", "s", "s", "s", "s", "s" }, rows = rows,
     formats = { "%s", "%d", "%d", "%d", "%d", "%.2f", "%s", "%d", "%s", "%.1f", "%.1f", "%.1f", "%.1f", "%.1f" },
   }
 end
 
-local force_columns = { "label", "pressed", "drag_mean", "drag_low", "drag_high", "dPz", "dPz_percent", "dPz_detrended",
+local force_columns = { "order", "pressed", "drag_mean", "drag_low", "drag_high", "dPz", "dPz_percent", "dPz_detrended",
                         "dPz_detrended_percent", "dPx", "dPx_percent", "dPx_detrended", "dPx_detrended_percent" }
 
 local function force_rows(cases)
   local rows = {}
   for i, case in ipairs(cases) do
     local drag, dPz, dPx = case.drag or {}, case.dPz, case.dPx
-    rows[i] = { case.label, case.pressed, drag.mean, drag.low, drag.high,
+    rows[i] = { case.order, case.pressed, drag.mean, drag.low, drag.high,
                 dPz.raw, dPz.raw_percent, dPz.detrended, dPz.detrended_percent,
                 dPx.raw, dPx.raw_percent, dPx.detrended, dPx.detrended_percent }
   end
@@ -45,7 +45,7 @@ end
 --- Pressing force at the full depth and while the die slides, oscillations raw and detrended by a parabola.
 function output.force_table(cases)
   return sg.table{
-    columns = { "label", "Pz", "Pz", "Pz", "Pz", "dPz", "dPz", "detrended", "detrended", "dPx", "dPx", "detrended",
+    columns = { "order", "Pz", "Pz", "Pz", "Pz", "dPz", "dPz", "detrended", "detrended", "dPx", "dPx", "detrended",
                 "detrended" },
     units = { "", "pressed", "mean", "least", "greatest", "", "% of N2", "", "% of N2", "", "% of N2", "", "% of N2" },
     rows = force_rows(cases),
@@ -61,7 +61,7 @@ end
 function output.draw_force(file, cases, key, chart)
   chart.file, chart.xlabel = file, "x of the die's center"
   for _, case in ipairs(cases) do
-    local line = { x = {}, y = {}, label = case.label }
+    local line = { x = {}, y = {}, label = case.order }
     for i = case.press, #case.x do line.x[#line.x + 1], line.y[#line.y + 1] = case.x[i], case[key][i] end
     if #line.x > 1 then chart[#chart + 1] = line end
   end
@@ -74,7 +74,7 @@ function output.draw_path(file, cases, title)
   local chart = { file = file, title = title, xlabel = "load step", ylabel = "pressing force Pz" }
   for _, case in ipairs(cases) do
     if case.run.steps > 0 then
-      chart[#chart + 1] = { x = case.run:column "step", y = case.Pz, label = case.label }
+      chart[#chart + 1] = { x = case.run:column "step", y = case.Pz, label = case.order }
     end
   end
   if #chart > 0 then sg.chart(chart) end
@@ -82,10 +82,10 @@ function output.draw_path(file, cases, title)
 end
 
 --- Oscillations by discretization in % of those of N2; returns whether there was anything to draw.
-function output.draw_amplitudes(file, cases, title)
+function output.draw_oscillations(file, cases, title)
   local chart = { file = file, title = title, ylabel = "oscillation (% of N2)", log = "y",
                   xrange = { 0.5, #cases + 0.5 }, xticks = {} }
-  for i, case in ipairs(cases) do chart.xticks[i] = { i, case.label } end
+  for i, case in ipairs(cases) do chart.xticks[i] = { i, case.order } end
   for _, curve in ipairs {
     { "dPz", "raw", "dPz" }, { "dPx", "raw", "dPx" }, { "dPz", "detrended", "dPz detrended" },
     { "dPx", "detrended", "dPx detrended" },

@@ -1,12 +1,12 @@
 -- Ironing of a slab without friction: runs orders along the path of a problem, measures their forces.
 --
--- A problem is { title, die (its name), length (the slab's), start (x of the die's center), depth, way, scene(case) };
--- scene returns the model with the supports `grip` (drives x and z) and `bed` and the contact `interface`, the die and
--- the slab. A case is { label, mesh, press, slide (steps), through, points, half (the scene is cut at its plane of
--- symmetry, y = const.), line_search, linear }; see study.solve.
+-- A problem is { title, die (its name), length (the slab's), start (x of the die's center), depth, distance (of
+-- sliding), scene(case) }; scene returns the model with the supports `grip` (drives x and z) and `bed` and the contact
+-- `interface`, the die and the slab. A case is { order, mesh, press, slide (steps), thickness_degree, points, half (the
+-- scene is cut at its plane of symmetry, y = const.), line_search, linear }; see study.solve.
 
 local sg = require "signorini"
-local plane = require "ironing2d.amplitude"
+local plane = require "ironing2d.measure"
 
 local study = {}
 
@@ -22,9 +22,9 @@ local function first_failure(run)
   end
 end
 
---- The steps of about one element pitch of the slab in the middle of the way.
+--- The steps of about one element pitch of the slab in the middle of the slide.
 local function window(problem, case)
-  local steps = case.slide * problem.length / case.mesh.slab[1] / problem.way
+  local steps = case.slide * problem.length / case.mesh.slab[1] / problem.distance
   local middle = case.press + case.slide / 2
   return math.floor(middle - steps / 2 + 0.5), math.floor(middle + steps / 2 + 0.5)
 end
@@ -39,7 +39,8 @@ local function measure(problem, case)
   end
   case.pressed, case.first_failure = case.Pz[case.press], first_failure(run)
   case.first, case.last = window(problem, case)
-  case.dPx, case.dPz = plane.of(case.Px, case.first, case.last), plane.of(case.Pz, case.first, case.last)
+  case.dPx = plane.oscillation(case.Px, case.first, case.last)
+  case.dPz = plane.oscillation(case.Pz, case.first, case.last)
   if run.failed then return end
   local drag = table.move(case.Pz, case.press + 1, #case.Pz, 1, {})
   local sum = 0
@@ -64,7 +65,7 @@ function study.solve(problem, case)
   local began = os.clock()
   case.run = model:run({
     { name = "press", steps = case.press, grip = { 0, -problem.depth } },
-    { name = "slide", steps = case.slide, grip = { problem.way, -problem.depth } },
+    { name = "slide", steps = case.slide, grip = { problem.distance, -problem.depth } },
   }, sg.plain{ linear = case.linear, step = { adaptive = true }, newton = { line_search = case.line_search },
                on_step = case.on_step and function(info) return case.on_step(model, info) end })
   case.user = os.clock() - began
@@ -74,7 +75,7 @@ function study.solve(problem, case)
   return case
 end
 
---- Keeps the states at the ends of both stages and in the middle of the way: a function for on_step, and the list of
+--- Keeps the states at the ends of both stages and in the middle of the slide: a function for on_step, and the list of
 --- pictures. `label`: of their color bar.
 function study.record_states(case, field, label)
   local pictures, titles = {}, {

@@ -29,7 +29,7 @@ x/a_ref at the last of them, against N2 at m6.]],
     local model, run, ring
     local _, spent = timed(function()
       local stage
-      model, stage, ring = problem.scene{ label = case.order, mesh = case.mesh, load = "displacement" }
+      model, stage, ring = problem.scene{ order = case.order, mesh = case.mesh, load = "displacement" }
       stage.steps = steps
       run = model:run({ stage }, sg.plain{})
     end)

@@ -1,11 +1,11 @@
--- Ironing in the plane: detrended oscillation of both forces while the die slides (ironing2d/amplitude.lua).
+-- Ironing in the plane: detrended oscillation of both forces while the die slides (ironing2d/measure.lua).
 
-local amplitude = require "ironing2d.amplitude"
+local measure = require "ironing2d.measure"
 local problem = require "ironing2d.problem"
 local timed = require "speed_against_accuracy.timed"
 
 --- The detrended oscillation of a force of a row.
-local function oscillation(force) return function(row) return amplitude.of(row[force]).detrended end end
+local function oscillation(force) return function(row) return measure.oscillation(row[force]).detrended end end
 
 return {
   name = "ironing", title = "Ironing", page = "problems/ironing2d.md",
@@ -28,7 +28,7 @@ the best-fit parabola.]],
 
   run = function(case)
     local solved, spent = timed(function()
-      return problem.solve{ set_up = problem.variants.standard, label = case.order, mesh = case.mesh }
+      return problem.solve{ set_up = problem.variants.standard, order = case.order, mesh = case.mesh }
     end)
     local run = solved.run
     return { wall = spent.wall, cpu = spent.cpu, iterations = run.iterations,

@@ -8,7 +8,7 @@
 -- and slides through it only. The window is one element of the sparse slab, in its middle; so it is two of the coarse
 -- and three of the middle slab, and whole periods of the oscillation for all, so no trend is subtracted.
 
-local amplitude = require "ironing2d.amplitude"
+local measure = require "ironing2d.measure"
 local problem = require "ironing3d.problem"
 local timed = require "speed_against_accuracy.timed"
 
@@ -17,7 +17,9 @@ local timed = require "speed_against_accuracy.timed"
 local window, slide = 100 / 9, 54
 local down = 0.4
 
-local function oscillation(force) return function(row) return amplitude.of(row[force], 1, #row[force]).raw end end
+local function oscillation(force)
+  return function(row) return measure.oscillation(row[force], 1, #row[force]).raw end
+end
 
 return {
   name = "ironing3d", title = "Ironing in 3D", page = "problems/ironing3d.md",
@@ -37,8 +39,8 @@ their oscillation. Failed steps are halved, and their time counts.]],
 
   run = function(case)
     local solved, spent = timed(function()
-      return problem.solve{ label = case.order, mesh = case.mesh, radius = 7.5, depth = 5.4, down = down,
-                            from = 50 - window / 2, way = window, along = window / slide }
+      return problem.solve{ order = case.order, mesh = case.mesh, radius = 7.5, depth = 5.4, down = down,
+                            from = 50 - window / 2, distance = window, along = window / slide }
     end)
     local run, dofs = solved.run, solved.dofs
     -- The window's first state is the one from which the indenter starts to slide.

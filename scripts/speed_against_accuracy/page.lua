@@ -98,7 +98,7 @@ local run_head = [[
 
     build/signorini scripts/speed_against_accuracy.lua page=share/doc
 
-writes this page. Finished cases are kept in the folder `out`: an interrupted run continues with the others, and a
+writes this page. Finished cases are saved in the folder `out`: an interrupted run continues with the others, and a
 complete one only draws and writes. Times are meaningful only on an otherwise idle machine.
 `problems=hertz orders=N2,N2-N2.3 meshes=m1,m2` runs a part; any order label is possible.]]
 

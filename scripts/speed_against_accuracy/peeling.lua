@@ -17,7 +17,7 @@ rotation control fails. The exact moment is constant from 120° to 140°, so the
   -- N2 needs m3 for the error of N2-N2.2 at m0; the others are not needed on m3.
   affordable = function(order, mesh) return mesh ~= "m3" or order == "N2" end,
   errors = { { name = "dM", title = "oscillation of the moment", unit = "E0 L0³",
-               of = function(row) return measure.window(row, window).amplitude end } },
+               of = function(row) return measure.window(row, window).oscillation end } },
   savings = {},
 
   run = function(case)

@@ -2,7 +2,7 @@
 -- { title, table }, { title, chart (file) }.
 
 local sg = require "signorini"
-local shares = require "speed_against_accuracy.shares"
+local ratios = require "speed_against_accuracy.ratios"
 local tables = require "speed_against_accuracy.tables"
 
 local report = {}
@@ -14,10 +14,10 @@ local function series(texts)
 end
 
 --- The smallest and the largest error of an order.
-local function extremes(comparison, label)
+local function extremes(comparison, order)
   local least, largest = math.huge, 0
   for _, curve in ipairs(comparison.curves) do
-    for _, point in ipairs(curve.name == label and curve.points or {}) do
+    for _, point in ipairs(curve.name == order and curve.points or {}) do
       least, largest = math.min(least, point.error), math.max(largest, point.error)
     end
   end
@@ -25,23 +25,23 @@ local function extremes(comparison, label)
 end
 
 --- Whether the largest error of one order is below the smallest of another one.
-local function is_better(comparison, label, other)
-  local _, worst = extremes(comparison, label)
+local function is_better(comparison, order, other)
+  local _, worst = extremes(comparison, order)
   return worst < extremes(comparison, other)
 end
 
 --- The clauses of the conclusion on a pair of orders: the range of time ratios over all errors, and the errors without
 --- a common range that are smaller in any case.
-local function add_clauses(comparisons, errors, pair, ratios, better)
+local function add_clauses(comparisons, errors, pair, clauses, better)
   local low, high, smaller = math.huge, 0, {}
   for _, error in ipairs(errors) do
     local comparison = comparisons[error.name]
-    local found = comparison and shares.of(comparison, pair[1], pair[2])
-    for _, share in ipairs(found and found.share or {}) do low, high = math.min(low, share), math.max(high, share) end
+    local found = comparison and ratios.of(comparison, pair[1], pair[2])
+    for _, ratio in ipairs(found and found.ratio or {}) do low, high = math.min(low, ratio), math.max(high, ratio) end
     if found and found.why and is_better(comparison, pair[1], pair[2]) then smaller[#smaller + 1] = error.title end
   end
   if high > 0 then
-    ratios[#ratios + 1] = ("%s takes %.2f to %.2f of the time of %s"):format(pair[1], low, high, pair[2])
+    clauses[#clauses + 1] = ("%s takes %.2f to %.2f of the time of %s"):format(pair[1], low, high, pair[2])
   end
   if #smaller > 0 then
     better[#better + 1] = ("%s has a smaller %s on every mesh than %s on any"):format(pair[1], series(smaller), pair[2])
@@ -50,10 +50,10 @@ end
 
 --- The conclusion on a problem, one sentence.
 local function conclusion(comparisons, errors)
-  local ratios, better = {}, {}
-  for _, pair in ipairs(shares.pairs) do add_clauses(comparisons, errors, pair, ratios, better) end
+  local clauses, better = {}, {}
+  for _, pair in ipairs(ratios.pairs) do add_clauses(comparisons, errors, pair, clauses, better) end
   local parts = {}
-  if #ratios > 0 then parts[1] = "At equal error " .. series(ratios) end
+  if #clauses > 0 then parts[1] = "At equal error " .. series(clauses) end
   if #better > 0 then parts[#parts + 1] = series(better) end
   return #parts > 0 and table.concat(parts, "; ") .. "." or "No two of the compared orders reach a common error."
 end
@@ -94,11 +94,11 @@ local function compare(measured, error, options, files, blocks)
   blocks[#blocks + 1] = { title = title, chart = chart .. ".png" }
   local missing = left_out(comparison)
   if missing then blocks[#blocks + 1] = { text = missing } end
-  local ratios = tables.ratios(comparison, error)
-  sg.csv.write(files(chart .. "_ratios.csv"), { columns = { "label", "against", "least_error", "largest_error",
-    "share_at_least", "share_in_the_middle", "share_at_largest" }, rows = ratios.rows })
-  if #ratios.rows > 0 then
-    blocks[#blocks + 1] = { title = ("Ratio of times, A to B, at equal %s"):format(error.title), table = ratios }
+  local ratio_table = tables.ratios(comparison, error)
+  sg.csv.write(files(chart .. "_ratios.csv"), { columns = { "order", "against", "least_error", "largest_error",
+    "ratio_at_smallest", "ratio_in_the_middle", "ratio_at_largest" }, rows = ratio_table.rows })
+  if #ratio_table.rows > 0 then
+    blocks[#blocks + 1] = { title = ("Ratio of times, A to B, at equal %s"):format(error.title), table = ratio_table }
   end
   local least = tables.least(measured, error, time)
   if #least.rows > 0 then

@@ -54,7 +54,7 @@ end
 
 local function is_case(row, case) return row.order == case.order and row.mesh == case.mesh end
 
---- The errors of a problem as figures of a study of medians; none for failed cases and the reference itself.
+--- The errors of a problem as results of a study of medians; none for failed cases and the reference itself.
 local function measure(problem, medians)
   local wanted, reference = problem.reference, nil
   for _, row in ipairs(medians.rows) do

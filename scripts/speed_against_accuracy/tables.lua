@@ -1,10 +1,10 @@
 -- Measurements as tables: { columns, units, rows, formats }, as sg.table and sg.csv.write take them.
 
-local shares = require "speed_against_accuracy.shares"
+local ratios = require "speed_against_accuracy.ratios"
 
 local tables = {}
 
-local error_format, time_format, share_format = "%.2e", "%.3g", "%.2f"
+local error_format, time_format, ratio_format = "%.2e", "%.3g", "%.2f"
 
 local function name_of(row) return ("%s %s"):format(row.order, row.mesh) end
 
@@ -49,12 +49,12 @@ function tables.ratios(comparison, error)
   add_column(to, "A")
   add_column(to, "B")
   for _, name in ipairs { "smallest error", "largest error" } do add_column(to, name, error.unit, error_format) end
-  for _, name in ipairs { "at smallest", "middle", "at largest" } do add_column(to, name, "", share_format) end
-  for i, ratio in ipairs(comparison.ratios) do
-    local label, other = ratio.a, ratio.b
-    if (ratio.ratio[2] or 0) > 1 then label, other = other, label end
-    local share = (shares.of(comparison, label, other) or {}).share or {}
-    to.rows[i] = { label, other, ratio.from, ratio.to, share[1], share[2], share[3] }
+  for _, name in ipairs { "at smallest", "middle", "at largest" } do add_column(to, name, "", ratio_format) end
+  for i, entry in ipairs(comparison.ratios) do
+    local order, other = entry.a, entry.b
+    if (entry.ratio[2] or 0) > 1 then order, other = other, order end
+    local ratio = (ratios.of(comparison, order, other) or {}).ratio or {}
+    to.rows[i] = { order, other, entry.from, entry.to, ratio[1], ratio[2], ratio[3] }
   end
   return to
 end
@@ -68,8 +68,8 @@ function tables.least(measured, error, time)
   add_column(to, "fastest case")
   add_column(to, error.name, error.unit, error_format)
   add_column(to, "time", "s", time_format)
-  add_column(to, "time ratio", "", share_format)
-  for i, pair in ipairs(shares.least(measured.cases, error.name, time)) do
+  add_column(to, "time ratio", "", ratio_format)
+  for i, pair in ipairs(ratios.least(measured.cases, error.name, time)) do
     local plain, best = pair.plain, pair.best
     to.rows[i] = { name_of(plain), plain[error.name], plain[time], name_of(best), best[error.name], best[time],
                    best[time] / plain[time] }
@@ -79,7 +79,7 @@ end
 
 --- The savings of time, here and as published.
 function tables.published(measured, time)
-  local to, list = new(), shares.published(measured.cases, measured.problem.savings, time)
+  local to, list = new(), ratios.published(measured.cases, measured.problem.savings, time)
   add_column(to, "case")
   add_column(to, "against")
   for _, error in ipairs(measured.problem.errors) do
@@ -121,33 +121,33 @@ end
 function tables.ranges(results)
   local to = new()
   for _, name in ipairs { "ratio", "smallest", "problem", "largest", "problem" } do add_column(to, name) end
-  to.formats[2], to.formats[4] = share_format, share_format
+  to.formats[2], to.formats[4] = ratio_format, ratio_format
   local function place(one) return ("%s: %s"):format(one.problem, one.error) end
-  for _, pair in ipairs(shares.pairs) do
-    local list = shares.over_all(results, pair[1], pair[2])
+  for _, pair in ipairs(ratios.pairs) do
+    local list = ratios.over_all(results, pair[1], pair[2])
     local low, high = list[1], list[#list]
     if low then
-      to.rows[#to.rows + 1] = { ("%s / %s"):format(pair[1], pair[2]), low.share, place(low), high.share,
+      to.rows[#to.rows + 1] = { ("%s / %s"):format(pair[1], pair[2]), low.ratio, place(low), high.ratio,
                                 place(high) }
     end
   end
   return to
 end
 
---- All problems: the ratios of shares.pairs at the smallest, middle and largest common error.
+--- All problems: the ratios of the compared pairs at the smallest, middle and largest common error.
 function tables.summary(results)
   local to = new()
   add_column(to, "problem")
   add_column(to, "error")
-  for _, pair in ipairs(shares.pairs) do add_column(to, ("%s / %s"):format(pair[1], pair[2])) end
+  for _, pair in ipairs(ratios.pairs) do add_column(to, ("%s / %s"):format(pair[1], pair[2])) end
   for _, result in ipairs(results) do
     for _, error in ipairs(result.measured.problem.errors) do
       local cells = { result.measured.problem.title, error.title }
-      for k, pair in ipairs(shares.pairs) do
+      for k, pair in ipairs(ratios.pairs) do
         local comparison = result.comparisons[error.name]
-        local found = comparison and shares.of(comparison, pair[1], pair[2])
-        if found and found.share then
-          cells[2 + k] = ("%.2f, %.2f, %.2f"):format(table.unpack(found.share))
+        local found = comparison and ratios.of(comparison, pair[1], pair[2])
+        if found and found.ratio then
+          cells[2 + k] = ("%.2f, %.2f, %.2f"):format(table.unpack(found.ratio))
         end
       end
       to.rows[#to.rows + 1] = cells

@@ -30,11 +30,11 @@ local reference_penalty = 1e4
 
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local function solve(label, mesh, penalty, controls)
-  local model, stage = hertz.scene{ label = label, mesh = mesh, load = "displacement", penalty = penalty }
+local function solve(order, mesh, penalty, controls)
+  local model, stage = hertz.scene{ order = order, mesh = mesh, load = "displacement", penalty = penalty }
   stage.steps = options.steps
   local run = model:run({ stage }, controls)
-  local case = { label = label, mesh = mesh, penalty = penalty, run = run, outcome = run.cause or run.reason }
+  local case = { order = order, mesh = mesh, penalty = penalty, run = run, outcome = run.cause or run.reason }
   if run.failed then return case end
   case.profile = model:profile "ground"
   case.edge = sg.profile_edges{ profile = case.profile }.to
@@ -64,19 +64,19 @@ local function errors(case)
 end
 
 local cases, rows = {}, {}
-for _, label in ipairs(orders) do
+for _, order in ipairs(orders) do
   for _, penalty in ipairs(penalties) do
-    for _, way in ipairs { "penalty", "augmented" } do
-      local case = solve(label, options.mesh, penalty,
-        sg.robust{ augmented = way == "augmented" and { penetration = penetration, loops = loops } or nil })
-      case.way = way
+    for _, method in ipairs { "penalty", "augmented" } do
+      local case = solve(order, options.mesh, penalty,
+        sg.robust{ augmented = method == "augmented" and { penetration = penetration, loops = loops } or nil })
+      case.method = method
       if case.profile then
         case.error, case.inside = errors(case)
         case.force_percent, case.peak_percent = 100 * (case.force / reference.force - 1), 100 * (case.peak / p0 - 1)
       end
       cases[#cases + 1] = case
-      cases[("%s %g %s"):format(label, penalty, way)] = case
-      rows[#rows + 1] = { label, penalty, way, case.outcome, case.run.iterations, case.penetration, case.error,
+      cases[("%s %g %s"):format(order, penalty, method)] = case
+      rows[#rows + 1] = { order, penalty, method, case.outcome, case.run.iterations, case.penetration, case.error,
                           case.inside, case.force_percent, case.peak_percent }
     end
   end
@@ -85,7 +85,7 @@ end
 print(("Hertz at %s: penalty alone and augmented to a penetration of %g; errors against N2-N2.2 at %s, penalty %g")
   :format(options.mesh, penetration, options.reference, reference_penalty))
 print(sg.table{
-  columns = { "label", "penalty", "way", "outcome", "iterations", "penetration", "L2 error", "inside 0.8 a", "force",
+  columns = { "order", "penalty", "method", "outcome", "iterations", "penetration", "L2 error", "inside 0.8 a", "force",
               "peak" },
   units = { "", "", "", "", "", "", "of p_0", "of p_0", "% off", "% off" }, rows = rows,
   formats = { penalty = "%g", penetration = "%.2e", ["L2 error"] = "%.2e", ["inside 0.8 a"] = "%.2e", force = "%.3f",
@@ -98,12 +98,12 @@ local files = sg.files(options.out)
 local function chart(key, ylabel, title)
   local drawing = { file = files(key .. ".png"), title = title, xlabel = "penalty (E / R)", ylabel = ylabel,
                     log = "xy" }
-  for i, label in ipairs(orders) do
-    for _, way in ipairs { "penalty", "augmented" } do
-      local line = { x = {}, y = {}, label = ("%s, %s"):format(label, way), dashed = way == "augmented", color = i,
-                     markers = true }
+  for i, order in ipairs(orders) do
+    for _, method in ipairs { "penalty", "augmented" } do
+      local line = { x = {}, y = {}, label = ("%s, %s"):format(order, method), dashed = method == "augmented",
+                     color = i, markers = true }
       for _, penalty in ipairs(penalties) do
-        local case = cases[("%s %g %s"):format(label, penalty, way)]
+        local case = cases[("%s %g %s"):format(order, penalty, method)]
         if case[key] then line.x[#line.x + 1], line.y[#line.y + 1] = penalty, case[key] end
       end
       if #line.x > 0 then drawing[#drawing + 1] = line end

@@ -8,7 +8,7 @@ local controls = {
              fallback = "with fallbacks only", prediction = "with prediction only" },
 }
 
---- A way that turns on one control of plain Newton, with whatever a study needs on top.
+--- A way that turns on one control of plain Newton, with the further options that a study needs.
 local function with(key, value)
   return function(overrides)
     local options = sg.plain(overrides)

@@ -29,7 +29,7 @@ local predictors = { "tangent", "constant", "linear" }
 
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Runs a case { problem, label, run(controls) } in each of several ways, in turns; returns for each way the last run
+--- Runs a case { problem, order, run(controls) } in each of several ways, in turns; returns for each way the last run
 --- and the median of the times.
 local function solve(case, ways)
   local results = {}
@@ -44,17 +44,17 @@ local function solve(case, ways)
   return results
 end
 
-local function ironing_case(label)
+local function ironing_case(order)
   local set_up = ironing.variants.standard
-  return { problem = "ironing at " .. options.mesh, label = label, run = function(controls)
-    local model = ironing.scene(set_up, label, ironing.elements(options.mesh))
+  return { problem = "ironing at " .. options.mesh, order = order, run = function(controls)
+    local model = ironing.scene(set_up, order, ironing.elements(options.mesh))
     return model:run(ironing.path(set_up, options.coarser), controls)
   end }
 end
 
-local function hertz_case(load, label)
-  return { problem = ("Hertz at %s by %s"):format(options.rings, load), label = label, run = function(controls)
-    local model, stage = hertz.scene{ label = label, mesh = options.rings, load = load }
+local function hertz_case(load, order)
+  return { problem = ("Hertz at %s by %s"):format(options.rings, load), order = order, run = function(controls)
+    local model, stage = hertz.scene{ order = order, mesh = options.rings, load = load }
     stage.steps = options.steps
     return model:run({ stage }, controls)
   end }
@@ -67,30 +67,30 @@ local function add(case)
   local results = solve(case, { plain = sg.plain{}, controls = sg.robust{} })
   local plain, controls = results.plain, results.controls
   local cost = {
-    problem = case.problem, label = case.label, plain = plain.run.iterations, controls = controls.run.iterations,
+    problem = case.problem, order = case.order, plain = plain.run.iterations, controls = controls.run.iterations,
     ratio = controls.run.iterations / plain.run.iterations, time_ratio = controls.wall / plain.wall,
     failed = plain.run.failed or controls.run.failed,
   }
   costs[#costs + 1] = cost
-  rows[#rows + 1] = { cost.problem, cost.label, cost.plain, cost.controls, cost.ratio, cost.time_ratio,
+  rows[#rows + 1] = { cost.problem, cost.order, cost.plain, cost.controls, cost.ratio, cost.time_ratio,
                       cost.failed and "fails" or "" }
 end
-for _, label in ipairs(options.orders) do add(ironing_case(label)) end
+for _, order in ipairs(options.orders) do add(ironing_case(order)) end
 for _, load in ipairs { "force", "displacement" } do
-  for _, label in ipairs(options.hertz) do add(hertz_case(load, label)) end
+  for _, order in ipairs(options.hertz) do add(hertz_case(load, order)) end
 end
 print "Iterations with plain Newton and with the controls on; their ratio, and that of the times"
-print(sg.table{ columns = { "problem", "label", "plain", "controls", "ratio", "time ratio", "" }, rows = rows,
+print(sg.table{ columns = { "problem", "order", "plain", "controls", "ratio", "time ratio", "" }, rows = rows,
                 formats = { ratio = "%.3f", ["time ratio"] = "%.2f" } })
 
 -- ── Predictors ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local guesses = {}
 rows = {}
-for _, label in ipairs(options.orders) do
-  local ways, row = {}, { label }
+for _, order in ipairs(options.orders) do
+  local ways, row = {}, { order }
   for _, predictor in ipairs(predictors) do ways[predictor] = sg.plain{ predictor = predictor } end
-  local results, guess = solve(ironing_case(label), ways), { label = label }
+  local results, guess = solve(ironing_case(order), ways), { order = order }
   for _, predictor in ipairs(predictors) do
     local run = results[predictor].run
     guess[predictor] = not run.failed and run.stages[2].iterations or nil
@@ -103,13 +103,13 @@ for _, label in ipairs(options.orders) do
 end
 print(("\nIroning at %s: iterations of the sliding stage by predictor, and savings by the linear one")
   :format(options.mesh))
-print(sg.table{ columns = { "label", "tangent", "constant", "linear", "iterations saved", "time saved" },
+print(sg.table{ columns = { "order", "tangent", "constant", "linear", "iterations saved", "time saved" },
                 units = { "", "", "", "", "%", "%" }, rows = rows,
                 formats = { ["iterations saved"] = "%.1f", ["time saved"] = "%.1f" } })
 
 local files = sg.files(options.out)
-local data = { columns = { "problem", "label", "plain", "controls", "ratio", "time_ratio" }, rows = {} }
-for i, c in ipairs(costs) do data.rows[i] = { c.problem, c.label, c.plain, c.controls, c.ratio, c.time_ratio } end
+local data = { columns = { "problem", "order", "plain", "controls", "ratio", "time_ratio" }, rows = {} }
+for i, c in ipairs(costs) do data.rows[i] = { c.problem, c.order, c.plain, c.controls, c.ratio, c.time_ratio } end
 sg.csv.write(files "cost.csv", data)
 files:report()
 

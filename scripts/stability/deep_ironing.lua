@@ -40,12 +40,12 @@ local options = study.arguments{
 }
 local set_up, elements = ironing.variants.deep, ironing.elements(options.mesh)
 
-local function scene(label, multiple)
-  return (ironing.scene(set_up, label, elements, multiple * (ironing.layer_degree(label) + 1)))
+local function scene(order, multiple)
+  return (ironing.scene(set_up, order, elements, multiple * (ironing.layer_degree(order) + 1)))
 end
 
 --- The forces on the die at the end of the path.
-local function figures(_, run)
+local function forces(_, run)
   return { drag = run:column "grip.fx"[run.steps], press = -run:column "grip.fy"[run.steps] }
 end
 
@@ -55,29 +55,29 @@ for _, name in ipairs(points) do
   local multiple = multiples[name]
   results[name] = study.solve({
     name = ("Deep ironing with %s contact points"):format(name), key = ("points%d"):format(multiple),
-    x = { name = "label", values = options.orders },
+    x = { name = "order", values = options.orders },
     y = { name = "length of a step (published: 1)", values = coarser },
-    scene = function(label) return scene(label, multiple) end,
+    scene = function(order) return scene(order, multiple) end,
     path = function(_, _, times) return ironing.path(set_up, times) end,
-    figures = figures,
+    results = forces,
   }, options, files)
 end
 
 -- ── Where it fails ───────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Draws the last state of plain Newton with an order, and the places in its report. Returns the run.
-local function draw_places(label)
-  local model = scene(label, multiples[points[1]])
+local function draw_places(order)
+  local model = scene(order, multiples[points[1]])
   local run = model:run(ironing.path(set_up, coarser[1]), sg.plain{})
   if not run.failed then
-    print(("\n%s with %s contact points completes the path: nothing to mark"):format(label, points[1]))
+    print(("\n%s with %s contact points completes the path: nothing to mark"):format(order, points[1]))
     return run
   end
-  print(("\n%s with %s contact points: %s: %s"):format(label, points[1], run.reason, run.report))
+  print(("\n%s with %s contact points: %s: %s"):format(order, points[1], run.reason, run.report))
   local x, y = run.places[1].x[1], run.places[1].x[2]
   sg.picture{ model = model, field = "syy", marks = run.places, file = files "places.png",
               crop = { x - 0.45, x + 0.45, y - 0.25, y + 0.25 }, size = 960, unit = "mm",
-              title = ("%s, %s contact points: %s in step %d"):format(label, points[1], run.reason, run.steps + 1) }
+              title = ("%s, %s contact points: %s in step %d"):format(order, points[1], run.reason, run.steps + 1) }
   return run
 end
 

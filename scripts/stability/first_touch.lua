@@ -18,7 +18,7 @@
 --           all cells on the plane without friction, otherwise in all but those of the highest load: 8 and 6 of 24
 --           cells. All controls converge in all 96: damping moves the body to its first contact. The contact force
 --           equals the load.
--- Run: signorini scripts/stability/first_touch.lua [under=plane,slab] [friction=0,0.3] [label=N2]
+-- Run: signorini scripts/stability/first_touch.lua [under=plane,slab] [friction=0,0.3] [order=N2]
 --      [gaps=-1e-2,-1e-3,0,1e-3,1e-2,1e-1] [loads=1e-4,1e-3,1e-2,0.05] [steps=5] [jobs=2] [limit=600] [keep=no]
 --      [with=robust] [out=out/stability/first_touch]; one map for each of under and friction; keep=yes reuses the cells
 --      that an earlier call left in the folder; with=cutting, fallback or prediction turns on only one of the controls.
@@ -27,17 +27,17 @@ local sg = require "signorini"
 local study = require "stability.study"
 
 local options = study.arguments{
-  under = { { "plane", "slab" }, choices = { "plane", "slab" } }, friction = { 0, 0.3 }, label = "N2",
+  under = { { "plane", "slab" }, choices = { "plane", "slab" } }, friction = { 0, 0.3 }, order = "N2",
   gaps = { -1e-2, -1e-3, 0, 1e-3, 1e-2, 1e-1 }, loads = { { 1e-4, 1e-3, 1e-2, 0.05 }, above = 0 }, steps = 5,
   out = "out/stability/first_touch",
 }
-local label, steps = options.label, options.steps
+local order, steps = options.order, options.steps
 local inner, outer, penalty = 0.5, 1, 100
 
 local function scene(under, mu, gap)
   local ring = sg.body{
     patch = sg.shapes.quarter_annulus{ inner = inner, outer = outer, start = 270 }, elements = { 12, 3 },
-    order = label, contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
+    order = order, contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local bodies = { ring = ring }
   local supports = { symmetry = { on = ring:face "west", fix = "x" } }
@@ -45,7 +45,7 @@ local function scene(under, mu, gap)
   if under == "slab" then
     local slab = sg.body{
       patch = sg.shapes.rectangle{ width = 2, height = 1, corner = { 0, -outer - gap - 1 } }, elements = { 10, 5 },
-      order = label, contact = "north", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
+      order = order, contact = "north", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
     }
     bodies.slab, master = slab, slab:face "north"
     supports.bed = { on = slab:face "south", fix = "xy" }
@@ -70,7 +70,7 @@ for _, under in ipairs(options.under) do
       path = function(_, _, load)
         return { { name = "press", steps = steps, push = { 0, -load / (outer - inner) } } }
       end,
-      figures = function(_, run) return { carried = run:column "ground.fy"[run.steps] } end,
+      results = function(_, run) return { carried = run:column "ground.fy"[run.steps] } end,
     }, options, files)
   end
 end

@@ -47,7 +47,7 @@ local function path(coarser)
 end
 
 --- Drag over pressing force in the middle of the forward and the backward slide.
-local function figures(_, run)
+local function forces(_, run)
   local function drag(stages)
     local step = run.stages[1].steps + math.floor((stages - 0.5) * run.stages[2].steps)
     return run:column "grip.fx"[step] / -run:column "grip.fy"[step]
@@ -56,14 +56,14 @@ local function figures(_, run)
 end
 
 local files, results = sg.files(options.out), {}
-for _, label in ipairs(options.orders) do
-  results[label] = study.solve({
-    name = ("Ironing back and forth, %s at %s"):format(label, options.mesh), key = label,
+for _, order in ipairs(options.orders) do
+  results[order] = study.solve({
+    name = ("Ironing back and forth, %s at %s"):format(order, options.mesh), key = order,
     x = { name = "length of a step (published: 1)", values = options.coarser },
     y = { name = "coefficient of friction", values = options.friction },
-    scene = function(_, mu) return (ironing.scene(with_friction(mu), label, elements)) end,
+    scene = function(_, mu) return (ironing.scene(with_friction(mu), order, elements)) end,
     path = function(_, coarser) return path(coarser) end,
-    figures = figures,
+    results = forces,
   }, options, files)
 end
 files:report()

@@ -38,10 +38,10 @@ local options = study.arguments{
 local elements, finest, ratios = options.elements, options.reference, options.nu
 local stages = { { name = "press", steps = options.steps, push = { 0, -options.depth } } }
 
-local function scene(label, nu, count)
-  local degree = math.tointeger(label:match "^%a(%d+)") -- of the bulk, in both directions, which determines locking
+local function scene(order, nu, count)
+  local degree = math.tointeger(order:match "^%a(%d+)") -- of the bulk, in both directions, which determines locking
   local block = sg.body{
-    patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { count, count }, order = label,
+    patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { count, count }, order = order,
     thickness_degree = degree, contact = "north", material = sg.neo_hookean{ E = 1, nu = nu },
   }
   local punch = sg.rigid.cylinder{ center = { 0, 1.5 }, radius = 0.5 }
@@ -58,21 +58,21 @@ local function force(run) return math.abs(run:column "push.fy"[run.steps]) end
 --- The reference forces by nu, each solved in its own process.
 local reference = sg.convergence_map{
   name = ("N4 on %d × %d elements"):format(finest, finest),
-  x = { name = "label", values = { "N4" } }, y = { name = "nu", values = ratios },
-  scene = function(label, nu) return scene(label, nu, finest) end,
+  x = { name = "order", values = { "N4" } }, y = { name = "nu", values = ratios },
+  scene = function(order, nu) return scene(order, nu, finest) end,
   path = function() return stages, controls.robust() end,
-  figures = function(_, run) return { force = force(run) } end, jobs = options.jobs,
+  results = function(_, run) return { force = force(run) } end, jobs = options.jobs,
 }
 print(reference)
 
 local files = sg.files(options.out)
 local maps = study.solve({
   name = ("Indentation, %d × %d elements"):format(elements, elements),
-  x = { name = "label", values = options.orders }, y = { name = "Poisson's ratio", values = ratios },
-  scene = function(label, nu) return scene(label, nu, elements) end,
+  x = { name = "order", values = options.orders }, y = { name = "Poisson's ratio", values = ratios },
+  scene = function(order, nu) return scene(order, nu, elements) end,
   path = function() return stages end,
-  figures = function(_, run, _, nu)
-    local exact = reference:cell("N4", nu).figures.force
+  results = function(_, run, _, nu)
+    local exact = reference:cell("N4", nu).results.force
     return { force = force(run), error = exact and math.abs(force(run) / exact - 1) }
   end,
   charts = { { key = "error", name = "error", log = true, label = "error of the force" } },

@@ -45,7 +45,7 @@ local mesh, load, steps = options.mesh, options.load, options.steps
 local part = 0.8 -- of the half-width; excludes the edge, where the number of active points changes
 
 --- Oscillation of the pressure, half-width and largest penetration.
-local function figures(model, run)
+local function pressure_results(model, run)
   local profile = model:profile "ground"
   local a, peak = hertz.hertz(2 * run:column "ground.fy"[run.steps])
   local half_width = sg.profile_edges{ profile = profile }.to
@@ -61,17 +61,17 @@ end
 local files = sg.files(options.out)
 local maps = study.solve({
   name = ("Hertz at %s, load by %s"):format(mesh, load),
-  x = { name = "label", values = options.orders },
+  x = { name = "order", values = options.orders },
   y = { name = "penalty", values = options.penalties },
-  scene = function(label, penalty)
-    return (hertz.scene{ label = label, mesh = mesh, load = load, penalty = penalty })
+  scene = function(order, penalty)
+    return (hertz.scene{ order = order, mesh = mesh, load = load, penalty = penalty })
   end,
-  path = function(_, label, penalty)
-    local _, stage = hertz.scene{ label = label, mesh = mesh, load = load, penalty = penalty }
+  path = function(_, order, penalty)
+    local _, stage = hertz.scene{ order = order, mesh = mesh, load = load, penalty = penalty }
     stage.steps = steps
     return { stage }
   end,
-  figures = figures,
+  results = pressure_results,
   charts = {
     { key = "oscillation", name = "oscillation", log = true, label = "oscillation of the pressure / peak" },
     { key = "penetration", name = "penetration", log = true, label = "largest penetration" },

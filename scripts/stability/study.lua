@@ -53,9 +53,9 @@ local function report(plain, robust, titles)
   return result
 end
 
---- Solves a problem's map with both options. `problem`: name, x, y, scene, figures as sg.convergence_map takes them,
+--- Solves a problem's map with both options. `problem`: name, x, y, scene, results as sg.convergence_map takes them,
 --- path(model, x, y) with the overrides of model:run's options that both ways need, charts (further pictures:
---- map:figure's name, log and label, and `key`, their file's name), and `key`, part of the files' names when a script
+--- map:heatmap's name, log and label, and `key`, their file's name), and `key`, part of the files' names when a script
 --- has several problems. Returns { plain, robust, comparison }; `files` is the result of sg.files.
 function study.solve(problem, options, files)
   local function file(name) return files((problem.key and problem.key .. "_" or "") .. name) end
@@ -64,7 +64,7 @@ function study.solve(problem, options, files)
     local name = file(kind .. ".csv")
     if not options.keep then os.remove(name) end
     return sg.convergence_map{
-      name = problem.name, x = problem.x, y = problem.y, scene = problem.scene, figures = problem.figures,
+      name = problem.name, x = problem.x, y = problem.y, scene = problem.scene, results = problem.results,
       jobs = options.jobs, limit = options.limit, file = name,
       path = function(model, x, y)
         local stages, overrides = path(model, x, y)
@@ -77,7 +77,7 @@ function study.solve(problem, options, files)
   plain:picture{ file = file "outcomes.png", title = problem.name .. ": outcome and Newton iterations",
                  other = robust, titles = titles }
   for _, chart in ipairs(problem.charts or {}) do
-    plain:figure{ file = file(chart.key .. ".png"), name = chart.name, log = chart.log, label = chart.label,
+    plain:heatmap{ file = file(chart.key .. ".png"), name = chart.name, log = chart.log, label = chart.label,
                   title = problem.name .. ": " .. chart.label, other = robust, titles = titles }
   end
   return { plain = plain, robust = robust, comparison = comparison }

@@ -167,8 +167,8 @@ void check_size(const nurbs::Plan& plan, int dimensions) {
   constexpr double most_unknowns = 20e6;
   double elements = 1, points = 1; // totals; `points`: unknowns per displacement component
   for (int count : plan.elements) elements *= count, points *= count + 1.0;
-  const int through = plan.through.value_or(nurbs::bulk_space(plan.labels).full_degree());
-  double functions = plan.contact.empty() ? 1 : through + 1; // of an element, then times its Gauss points
+  const int thickness_degree = plan.thickness_degree.value_or(nurbs::bulk_space(plan.labels).full_degree());
+  double functions = plan.contact.empty() ? 1 : thickness_degree + 1; // of an element, then times its Gauss points
   for (const nurbs::Label& label : plan.labels) functions *= label.bulk.full_degree() + 1;
   const double unknowns = dimensions * points, table = 8 * elements * functions * functions * dimensions; // bytes
   const std::string list = listed(plan.elements);
@@ -203,7 +203,7 @@ int body(const Arguments& a, lua_State* L) {
   plan.grading = gradings_of(a, "grading");
   plan.contact = contact_of(a, dimensions);
   plan.labels = labels_of(a, static_cast<std::size_t>(plan.contact.empty() ? dimensions : dimensions - 1));
-  if (a.has("thickness_degree")) plan.through = a.get<int>("thickness_degree");
+  if (a.has("thickness_degree")) plan.thickness_degree = a.get<int>("thickness_degree");
   check_size(plan, dimensions);
   return dimensions == 2 ? push_body<2>(L, patch, plan, a) : push_body<3>(L, patch, plan, a);
 }

@@ -56,8 +56,8 @@ template <int D> bool write_scene_object(lua_State* L, ArchiveWriter& to) {
   return write_if<Body<D>>(L, to, [](const auto& body) { return std::tie(*body); }) ||
          write_if<BoundaryPart<D>>(L, to, [](const auto& at) { return std::tie(*at.body, at.name, at.functions); }) ||
          write_if<Rigid<D>>(L, to, [](const auto& rigid) { return std::tie(rigid->form, rigid->shape); }) ||
-         write_if<Snapshot<D>>(L, to,
-                               [](const auto& kept) { return std::tuple(model::content(*kept.model, kept.state)); }) ||
+         write_if<Snapshot<D>>(
+             L, to, [](const auto& snapshot) { return std::tuple(model::content(*snapshot.model, snapshot.state)); }) ||
          write_if<Model<D>>(L, to, [](const auto& model) {
            return std::tuple(model::content(*model, model::snapshot(*model)), model->present.displacement,
                              model->present.penalty_factor);

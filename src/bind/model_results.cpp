@@ -41,6 +41,8 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   const auto sum = contact::resultant(model.present.contacts[contact]);
   push_fields(L, "area", sum.area, "max_pressure", sum.max_pressure, "max_penetration", sum.max_penetration, "active",
               sum.active, "slipping", sum.slipping);
+  const auto* law = std::get_if<contact::PenaltyLaw>(&model.system.scene.contacts[contact].method);
+  set_field(L, "per", law && law->per == contact::TractionArea::current ? "current" : "reference");
   set_force<D>(L, sum.force);
   const auto& multipliers = model.present.contacts[contact].multiplier_results;
   double weighted = 0;
@@ -90,7 +92,8 @@ template <int D> int sample(const model::Model<D>& model, lua_State* L) {
 
 template <int D> int energy(const model::Model<D>& model, lua_State* L) {
   const model::Energies now = model::energies(model);
-  push_fields(L, "stored", now.stored, "contact", now.contact, "friction", now.friction, "work", now.work);
+  push_fields(L, "stored", now.stored, "contact", now.contact, "friction", now.friction, "work", now.work,
+              "area_growth", now.growth);
   return 1;
 }
 
@@ -115,8 +118,8 @@ template <int D> void push_body_cost(lua_State* L, const model::Model<D>& model,
       for (int i = D * function; i < D * (function + 1); ++i)
         if (unknown(i) >= 0) layer.insert(unknown(i));
   const auto unknowns_in_all = static_cast<int>(all.size()), in_layer = static_cast<int>(layer.size());
-  push_fields(L, "unknowns", unknowns_in_all, "contact_layer", in_layer, "bulk", unknowns_in_all - in_layer,
-              "prescribed", prescribed, "elements", body.elements(), "gauss_points", points);
+  push_fields(L, "unknowns", unknowns_in_all, "interface", in_layer, "bulk", unknowns_in_all - in_layer, "prescribed",
+              prescribed, "elements", body.elements(), "gauss_points", points);
 }
 
 /// Bytes of the factors as measured by the linear solver; before the first solve an estimate for the solver that would

@@ -1,7 +1,7 @@
 #include "base/index.hpp"
-#include "bind/draft.hpp"
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
+#include "bind/scene_builder.hpp"
 #include "bind/wording/wording.hpp"
 
 #include <algorithm>
@@ -42,7 +42,9 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
     law.friction = friction.get<double>("mu");
     law.tangential = friction.get<double>("penalty");
   }
-  if (a.get<std::string>("method") == "gpts") return law;
+  const bool mortar = a.get<std::string>("method") == "mortar";
+  if (mortar || (a.has("per") && a.get<std::string>("per") == "reference")) law.per = contact::TractionArea::reference;
+  if (!mortar) return law;
   const bool reduced = a.has("multipliers") && a.get<std::string>("multipliers") == "reduced";
   return contact::MortarLaw{law, reduced ? contact::MultiplierSpace::reduced : contact::MultiplierSpace::equal};
 }
@@ -68,18 +70,18 @@ template <int D> contact::Region<D> read_region(const Arguments& a, const std::s
 }
 
 /// An entry of `contacts` with this name in sg.model's argument.
-template <int D> model::Contact<D> read_contact(Draft<D>& draft, const Arguments& a, const std::string& name) {
+template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const Arguments& a, const std::string& name) {
   lua_State* L = a.state();
-  model::Contact<D> contact{{}, draft.face(L, a.push("slave"), a.name("slave")), {}, {}, 0, {}};
+  model::Contact<D> contact{{}, builder.face(L, a.push("slave"), a.name("slave")), {}, {}, 0, {}};
   if (const int master = a.push("master"); has_type(L, master, Type<Rigid<D>>::name))
-    contact.master = model::ObstacleReference{draft.index_of(a.object<Rigid<D>>("master"), a.name("master"))};
+    contact.master = model::ObstacleReference{builder.index_of(a.object<Rigid<D>>("master"), a.name("master"))};
   else
-    contact.master = draft.face(L, master, a.name("master"));
+    contact.master = builder.face(L, master, a.name("master"));
   const auto* face = std::get_if<model::FaceReference>(&contact.master);
   require(!face || contact.slave != *face, a.name("master"), " is the same face as ", a.name("slave"),
           "; self-contact is not available: use a face of the other body");
   contact.method = read_method<D>(a);
-  contact.points = a.has("points") ? a.get<int>("points") : default_points(draft.scene, contact.slave);
+  contact.points = a.has("points") ? a.get<int>("points") : default_points(builder.scene, contact.slave);
   contact.where = read_region<D>(a, name);
   return contact;
 }
@@ -128,8 +130,8 @@ void revolve(model::Scene<2>& scene) {
 }
 
 template <int D> int push_model(const Arguments& a, lua_State* L) {
-  Draft<D> draft;
-  model::Scene<D>& scene = draft.scene;
+  SceneBuilder<D> builder;
+  model::Scene<D>& scene = builder.scene;
   if (D == 3 && a.has("kind")) a.fail("kind is for plane models, but the bodies are solids in 3D: omit it");
   if (a.get<std::string>("kind") == "axisymmetric") scene.kind = solid::Kind::axisymmetric;
   scene.bodies = read_bodies<D>(a);
@@ -141,14 +143,14 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
     });
   };
   // Loads are accepted among the supports: both are external actions on a body.
-  const auto add_held = [&](const Arguments& part, const std::string&) -> std::string& {
-    if (part.has("traction") || part.has("pressure")) return scene.loads.emplace_back(read_load(draft, part)).name;
-    return scene.supports.emplace_back(read_support(draft, part)).name;
+  const auto add_boundary_condition = [&](const Arguments& part, const std::string&) -> std::string& {
+    if (part.has("traction") || part.has("pressure")) return scene.loads.emplace_back(read_load(builder, part)).name;
+    return scene.supports.emplace_back(read_support(builder, part)).name;
   };
-  each("supports", add_held);
-  each("loads", add_held);
+  each("supports", add_boundary_condition);
+  each("loads", add_boundary_condition);
   each("contacts", [&](const Arguments& part, const std::string& name) -> std::string& {
-    return scene.contacts.emplace_back(read_contact(draft, part, name)).name;
+    return scene.contacts.emplace_back(read_contact(builder, part, name)).name;
   });
   if constexpr (D == 2)
     if (scene.kind == solid::Kind::axisymmetric) revolve(scene);
@@ -166,13 +168,13 @@ constexpr Function scene_functions[] = {{"model", call<make_model>}};
 
 } // namespace
 
-template <int D> int Draft<D>::index_of(const BoundaryPart<D>& place, const std::string& where) const {
+template <int D> int SceneBuilder<D>::index_of(const BoundaryPart<D>& place, const std::string& where) const {
   const auto found = std::ranges::find(scene.bodies, place.body, &model::NamedBody<D>::body);
   require(found != scene.bodies.end(), where, " is on a body that is not in bodies: add the body");
   return static_cast<int>(found - scene.bodies.begin());
 }
 
-template <int D> int Draft<D>::index_of(const Rigid<D>& rigid, const std::string& where) {
+template <int D> int SceneBuilder<D>::index_of(const Rigid<D>& rigid, const std::string& where) {
   const auto found = std::find(obstacles.begin(), obstacles.end(), rigid);
   const auto index = static_cast<int>(found - obstacles.begin());
   if (found != obstacles.end()) return index;
@@ -182,14 +184,14 @@ template <int D> int Draft<D>::index_of(const Rigid<D>& rigid, const std::string
   return index;
 }
 
-template <int D> model::FaceReference Draft<D>::face(lua_State* L, int index, const std::string& where) const {
+template <int D> model::FaceReference SceneBuilder<D>::face(lua_State* L, int index, const std::string& where) const {
   const BoundaryPart<D>& place = read_object<BoundaryPart<D>>(L, index, {where});
   if (!place.side) reject_place(place, where, "a face", text(with_article(place.kind), " has no surface"));
   return {index_of(place, where), *place.side};
 }
 
-template struct Draft<2>;
-template struct Draft<3>;
+template struct SceneBuilder<2>;
+template struct SceneBuilder<3>;
 
 void open_scene(lua_State* L) {
   register_functions(L, "sg", scene_functions);

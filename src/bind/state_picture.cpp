@@ -214,15 +214,15 @@ private:
 };
 
 template <int D>
-Picture read_kept(const Arguments& a, const Snapshot<D>& kept, const std::string& field, const std::string& title,
-                  const std::array<int, 2>& size) {
+Picture read_snapshot(const Arguments& a, const Snapshot<D>& snapshot, const std::string& field,
+                      const std::string& title, const std::array<int, 2>& size) {
   if (a.has("model")) {
     const auto* named = test_object<Model<D>>(a.state(), a.push("model"));
-    if (!named || *named != kept.model) a.fail("model is not the model of the kept state: omit it");
+    if (!named || *named != snapshot.model) a.fail("model is not the model of the stored state: omit it");
   }
-  const Return<D> back(kept.model);
-  model::restore(*kept.model, kept.state);
-  return read_model<D>(a, kept.model, field, title, size);
+  const Return<D> back(snapshot.model);
+  model::restore(*snapshot.model, snapshot.state);
+  return read_model<D>(a, snapshot.model, field, title, size);
 }
 
 } // namespace
@@ -239,8 +239,9 @@ Picture read_state_picture(const Arguments& a, const std::string& field, int sta
   if (state != 0) {
     lua_getfield(L, state, "snapshot");
     const int snapshot = lua_gettop(L);
-    if (const auto* solid = test_object<Snapshot<3>>(L, snapshot)) return read_kept<3>(a, *solid, field, title, size);
-    return read_kept<2>(a, read_object<Snapshot<2>>(L, snapshot, {"state"}), field, title, size);
+    if (const auto* solid = test_object<Snapshot<3>>(L, snapshot))
+      return read_snapshot<3>(a, *solid, field, title, size);
+    return read_snapshot<2>(a, read_object<Snapshot<2>>(L, snapshot, {"state"}), field, title, size);
   }
   if (a.has("patch")) return read_patch(a, title, size);
   const int model = a.push("model");

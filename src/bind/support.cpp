@@ -1,6 +1,6 @@
 #include "base/index.hpp"
 #include "base/words.hpp"
-#include "bind/draft.hpp"
+#include "bind/scene_builder.hpp"
 #include "bind/wording/wording.hpp"
 #include "solid/load.hpp"
 
@@ -9,7 +9,7 @@
 
 namespace signorini::bind {
 
-using model::Hold;
+using model::Constraint;
 
 namespace {
 
@@ -18,20 +18,21 @@ namespace {
 }
 
 /// Reads components named by letters, such as "x" or "xy".
-template <int D> void read_components(const Arguments& a, const char* key, Hold hold, model::Support<D>& support) {
+template <int D>
+void read_components(const Arguments& a, const char* key, Constraint constraint, model::Support<D>& support) {
   if (!a.has(key)) return;
   const auto letters = a.get<std::string>(key);
   if (D == 2 && letters.find('z') != std::string::npos)
     a.refuse(key, "'x', 'y' or 'xy'", "the bodies are plane and have no component z");
   for (char letter : letters) {
-    Hold& component = support.hold[at(letter - 'x')];
-    if (component != Hold::free && hold == Hold::free)
-      a.fail("it frees ", letter, ", which it also ", component == Hold::fixed ? "fixes" : "drives",
+    Constraint& component = support.constraint[at(letter - 'x')];
+    if (component != Constraint::free && constraint == Constraint::free)
+      a.fail("it frees ", letter, ", which it also ", component == Constraint::fixed ? "fixes" : "drives",
              ": free is for components that are in neither fix nor drive, remove it from one of the two");
-    if (component != Hold::free)
+    if (component != Constraint::free)
       a.fail("it both fixes and drives ", letter,
              ": a component is either fixed or driven, remove it from one of the two");
-    component = hold;
+    component = constraint;
   }
 }
 
@@ -101,7 +102,7 @@ template <int D> std::optional<AxisPlane> plane_of(const MatrixX& points, double
 }
 
 /// Fixes the normal component on faces in a plane of symmetry.
-template <int D> void read_symmetry(const Arguments& a, const Draft<D>& draft, model::Support<D>& support) {
+template <int D> void read_symmetry(const Arguments& a, const SceneBuilder<D>& builder, model::Support<D>& support) {
   if (!a.get<bool>("symmetry")) return;
   constexpr double flat = 1e-9; // relative to the body's size: rounding error of a plane
   const auto reject_symmetry = [&](const auto&... words) { fail(a.name("symmetry"), " ", words...); };
@@ -110,7 +111,7 @@ template <int D> void read_symmetry(const Arguments& a, const Draft<D>& draft, m
   const char* cure = "only faces of bodies can be in a plane of symmetry; use separate supports for others";
   each_face<D>(a, "a face, or a list of faces", cure, [&](const BoundaryPart<D>& face) {
     const std::string words =
-        worded(model::face_message(draft.scene, {draft.index_of(face, a.name("on")), *face.side}));
+        worded(model::face_message(builder.scene, {builder.index_of(face, a.name("on")), *face.side}));
     const MatrixX points = face.body->space().points();
     const double tolerance = flat * (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
     const std::optional<AxisPlane> found = plane_of<D>(points(Eigen::all, face.functions), tolerance);
@@ -118,7 +119,7 @@ template <int D> void read_symmetry(const Arguments& a, const Draft<D>& draft, m
       reject_symmetry(
           "needs a flat face across ", D == 2 ? "x or y" : "x, y or z", ", but ", words,
           " is curved or inclined: rotate all bodies with patch:rotate so that the plane is normal to an axis");
-    if (draft.scene.kind == solid::Kind::axisymmetric && found->axis == 0 && std::abs(found->place) > tolerance)
+    if (builder.scene.kind == solid::Kind::axisymmetric && found->axis == 0 && std::abs(found->place) > tolerance)
       reject_symmetry("needs the axis x = 0 or a face across y, but ", words, " is a cylinder of radius ",
                       number(found->place), ": use fix = \"x\" to fix its radius");
     if (plane && (plane->axis != found->axis || std::abs(plane->place - found->place) > tolerance))
@@ -131,45 +132,46 @@ template <int D> void read_symmetry(const Arguments& a, const Draft<D>& draft, m
     if (a.has(key) && a.get<std::string>(key).find(normal) != std::string::npos)
       reject_symmetry("holds ", normal, " on the plane ", plane->words(), ", but ", key, " names ", normal,
                       ", too: remove one of the two");
-  support.hold[at(plane->axis)] = Hold::fixed;
+  support.constraint[at(plane->axis)] = Constraint::fixed;
 }
 
 } // namespace
 
-template <int D> model::Support<D> read_support(Draft<D>& draft, const Arguments& a) {
+template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const Arguments& a) {
   model::Support<D> support;
   const std::string on = a.name("on");
   std::set<std::string> listed;
   a.list("on", [&](int, int index, const std::string&) {
     if (has_type(a.state(), index, Type<Rigid<D>>::name)) {
-      const int obstacle = draft.index_of(read_object<Rigid<D>>(a.state(), index, {on}), on);
+      const int obstacle = builder.index_of(read_object<Rigid<D>>(a.state(), index, {on}), on);
       if (std::ranges::find(support.obstacles, obstacle) != support.obstacles.end()) reject_twice(a, "an obstacle");
       support.obstacles.push_back(obstacle);
       return;
     }
     const BoundaryPart<D>& place = read_object<BoundaryPart<D>>(a.state(), index, {on});
-    const int body = draft.index_of(place, on);
-    const std::string words = text(place.kind, " '", place.name, "' of body '", draft.scene.bodies[at(body)].name, "'");
+    const int body = builder.index_of(place, on);
+    const std::string words =
+        text(place.kind, " '", place.name, "' of body '", builder.scene.bodies[at(body)].name, "'");
     if (!listed.insert(words).second) reject_twice(a, words);
     support.on.push_back({body, place.functions});
   });
-  read_components(a, "fix", Hold::fixed, support);
-  read_components(a, "drive", Hold::driven, support);
-  read_components(a, "free", Hold::free, support);
+  read_components(a, "fix", Constraint::fixed, support);
+  read_components(a, "drive", Constraint::driven, support);
+  read_components(a, "free", Constraint::free, support);
   read_rotation(a, support);
-  read_symmetry(a, draft, support);
-  if (support.hold == std::array<Hold, D>{} && !support.rotates)
-    a.fail("it must hold at least one component: add fix = \"xy\", drive = \"xy\", ",
+  read_symmetry(a, builder, support);
+  if (support.constraint == std::array<Constraint, D>{} && !support.rotates)
+    a.fail("it must constrain at least one component: add fix = \"xy\", drive = \"xy\", ",
            D == 2 ? "rotate = true" : "rotate = \"z\"", " or symmetry = true");
   return support;
 }
 
-template <int D> model::Load read_load(const Draft<D>& draft, const Arguments& a) {
+template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arguments& a) {
   model::Load load;
   a.list("on", [&](int, int index, const std::string&) {
-    const model::FaceReference face = draft.face(a.state(), index, a.name("on"));
+    const model::FaceReference face = builder.face(a.state(), index, a.name("on"));
     if (std::ranges::find(load.on, face) != load.on.end())
-      reject_twice(a, worded(model::face_message(draft.scene, face)));
+      reject_twice(a, worded(model::face_message(builder.scene, face)));
     load.on.push_back(face);
   });
   load.pressure = a.has("pressure");
@@ -179,9 +181,9 @@ template <int D> model::Load read_load(const Draft<D>& draft, const Arguments& a
   return load;
 }
 
-template model::Support<2> read_support(Draft<2>&, const Arguments&);
-template model::Support<3> read_support(Draft<3>&, const Arguments&);
-template model::Load read_load(const Draft<2>&, const Arguments&);
-template model::Load read_load(const Draft<3>&, const Arguments&);
+template model::Support<2> read_support(SceneBuilder<2>&, const Arguments&);
+template model::Support<3> read_support(SceneBuilder<3>&, const Arguments&);
+template model::Load read_load(const SceneBuilder<2>&, const Arguments&);
+template model::Load read_load(const SceneBuilder<3>&, const Arguments&);
 
 } // namespace signorini::bind

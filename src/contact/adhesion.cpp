@@ -60,6 +60,7 @@ template <int D> void adhesion_force(const Adhesion& law, const LocalGeometry<D>
   result.potential = potential(law, geometry.gap);
   result.friction.setZero();
   result.measure = geometry.reference_measure;
+  result.stretch = 1; // results are per reference area, as the law
   LocalRow<D> measure_row = LocalRow<D>::Zero();
   fade_area(geometry, result.shift, result.measure, measure_row);
   // T n̄ dA,  δ(T n̄) = T′ δg n̄ + T δn̄

@@ -20,8 +20,8 @@ auto members(Cylinder& cylinder) {
 }
 
 auto members(PenaltyLaw& law) {
-  auto& [normal, tangential, friction] = law;
-  return std::tie(normal, tangential, friction);
+  auto& [normal, tangential, friction, per] = law;
+  return std::tie(normal, tangential, friction, per);
 }
 
 auto members(Adhesion& law) {
@@ -31,14 +31,14 @@ auto members(Adhesion& law) {
 
 auto members(MortarLaw& law) {
   auto& [penalty, multipliers] = law;
-  auto& [normal, tangential, friction] = penalty;
-  return std::tie(normal, tangential, friction, multipliers);
+  return std::tuple_cat(members(penalty), std::tie(multipliers));
 }
 
 /// The position follows from the displacements; a point that acts is not beyond the master.
 template <int D> auto members(PointResult<D>& result) {
-  auto& [state, position, gap, beyond, settled, pressure, tangents, friction, force, area, potential] = result;
-  return std::tie(state, gap, pressure, tangents, friction, force, area, potential);
+  auto& [state, position, gap, beyond, settled, pressure, area, tangents, friction, force, law_area, potential] =
+      result;
+  return std::tie(state, gap, pressure, area, tangents, friction, force, law_area, potential);
 }
 
 /// `cleared` is not stored, because settling resets it.
@@ -92,7 +92,7 @@ Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>) {
 }
 
 template <int D> void write(ArchiveWriter& to, const Method<D>& method) {
-  require(!std::holds_alternative<Maker<D>>(method), "contact.archive.own_formulation");
+  require(!std::holds_alternative<FormulationFactory<D>>(method), "contact.archive.own_formulation");
   to.put(static_cast<int>(method.index()));
   if (const auto* penalty = std::get_if<PenaltyLaw>(&method))
     to.put(*penalty);
@@ -111,8 +111,8 @@ template <int D> Method<D> read_method(ArchiveReader& from) {
 }
 
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {
-  const auto& [points, results, multipliers, multiplier_results, dissipated] = history;
-  to.put(dissipated, static_cast<std::uint64_t>(points.size()));
+  const auto& [points, results, multipliers, multiplier_results, dissipated, growth] = history;
+  to.put(dissipated, growth, static_cast<std::uint64_t>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool acts = results[i].area != 0;
     to.put(points[i], acts);
@@ -122,8 +122,8 @@ template <int D> void write_history(ArchiveWriter& to, const History<D>& history
 }
 
 template <int D> void read_history(ArchiveReader& from, History<D>& history) {
-  auto& [points, results, multipliers, multiplier_results, dissipated] = history;
-  dissipated = from.get<double>();
+  auto& [points, results, multipliers, multiplier_results, dissipated, growth] = history;
+  from.into(dissipated, growth);
   const auto count = from.get<std::uint64_t>();
   require(count == points.size(), "contact.archive.points", {{"saved", count}, {"count", points.size()}});
   for (std::size_t i = 0; i < points.size(); ++i) {

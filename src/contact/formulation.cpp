@@ -70,6 +70,7 @@ void Formulation<D>::append_dofs(const Block& block, const Offsets& offsets, std
 template <int D> void Formulation<D>::commit(History<D>& present, const History<D>& accepted, double penalty_factor) {
   commit_points(present, penalty_factor);
   for (std::size_t i = 0; i < points_.size(); ++i) {
+    present.growth += growth(accepted.results[i], present.results[i]);
     if (!present.results[i].settled) unsettled_ = {unsettled_.count + 1, points_.reference[i]};
     if (has_crossed(i, present, accepted)) crossed_ = {crossed_.count + 1, points_.reference[i]};
   }

@@ -62,7 +62,8 @@ public:
   const ContactPoints<D>& points() const { return points_; }
   /// Names of the unknowns added to the displacements. Their rows of the residual must be forces.
   virtual std::vector<std::string> extra_unknowns() const { return {}; }
-  /// Whether the contribution to the tangent is symmetric.
+  /// Whether the contribution to the tangent is symmetric, up to points beyond an open end of the master, where the
+  /// area fades.
   virtual bool has_potential() const = 0;
   /// Coulomb's μ and the penalty parameter ε_N (0: none), which warnings and the diagnosis compare with usual values.
   virtual double friction() const { return 0; }

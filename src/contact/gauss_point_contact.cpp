@@ -54,12 +54,14 @@ void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const Lo
   const double weight = this->points_.list[i].weight;
   result.state = force.state;
   result.gap = geometry.gap;
-  result.pressure = force.pressure;
+  // Cauchy tractions, whatever the area on which the law's act: t da = T dA
+  result.pressure = force.pressure / force.stretch;
   for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[static_cast<std::size_t>(k)];
-  result.friction = force.friction;
+  result.friction = force.friction / force.stretch;
   result.force = weight * force.force;
-  result.area = weight * force.measure;
-  result.potential = result.area * force.potential;
+  result.law_area = weight * force.measure;
+  result.area = result.law_area * force.stretch;
+  result.potential = result.law_area * force.potential;
   part.sums.add(this->points_, i, at.foot, geometry.slip_point ? &at.slip_point : nullptr, force, part.tangent);
 }
 

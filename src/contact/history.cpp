@@ -40,6 +40,11 @@ template <int D> double potential(const History<D>& history) {
   return sum;
 }
 
+template <int D> double growth(const PointResult<D>& before, const PointResult<D>& after) {
+  const double first = before.law_area, last = after.law_area;
+  return first == 0 || last == 0 ? 0 : 0.5 * (before.potential / first + after.potential / last) * (last - first);
+}
+
 template <int D> double memory(const History<D>& history) {
   return static_cast<double>(history.points.capacity() * sizeof(PointHistory<D>) +
                              history.results.capacity() * sizeof(PointResult<D>) +
@@ -58,6 +63,7 @@ template <int D> void look_again(History<D>& history) {
   template int constraints(const History<D>&);                                                                         \
   template Constraint constraint(const History<D>&, int);                                                              \
   template double potential(const History<D>&);                                                                        \
+  template double growth(const PointResult<D>&, const PointResult<D>&);                                                \
   template double memory(const History<D>&);                                                                           \
   template void look_again(History<D>&);
 SIGNORINI_INSTANTIATE(2)

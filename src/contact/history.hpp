@@ -14,13 +14,19 @@ template <int D> struct PointResult {
   bool beyond = false;              ///< its closest point is an open end of the master
   bool settled = true;              ///< the searches for its closest point and, once accepted, its slip point converged
   double pressure = 0;
+  double area = 0; ///< to which the tractions refer: current; adhesion: reference
   /// Of the slave face at a touching point, current, not of unit length
   Eigen::Matrix<double, D, D - 1> tangents = Eigen::Matrix<double, D, D - 1>::Zero();
   Vec<D> friction = Vec<D>::Zero(); ///< t_T; the traction on the slave is t_N n̄ − t_T
-  Vec<D> force = Vec<D>::Zero();    ///< on the slave: traction × current area of the point
-  double area = 0;                  ///< on which the traction acts: current; adhesion: reference
+  Vec<D> force = Vec<D>::Zero();    ///< on the slave: traction × area
+  double law_area = 0;              ///< on which the law's tractions act: current or reference
   double potential = 0;             ///< energy of the law at this point
 };
+
+/// `area` per `law_area`: the law's pressure is `pressure` times this.
+template <int D> double stretch(const PointResult<D>& point) {
+  return point.law_area != 0 ? point.area / point.law_area : 1;
+}
 
 /// History of one contact point.
 template <int D> struct PointHistory {
@@ -63,8 +69,13 @@ template <int D> struct History {
   std::vector<PointResult<D>> results;
   std::vector<MultiplierHistory<D>> multipliers;
   std::vector<MultiplierResult<D>> multiplier_results;
-  double dissipated = 0; ///< work of friction in all accepted steps: ∫ μ t_N dγ da, by the trapezoidal rule over each
+  /// Sums over all accepted steps, by the trapezoidal rule over each: work of friction, ∫ μ t_N dγ da; and ∫∫ φ dA, the
+  /// law's energy φ per area times the growth of the area A on which its tractions act, which no force does.
+  double dissipated = 0, growth = 0;
 };
+
+/// ½ (φ₀ + φ₁) (A₁ − A₀) of a point over a step, zero if it is open before or after.
+template <int D> double growth(const PointResult<D>& before, const PointResult<D>& after);
 
 /// Sums over a contact. Area, largest pressure and penetration are over the points that are not open.
 template <int D> struct Resultant {

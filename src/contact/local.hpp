@@ -49,6 +49,7 @@ template <int D> struct LocalForce {
   double pressure;                           ///< normal traction t_N on the slave along n̄; negative in attraction
   Vec<D> friction;                           ///< t_T; the traction on the slave is t_N n̄ − t_T
   double measure;                            ///< area, per parametric area, on which the traction acts
+  double stretch;                            ///< current area per area on which the traction acts
   Vec<D> force;                              ///< (t_N n̄ − t_T) · measure
   Eigen::Matrix<double, D, columns> tangent; ///< ∂force/∂q
   Eigen::Matrix<double, tangents, columns> shift; ///< ∂ξ̄/∂q; zero at a corner; at an edge nonzero only along it

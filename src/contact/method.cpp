@@ -21,8 +21,8 @@ template <int D> std::unique_ptr<Formulation<D>> make(const MortarLaw& law, Cont
   return std::make_unique<MortarContact<D>>(setting, law);
 }
 
-template <int D> std::unique_ptr<Formulation<D>> make(const Maker<D>& maker, ContactSetting<D> setting) {
-  return maker(std::move(setting));
+template <int D> std::unique_ptr<Formulation<D>> make(const FormulationFactory<D>& factory, ContactSetting<D> setting) {
+  return factory(std::move(setting));
 }
 
 } // namespace

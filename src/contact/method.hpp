@@ -9,10 +9,10 @@
 namespace signorini::contact {
 
 /// Makes a user-defined formulation. Scenes with one can be solved, but not saved.
-template <int D> using Maker = std::function<std::unique_ptr<Formulation<D>>(ContactSetting<D>)>;
+template <int D> using FormulationFactory = std::function<std::unique_ptr<Formulation<D>>(ContactSetting<D>)>;
 
 /// Contact law between a slave face and its master: one alternative per formulation, with its constants.
-template <int D> using Method = std::variant<PenaltyLaw, Adhesion, MortarLaw, Maker<D>>;
+template <int D> using Method = std::variant<PenaltyLaw, Adhesion, MortarLaw, FormulationFactory<D>>;
 
 /// Throws Error if a constant is invalid.
 template <int D> std::unique_ptr<Formulation<D>> make_formulation(const Method<D>& method, ContactSetting<D> setting);

@@ -9,7 +9,7 @@
 namespace signorini::contact {
 
 struct MortarLaw {
-  PenaltyLaw penalty; ///< at multipliers
+  PenaltyLaw penalty; ///< at multipliers; per reference area, whatever its `per`
   MultiplierSpace multipliers = MultiplierSpace::equal;
 };
 

@@ -60,7 +60,15 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
   }
 
   LocalRow<D> measure_row;
-  result.measure = slave_measure(geometry, measure_row);
+  const double current = slave_measure(geometry, measure_row);
+  result.measure = current;
+  result.stretch = 1;
+  if (law.per == TractionArea::reference) {
+    // dA is constant: δ(t_c dA) = δt_c dA
+    result.measure = geometry.reference_measure;
+    result.stretch = current / geometry.reference_measure;
+    measure_row.setZero();
+  }
   fade_area(geometry, result.shift, result.measure, measure_row);
   result.force = result.measure * traction;
   result.tangent = result.measure * traction_rows;

@@ -5,11 +5,15 @@
 
 namespace signorini::contact {
 
+/// The slave's area on which the tractions of a law act.
+enum class TractionArea : unsigned char { current, reference };
+
 /// Penalty parameters are pressure per length.
 struct PenaltyLaw {
-  double normal;         ///< ε_N > 0
-  double tangential = 0; ///< ε_T, used when friction > 0
-  double friction = 0;   ///< Coulomb's μ ≥ 0
+  double normal;                            ///< ε_N > 0
+  double tangential = 0;                    ///< ε_T, used when friction > 0
+  double friction = 0;                      ///< Coulomb's μ ≥ 0
+  TractionArea per = TractionArea::current; ///< reference, without friction: the forces derive from an energy
 };
 
 /// Throws Error if a constant is invalid.

@@ -11,7 +11,7 @@ PenaltyContact<D>::PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& l
     : GaussPointContact<D>(std::move(setting)), law_(checked(law)) {}
 
 template <int D> PenaltyLaw PenaltyContact<D>::scaled(double factor) const {
-  return {factor * law_.normal, factor * law_.tangential, law_.friction};
+  return {factor * law_.normal, factor * law_.tangential, law_.friction, law_.per};
 }
 
 template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) {
@@ -84,7 +84,7 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
     master.locate(point.projection.xi, foot);
     master.locate(point.slip, slip_point);
     // |x̄ᵐ − xᵐ(ξ_sl)| decreases to μ t_N/ε_T; the difference is the slip Δγ.
-    const double length = law.friction * result.pressure / law.tangential;
+    const double length = law.friction * result.pressure * stretch(result) / law.tangential;
     const double before = (slip_point.position - foot.position).norm(), slipped = std::max(before - length, 0.0);
     history.dissipated += 0.5 * (limit_before + limit) * slipped;
     point.slip = master.advance(point.slip, foot, length);
@@ -94,9 +94,10 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
   }
 }
 
-/// λ_N at each point becomes the pressure λ_N − ε_N g of the last evaluation.
+/// λ_N at each point becomes λ_N − ε_N g of the last evaluation.
 template <int D> void PenaltyContact<D>::augment(History<D>& history) const {
-  for (std::size_t i = 0; i < history.points.size(); ++i) history.points[i].multiplier = history.results[i].pressure;
+  for (std::size_t i = 0; i < history.points.size(); ++i)
+    history.points[i].multiplier = history.results[i].pressure * stretch(history.results[i]);
 }
 
 /// Includes positive gaps: an opening point keeps its pressure until its multiplier is reduced.
@@ -112,7 +113,7 @@ template <int D> double PenaltyContact<D>::stiffness(const History<D>& history, 
   const double steepest = std::max(law.normal, frictional() ? law.tangential : 0);
   double sum = 0;
   for (const PointResult<D>& point : history.results)
-    if (point.state != ContactState::open) sum += point.area * steepest * point.area * steepest;
+    if (point.state != ContactState::open) sum += point.law_area * steepest * point.law_area * steepest;
   return std::sqrt(sum);
 }
 

@@ -11,7 +11,8 @@ public:
   /// Throws Error if a constant is invalid or no contact point is left.
   PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& law);
 
-  bool has_potential() const override { return false; } // because tractions act on the current area
+  /// Tractions per current area are not the derivative of an energy: δ(t_c a) contains t_c δa.
+  bool has_potential() const override { return law_.per == TractionArea::reference && !frictional(); }
   double friction() const override { return law_.friction; }
   double penalty() const override { return law_.normal; }
   void augment(History<D>& history) const override;

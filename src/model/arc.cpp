@@ -42,7 +42,7 @@ template <int D> bool advance(Model<D>& model, const StepOptions& options, Arc& 
     // Predictor: along the curve's tangent, in the sense of the last step
     const VectorX weighted = system.path_weights().cwiseProduct(rate);
     const double speed = std::sqrt(rate.dot(weighted));
-    const bool back = weighted.dot(model.way.increment) < 0;
+    const bool back = weighted.dot(model.path.increment) < 0;
     lambda = (back ? -1 : 1) * arc.length / speed;
     arc.tangent = weighted / (back ? -speed : speed);
   } else {
@@ -78,7 +78,7 @@ template <int D> solve::NewtonReport solve_arc(Model<D>& model, const StepOption
 }
 
 template <int D> double last_length(Model<D>& model) {
-  return std::sqrt(model.system.path_weights().dot(model.way.increment.cwiseAbs2()));
+  return std::sqrt(model.system.path_weights().dot(model.path.increment.cwiseAbs2()));
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \

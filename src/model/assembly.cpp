@@ -27,17 +27,17 @@ template <int D> void Assembly<D>::build_bulk() {
   std::vector<Nodes> groups;
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const solid::Body<D>& body = *scene_.bodies[b].body;
-    holds_.emplace_back();
+    supported_.emplace_back();
     for (int e = 0; e < body.elements(); ++e) {
       Nodes group;
-      bool holds = false;
+      bool supported = false;
       for (int function : body.functions_of(e))
         for (int c = 0; c < D; ++c) {
           const int dof = unknowns_.offset(static_cast<int>(b)) + D * function + c;
           group.push_back(unknowns_.unknown(dof));
-          holds = holds || unknowns_.held(dof);
+          supported = supported || unknowns_.constrained(dof);
         }
-      holds_.back().push_back(holds);
+      supported_.back().push_back(supported);
       groups.push_back(std::move(group));
     }
   }
@@ -290,7 +290,7 @@ template <int D> void Assembly<D>::add_element(int e, const Request& request, Ta
   const solid::Body<D>& body = *scene_.bodies[task.body].body;
   solid::ElementArrays<D>& arrays = *task.arrays;
   const bool scatters = request.tangent && !linear_;
-  const bool multiplies = request.direction && holds_[task.body][at(e)];
+  const bool multiplies = request.direction && supported_[task.body][at(e)];
   const double* displacement = request.states.present.displacement.data() + offset;
   if (const auto inversion =
           internal_force(body, e, displacement, arrays, scatters || multiplies,

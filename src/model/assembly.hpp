@@ -104,7 +104,7 @@ private:
   solve::Pattern bulk_pattern_, pattern_;
   std::vector<int> bulk_positions_, positions_;          ///< per element and block entry: in bulk_pattern_, in pattern_
   std::vector<std::vector<std::size_t>> first_position_; ///< [body][element]
-  std::vector<std::vector<char>> holds_;                 ///< [body][element]: has supported degrees of freedom
+  std::vector<std::vector<char>> supported_;             ///< [body][element]: has supported degrees of freedom
   std::vector<std::unordered_map<std::uint64_t, Placement>> placements_; ///< per contact, by Block::key()
   std::vector<Partition> partitions_;                                    ///< per body
   std::vector<solid::ElementArrays<D>> arrays_;                          ///< per body and share of its partition

@@ -10,25 +10,25 @@ namespace signorini::model {
 
 namespace {
 
-const ArchiveKind kind{"checkpoint", 1};
+const ArchiveKind kind{"checkpoint", 2};
 
 using Parts = std::vector<ScenePart>;
 
-template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& kept) {
-  const auto& [displacement, targets, force, factor, contacts, internal] = kept.state;
-  const auto& [increment, previous, bend, force_scale, work] = kept.way;
-  to.put(displacement, increment, targets, previous, force_scale, work, force, factor, bend, kept.linear);
+template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& saved) {
+  const auto& [displacement, targets, force, factor, contacts, internal] = saved.state;
+  const auto& [increment, previous, bend, force_scale, work] = saved.path;
+  to.put(displacement, increment, targets, previous, force_scale, work, force, factor, bend, saved.linear);
   for (const auto& history : contacts) contact::write_history<D>(to, history);
   for (const auto& values : internal)
     if (!values.empty()) to.put(values);
 }
 
 /// Reads the state into a snapshot of a model of the same scene.
-template <int D> void read_state(ArchiveReader& from, Snapshot<D>& kept) {
-  auto& [displacement, targets, force, factor, contacts, internal] = kept.state;
-  auto& [increment, previous, bend, force_scale, work] = kept.way;
+template <int D> void read_state(ArchiveReader& from, Snapshot<D>& saved) {
+  auto& [displacement, targets, force, factor, contacts, internal] = saved.state;
+  auto& [increment, previous, bend, force_scale, work] = saved.path;
   const Eigen::Index dofs = displacement.size(), components = targets.size();
-  from.into(displacement, increment, targets, previous, force_scale, work, force, factor, bend, kept.linear);
+  from.into(displacement, increment, targets, previous, force_scale, work, force, factor, bend, saved.linear);
   require(displacement.size() == dofs && increment.size() == dofs && force.size() == dofs &&
               targets.size() == components && previous.size() == components,
           "model.checkpoint.size", {{"saved", displacement.size()}, {"dofs", dofs}});
@@ -42,10 +42,10 @@ template <int D> void read_state(ArchiveReader& from, Snapshot<D>& kept) {
 }
 
 template <int D> void take_state(Model<D>& model, std::string_view bytes) {
-  Snapshot<D> kept = snapshot(model);
+  Snapshot<D> saved = snapshot(model);
   ArchiveReader from(bytes);
-  read_state(from, kept);
-  restore(model, kept);
+  read_state(from, saved);
+  restore(model, saved);
   settle(model);
 }
 

@@ -12,8 +12,8 @@ inline constexpr double gap_rounding = 1e-12;
 /// Largest deviation from a straight path, relative to the step: well above the rounding error of targets that a script
 /// sums up.
 inline constexpr double straight = 1e-6;
-/// Largest difference of the last two steps' rates for the linear predictor, see Way::bend. In ironing and Hertz
-/// contact 0.1 to 0.5 give the same steps; with 1 steps after the first contact of bodies fail.
+/// Largest difference of the last two steps' rates for the linear predictor, see PathHistory::bend. In ironing and
+/// Hertz contact 0.1 to 0.5 give the same steps; with 1 steps after the first contact of bodies fail.
 inline constexpr double most_bent = 0.3;
 
 // ── Unconstrained bodies ─────────────────────────────────────────────────────────────────────────────────────────────

@@ -19,7 +19,7 @@ constexpr double radians_per_degree = std::numbers::pi / 180;
 template <int D> std::vector<std::string> moved_components(const Support<D>& support) {
   std::vector<std::string> names;
   for (int c = 0; c < D; ++c)
-    if (support.hold[at(c)] == Hold::driven) names.push_back(component_name(c));
+    if (support.constraint[at(c)] == Constraint::driven) names.push_back(component_name(c));
   if (support.rotates) names.emplace_back("angle");
   return names;
 }
@@ -96,7 +96,7 @@ template <int D> int Drives<D>::target(int drive, int component) const {
 template <int D> void Drives<D>::follow(int s, const Drive& drive) {
   const Support<D>& support = scene_.supports[at(s)];
   for (int c = 0, next = drive.first; c < D; ++c) {
-    const bool driven = support.hold[at(c)] == Hold::driven;
+    const bool driven = support.constraint[at(c)] == Constraint::driven;
     const int target = driven ? next++ : -1,
               angle = support.rotates ? drive.first + static_cast<int>(drive.components.size()) - 1 : -1;
     if (!driven && !support.rotates) continue;

@@ -70,7 +70,8 @@ solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(
 }
 
 template <int D> double force_norm(const Model<D>& model) {
-  return std::max({model.way.force_scale, model.system.unknowns.held_norm(model.residual), model.external.norm()});
+  return std::max(
+      {model.path.force_scale, model.system.unknowns.constrained_norm(model.residual), model.external.norm()});
 }
 
 template <int D> double largest_position(const Model<D>& model) {

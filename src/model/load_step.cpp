@@ -41,15 +41,15 @@ template <int D> bool advance(Model<D>& model, const StepOptions& options, doubl
 /// Linear predictor; returns false without a change if the path is not straight or the rates of the last two steps
 /// differ too much.
 template <int D> bool predict(Model<D>& model, const VectorX& increment) {
-  const Way& way = model.way;
+  const PathHistory& path = model.path;
   const VectorX& accepted = model.accepted.targets;
-  if (way.bend > most_bent || model.present.targets != accepted) return false;
+  if (path.bend > most_bent || model.present.targets != accepted) return false;
   const std::optional<double> ratio = straight_ratio(model, model.targets);
   if (!ratio) return false;
   // Free displacements by extrapolation of the last step, prescribed ones exactly
   const Drives<D>& drives = model.system.drives;
-  const VectorX prescribed = drives.displacement(accepted) - drives.displacement(way.previous_targets);
-  model.present.displacement += *ratio * (way.increment - prescribed) + increment;
+  const VectorX prescribed = drives.displacement(accepted) - drives.displacement(path.previous_targets);
+  model.present.displacement += *ratio * (path.increment - prescribed) + increment;
   return true;
 }
 
@@ -135,7 +135,7 @@ template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOpti
   if (model.active_set.release(model.controls)) {
     model.step->moved = true;
     if (!model.active_set.exhausted()) return solve::Outcome::iterating;
-    why = Message("model.step.held_points");
+    why = Message("model.step.frozen_points");
     return solve::Outcome::cycling;
   }
   if (augmented.penetration == 0) return solve::Outcome::converged;
@@ -172,7 +172,7 @@ template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepO
   Step& step = *model.step;
   solve::NewtonReport& report = step.report;
   if (report.outcome != solve::Outcome::iterating) return report;
-  // The move that applies prescribed displacements must be a full Newton step.
+  // The move that applies prescribed displacements must be a full Newton correction.
   const bool pseudo = options.pseudo_transient && !(step.pending && report.iterations == 0);
   solve::NewtonSystem newton = newton_system<D>(
       model, [&](bool tangent, Message& why) { return assemble_step(model, tangent, why); },

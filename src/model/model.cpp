@@ -15,7 +15,7 @@ namespace signorini::model {
 template <int D>
 Model<D>::Model(Scene<D> scene)
     : system(std::move(scene)), accepted(system.start()), present(accepted),
-      targets(accepted.targets), way{accepted.displacement, targets}, external(system.drives.force(targets)),
+      targets(accepted.targets), path{accepted.displacement, targets}, external(system.drives.force(targets)),
       controls(system.contacts.size()), linear(linear_facts(system)) {
   // Friction at points that close later starts from their foot points in the initial state.
   Message why;
@@ -45,7 +45,7 @@ template <int D> void set_penalty_factor(Model<D>& model, double factor) {
 }
 
 template <int D> std::optional<double> straight_ratio(const Model<D>& model, const VectorX& targets) {
-  const VectorX step = targets - model.accepted.targets, last = model.accepted.targets - model.way.previous_targets;
+  const VectorX step = targets - model.accepted.targets, last = model.accepted.targets - model.path.previous_targets;
   if (!(last.squaredNorm() > 0)) return std::nullopt;
   const double ratio = step.dot(last) / last.squaredNorm();
   if ((step - ratio * last).norm() > straight * step.norm()) return std::nullopt;
@@ -69,21 +69,21 @@ template <int D> void accept(Model<D>& model) {
   require(outcome == solve::Outcome::converged, "model.accept.failed", {{"reason", solve::name_of(outcome)}});
   ScopedTimer timer(model.timings.contact);
   State<D>&accepted = model.accepted, &present = model.present;
-  Way& way = model.way;
+  PathHistory& path = model.path;
   model.system.commit(present, accepted);
   // Relative difference of the rates of displacement, Δu for the same Δtargets, of this step and the last one
   const auto displacements = model.system.unknowns.displacements();
   const VectorX increment = present.displacement - accepted.displacement;
   const std::optional<double> ratio = straight_ratio(model, model.targets);
-  way.bend =
-      ratio ? (increment - *ratio * way.increment).head(displacements).norm() / increment.head(displacements).norm()
+  path.bend =
+      ratio ? (increment - *ratio * path.increment).head(displacements).norm() / increment.head(displacements).norm()
             : 1;
-  way.increment = increment;
-  way.previous_targets = accepted.targets;
-  way.work += 0.5 * (accepted.force + present.force).head(displacements).dot(increment.head(displacements));
+  path.increment = increment;
+  path.previous_targets = accepted.targets;
+  path.work += 0.5 * (accepted.force + present.force).head(displacements).dot(increment.head(displacements));
   present.targets = model.targets;
   accepted = present;
-  way.force_scale = force_norm(model);
+  path.force_scale = force_norm(model);
   model.step.reset();
 }
 
@@ -101,12 +101,12 @@ template <int D> void rollback(Model<D>& model) {
 }
 
 template <int D> Snapshot<D> snapshot(const Model<D>& model) {
-  return {model.accepted, model.way, model.linear.beginning()};
+  return {model.accepted, model.path, model.linear.beginning()};
 }
 
 template <int D> void restore(Model<D>& model, const Snapshot<D>& snapshot) {
   model.accepted = snapshot.state;
-  model.way = snapshot.way;
+  model.path = snapshot.path;
   model.linear.begin_with(snapshot.linear);
   rollback(model);
 }

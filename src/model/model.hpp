@@ -18,7 +18,7 @@ template <int D> struct Model {
   System<D> system;
   State<D> accepted, present;
   VectorX targets; ///< of the next step, see Drives
-  Way way;
+  PathHistory path;
   VectorX external; ///< force of the loads at the targets of the current step
   VectorX residual; ///< f_int + f_c − f_ext of all degrees of freedom: of the last evaluation, or of the accepted state
   VectorX unbalanced;       ///< the residual by unknown, which Newton's method reduces to zero
@@ -51,7 +51,7 @@ template <int D> bool settled(const Model<D>& model);
 /// The accepted state of a model, with all data that its next step depends on.
 template <int D> struct Snapshot {
   State<D> state;
-  Way way;
+  PathHistory path;
   solve::LinearKind linear; ///< see LinearSolution::beginning()
 };
 /// A copy of the accepted state; no step may be pending.

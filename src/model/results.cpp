@@ -16,7 +16,7 @@ template <int D> Vec<D> reaction(const Model<D>& model, int index) {
   const Support<D>& support = model.system.scene.supports[at(index)];
   Vec<D> sum = Vec<D>::Zero();
   for (int c = 0; c < D; ++c)
-    if (support.hold[at(c)] != Hold::free || support.rotates)
+    if (support.constraint[at(c)] != Constraint::free || support.rotates)
       for (int dof : model.system.unknowns.of_support(index, c)) sum(c) += model.residual(dof);
   return sum;
 }
@@ -30,7 +30,7 @@ template <int D> Vec<D> load_resultant(const Model<D>& model, int load) {
 }
 
 template <int D> Energies energies(const Model<D>& model) {
-  Energies sum{0, 0, 0, model.way.work};
+  Energies sum{0, 0, 0, model.path.work, 0};
   const auto& bodies = model.system.scene.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     sum.stored += solid::stored_energy(*bodies[b].body, body_displacement(model, static_cast<int>(b)).data(),
@@ -38,6 +38,7 @@ template <int D> Energies energies(const Model<D>& model) {
   for (const auto& history : model.present.contacts) {
     sum.contact += contact::potential(history);
     sum.friction += history.dissipated;
+    sum.growth += history.growth;
   }
   return sum;
 }

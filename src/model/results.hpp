@@ -15,14 +15,14 @@ template <int D> double moment(const Model<D>& model, int support);
 /// Force of a load.
 template <int D> Vec<D> load_resultant(const Model<D>& model, int load);
 
-/// Energies of a state and of the path to it. If friction slips at μ t_N and steps are small,
-///   work = stored + contact + friction + initial energy,
-/// up to ∫∫ ε_N g²/2 ȧ, because tractions act per current area.
+/// Energies of a state and of the path to it. In the limit of small steps, with friction and a little penetration,
+///   work + growth = stored + contact + friction − initial energy.
 struct Energies {
   double stored;   ///< in the bodies
   double contact;  ///< in penalty springs, and in adhesion (zero at infinite distance)
   double friction; ///< dissipated in all accepted steps
   double work;     ///< of supports and loads in all accepted steps, by the trapezoidal rule
+  double growth; ///< ∫∫ φ dA in all accepted steps, see contact::History; zero if tractions act per reference area
 };
 /// Energies of the present state, with friction and work up to the accepted one.
 template <int D> Energies energies(const Model<D>& model);

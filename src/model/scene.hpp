@@ -31,7 +31,7 @@ struct ObstacleReference {
 };
 
 /// Constraint of one displacement component by a support.
-enum class Hold { free, fixed, driven };
+enum class Constraint { free, fixed, driven };
 
 /// Control points of one body on which a support acts.
 struct SupportedControlPoints {
@@ -42,12 +42,12 @@ struct SupportedControlPoints {
 /// Constrains control points and obstacles component by component. A rotating support moves its control points as a
 /// rigid body,
 ///   x = X_c + c + R(θ)(X − X_c),
-/// with a prescribed angle θ, in 3D about `axis`; `hold` then refers to the translation c, whose free components are
-/// unknowns.
+/// with a prescribed angle θ, in 3D about `axis`; `constraint` then refers to the translation c, whose free components
+/// are unknowns.
 template <int D> struct Support {
   std::string name;
   std::vector<SupportedControlPoints> on;
-  std::array<Hold, D> hold{};
+  std::array<Constraint, D> constraint{};
   std::vector<int> obstacles = {};
   bool rotates = false;
   Vec<D> center = Vec<D>::Zero(); ///< X_c, if it rotates

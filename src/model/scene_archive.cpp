@@ -20,8 +20,8 @@ auto members(SupportedControlPoints& points) {
 }
 
 template <int D> auto members(Support<D>& support) {
-  auto& [name, on, hold, obstacles, rotates, center, axis] = support;
-  return std::tie(name, on, hold, obstacles, rotates, center, axis);
+  auto& [name, on, constraint, obstacles, rotates, center, axis] = support;
+  return std::tie(name, on, constraint, obstacles, rotates, center, axis);
 }
 
 auto members(Load& load) {
@@ -44,23 +44,23 @@ namespace {
 template <int D> using Places = Eigen::Matrix<double, D, Eigen::Dynamic>;
 
 /// Reference positions of the contact points in the region; no columns if it contains all.
-template <int D> Places<D> kept_points(const Contact<D>& contact, const contact::Formulation<D>& formulation) {
+template <int D> Places<D> points_of_region(const Contact<D>& contact, const contact::Formulation<D>& formulation) {
   std::size_t all = at(formulation.slave().elements());
   for (int d = 0; d < D - 1; ++d) all *= at(contact.points);
   const auto& positions = formulation.points().reference;
-  Places<D> kept(D, positions.size() == all ? 0 : static_cast<Eigen::Index>(positions.size()));
-  for (Eigen::Index i = 0; i < kept.cols(); ++i) kept.col(i) = positions[static_cast<std::size_t>(i)];
-  return kept;
+  Places<D> points(D, positions.size() == all ? 0 : static_cast<Eigen::Index>(positions.size()));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = positions[static_cast<std::size_t>(i)];
+  return points;
 }
 
 /// The region of exactly these points, whose coordinates are bitwise reproducible.
-template <int D> contact::Region<D> region_of(const Places<D>& kept) {
-  if (kept.cols() == 0) return {};
+template <int D> contact::Region<D> region_of(const Places<D>& points) {
+  if (points.cols() == 0) return {};
   const auto before = [](const Vec<D>& a, const Vec<D>& b) {
     return std::lexicographical_compare(a.data(), a.data() + D, b.data(), b.data() + D);
   };
   std::vector<Vec<D>> sorted;
-  for (Eigen::Index i = 0; i < kept.cols(); ++i) sorted.push_back(kept.col(i));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) sorted.push_back(points.col(i));
   std::sort(sorted.begin(), sorted.end(), before);
   return [sorted, before](const Vec<D>& x) { return std::binary_search(sorted.begin(), sorted.end(), x, before); };
 }
@@ -70,7 +70,8 @@ void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::
   const auto& [name, slave, master, method, points, where] = contact;
   const auto* face = std::get_if<FaceReference>(&master);
   to.put(name, slave, face != nullptr, face ? *face : FaceReference{},
-         face ? -1 : std::get<ObstacleReference>(master).obstacle, method, points, kept_points(contact, formulation));
+         face ? -1 : std::get<ObstacleReference>(master).obstacle, method, points,
+         points_of_region(contact, formulation));
 }
 
 template <int D> Contact<D> read_contact(ArchiveReader& from) {

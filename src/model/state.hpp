@@ -16,7 +16,7 @@ template <int D> struct State {
 };
 
 /// History of the path up to the accepted state, which the next step uses.
-struct Way {
+struct PathHistory {
   VectorX increment;        ///< displacement of the last accepted step
   VectorX previous_targets; ///< before that step
   double bend = 1;          ///< relative difference of the last two steps' rates; 1 without two comparable steps

@@ -13,7 +13,7 @@ namespace {
 /// Message code of the constraint of a component.
 template <int D> const char* verb(const Support<D>& support, int component) {
   if (support.rotates) return "model.verb.turns";
-  return support.hold[at(component)] == Hold::driven ? "model.verb.drives" : "model.verb.fixes";
+  return support.constraint[at(component)] == Constraint::driven ? "model.verb.drives" : "model.verb.fixes";
 }
 
 } // namespace
@@ -46,10 +46,10 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::For
       }
 
   // The support of each degree of freedom
-  std::vector<const Support<D>*> holder(at(count), nullptr);
+  std::vector<const Support<D>*> support_of(at(count), nullptr);
   for (const Support<D>& support : scene.supports)
     for (int c = 0; c < D; ++c) {
-      const Hold hold = support.hold[at(c)];
+      const Constraint constraint = support.constraint[at(c)];
       std::vector<int> list;
       for (const SupportedControlPoints& points : support.on)
         for (int function : points.functions) list.push_back(offset(points.body) + D * function + c);
@@ -60,17 +60,17 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::For
       }
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
-      if (hold != Hold::free || support.rotates)
+      if (constraint != Constraint::free || support.rotates)
         for (int dof : list) {
-          const Support<D>*& other = holder[at(dof)];
-          const bool both_fixed =
-              hold == Hold::fixed && !support.rotates && (!other || (other->hold[at(c)] == hold && !other->rotates));
+          const Support<D>*& other = support_of[at(dof)];
+          const bool both_fixed = constraint == Constraint::fixed && !support.rotates &&
+                                  (!other || (other->constraint[at(c)] == constraint && !other->rotates));
           if (other && !both_fixed)
-            fail("model.scene.held_twice", {{"support", support.name},
-                                            {"verb", Message(verb(support, c))},
-                                            {"component", component_name(c)},
-                                            {"other", other->name},
-                                            {"other_verb", Message(verb(*other, c))}});
+            fail("model.scene.constrained_twice", {{"support", support.name},
+                                                   {"verb", Message(verb(support, c))},
+                                                   {"component", component_name(c)},
+                                                   {"other", other->name},
+                                                   {"other_verb", Message(verb(*other, c))}});
           other = &support;
         }
       of_support_.push_back(std::move(list));
@@ -79,13 +79,13 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::For
   std::vector<std::array<int, D>> shared(scene.supports.size());
   for (auto& list : shared) list.fill(-1);
   for (int dof = 0; dof < count; ++dof) {
-    const Support<D>* support = holder[at(dof)];
+    const Support<D>* support = support_of[at(dof)];
     const int c = dof % D; // every body and obstacle has D components per control point
-    held_.push_back(support != nullptr || dof >= obstacles_);
+    constrained_.push_back(support != nullptr || dof >= obstacles_);
     if (!support) {
       const int lead = leader[at(dof)];
       unknown_.push_back(dof >= obstacles_ ? -1 : lead < dof ? unknown(lead) : size_++);
-    } else if (support->rotates && support->hold[at(c)] == Hold::free) {
+    } else if (support->rotates && support->constraint[at(c)] == Constraint::free) {
       int& unknown = shared[static_cast<std::size_t>(support - scene.supports.data())][at(c)];
       if (unknown < 0) unknown = size_++;
       unknown_.push_back(unknown);
@@ -101,7 +101,7 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::For
         face ? offset(face->body) : obstacle_offset(std::get<ObstacleReference>(contact.master).obstacle);
     of_contacts_.push_back({offset(contact.slave.body), master, dofs()});
     for (std::size_t i = contacts[k]->extra_unknowns().size(); i > 0; --i) {
-      held_.push_back(false);
+      constrained_.push_back(false);
       unknown_.push_back(size_++);
     }
   }
@@ -123,10 +123,10 @@ template <int D> VectorX Unknowns<D>::spread(const VectorX& values) const {
   return all;
 }
 
-template <int D> double Unknowns<D>::held_norm(const VectorX& values) const {
+template <int D> double Unknowns<D>::constrained_norm(const VectorX& values) const {
   double sum = 0;
   for (int dof = 0; dof < displacements(); ++dof)
-    if (held(dof)) sum += values(dof) * values(dof);
+    if (constrained(dof)) sum += values(dof) * values(dof);
   return std::sqrt(sum);
 }
 

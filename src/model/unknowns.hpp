@@ -30,7 +30,7 @@ public:
   /// Unknown of a degree of freedom; −1 if it is prescribed.
   int unknown(int dof) const { return unknown_[at(dof)]; }
   /// Whether a support constrains this degree of freedom: it is prescribed, or rotates with others.
-  bool held(int dof) const { return held_[at(dof)] != 0; }
+  bool constrained(int dof) const { return constrained_[at(dof)] != 0; }
   /// Degrees of freedom of a support in one component, also if that is free.
   const std::vector<int>& of_support(int support, int component) const {
     return of_support_[at(support * D + component)];
@@ -40,14 +40,14 @@ public:
   VectorX gather(const VectorX& values) const;
   /// Transpose of gather(): the value of each degree of freedom's unknown, 0 if it is prescribed.
   VectorX spread(const VectorX& values) const;
-  /// 2-norm over the degrees of freedom with held().
-  double held_norm(const VectorX& values) const;
+  /// 2-norm over the degrees of freedom with constrained().
+  double constrained_norm(const VectorX& values) const;
 
 private:
   int size_ = 0, obstacles_ = 0, displacements_ = 0;
   std::vector<int> offsets_, unknown_;
   std::vector<contact::Offsets> of_contacts_;
-  std::vector<char> held_;
+  std::vector<char> constrained_;
   std::vector<std::vector<int>> of_support_;
 };
 

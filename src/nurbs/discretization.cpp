@@ -56,9 +56,10 @@ Patch refine_to(const Patch& patch, int d, const Space& space, const std::vector
 /// The space in the thickness direction: of the plan's degree, or of the bulk's, but at least of the geometry's degree.
 Space through_space(const Patch& patch, const Plan& plan, int through) {
   const int own = patch.direction(through).degree();
-  if (plan.through) {
-    require(*plan.through >= own, "nurbs.body.through", {{"degree", *plan.through}, {"lowest", own}});
-    return {*plan.through};
+  if (plan.thickness_degree) {
+    require(*plan.thickness_degree >= own, "nurbs.body.thickness_degree",
+            {{"degree", *plan.thickness_degree}, {"lowest", own}});
+    return {*plan.thickness_degree};
   }
   if (plan.contact.empty()) return plan.labels.back().bulk;
   const Space bulk = bulk_space(plan.labels);

@@ -15,9 +15,9 @@ namespace signorini::nurbs {
 struct Plan {
   std::vector<int> elements;
   std::vector<std::optional<Grading>> grading; ///< may be empty: uniform in every direction
-  std::vector<Label> labels;  ///< per direction along the contact face; without one, per direction of the patch
-  std::vector<Side> contact;  ///< none, one, or two opposite faces
-  std::optional<int> through; ///< degree in the thickness direction; by default that of the bulk
+  std::vector<Label> labels; ///< per direction along the contact face; without one, per direction of the patch
+  std::vector<Side> contact; ///< none, one, or two opposite faces
+  std::optional<int> thickness_degree; ///< degree in the thickness direction; by default that of the bulk
 };
 
 /// The functions that do not vanish on one element, evaluated at a point.

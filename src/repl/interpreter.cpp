@@ -43,21 +43,21 @@ std::set<std::string> library_places(lua_State* L) {
   return places;
 }
 
-/// A traceback without the frames of the library and of C, which do not concern authors of scripts. All frames are kept
+/// A traceback without the frames of the library and of C, which do not concern authors of scripts. All frames remain
 /// if the message itself refers to a position in the library, where the error then is.
 std::string users_frames(lua_State* L, const std::string& traceback) {
   std::set<std::string> places = library_places(L);
-  const auto stands_in = [&](std::string_view line) {
+  const auto in_library = [&](std::string_view line) {
     return std::any_of(places.begin(), places.end(), [&](const std::string& place) { return line.starts_with(place); });
   };
-  if (stands_in(traceback)) return traceback;
+  if (in_library(traceback)) return traceback;
   places.insert("(...tail calls...)");
   std::istringstream lines(traceback);
   std::string kept;
   bool in_frames = false;
   for (std::string line; std::getline(lines, line);) {
     const bool is_frame = in_frames && line.starts_with('\t'); // a message may contain a traceback, too
-    if (!is_frame || !stands_in(std::string_view(line).substr(1))) kept += (kept.empty() ? "" : "\n") + line;
+    if (!is_frame || !in_library(std::string_view(line).substr(1))) kept += (kept.empty() ? "" : "\n") + line;
     in_frames = in_frames || line == "stack traceback:";
   }
   return kept;

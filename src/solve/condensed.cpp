@@ -22,13 +22,13 @@ void check(const Pattern& pattern, const Condensation& condensation) {
 
 /// The nonzero part of a matrix, with the diagonal: structural entries that are always zero, such as couplings of two
 /// faces, would cause fill.
-Pattern nonzero(const Pattern& pattern, const std::vector<double>& values, std::vector<double>& kept) {
+Pattern nonzero(const Pattern& pattern, const std::vector<double>& values, std::vector<double>& nonzeros) {
   Pattern result{pattern.size, {0}, {}};
   for (int j = 0; j < pattern.size; ++j) {
     for (int k = pattern.starts[at(j)]; k < pattern.starts[at(j) + 1]; ++k) {
       if (pattern.rows[at(k)] != j && values[at(k)] == 0) continue;
       result.rows.push_back(pattern.rows[at(k)]);
-      kept.push_back(values[at(k)]);
+      nonzeros.push_back(values[at(k)]);
     }
     result.starts.push_back(result.entries());
   }

@@ -68,7 +68,7 @@ inline constexpr std::size_t residual_memory = 4;
 /// The next fraction lies within these multiples of the last one, or this far from the ends of its bracket.
 inline constexpr double most_shortened = 0.1, least_shortened = 0.5;
 /// The slope along a move has to decrease to this fraction, in so many trials: an exact search is never worth its cost.
-inline constexpr double enough_slope = 0.5;
+inline constexpr double slope_tolerance = 0.5;
 inline constexpr int most_slope_trials = 10;
 
 // ── Pseudo-transient continuation ────────────────────────────────────────────────────────────────────────────────────

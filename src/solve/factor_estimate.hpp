@@ -11,7 +11,7 @@ struct FactorEstimate {
 };
 
 /// Counts the entries of the Cholesky factor in nested dissection order (METIS); LU has two such factors as long as
-/// pivoting does not change the order. The additional memory of `kept` and `condensed` for the contact unknowns is not
+/// pivoting does not change the order. The additional memory of `reuse` and `condensed` for the contact unknowns is not
 /// counted.
 FactorEstimate estimate_factor(LinearKind kind, const Pattern& pattern);
 

@@ -5,10 +5,10 @@
 namespace signorini::solve {
 
 Eigenpair least_eigenpair(MatrixX symmetric) {
-  const int size = static_cast<int>(symmetric.rows()), room = 3 * size;
-  VectorX values(size), work(room);
+  const int size = static_cast<int>(symmetric.rows()), workspace = 3 * size;
+  VectorX values(size), work(workspace);
   int info = 0;
-  dsyev_("V", "L", &size, symmetric.data(), &size, values.data(), work.data(), &room, &info);
+  dsyev_("V", "L", &size, symmetric.data(), &size, values.data(), work.data(), &workspace, &info);
   if (info != 0) return {0, VectorX::Zero(size)};
   return {values(0), symmetric.col(0)};
 }

@@ -37,7 +37,7 @@ std::optional<double> by_energy(const std::function<Trial(double)>& evaluate, do
       high = s;
       high_slope = 0;
       s = 0.5 * (low + s);
-    } else if (std::abs(now.slope) <= enough_slope * std::abs(slope)) {
+    } else if (std::abs(now.slope) <= slope_tolerance * std::abs(slope)) {
       return s;
     } else if (now.slope * slope > 0) { // too short; accepted at the end of the move or of the valid states
       if (s == 1 || high_slope == 0) return s;

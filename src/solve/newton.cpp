@@ -60,18 +60,18 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
   const Iteration acknowledged;
   Message why;
   // If quadratic convergence predicts the last iteration, the residual without the tangent is enough to confirm it.
-  const bool tangent = predicted_residual(report.residuals) > surely_below * report.enough;
+  const bool tangent = predicted_residual(report.residuals) > surely_below * report.tolerance;
   if (const Outcome state = system.assemble(tangent, why); state != Outcome::converged) return stop(state, why);
   const double residual = system.residual();
   report.residuals.push_back(residual);
   if (!std::isfinite(residual)) return stop(Outcome::not_finite, Message("solve.newton.not_finite"));
 
   const double floor = system.floor();
-  report.enough = options.tolerance * system.scale() + floor;
+  report.tolerance = options.tolerance * system.scale() + floor;
   const bool small_energy = residual <= floor || report.energies.empty() ||
                             report.energies.back() <= options.tolerance * report.energies.front();
   const bool waiting = pending && report.iterations == 0;
-  const bool small = (residual <= report.enough && small_energy) || stagnates(report.residuals, floor);
+  const bool small = (residual <= report.tolerance && small_energy) || stagnates(report.residuals, floor);
   if (small && !waiting) {
     const Outcome concluded = system.conclude ? system.conclude(why) : Outcome::converged;
     if (concluded != Outcome::iterating) return stop(concluded, why);
@@ -83,7 +83,7 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
   if (report.iterations - report.begun >= options.iterations)
     return stop(Outcome::iteration_limit,
                 Message(residual <= near_floor * floor ? "solve.newton.near_rounding" : "solve.newton.no_convergence",
-                        {{"iterations", options.iterations}, {"residual", residual}, {"tolerance", report.enough}}));
+                        {{"iterations", options.iterations}, {"residual", residual}, {"tolerance", report.tolerance}}));
   if (!tangent)
     if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);
   if (interrupted()) return stop_by_user();

@@ -66,7 +66,7 @@ struct NewtonReport {
   std::vector<double> residuals; ///< before each solve, and at the end
   std::vector<double> energies;  ///< |f·Δu| of each solve
   std::vector<double> parts;     ///< accepted fractions of Δu by line search; empty without
-  double enough = 0;             ///< tolerance of the residual
+  double tolerance = 0;          ///< tolerance of the residual
   int begun = 0;                 ///< iterations before conclude() last requested more
   std::vector<Message> messages; ///< reasons of failure
 };

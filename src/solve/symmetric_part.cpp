@@ -20,7 +20,7 @@ void SymmetricPart::analyze(const Pattern& pattern) {
   solver_->analyze(pattern, watched_);
   const double saves = solver_->statistics().operations, size = border();
   const double costs = 2.0 / 3.0 * size * size * size;
-  if (kept_ == Border::where_cheap && saves > 0 && costs > saves) solver_->analyze(pattern, {});
+  if (policy_ == Border::where_cheap && saves > 0 && costs > saves) solver_->analyze(pattern, {});
   exchanges_.resize(at(border()));
   analyzed_ = true;
 }

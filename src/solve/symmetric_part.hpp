@@ -17,12 +17,12 @@ public:
   /// the factorization that it saves; otherwise c is empty.
   enum class Border { always, where_cheap };
 
-  explicit SymmetricPart(std::unique_ptr<SchurSolver> solver, Border kept = Border::where_cheap)
-      : solver_(std::move(solver)), kept_(kept) {}
+  explicit SymmetricPart(std::unique_ptr<SchurSolver> solver, Border policy = Border::where_cheap)
+      : solver_(std::move(solver)), policy_(policy) {}
 
   /// Sets the unknowns c, increasing, from the next factor() on; without any, M is K⁰.
   void watch(const std::vector<int>& unknowns);
-  /// The following matrices have another pattern of the same unknowns; the factors are kept.
+  /// The following matrices have another pattern of the same unknowns; the factors are reused.
   void adopt(const Pattern& pattern);
   /// Sets K⁰ from the current values; `transposed` is Kᵀ, both in the order of the pattern. Returns false if the solver
   /// cannot factor K⁰_ii, or M is singular.
@@ -50,7 +50,7 @@ private:
   int border() const { return static_cast<int>(solver_->border().size()); }
 
   std::unique_ptr<SchurSolver> solver_;
-  Border kept_;
+  Border policy_;
   std::vector<int> watched_;
   bool analyzed_ = false;
   std::vector<Entry> entries_; ///< the entries between unknowns of c

@@ -53,12 +53,12 @@ Vec<3> normal_at(const nurbs::Patch& patch, const VectorX& xi) {
   };
   const Vec<3> normal = cross(xi);
   if (normal.norm() > 0) return normal;
-  VectorX beside = xi;
+  VectorX nearby = xi;
   for (int d = 0; d < 2; ++d) {
     const double middle = 0.5 * (patch.direction(d).first() + patch.direction(d).last());
-    beside[d] += 1e-3 * (middle - xi[d]);
+    nearby[d] += 1e-3 * (middle - xi[d]);
   }
-  return cross(beside);
+  return cross(nearby);
 }
 
 } // namespace

@@ -56,7 +56,7 @@ std::vector<Bar> bars_of(const PictureOptions& options, const std::optional<Inte
 }
 
 /// Space around and between the states, pixels.
-struct Rooms {
+struct Spacing {
   double title;                   ///< above all
   double head;                    ///< above each row
   double below;                   ///< numbers and label of x
@@ -71,11 +71,11 @@ double key_room(const Style& style) {
   return 1.6 * style.tick_size;
 }
 
-Rooms rooms_of(const Grid& grid, const std::vector<std::string>& titles, const PictureOptions& options,
-               const std::optional<Interval>& range, const Style& style, const std::optional<ArrowRoom>& arrows) {
+Spacing spacing_of(const Grid& grid, const std::vector<std::string>& titles, const PictureOptions& options,
+                   const std::optional<Interval>& range, const Style& style, const std::optional<ArrowRoom>& arrows) {
   const bool titled = std::any_of(titles.begin(), titles.end(), [](const std::string& t) { return !t.empty(); });
   const double width = options.size[0], height = options.size[1];
-  Rooms spaces{};
+  Spacing spaces{};
   spaces.title = (options.title.empty() ? 0.4 : 1.7) * style.title_size;
   spaces.below = !arrows         ? room_below(style, axis_name(options, 0, options.unit))
                  : options.ruler ? ruler_room(style)
@@ -108,7 +108,7 @@ Rooms rooms_of(const Grid& grid, const std::vector<std::string>& titles, const P
 }
 
 /// Pixels per unit of length.
-double scale_of(const Grid& grid, const Rooms& spaces) {
+double scale_of(const Grid& grid, const Spacing& spaces) {
   return std::min(spaces.free_width / (grid.columns * length(grid.x)), spaces.free_height / grid.height());
 }
 
@@ -117,7 +117,7 @@ void clear_numbers(Ticks& ticks) {
   for (std::string& number : ticks.labels) number.clear();
 }
 
-std::vector<Frame> make_frames(const Grid& grid, const Rooms& spaces, double scale, double left, double top,
+std::vector<Frame> make_frames(const Grid& grid, const Spacing& spaces, double scale, double left, double top,
                                std::size_t count, bool numbers, const PictureOptions& options, const Style& style) {
   std::vector<Frame> frames;
   const double width = scale * length(grid.x);
@@ -180,12 +180,12 @@ Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& bo
                     const std::optional<ArrowRoom>& arrows) {
   const int count = static_cast<int>(titles.size());
   Grid grid;
-  Rooms spaces{};
+  Spacing spaces{};
   double scale = -1;
   const int most = std::min(options.columns.value_or(count), count);
   for (int columns = options.columns ? most : 1; columns <= most; ++columns) {
     const Grid next = make_grid(boxes, columns);
-    const Rooms needed = rooms_of(next, titles, options, range, style, arrows);
+    const Spacing needed = spacing_of(next, titles, options, range, style, arrows);
     if (scale_of(next, needed) > scale * (1 + 1e-9)) grid = next, spaces = needed, scale = scale_of(next, needed);
   }
   require(scale > 0 && spaces.free_width > 0.2 * options.size[0] && spaces.free_height > 0.2 * options.size[1],

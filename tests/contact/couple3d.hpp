@@ -26,7 +26,7 @@ struct Couple3 {
     plan.elements = {2, 2, 1};
     plan.contact = {nurbs::side_of("front", 3)};
     plan.labels.assign(2, nurbs::parse_label(label));
-    plan.through = 1;
+    plan.thickness_degree = 1;
     return {nurbs::spherical_indenter(1, 1, 0.8, 1.2, 2, at - Vec<3>(0.5, 0.5, 0)), plan};
   }
   Couple3(const std::string& label, const nurbs::Discretization& master, const Law& law, const Vec<3>& at,

@@ -17,7 +17,7 @@ inline nurbs::Discretization discretize(const nurbs::Patch& patch, std::vector<i
   plan.elements = std::move(elements);
   plan.contact = {nurbs::side_of(contact, patch.dimension())};
   plan.labels.assign(static_cast<std::size_t>(patch.dimension()) - 1, nurbs::parse_label(label));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   return {patch, plan};
 }
 

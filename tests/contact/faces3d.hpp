@@ -19,7 +19,7 @@ inline nurbs::Discretization below(const std::vector<nurbs::KnotVector>& knots, 
   plan.elements = {knots[0].elements(), knots[1].elements(), 1};
   plan.contact = {nurbs::side_of("back", 3)};
   plan.labels = {nurbs::parse_label(text("N", knots[0].degree())), nurbs::parse_label(text("N", knots[1].degree()))};
-  plan.through = 1;
+  plan.thickness_degree = 1;
   return {patch, plan};
 }
 

@@ -136,7 +136,7 @@ TEST(ProjectionOnSurface, SphereGivesItsRadialGapUpToThePole) {
   plan.elements = {3, 4, 1};
   plan.contact = {nurbs::side_of("front", 3)};
   plan.labels.assign(2, nurbs::parse_label("N2"));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const nurbs::Discretization octant(nurbs::sphere_octant(0.5, 1, Eigen::Vector3d::Zero()), plan);
   const Surface<3> surface(octant, nurbs::side_of("front", 3));
   ElementBoxes<3> boxes;

@@ -24,7 +24,7 @@ local function gap_below(u)
   return gap
 end
 
---- A block of 20 × 4 on a film, held by its lid.
+--- A block of 20 × 4 on a film, supported at its lid.
 local function block(options)
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 20, height = height }, elements = {10, 2},
                         order = options.order or "N2", contact = "south",
@@ -131,6 +131,8 @@ local wrong = {
     "contacts.f.slave must be a face, got an obstacle", "an obstacle can only be the master: exchange the two" },
   { "adhesion and penalty", "sg.model(with{ adhesion = film, penalty = 10 })",
     "contacts.f: it has both adhesion and penalty", "remove one of the two" },
+  { "adhesion per current area", [[sg.model(with{ adhesion = film, per = "current" })]],
+    "contacts.f: it has adhesion and per = \"current\"", "write per = \"reference\", or omit it" },
   { "adhesion and friction", "sg.model(with{ adhesion = film, friction = { mu = 0.1, penalty = 1 } })",
     "contacts.f: it has both adhesion and friction", "remove one of the two" },
   { "a region that is not a function", "sg.model(with{ adhesion = film, where = 150 })",

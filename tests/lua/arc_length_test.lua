@@ -11,10 +11,10 @@ local film, equilibrium = strip.film, strip.equilibrium
 -- ── Snap-back: a strip of 40 × 2 elements, so coarse that it peels element by element ────────────────────────────────
 
 --- Turns a strip's edge by 76°. No step needs more than five iterations, unless it jumps over a snap-back.
-local function peel(steps, arcs, pseudo_transient)
+local function peel(steps, arc_length, pseudo_transient)
   local model = strip.model()
   local run = model:run({ { name = "peel", steps = steps, edge = 76 } },
-    sg.plain{ arc_length = arcs, newton = { iterations = 10 }, pseudo_transient = pseudo_transient })
+    sg.plain{ arc_length = arc_length, newton = { iterations = 10 }, pseudo_transient = pseudo_transient })
   return run, model
 end
 
@@ -166,9 +166,9 @@ local function limit_loads()
   return upper, lower
 end
 
-local function push(arcs)
+local function push(arc_length)
   return arch_model():run({ { name = "push", steps = 20, push = {0, -0.02} } },
-    sg.plain{ arc_length = arcs, newton = { iterations = 8 } })
+    sg.plain{ arc_length = arc_length, newton = { iterations = 8 } })
 end
 
 check.case("a dead load ends at the upper limit load of a shallow arch", function()

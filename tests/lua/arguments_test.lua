@@ -10,23 +10,23 @@ end
 
 check.case("defaults are as declared", function()
   local options = sg.arguments({ mesh = { "m1" }, sizes = { 1, 2 }, loads = { 0, 0.5 }, steps = 10, penalty = 100.0,
-                                 keep = false, label = "N2", limit = { 1e5, above = 0 },
+                                 keep = false, order = "N2", limit = { 1e5, above = 0 },
                                  fine = { {}, none = true } }, {})
   check.equal({ options.mesh, options.sizes, options.loads, options.fine }, { { "m1" }, { 1, 2 }, { 0, 0.5 }, {} })
-  check.equal({ options.steps, options.penalty, options.keep, options.label, options.limit },
+  check.equal({ options.steps, options.penalty, options.keep, options.order, options.limit },
     { 10, 100.0, false, "N2", 1e5 })
 end)
 
 check.case("values of each type; of two the later counts", function()
   local defaults = { mesh = { "m1" }, sizes = { 1, 2 }, loads = { 0, 0.5 }, steps = 10, penalty = 100.0, keep = false,
-                     label = "N2", fine = { { "N2" }, none = true }, flat_2 = true }
+                     order = "N2", fine = { { "N2" }, none = true }, flat_2 = true }
   local options = sg.arguments(defaults, {
-    "steps=7", "mesh=m2,m3", "sizes=4", "loads=1e-3,2,-3", "steps=12", "keep=yes", "penalty=5", "label=a=b c",
+    "steps=7", "mesh=m2,m3", "sizes=4", "loads=1e-3,2,-3", "steps=12", "keep=yes", "penalty=5", "order=a=b c",
     "fine=none", "flat_2=no",
   })
   check.equal({ options.mesh, options.sizes, options.loads, options.fine },
     { { "m2", "m3" }, { 4 }, { 1e-3, 2, -3 }, {} })
-  check.equal({ options.steps, options.penalty, options.keep, options.label, options.flat_2 },
+  check.equal({ options.steps, options.penalty, options.keep, options.order, options.flat_2 },
     { 12, 5, true, "a=b c", false })
   check.equal({ math.type(options.steps), math.type(options.sizes[1]) }, { "integer", "integer" })
   -- Numbers are never integers, whose products can overflow.
@@ -53,7 +53,7 @@ check.case("values of the wrong type", function()
   refused({ loads = { 0, 0.5 } }, "loads=none", "loads must be numbers, got 'none'")
   refused({ keep = false }, "keep=maybe", "keep must be yes or no, got 'maybe'")
   refused({ keep = false }, "keep=true", "keep must be yes or no, got 'true'")
-  refused({ label = "N2" }, "label=", "label must be a string, got nothing")
+  refused({ order = "N2" }, "order=", "order must be a string, got nothing")
   refused({ orders = { "N2" } }, "orders=", "orders must be strings, got nothing")
 end)
 
@@ -133,12 +133,12 @@ check.case("invalid declarations are errors at the script's line", function()
       "mesh has a list as default and restrictions. Hint: write { { m1, … }, … }",
     [{ mesh = { "m1", 2 } }] = "the default of mesh must be a string, a number, true, false, or a list",
     [{ scene = print }] = "the default of scene must be a string, a number",
-    [{ label = { "N2", at_least = 1 } }] = "label.at_least is allowed only for numbers, and label is not a number",
+    [{ order = { "N2", at_least = 1 } }] = "order.at_least is allowed only for numbers, and order is not a number",
     [{ a = {} }] =
       "the default of a is an empty table. Hint: write { {}, none = true } for a list of strings that may be empty",
-    [{ label = { "N2", none = true } }] = "label.none is allowed only for lists",
-    [{ label = { "N2", check = print } }] = "label needs both check, a function, and expected",
-    [{ label = { "N2", check = 1, expected = "a" } }] = "label.check must be a function",
+    [{ order = { "N2", none = true } }] = "order.none is allowed only for lists",
+    [{ order = { "N2", check = print } }] = "order needs both check, a function, and expected",
+    [{ order = { "N2", check = 1, expected = "a" } }] = "order.check must be a function",
     [{ help = "a" }] = "the string 'help' cannot be the name of an argument",
     [{ "mesh" }] = "every entry of defaults needs a name, got the string 'mesh' without one",
     [{ variant = { "a", variants = { b = {} } } }] = "the default of variant must be 'b', got the string 'a'",

@@ -4,7 +4,7 @@ local sg = require "signorini"
 local check = require "check"
 local core = require "signorini.core"
 
-local study = setmetatable({ name = "ironing", parameters = { "order", "mesh" }, figures = { "dPx", "dofs" },
+local study = setmetatable({ name = "ironing", parameters = { "order", "mesh" }, results = { "dPx", "dofs" },
                 units = { wall = "s", dPx = "%" }, rows = {
   { order = "N4", mesh = { 12, 4 }, wall = 3, dPx = -0.03, dofs = 400 },
   { order = "N2", mesh = { 12, 4 }, wall = 1, dPx = 0.2, dofs = 300 },

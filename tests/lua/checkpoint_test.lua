@@ -64,7 +64,7 @@ local function continues(model, before, after, options)
 end
 
 check.case("frictional ironing in the plane, KLU", function()
-  local model = ironing{ label = "N2-N2.2" }
+  local model = ironing{ order = "N2-N2.2" }
   continues(model, { { steps = 10, grip = {0, -0.15} } }, "{ { steps = 15, grip = {0.3, -0.15} } }")
   check.equal(model:solver().linear, "klu")
 end)
@@ -139,7 +139,7 @@ check.case("a body of revolution", function()
 end)
 
 check.case("classical elements", function()
-  continues(ironing{ label = "L2" }, { { steps = 10, grip = {0, -0.1} } }, "{ { steps = 6, grip = {0.1, -0.1} } }")
+  continues(ironing{ order = "L2" }, { { steps = 10, grip = {0, -0.1} } }, "{ { steps = 6, grip = {0.1, -0.1} } }")
 end)
 
 --- An indenter on a slab in space, to be pressed, dragged, turned.
@@ -203,8 +203,8 @@ check.case("invalid files are errors at the user's line, with a hint", function(
     write(good:sub(1, at - 1) .. string.char(good:byte(at) ~ 16) .. good:sub(at + 1))
     refused "is damaged: its checksum is wrong"
   end
-  write(good:gsub("^(SIGNORINI checkpoint\n)\1", "%1\7"))
-  refused "was written in format 7, but this program reads format 1"
+  write(good:gsub("^(SIGNORINI checkpoint\n)\2", "%1\7"))
+  refused "was written in format 7, but this program reads format 2"
   os.remove(file)
   refused("cannot read", "No such file")
   check.fails(function() sg.load(3) end, "path must be a string")

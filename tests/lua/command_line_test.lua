@@ -169,7 +169,7 @@ check.case("where entries of a table have no comma in between, the message asks 
     "prompt:1: '}' expected near 'b'. Hint: a comma may be missing before it\n")
 end)
 
-check.case("a name of other letters than Lua's is told which it may have", function()
+check.case("a name of other letters than Lua's is an error that states the allowed ones", function()
   local hint = ". Hint: names consist of a-z, A-Z, digits and _; put other characters in quotes\n"
   check.equal(run({}, "ü = 3\n").output, "prompt:1: unexpected symbol near '<\\195>'" .. hint)
   for _, code in ipairs { "größe = 1", "x = 3 × 4", "x = “a”", "t = { α = 1 }" } do
@@ -270,7 +270,7 @@ check.case("help finds functions, methods, tables and words", function()
     "sg.nurbs.coons{", "N2-N2.2x2", "Pages with 'refin'", "did you mean 'rectangle'?")
 end)
 
-check.case("help shows groups, types of Lua objects, and what a query at the prompt stands for", function()
+check.case("help shows groups, types of Lua objects, and what a query at the prompt means", function()
   local output = check.program({},
     '?\n?orders\n?sg.shapes.block\n? patch:refine\nx = sg.median\n?x\n?sg.nurbs\n?refin\n'
     .. 'help "studies"\nhelp "rectangel"\n ?sg.bdy\nhelp sg.mkdir\nhelp\nhelp(sg.reference "hertz2d_dofs_table7_4")\n')

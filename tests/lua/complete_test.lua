@@ -6,7 +6,7 @@ local complete = require "signorini.complete"
 sg = require "signorini" -- as at the prompt
 help = sg.help
 
---- All completions of what stands behind the last blank, brace or comma of a text, or behind its last quotation mark
+--- All completions of what follows the last blank, brace or comma of a text, or behind its last quotation mark
 --- where their number is odd.
 local function all(text)
   local before, word = text:match "^(.-)([%w_.:/]*)$"
@@ -110,10 +110,10 @@ check.case("of a run and a study only the documented fields", function()
   run = model:run { { name = "hold", steps = 1, grip = { 0, 0 } } }
   check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:residuals", "run:states" })
   check.equal(all "run.re", { "run.reason", "run.residuals" })
-  for _, hidden in ipairs { "run.__", "run.rows", "run.ex", "run.wary", "run.kept", "study:run", "study:row_of" } do
+  for _, hidden in ipairs { "run.__", "run.rows", "run.ex", "run.wary", "run.stored", "study:run", "study:row_of" } do
     check.equal({ hidden, all(hidden) }, { hidden, {} })
   end
-  check.equal(all "study.f", { "study.figures", "study.folder" })
+  check.equal(all "study.f", { "study.folder" })
   check.equal(all "study:ro", { "study:row" })
   check.equal(all "study.ro", { "study.row", "study.rows" })
   check.equal(all "run.timings.b", { "run.timings.bulk" })

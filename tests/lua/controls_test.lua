@@ -7,7 +7,7 @@ local spring = require "spring"
 local run_path = require "spring_run"
 
 --- Pressed by 0.5 in 46 steps, plain Newton cycles in the 33rd or the 34th.
-local function deep() return ironing{ E = 1e4, mu = 0.1, label = "N4", penalty = 1000, points = 7 } end
+local function deep() return ironing{ E = 1e4, mu = 0.1, order = "N4", penalty = 1000, points = 7 } end
 
 --- The published path's first 60 steps: 46 of pressing, 14 of sliding.
 local sixty = { { name = "press", steps = 46, grip = {0, -0.23} },
@@ -20,10 +20,10 @@ local function largest_difference(a, b)
 end
 
 --- A spring whose steps are not solved unless `works(options)` of an attempt; see spring.lua.
-local function spring_model(works, loose)
+local function spring_model(works, unconstrained)
   local model
   model = spring(function() return not works(model.options) and "cycling" or nil end)
-  if loose then function model:unconstrained_bodies() return { "ball" } end end
+  if unconstrained then function model:unconstrained_bodies() return { "ball" } end end
   model.run = run_path
   return model
 end
@@ -136,7 +136,7 @@ check.case("fixed states of cycling points do no harm: if they cannot be freed t
     check.equal({ run.reason, run.steps < 46, run.places[1].contact }, { "cycling", true, "interface" })
     check.holds(run.report, "contact points whose state was fixed change it again when they are released")
   end
-  local run = ironing{ E = 1e4, mu = 0.1, label = "N6", points = 7 }:run({ { steps = 46, grip = {0, -0.5} } },
+  local run = ironing{ E = 1e4, mu = 0.1, order = "N6", points = 7 }:run({ { steps = 46, grip = {0, -0.5} } },
     sg.plain{ newton = { active_set_changes = 4 } })
   check.equal({ run.failed, run.steps }, { false, 46 })
 end)
@@ -235,7 +235,7 @@ check.case("on_step cuts an accepted step, and adds columns", function()
   check.equal({ read.columns[n], read.rows[2][n], read.rows[1][n] }, { "late", 7 })
 end)
 
-check.case("figures that on_step must not return", function()
+check.case("results that on_step must not return", function()
   local function returning(value)
     local options = { on_step = function() return value end }
     return function() spring_model(function() return true end):run(one_step, options) end
@@ -314,7 +314,7 @@ check.case("only a converged step is accepted", function()
   model:set_target("grip", {0, -5})
   check.equal(model:solve_step{}.reason, "inverted")
   refused("the step has failed (inverted)", "Hint: call model:rollback()")
-  check.fails(function() model:residual() end, "model:residual: the present state has no residual", "model:rollback()")
+  check.fails(function() model:residual() end, "model:residual: the current state has no residual", "model:rollback()")
   check.equal(model:iterate{}.reason, "inverted") -- it stays failed
   model:rollback()
   check.equal(#model:residual(), #model:unknowns())

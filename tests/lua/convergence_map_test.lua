@@ -28,17 +28,17 @@ local function make(changes)
 end
 
 check.case("cells contain how far each run came, its cost, and why it failed", function()
-  local map = make{ figures = function(model, run) return { pull = -model.accepted[2] * run.steps, none = 0 / 0 } end }
+  local map = make{ results = function(model, run) return { pull = -model.accepted[2] * run.steps, none = 0 / 0 } end }
   check.equal(#map.cells, 4)
   local good, bad = map:cell("good", 10), map:cell("diverged", 4)
   check.equal({ good.outcome, good.reached, good.steps, good.increments, good.iterations, good.cutbacks,
                 good.fallback_steps },
     { "completed", 1, 10, 10, 30, 0, 0 })
-  check.equal({ good.figures.pull, good.figures.none, good.report }, { 10, nil, nil })
+  check.equal({ good.results.pull, good.results.none, good.report }, { 10, nil, nil })
   check.equal({ bad.outcome, bad.reached, bad.steps, bad.increments }, { "diverged", 0.5, 2, 2 })
   check.equal(bad.iterations, 2 * 3 + 25)
   check.holds(bad.report, "step 3", "no luck")
-  check.equal(next(bad.figures), nil)
+  check.equal(next(bad.results), nil)
   check.equal({ map:converged() }, { 2, 4 })
   check.equal({ map.cells[1].x, map.cells[1].y, map.cells[2].x, map.cells[3].y }, { "good", 4, "diverged", 10 })
 end)
@@ -86,7 +86,7 @@ check.case("errors, crashes and endless loops are outcomes of their cells only",
 end)
 
 check.case("the table and the CSV file", function()
-  local map = make{ figures = function() return { pull = 0.25 } end }
+  local map = make{ results = function() return { pull = 0.25 } end }
   local lines = {}
   for line in map:table():gmatch "[^\n]+" do lines[#lines + 1] = line:gsub("%s+", " "):gsub("^ ", "") end
   check.equal(lines[1], "order steps outcome reached increments iterations cut-backs fallback_steps wall pull")
@@ -97,7 +97,7 @@ check.case("the table and the CSV file", function()
   local data = sg.csv.read(file)
   check.equal(data.comments[1], "convergence map: springs; x: order; y: steps")
   check.equal(data:column "outcome", { "completed", "diverged", "completed", "diverged" })
-  local pull = data:column "figure pull"
+  local pull = data:column "result pull"
   check.equal({ pull[1], pull[2], pull[3], pull[4] }, { 0.25, nil, 0.25, nil })
   check.holds(data:column "report"[2], "no luck")
   os.remove(file)
@@ -115,10 +115,10 @@ check.case("a file keeps finished cells; a second call solves only those that ar
     if order == "diverged" and core.exists(broken) then error "broken" end
     return scene(order)
   end
-  local figures = function() return { ["a b"] = 0.1, c = -1e300 } end
+  local results = function() return { ["a b"] = 0.1, c = -1e300 } end
   local function solve(changes)
     os.remove(trace)
-    local options = { file = file, scene = noted, jobs = 1, figures = figures }
+    local options = { file = file, scene = noted, jobs = 1, results = results }
     for key, value in pairs(changes or {}) do options[key] = value end
     local map = make(options)
     return map, core.exists(trace) and core.read_file(trace) or ""
@@ -133,7 +133,7 @@ check.case("a file keeps finished cells; a second call solves only those that ar
                          "wall" } do
     check.equal(after[key], before[key])
   end
-  check.equal({ after.figures["a b"], after.figures.c }, { 0.1, -1e300 })
+  check.equal({ after.results["a b"], after.results.c }, { 0.1, -1e300 })
   check.equal(#sg.csv.read(file).rows, 4)
   -- Other values leave the cells that are there in the folder; those of the file are the map's.
   check.equal(select(2, solve{ x = { name = "order", values = { "nan" } } }), "nan4 nan10 ")
@@ -141,7 +141,7 @@ check.case("a file keeps finished cells; a second call solves only those that ar
   check.equal({ select(2, solve()), #sg.csv.read(file).rows }, { "", 4 })
   -- What the cells depend on: the functions and all that they refer to, as in a study.
   local most = 5
-  check.equal(select(2, solve{ figures = function() return { most = most } end }), "good4 diverged4 good10 diverged10 ")
+  check.equal(select(2, solve{ results = function() return { most = most } end }), "good4 diverged4 good10 diverged10 ")
   check.fails(function() solve{ name = "rings" } end, "convergence_map_test.lua:", "sg.convergence_map", file,
     "springs", "rings", "choose another file")
   os.remove(file) -- all again, also under another name
@@ -154,13 +154,13 @@ check.case("the inputs of another map that the functions refer to count, not its
   local file, trace = os.tmpname(), os.tmpname()
   os.remove(file)
   local function solve(force)
-    local reference = make{ y = { name = "steps", values = { 2 } }, figures = function() return { force = force } end }
+    local reference = make{ y = { name = "steps", values = { 2 } }, results = function() return { force = force } end }
     os.remove(trace)
-    local map = make{ file = file, y = { name = "steps", values = { 4 } }, figures = function(_, run)
+    local map = make{ file = file, y = { name = "steps", values = { 4 } }, results = function(_, run)
       core.write_file(trace, "solved")
-      return { error = run.steps - reference:cell("good", 2).figures.force }
+      return { error = run.steps - reference:cell("good", 2).results.force }
     end }
-    return { map:cell("good", 4).figures.error, core.exists(trace) }
+    return { map:cell("good", 4).results.error, core.exists(trace) }
   end
   check.equal(solve(1), { 3, true })
   check.equal(solve(1), { 3, false })
@@ -243,7 +243,7 @@ local function charts_of(body)
 end
 
 check.case("the picture of outcomes: rows from the first y on, numbers in the cells, the legend's order", function()
-  local map = make{ figures = function(_, run) return { load = run.steps / 3 } end }
+  local map = make{ results = function(_, run) return { load = run.steps / 3 } end }
   local charts = charts_of(function()
     map:picture{ file = "a.png" }
     map:picture{ file = "b.png", title = "Springs", text = "reached", size = { 800, 600 } }
@@ -259,9 +259,10 @@ check.case("the picture of outcomes: rows from the first y on, numbers in the ce
   check.equal({ c.texts[1][1], c.texts[1][2] }, { 1.3, nil }) -- a number: the heat map writes powers of ten
 end)
 
-check.case("a figure: numbers with a color bar, blank where there is none", function()
-  local map = make{ figures = function(_, run) return { load = run.steps / 3 } end }
-  local chart = charts_of(function() map:figure{ name = "load", file = "f.png", log = true, label = "load (N)" } end)[1]
+check.case("a result: numbers with a color bar, blank where there is none", function()
+  local map = make{ results = function(_, run) return { load = run.steps / 3 } end }
+  local function draw() map:heatmap{ name = "load", file = "f.png", log = true, label = "load (N)" } end
+  local chart = charts_of(draw)[1]
   check.near({ chart.values[1][1], chart.values[2][1] }, { 4 / 3, 10 / 3 }, 1e-15)
   check.equal({ chart.values[1][2], chart.log, chart.label, chart.title },
     { nil, true, "load (N)", "springs: load (N)" })
@@ -274,7 +275,7 @@ check.case("two maps side by side share the axes", function()
   end }
   local charts = charts_of(function()
     plain:picture{ file = "both.png", other = controls, titles = { "plain Newton", "with controls" } }
-    plain:figure{ name = "iterations", file = "both.png", other = controls }
+    plain:heatmap{ name = "iterations", file = "both.png", other = controls }
   end)
   local panels = charts[1].panels
   check.equal({ panels[1].title, panels[2].title, charts[1].values }, { "plain Newton", "with controls", nil })
@@ -287,7 +288,7 @@ check.case("two maps side by side share the axes", function()
   check.fails(function() plain:picture{ file = "x.png", other = 7 } end, "other must be a convergence map")
   check.fails(function() plain:picture{ file = "x.png", text = "iteration" } end,
     "text must be 'iterations', 'reached',", "did you mean 'iterations'?")
-  check.fails(function() plain:figure{ file = "x.png" } end, "map:figure: name (such as \"iterations\") is missing")
+  check.fails(function() plain:heatmap{ file = "x.png" } end, "map:heatmap: name (such as \"iterations\") is missing")
   check.fails(function() plain:picture{ fil = "x.png" } end, "did you mean 'file'?")
 end)
 
@@ -305,14 +306,14 @@ check.case("a block is pressed into a plane: a stiff penalty or long steps fail"
                                 master = sg.rigid.plane{ point = {0, -1e-3}, normal = {0, 1} } } } }
     end,
     path = function(_, _, depth) return { { name = "press", steps = 2, head = { 0, -depth - 1e-3 } } }, sg.plain{} end,
-    figures = function(model, run) return { force = run:column "ground.fy"[run.steps] } end,
+    results = function(model, run) return { force = run:column "ground.fy"[run.steps] } end,
     jobs = 2, limit = 60,
   }
   check.equal({ map:converged() }, { 1, 4 })
   check.equal({ map:cell(10, 0.1).outcome, map:cell(10, 3).outcome }, { "completed", "inverted" })
   check.equal({ map:cell(1e3, 0.1).reached, map:cell(1e3, 0.1).steps }, { 0, 0 })
   check.holds(map:cell(10, 3).report, "step 1 (stage 'press', 1 of 2) was not reached")
-  check.near(map:cell(10, 0.1).figures.force, 0.1113, 1e-3)
+  check.near(map:cell(10, 0.1).results.force, 0.1113, 1e-3)
 end)
 
 check.case("wrong arguments are errors at the user's line that name the cure", function()

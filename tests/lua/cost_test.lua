@@ -6,10 +6,10 @@ local check = require "check"
 local soft, stiff = sg.neo_hookean{ E = 1, nu = 0.3 }, sg.neo_hookean{ E = 1000, nu = 0.3 }
 
 --- A die on a slab; contact where `where` says.
-local function ironing(label, where)
+local function ironing(order, where)
   local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 1.5, 1.5 } },
-                       elements = { 6, 2 }, order = label, contact = "south", thickness_degree = 1, material = stiff }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = label,
+                       elements = { 6, 2 }, order = order, contact = "south", thickness_degree = 1, material = stiff }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = order,
                         contact = "north", thickness_degree = 1, material = soft }
   return sg.model{
     bodies   = { die = die, slab = slab },
@@ -23,14 +23,14 @@ end
 check.case("the numbers are those of bodies, contacts and solver, before a solve and after it", function()
   local model = ironing "N2-N4"
   local cost = model:cost()
-  -- N2 on 8 elements along the slab: 10 functions, N4 on its face: 12; through it 4 rows, the lowest held. The die's
-  -- arc has a knot of its own in the middle, C0: one function more; two more are held at the ends of each row.
-  check.equal({ cost.bodies.slab.unknowns, cost.bodies.slab.contact_layer, cost.bodies.slab.bulk,
+  -- N2 on 8 elements along the slab: 10 functions, N4 on its face: 12; through it 4 rows, the lowest fixed. The die's
+  -- arc has a knot of its own in the middle, C0: one function more; two more are fixed at the ends of each row.
+  check.equal({ cost.bodies.slab.unknowns, cost.bodies.slab.interface, cost.bodies.slab.bulk,
                 cost.bodies.slab.prescribed }, { 2 * 32, 2 * 12, 2 * 20, 2 * 10 })
   check.equal({ cost.bodies.slab.elements, cost.bodies.slab.gauss_points }, { 24, 16 * 3 * 2 + 8 * 5 * 2 })
   local die = cost.bodies.die
   check.equal(die.unknowns + die.prescribed, model:body "die":dofs().total)
-  check.equal(die.contact_layer, model:body "die":dofs().interface - 4)
+  check.equal(die.interface, model:body "die":dofs().interface - 4)
   check.equal({ cost.unknowns, cost.obstacles }, { die.unknowns + 64, 0 })
   check.equal(cost.unknowns, #model:unknowns())
   check.equal({ cost.contacts.interface.points, cost.contacts.interface.rigid }, { 6 * 15, false })
@@ -80,10 +80,10 @@ check.case("linear bodies, adhesion, and a body whose DOFs are all prescribed", 
   end
   check.equal(strip(true, { penalty = 1 }):cost().linear, "condensed")
   check.equal(strip(true, { adhesion = { hamaker = 0.1, r0 = 0.4 } }):cost().contacts.c.points, 8 * 9)
-  local held = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 1, 1 }, order = "N1",
+  local fixed = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 1, 1 }, order = "N1",
                         material = soft }
-  local cost = sg.model{ bodies = { held = held }, supports = {
-    all = { on = { held:face "south", held:face "north" }, fix = "xy" } } }:cost()
+  local cost = sg.model{ bodies = { fixed = fixed }, supports = {
+    all = { on = { fixed:face "south", fixed:face "north" }, fix = "xy" } } }:cost()
   check.equal({ cost.unknowns, cost.nonzeros, cost.memory_of.factors }, { 0, 0, 0 })
 end)
 

@@ -45,8 +45,8 @@ check.case("a layer reduces the oscillations to less than a third", function()
   end
 end)
 
-check.case("charts, states, a table and a file per label", function()
-  check.pictures(folder, { "path", "Pz", "Px", "amplitudes", "states" })
+check.case("charts, states, a table and a file per order", function()
+  check.pictures(folder, { "path", "Pz", "Px", "oscillations", "states" })
   check.equal(sg.csv.read(folder .. "/forces.csv"):column "dPz", { study.cases[1].dPz.raw, study.cases[2].dPz.raw })
   check.equal(#study.files, 2 + 1 + 5)
 end)

@@ -19,13 +19,13 @@ end
 -- ── 2D ironing, the published path at m1 ─────────────────────────────────────────────────────────────────────────────
 
 --- Leak of the whole path and energies at its end; `finer` divides the steps, both penalties are alike.
-local function iron(label, finer, mu, penalty)
+local function iron(order, finer, mu, penalty)
   local die = sg.body{
     patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } }, elements = { 6, 2 },
-    order = label, contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 1000, nu = 0.3 },
+    order = order, contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 1000, nu = 0.3 },
   }
   local slab = sg.body{
-    patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = label, contact = "north",
+    patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = order, contact = "north",
     thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local model = sg.model{
@@ -104,7 +104,7 @@ end)
 -- ── 3D ironing on its sparsest mesh ──────────────────────────────────────────────────────────────────────────────────
 
 local function iron3d(finer, mu)
-  local case = friction3d.solve{ label = "N2", mesh = "sparse", radius = 7.5, depth = 2, mu = mu, way = 6,
+  local case = friction3d.solve{ order = "N2", mesh = "sparse", radius = 7.5, depth = 2, mu = mu, distance = 6,
                                  down = 0.2 / finer, along = 0.3 / finer }
   check.equal({ case.run.failed, #case.energies }, { false, case.run.steps })
   return case

@@ -81,7 +81,7 @@ check.case("deep penetration is reported with its depth and the step", function(
     return model:run{ { steps = 2, lid = -0.1 } }
   end
   -- Springs of stiffness E and epsilon in a row: 0.1 E/(E + epsilon) of the lid's way goes into the contact.
-  check.equal(sunk(1).warnings, { "contact 'ground' is penetrated by 0.05 in step 2, 2.5 % of the size of body "
+  check.equal(sunk(1).warnings, { "contact 'ground' is penetrated by 0.05 in step 2, 2.2 % of the size of body "
     .. "'block'. Hint: raise the penalty" })
   check.equal(sunk(4).warnings, {}) -- 0.02 of 2
 end)

@@ -190,7 +190,7 @@ check.case("plane patches are swept out of their plane", function()
   check.near(sg.nurbs.extrude { patch = section, along = { 0, 0, 5 } } { 1, 1, 1 }, { 4, 2, 5 })
 end)
 
-check.case("labels per direction, layers on any face, none across a pole", function()
+check.case("orders per direction, layers on any face, none across a pole", function()
   local cube = sg.shapes.block { size = { 1, 2, 3 } }
   -- 5, 6 functions of N2 on 3, 4 elements, N2.1 on 3 has 8; 2 + 2 rows of 2 elements through it
   local dofs = solid(cube, { 3, 4, 2 }, { "N2-N2.1", "N2" }, "back"):dofs()
@@ -208,7 +208,7 @@ check.case("labels per direction, layers on any face, none across a pole", funct
     "face 'south' of this body collapses across the layer on contact face 'west'", "or another contact face")
 end)
 
---- The force on a rigid plane that presses a hemisphere held at its ring.
+--- The force on a rigid plane that presses a hemisphere supported at its ring.
 local function pressed(poles, elements, ring)
   local half = sg.body {
     patch = sg.shapes.hollow_hemisphere { inner = 0.5, outer = 1, poles = poles }, elements = elements, order = "N2",

@@ -100,8 +100,8 @@ local draw = {
   chart_inset = function(file) chart(file, { inset = { xrange = { 4, 6 } } }) end,
   heatmap = heatmap,
   outcomes = function(file)
-    heatmap(file, { values = { { "held", "lost", "held" }, { "held", "held", "lost" } },
-                    categories = { { name = "held" }, { name = "lost" } } })
+    heatmap(file, { values = { { "converged", "failed", "converged" }, { "converged", "converged", "failed" } },
+                    categories = { { name = "converged" }, { name = "failed" } } })
   end,
   stress = picture(flat, { field = "syy", title = "Pressed, σ_yy", unit = "mm" }),
   sheet = function(file) sg.picture{ file = file, size = small, model = flat, fields = { "ux", "uy" } } end,

@@ -25,8 +25,8 @@ local function count(text, part)
   end
 end
 
-local held = { { name = "held" }, { name = "cycling" }, { name = "inverted" } }
-local outcomes = { { "held", "cycling", "held" }, { "held", nil, "held" } }
+local categories = { { name = "converged" }, { name = "cycling" }, { name = "inverted" } }
+local outcomes = { { "converged", "cycling", "converged" }, { "converged", nil, "converged" } }
 
 check.case("each file name ending selects a format; files are reproducible", function()
   local beginnings = { [".png"] = "\137PNG", [".svg"] = "<", [".pdf"] = "%PDF" }
@@ -43,11 +43,11 @@ check.case("every option changes the map", function()
     {}, { title = "t" }, { xlabel = "x" }, { ylabel = "y" }, { label = "error" }, { log = true }, { range = { 0, 9 } },
     { colormap = "magma" }, { size = { 640, 500 } }, { x = { "a", "b", "c" } }, { y = { "a", "b" } },
     { values = { { 1, 2, 3 }, { 4, 5 } } }, { values = { { 1, 0 / 0, 3 }, { 4, 5, 6 } } }, { texts = { { "a" }, {} } },
-    { values = outcomes, categories = held },
-    { values = outcomes, categories = { { name = "held", good = false }, { name = "cycling" },
+    { values = outcomes, categories = categories },
+    { values = outcomes, categories = { { name = "converged", good = false }, { name = "cycling" },
       { name = "inverted" } } },
-    { values = outcomes, categories = { { name = "held", color = "#0000ff" }, "cycling", "inverted" } },
-    { values = outcomes, categories = { "held", { name = "cycling", color = 9 }, "inverted" } },
+    { values = outcomes, categories = { { name = "converged", color = "#0000ff" }, "cycling", "inverted" } },
+    { values = outcomes, categories = { "converged", { name = "cycling", color = 9 }, "inverted" } },
   }
   for i, variant in ipairs(variants) do
     local bytes = draw(variant)
@@ -59,14 +59,14 @@ end)
 check.case("names, numbers, texts and the legend's rows", function()
   local svg = draw { texts = { { "ab", 12.5, "" }, { nil, nil, -1 } } }
   check.holds(svg, ">N4<", ">−0.25<", ">10<", ">−2.5×10<tspan", ">−6</tspan>", ">ab<", ">12.5<", ">−1<")
-  svg = draw { values = outcomes, categories = held }
-  check.holds(svg, ">held<", ">cycling<")
+  svg = draw { values = outcomes, categories = categories }
+  check.holds(svg, ">converged<", ">cycling<")
   check.equal(count(svg, ">inverted<"), 0)
-  check.equal(draw { values = outcomes, categories = { "held", "cycling", "inverted" } } == svg, true)
-  svg = draw { values = outcomes, categories = { { name = "held", color = "#12aBcd" }, "cycling" } }
+  check.equal(draw { values = outcomes, categories = { "converged", "cycling", "inverted" } } == svg, true)
+  svg = draw { values = outcomes, categories = { { name = "converged", color = "#12aBcd" }, "cycling" } }
   check.equal(count(svg, "fill:rgb(7.058824%,67.058824%,80.392157%)"), 4 + 1) -- cells and legend
-  check.equal(draw { values = outcomes, categories = { "held", { name = "cycling", color = 2 }, "inverted" } } ==
-              draw { values = outcomes, categories = { "held", "inverted", "cycling" } }, true)
+  check.equal(draw { values = outcomes, categories = { "converged", { name = "cycling", color = 2 }, "inverted" } } ==
+              draw { values = outcomes, categories = { "converged", "inverted", "cycling" } }, true)
 end)
 
 check.case("infinity is a blank like nan", function()
@@ -98,14 +98,15 @@ check.case("the smallest and the largest value have distinct colors on a logarit
 end)
 
 check.case("maps side by side share names and legend", function()
-  local svg = draw { categories = held, panels = {
-    { title = "before", values = outcomes }, { title = "after", values = { { "held" }, { "held", "held" } } } } }
+  local svg = draw { categories = categories, panels = {
+    { title = "before", values = outcomes }, 
+    { title = "after", values = { { "converged" }, { "converged", "converged" } } } } }
   check.holds(svg, ">before<", ">after<")
   check.equal(count(svg, ">N4<"), 2)
-  check.equal(count(svg, ">held<"), 1)
+  check.equal(count(svg, ">converged<"), 1)
   local columns = { { title = "before", values = outcomes }, { title = "after", values = outcomes } }
-  check.equal(draw { categories = held, panels = columns, columns = 1 } ==
-              draw { categories = held, panels = columns, columns = 2 }, false)
+  check.equal(draw { categories = categories, panels = columns, columns = 1 } ==
+              draw { categories = categories, panels = columns, columns = 2 }, false)
 end)
 
 check.case("wrong arguments", function()
@@ -117,7 +118,7 @@ check.case("wrong arguments", function()
     { { values = { { 1, 2, 3 } } }, "values must be a list of 2 rows, one for each y" },
     { { values = { { 1, 2, 3, 4 }, { 1 } } }, "values[1] must be a list of 3 entries, one for each x" },
     { { values = { { 1, 2, 3 }, 7 } }, "values[2] must be a list of 3 entries" },
-    { { values = { { 1, "held", 3 }, { 4, 5, 6 } } }, "values[1][2] must be a number, nil or nan", "categories" },
+    { { values = { { 1, "converged", 3 }, { 4, 5, 6 } } }, "values[1][2] must be a number, nil or nan", "categories" },
     { { values = { {}, {} } }, "all cells of the map are blank" },
     { { log = true, values = { { 1, 0, 3 }, { 4, 5, 6 } } },
       "values[1][2] must be above 0 on a logarithmic scale, got 0" },
@@ -125,15 +126,17 @@ check.case("wrong arguments", function()
     { { colormap = "jet" }, "colormap must be" },
     { { size = { 640 } }, "size must be a list of 2 whole numbers" },
     { { file = folder .. "/map.gif" }, "map.gif", ".png, .svg or .pdf" },
-    { { categories = held }, "values[1][1] must be the name of a category" },
-    { { categories = held, values = { { "hold" }, {} } }, "values[1][1] is 'hold'", "did you mean 'held'?" },
-    { { categories = held, values = outcomes, log = true },
+    { { categories = categories }, "values[1][1] must be the name of a category" },
+    { { categories = categories, values = { { "converge" }, {} } }, "values[1][1] is 'converge'",
+      "did you mean 'converged'?" },
+    { { categories = categories, values = outcomes, log = true },
       "log cannot be combined with categories, it is for maps of numbers" },
     { { categories = {}, values = outcomes }, "categories must be a list of at least one category" },
-    { { categories = { "held", "held" }, values = outcomes }, "categories[2] has the name 'held' of an earlier one" },
-    { { categories = { { name = "held", color = "blue" } }, values = outcomes }, "categories[1].color", "#d55e00" },
-    { { categories = { { name = "held", color = 22 } }, values = outcomes }, "categories[1].color", "from 1 to 21" },
-    { { categories = { { title = "held" } }, values = outcomes }, "categories[1]: unknown argument 'title'" },
+    { { categories = { "converged", "converged" }, values = outcomes },
+      "categories[2] has the name 'converged' of an earlier one" },
+    { { categories = { { name = "a", color = "blue" } }, values = outcomes }, "categories[1].color", "#d55e00" },
+    { { categories = { { name = "a", color = 22 } }, values = outcomes }, "categories[1].color", "from 1 to 21" },
+    { { categories = { { title = "converged" } }, values = outcomes }, "categories[1]: unknown argument 'title'" },
     { { texts = { { {} }, {} } }, "texts[1][1] must be a string or a number" },
   }
   for _, case in ipairs(wrong) do

@@ -13,7 +13,7 @@ local scripts = require "signorini.help.scripts"
 local private = {
   run = "new account begin_stage begin_step record_attempt record_probe record_cutback add_extra record_extra "
     .. "drop_step "
-    .. "record_step record_arc record_control record_failure keep_state info finish",
+    .. "record_step record_arc record_control record_failure store_state info finish",
   study = "row_of gather",
 }
 
@@ -98,7 +98,7 @@ check.case("every page has a subject", function()
   end
 end)
 
-check.case("every argument of a table is read by the code, and no key stands twice", function()
+check.case("every argument of a table is read by the code, and no key occurs twice", function()
   local code = {}
   for _, folder in ipairs { "src/bind", "lua/signorini", "lua/signorini/study", "lua/signorini/convergence_map" } do
     for _, file in ipairs(core.list_folder(core.home .. "/" .. folder)) do

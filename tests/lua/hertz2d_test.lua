@@ -15,7 +15,7 @@ check.case("Table 7.4: degrees of freedom", function()
   local printed, seen = {}, 0
   for _, row in ipairs(sg.reference "hertz2d_dofs_table7_4".rows) do printed[row[2] .. " " .. row[1]] = row end
   for _, case in ipairs(pushed.cases) do
-    local row = printed[case.label .. " " .. case.mesh]
+    local row = printed[case.order .. " " .. case.mesh]
     check.equal({ case.dofs.interface, case.dofs.bulk, case.dofs.total }, { row[3], row[4], row[5] })
     seen = seen + 1
   end
@@ -26,8 +26,8 @@ check.case("load P0 at m3 and on the reference: peak pressure and half-width wit
   for _, case in ipairs { force.reference, table.unpack(force.cases) } do
     check.near(case.force, 1e-3, 1e-12)
     if case.mesh ~= "m1" then
-      check.at_most(case.label .. " peak in %", case.peak_percent, 1.5)
-      check.at_most(case.label .. " half-width in %", case.width_percent, 1.5)
+      check.at_most(case.order .. " peak in %", case.peak_percent, 1.5)
+      check.at_most(case.order .. " half-width in %", case.width_percent, 1.5)
     end
   end
 end)
@@ -41,8 +41,8 @@ end)
 
 check.case("the layer's error at m3 is at most a third of N2's, and that of N2 one mesh finer", function()
   for _, study in ipairs { force, pushed } do
-    for _, label in ipairs { "N2-N2.1", "N2-N2.2" } do
-      check.at_most(label, study.cases[label .. " m3"].error, study.cases["N2 m3"].error / 3)
+    for _, order in ipairs { "N2-N2.1", "N2-N2.2" } do
+      check.at_most(order, study.cases[order .. " m3"].error, study.cases["N2 m3"].error / 3)
     end
   end
   for level = 1, 2 do

@@ -14,12 +14,12 @@ check.case("Hertz's values as printed in the thesis, and a quarter of the load o
 end)
 
 check.case("peak and radius converge to Hertz's; the layer is more accurate than N2", function()
-  for _, label in ipairs { "N2", "N2-N2.2" } do
-    local coarse, fine = study.cases[label .. " m1"], study.cases[label .. " m2"]
-    check.at_most(label .. " peak in %", fine.peak_percent, 3.5)
-    check.at_most(label .. " radius in %", fine.width_percent, 3)
-    check.at_most(label .. " peak in %", fine.peak_percent, 0.3 * coarse.peak_percent)
-    check.at_most(label .. " error", fine.error, 0.5 * coarse.error)
+  for _, order in ipairs { "N2", "N2-N2.2" } do
+    local coarse, fine = study.cases[order .. " m1"], study.cases[order .. " m2"]
+    check.at_most(order .. " peak in %", fine.peak_percent, 3.5)
+    check.at_most(order .. " radius in %", fine.width_percent, 3)
+    check.at_most(order .. " peak in %", fine.peak_percent, 0.3 * coarse.peak_percent)
+    check.at_most(order .. " error", fine.error, 0.5 * coarse.error)
   end
   for _, mesh in ipairs { "m1", "m2" } do
     check.at_most("error of the layer at " .. mesh, study.cases["N2-N2.2 " .. mesh].error,

@@ -14,10 +14,10 @@ check.case("Hertz's values as printed in the thesis, and the load over the full 
 end)
 
 check.case("peak pressure and radius of contact within 1.5 % of Hertz's at m3", function()
-  for _, label in ipairs { "N2", "N2-N2.2" } do
-    local case = study.cases[label .. " m3"]
-    check.at_most(label .. " peak in %", case.peak_percent, 1.5)
-    check.at_most(label .. " radius in %", case.width_percent, 1.5)
+  for _, order in ipairs { "N2", "N2-N2.2" } do
+    local case = study.cases[order .. " m3"]
+    check.at_most(order .. " peak in %", case.peak_percent, 1.5)
+    check.at_most(order .. " radius in %", case.width_percent, 1.5)
   end
 end)
 

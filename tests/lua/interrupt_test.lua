@@ -1,5 +1,5 @@
 -- Ctrl-C while a solid is solved: the prompt comes back within one iteration, and the model can be used. What was
--- solved until then is kept where the line that was typed puts it.
+-- solved until then is stored where the line that was typed puts it.
 
 local core = require "signorini.core"
 local check = require "check"
@@ -31,7 +31,7 @@ check.case("Ctrl-C in a 3D solve: back at the prompt within an iteration, the la
     ("XDG_STATE_HOME=%s TERM=dumb"):format(folder))
   check.equal(status, 0)
   check.holds(output, "interrupted; _ is the run so far\n", "\ntrue\n0.0\n", '"completed"')
-  -- The iteration under way ends, and at most one that had just been counted is told of behind it.
+  -- The iteration under way ends, and at most one that had just been counted is reported after it.
   local _, later = output:match("%^C(.*)$"):gsub("iteration\t%d+", "")
   check.equal(later <= 1, true)
 end)
@@ -65,7 +65,7 @@ local function type_in(lines)
   return output
 end
 
-check.case("an assigned run is kept; the rest of the line is not executed, the next line is", function()
+check.case("an assigned run remains; the rest of the line is not executed, the next line is", function()
   local output = type_in [[
 run = "old"
 interrupt() run = pressed():run(stages, saving) print "the rest"
@@ -79,24 +79,25 @@ print(t.run.reason)
   check.equal(select(2, output:gsub("interrupted\n", "")), 1) -- what the last line prints
 end)
 
-check.case("an interrupted recommendation reports it and is kept", function()
+check.case("an interrupted recommendation reports it and remains", function()
   local output = type_in [[
-interrupt() r = sg.recommend{ scene = function() return pressed(), stages, saving end, error = "top.fy", at_most = 0.1 }
-print("kept", r.label, #r.tries)
+interrupt()
+r = sg.recommend{ scene = function() return pressed(), stages, saving end, quantity = "top.fy", at_most = 0.1 }
+print("result", r.order, #r.tries)
 ]]
-  check.holds(output, "Stopped by Ctrl-C", "kept\tnil\t1")
+  check.holds(output, "Stopped by Ctrl-C", "result\tnil\t1")
 end)
 
-check.case("an interrupted convergence map reports it and is kept, with the finished cells", function()
+check.case("an interrupted convergence map reports it and remains, with the finished cells", function()
   local output = type_in [[
 id = io.open "/proc/self/stat":read "n"
 axes = { x = { name = "a", values = { 1, 2 } }, y = { name = "b", values = { 1 } } }
 function scene(a) if a == 2 then os.execute("kill -INT " .. id) end return pressed() end
 function path(_, a) return a == 1 and { { steps = 1, top = -0.1 } } or stages end
 map = sg.convergence_map{ x = axes.x, y = axes.y, scene = scene, path = path, jobs = 1 } print "the rest"
-print("kept", #map.cells, map:cell(1, 1).outcome, map:cell(2, 1))
+print("result", #map.cells, map:cell(1, 1).outcome, map:cell(2, 1))
 ]]
-  check.holds(output, "convergence map: interrupted: 1 of 2 cases is done\n", "kept\t1\tcompleted\tnil")
+  check.holds(output, "convergence map: interrupted: 1 of 2 cases is done\n", "result\t1\tcompleted\tnil")
   check.equal(output:find("the rest", 1, true), nil)
 end)
 

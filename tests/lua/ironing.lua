@@ -2,16 +2,16 @@
 
 local sg = require "signorini"
 
---- `o`, all with defaults: E of the die, slab_E, mu (0: no friction), label, penalty, points (Gauss points of contact),
+--- `o`, all with defaults: E of the die, slab_E, mu (0: no friction), order, penalty, points (Gauss points of contact),
 --- elements = { die = {…}, slab = {…} }.
 return function(o)
   o = o or {}
   local elements, mu = o.elements or { die = {6, 2}, slab = {8, 3} }, o.mu or 0.2
   local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
-                       elements = elements.die, order = o.label or "N2", contact = "south", thickness_degree = 1,
+                       elements = elements.die, order = o.order or "N2", contact = "south", thickness_degree = 1,
                        material = sg.neo_hookean{ E = o.E or 1000, nu = 0.3 } }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = elements.slab,
-                        order = o.label or "N2", contact = "north", thickness_degree = 1,
+                        order = o.order or "N2", contact = "north", thickness_degree = 1,
                         material = sg.neo_hookean{ E = o.slab_E or 1, nu = 0.3 } }
   return sg.model{
     bodies   = { die = die, slab = slab },

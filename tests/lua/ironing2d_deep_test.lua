@@ -7,16 +7,16 @@ local folder = check.folder()
 local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("variant=deep", "orders=N4,N2-N2.2", "points=1,3",
   "coarser=1,2", "out=" .. folder)
 
---- The comparison of a label with some points at some step length.
-local function comparison(label, multiple, coarser)
+--- The comparison of an order with some points at some step length.
+local function comparison(order, multiple, coarser)
   for _, c in ipairs(study.comparisons) do
-    if c.label == label and c.multiple == multiple and c.coarser == coarser then return c end
+    if c.order == order and c.multiple == multiple and c.coarser == coarser then return c end
   end
 end
 
 check.case("with 3(p + 1) points and the published steps both converge without cutting any step", function()
-  for _, label in ipairs { "N4", "N2-N2.2" } do
-    local c = comparison(label, 3, 1)
+  for _, order in ipairs { "N4", "N2-N2.2" } do
+    local c = comparison(order, 3, 1)
     check.equal({ c.plain.run.failed, c.plain.run.steps, c.halving.run.cutbacks }, { false, 296, 0 })
   end
 end)
@@ -40,8 +40,8 @@ check.case("with halving all converge; runs without failures are unchanged", fun
 end)
 
 check.case("a run with halved steps ends in the state of one with twice as many steps", function()
-  for _, label in ipairs { "N4", "N2-N2.2" } do
-    local long, short = comparison(label, 1, 2).halving.run, comparison(label, 1, 1).halving.run
+  for _, order in ipairs { "N4", "N2-N2.2" } do
+    local long, short = comparison(order, 1, 2).halving.run, comparison(order, 1, 1).halving.run
     local a, b = long:column "grip.fy", short:column "grip.fy"
     check.near(a[23] / b[46], 1, 5e-3) -- end of the pressing
     check.near(a[148] / b[296], 1, 5e-3)

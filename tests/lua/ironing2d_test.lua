@@ -11,20 +11,20 @@ local study = run_study("out=" .. folder)
 check.case("Table 7.2: degrees of freedom", function()
   local printed = sg.reference "ironing2d_dofs_table7_2"
   check.equal(#study.cases, #printed.rows)
-  for label, row in pairs(printed:by "discretization") do
+  for order, row in pairs(printed:by "discretization") do
     for _, part in ipairs { "interface", "bulk", "total" } do
-      check.equal(study.cases[label].die_dofs[part], row["die_" .. part])
-      check.equal(study.cases[label].slab_dofs[part], row["slab_" .. part])
+      check.equal(study.cases[order].die_dofs[part], row["die_" .. part])
+      check.equal(study.cases[order].slab_dofs[part], row["slab_" .. part])
     end
   end
 end)
 
 check.case("Table 7.3: oscillations within 1.5 percentage points", function()
   local printed = sg.reference "ironing2d_oscillation_table7_3":by "discretization"
-  for _, label in ipairs { "N4", "N6", "N2-N6", "N2-N2.1", "N2-N2.2" } do
-    local case, row = study.cases[label], printed[label]
-    check.within(label .. " dPy", case.dPy.raw_percent, row.dPy_percent_of_N2, 1.5)
-    check.within(label .. " dPx", case.dPx.raw_percent, row.dPx_percent_of_N2, 1.5)
+  for _, order in ipairs { "N4", "N6", "N2-N6", "N2-N2.1", "N2-N2.2" } do
+    local case, row = study.cases[order], printed[order]
+    check.within(order .. " dPy", case.dPy.raw_percent, row.dPy_percent_of_N2, 1.5)
+    check.within(order .. " dPx", case.dPx.raw_percent, row.dPx_percent_of_N2, 1.5)
   end
 end)
 
@@ -40,7 +40,7 @@ end)
 check.case("every run is complete, in at most 4.5 plain Newton iterations a step", function()
   for _, case in ipairs(study.cases) do
     check.equal({ case.run.failed, case.run.steps }, { false, 296 })
-    if case.run.iterations > 4.5 * 296 then error(case.label .. " took " .. case.run.iterations .. " iterations") end
+    if case.run.iterations > 4.5 * 296 then error(case.order .. " took " .. case.run.iterations .. " iterations") end
   end
 end)
 
@@ -53,10 +53,10 @@ check.case("the pressing force is as large as the slab's reaction, step by step"
 end)
 
 --- The files are there and are pictures.
-check.case("a sheet of states, two charts, and a file per label that tells what the run does", function()
-  check.pictures(folder, { "states", "forces", "amplitudes" })
+check.case("a sheet of states, two charts, and a file per order that tells what the run does", function()
+  check.pictures(folder, { "states", "forces", "oscillations" })
   for _, case in ipairs(study.cases) do
-    local read = sg.csv.read(("%s/%s.csv"):format(folder, case.label))
+    local read = sg.csv.read(("%s/%s.csv"):format(folder, case.order))
     check.equal(read:column "grip.fx", case.run:column "grip.fx")
   end
   check.equal(#study.files, 3 + 8)
@@ -73,7 +73,7 @@ check.case("two meshes: oscillations at m2, times of pairs, charts over the mesh
   check.equal(#both.savings, 2)
   for i, pair in ipairs(both.savings) do
     local mesh = "m" .. i
-    check.equal({ pair.ours.label, pair.ours.mesh, pair.plain.label, pair.plain.mesh }, { "N2-N4", mesh, "N4", mesh })
+    check.equal({ pair.ours.order, pair.ours.mesh, pair.plain.order, pair.plain.mesh }, { "N2-N4", mesh, "N4", mesh })
     check.within("saving at " .. mesh, pair.saved, 100 * (1 - pair.ours.work.wall / pair.plain.work.wall), 1e-9)
     check.equal(pair.ours.work.wall, math.min(pair.ours.runs[1].wall, pair.ours.runs[2].wall))
   end
@@ -83,8 +83,8 @@ check.case("two meshes: oscillations at m2, times of pairs, charts over the mesh
 end)
 
 check.case("the cheapest case as accurate as N2 on a mesh: both oscillations count, then time", function()
-  local function case(label, dPy, dPx, wall)
-    return { label = label, dPy = { detrended = dPy }, dPx = { detrended = dPx }, work = { wall = wall } }
+  local function case(order, dPy, dPx, wall)
+    return { order = order, dPy = { detrended = dPy }, dPx = { detrended = dPx }, work = { wall = wall } }
   end
   local function mesh(name, N2, layer)
     return { mesh = name, cases = { N2, layer, N2 = N2 } }

@@ -15,8 +15,8 @@ check.case("both discretizations complete without cutting a step", function()
 end)
 
 check.case("during sliding the drag is slightly less than mu = 0.3 times the pressing force", function()
-  for _, label in ipairs { "N2", "N4" } do
-    local mean = study.cases[label].mean
+  for _, order in ipairs { "N2", "N4" } do
+    local mean = study.cases[order].mean
     check.near(mean.Px / mean.Py, 0.2908, 2e-3)
     check.near(mean.Py, 0.05407, 6e-4) -- as on the full mesh
   end

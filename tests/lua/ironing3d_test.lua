@@ -41,15 +41,15 @@ check.case("files: a run's columns, oscillations, two charts, a sheet of states"
   check.equal(#study.files, 5)
   local read = sg.csv.read(folder .. "/N2_coarse_R7.5_gap9.6.csv")
   check.equal(read:column "grip.fz", study.sets[1].cases["N2 coarse"].run:column "grip.fz")
-  check.equal(sg.csv.read(folder .. "/amplitudes_R7.5_gap9.6.csv"):column "dPz_printed_percent", { 100 })
-  check.pictures(folder, { "forces_R7.5_gap9.6", "amplitudes_R7.5_gap9.6", "states_R7.5_gap9.6" })
+  check.equal(sg.csv.read(folder .. "/oscillations_R7.5_gap9.6.csv"):column "dPz_printed_percent", { 100 })
+  check.pictures(folder, { "forces_R7.5_gap9.6", "oscillations_R7.5_gap9.6", "states_R7.5_gap9.6" })
 end)
 
 check.case("without friction a state does not depend on the path", function()
-  local case = { label = "N2", mesh = "sparse", radius = 7.5, depth = 2 }
-  local function solve(from, way)
-    return problem.solve{ label = case.label, mesh = case.mesh, radius = case.radius, depth = case.depth, from = from,
-                          way = way }
+  local case = { order = "N2", mesh = "sparse", radius = 7.5, depth = 2 }
+  local function solve(from, distance)
+    return problem.solve{ order = case.order, mesh = case.mesh, radius = case.radius, depth = case.depth, from = from,
+                          distance = distance }
   end
   local slid, pressed = solve(44.3, 3), solve(47.3, 0)
   check.within("Pz", slid.Pz[10], pressed.pressed, 1e-8)
@@ -57,7 +57,7 @@ check.case("without friction a state does not depend on the path", function()
 end)
 
 check.case("the sparse mesh converges to the full depth", function()
-  local case = depth.solve{ label = "N2", mesh = "sparse", radius = 7.5, from = 50 }
+  local case = depth.solve{ order = "N2", mesh = "sparse", radius = 7.5, from = 50 }
   check.equal({ case.run.failed, case.run.cutbacks, #case.states }, { false, 0, 52 })
   check.within("depth", case.states[52].depth, 10.4, 1e-12)
   check.within("Pz", case.states[52].Pz, 97.646, 1e-2)
@@ -65,7 +65,7 @@ end)
 
 check.case("the mean drag over a pitch is mu times the pressing force, zero without friction", function()
   local function drag(mu)
-    local case = friction.solve{ label = "N2", mesh = "sparse", radius = 7.5, depth = 2, mu = mu, way = 15 }
+    local case = friction.solve{ order = "N2", mesh = "sparse", radius = 7.5, depth = 2, mu = mu, distance = 15 }
     check.equal(case.run.failed, false)
     return case.ratio, case.model:contact_resultant "interface"
   end
@@ -75,7 +75,7 @@ check.case("the mean drag over a pitch is mu times the pressing force, zero with
   check.within("Px/Pz without friction", drag(0), 0, 1e-3)
 end)
 
-check.case("cost: a row per mesh and label, parts that add up", function()
+check.case("cost: a row per mesh and order, parts that add up", function()
   local result = run_study("variant=cost", "mesh=sparse", "layered=none", "out=" .. folder)
   check.equal({ #result.cases, #result.layered, #result.files }, { 1, 0, 1 })
   local case = result.cases[1]

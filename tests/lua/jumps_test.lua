@@ -9,7 +9,7 @@ local peeling = require "peeling2d.problem"
 local function found(...)
   local record, energy = jumps.record(), { work = 0, stored = 0, contact = 0, friction = 0 }
   local model, step = { energy = function()
-    return { work = energy.work, stored = energy.stored, contact = 0, friction = 0 }
+    return { work = energy.work, stored = energy.stored, contact = 0, friction = 0, area_growth = 0 }
   end }, 0
   for _, stage in ipairs { ... } do
     jumps.begin(record, model)
@@ -47,8 +47,8 @@ check.case("nothing else", function()
 end)
 
 check.case("peeling on a coarse mesh jumps over its snap-backs in completed steps, and says where", function()
-  local function peel(label, options)
-    return (peeling.scene(label, "m0", 100, 85)):run({ { name = "rotate", steps = 150, edge = 30 } }, options)
+  local function peel(order, options)
+    return (peeling.scene(order, "m0", 100, 85)):run({ { name = "rotate", steps = 150, edge = 30 } }, options)
   end
   local run = peel "N2"
   check.equal({ run.reason, #run.warnings }, { "completed", 1 })

@@ -11,21 +11,21 @@ local study = assert(loadfile(core.home .. "/scripts/layer_depth.lua"))(
   "peeling=mesh=m0;length=60;bonded=50;steps=400;window=34,40", "hertz=meshes=m1;sizes=1;reference=m3",
   "rings=meshes=m1;reference=m3")
 
---- An error of a label, relative to that of another one.
-local function ratio(problem, label, other, figure)
+--- An error of an order, relative to that of another one.
+local function ratio(problem, order, other, figure)
   local found = {}
-  for _, case in ipairs(study.studies[problem]) do found[case.label] = case.errors[figure or 1] end
-  return found[label] / found[other]
+  for _, case in ipairs(study.studies[problem]) do found[case.order] = case.errors[figure or 1] end
+  return found[order] / found[other]
 end
 
 check.case("every problem runs each depth of each layer", function()
   for _, name in ipairs { "peeling", "ironing", "hertz", "rings" } do
-    local labels, dofs = {}, {}
+    local orders, dofs = {}, {}
     for i, case in ipairs(study.studies[name]) do
-      labels[i], dofs[case.label] = case.label, case.dofs
+      orders[i], dofs[case.order] = case.order, case.dofs
       assert(case.wall > 0 and case.errors[1] > 0)
     end
-    check.equal(labels, { "N2", "N2-N2.2", "N2-N2.2x2", "N2.2", "N2-N4", "N2-N4x2", "N4" })
+    check.equal(orders, { "N2", "N2-N2.2", "N2-N2.2x2", "N2.2", "N2-N4", "N2-N4x2", "N4" })
     -- A second row adds what the first one does; all rows at least as much again.
     check.equal(dofs["N2-N2.2x2"] - dofs["N2-N2.2"], dofs["N2-N2.2"] - dofs.N2)
     assert(dofs["N2.2"] > dofs["N2-N2.2x2"])
@@ -54,7 +54,7 @@ end)
 check.case("files: a table and charts per problem", function()
   for name, charts in pairs { peeling = { "dM" }, ironing = { "dPy", "dPx" }, hertz = { "L2" }, rings = { "L2" } } do
     local read = sg.csv.read(("%s/%s.csv"):format(folder, name))
-    check.equal(read:column "label", { "N2", "N2-N2.2", "N2-N2.2x2", "N2.2", "N2-N4", "N2-N4x2", "N4" })
+    check.equal(read:column "order", { "N2", "N2-N2.2", "N2-N2.2x2", "N2.2", "N2-N4", "N2-N4x2", "N4" })
     for _, chart in ipairs(charts) do check.pictures(folder, { name .. "_" .. chart }) end
   end
 end)

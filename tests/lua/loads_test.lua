@@ -4,7 +4,7 @@
 local sg = require "signorini"
 local check = require "check"
 
---- A bar of 4 × 1 that is held along x at its west face and pulled at its east face.
+--- A bar of 4 × 1 that is fixed along x at its west face and pulled at its east face.
 local function bar(material, traction)
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = {4, 2}, order = "N2",
                         contact = "south", material = material }

@@ -120,7 +120,7 @@ end)
 
 --- Hertz's line contact under a given force: error of the pressure, peak, weighted penetration.
 local function line_contact(order, mesh, penalty, keys, options)
-  local model, stage = with(keys, problem.scene, { label = order, mesh = mesh, load = "force", penalty = penalty })
+  local model, stage = with(keys, problem.scene, { order = order, mesh = mesh, load = "force", penalty = penalty })
   stage.steps = 4
   local run = solved(model, { stage }, options)
   local profile, a, p0 = model:profile "ground", problem.hertz(2 * run:column "ground.fy"[4])
@@ -217,9 +217,9 @@ local slide = { name = "slide", steps = 250, grip = { 1.5, -0.23 } }
 
 check.case("ironing at m1 with friction: as many iterations as Gauss points, forces within a tenth", function()
   for _, order in ipairs { "N2", "N2-N2.2", "N4" } do
-    local points = solved(with(gpts, ironing, { label = order }), { press, slide })
+    local points = solved(with(gpts, ironing, { order = order }), { press, slide })
     for _, keys in ipairs { equal, reduced } do
-      local model = with(keys, ironing, { label = order })
+      local model = with(keys, ironing, { order = order })
       local run, name = solved(model, { press, slide }), order .. " " .. keys.multipliers
       check.at_most(name .. ": iterations", run.iterations, 1.13 * points.iterations)
       for _, column in ipairs { "grip.fx", "grip.fy" } do
@@ -238,7 +238,7 @@ end)
 
 check.case("load and hold: steps that move nothing change nothing", function()
   for _, keys in ipairs { equal, reduced } do
-    local model = with(keys, ironing, { label = "N2-N2.2" })
+    local model = with(keys, ironing, { order = "N2-N2.2" })
     local hold = { name = "hold", steps = 20, grip = { 0.3, -0.23 } }
     local run = solved(model, { press, { name = "slide", steps = 50, grip = { 0.3, -0.23 } }, hold })
     local fx = run:column "grip.fx"
@@ -249,13 +249,13 @@ end)
 -- ── What else a run offers ───────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("robust runs, arc length, growing penalties, samples and saved models", function()
-  local model = with(reduced, ironing, { label = "N2" })
+  local model = with(reduced, ironing, { order = "N2" })
   local run = model:run({ { name = "press", steps = 5, grip = { 0, -0.2 } } }, sg.robust{ arc_length = true })
   assert(not run.failed, run.report)
   local pressure = model:sample("die", "contact_pressure", { 0.5, 0 })
   check.at_most("sample", pressure, model:contact_resultant "interface".max_pressure)
   assert(pressure > 0)
-  local other = with(reduced, ironing, { label = "N2" })
+  local other = with(reduced, ironing, { order = "N2" })
   local growing = other:run({ { name = "press", steps = 5, grip = { 0, -0.2 } } },
     sg.robust{ penalty = { start = 0.1, steps = 2 } })
   assert(not growing.failed, growing.report)
@@ -275,6 +275,7 @@ check.case("wrong combinations are errors that name the argument", function()
   end
   check.fails(contact{ penalty = 1, method = "mortat" }, "method", "gpts", "mortar")
   check.fails(contact{ penalty = 1, multipliers = "equal" }, 'method = "mortar"')
+  check.fails(contact{ penalty = 1, method = "mortar", per = "current" }, "mortar", "per", "reference")
   check.fails(contact{ method = "mortar", adhesion = { hamaker = 1, r0 = 1 } }, "adhesion", "mortar")
   check.fails(contact{ method = "mortar" }, "penalty")
   check.fails(contact{ penalty = 1, method = "mortar", multipliers = "reduced" }, "reduced", "degree p >= 2", "equal")

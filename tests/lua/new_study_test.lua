@@ -25,7 +25,7 @@ check.case("the starter runs as it is written", function()
   check.equal(#names, 2)
   for _, name in ipairs(names) do -- the time of the solve, not that of the pictures, too
     local record = core.read_json(core.read_file(folder .. "/out/starter/cases/cases/" .. name))
-    check.equal(record.figures.wall > 0 and record.figures.wall < record.wall, true)
+    check.equal(record.results.wall > 0 and record.results.wall < record.wall, true)
   end
   check.holds(run "study.lua help", "orders", "meshes", "steps")
 end)

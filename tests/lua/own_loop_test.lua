@@ -129,7 +129,7 @@ check.case("moves are accepted in equilibrium only, and rolled back", function()
   check.fails(function() model:accept() end, "not in equilibrium yet")
   change[1] = 50
   model:move(change)
-  check.fails(function() model:residual() end, "the present state has no residual", "is inverted", "model:rollback()")
+  check.fails(function() model:residual() end, "the current state has no residual", "is inverted", "model:rollback()")
   model:rollback()
   check.equal(model:displacements(), accepted)
 end)

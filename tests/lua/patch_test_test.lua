@@ -13,7 +13,7 @@ local solid = run("dimensions=3", "orders=N2", "points=6")
 local free = run("dimensions=3", "materials=linear", "orders=N1", "points=3", "sides=free")
 
 local function name(case)
-  return ("%dD %s %s %s, slave %s, %d points"):format(case.dimension, case.material, case.label, case.pair, case.slave,
+  return ("%dD %s %s %s, slave %s, %d points"):format(case.dimension, case.material, case.order, case.pair, case.slave,
     case.points)
 end
 
@@ -26,7 +26,7 @@ check.case("without kinks inside the slave's elements the stress is uniform to r
       seen = seen + 1
     end
   end
-  -- dimensions, materials, labels, pairs, numbers of points
+  -- dimensions, materials, orders, pairs, numbers of points
   check.equal(seen, 1 * 2 * 5 * 3 * 2 + 1 * 2 * 1 * 3 * 2 + 1 * 1 * 1 * 3 * 2)
 end)
 
@@ -41,14 +41,14 @@ check.case("with kinks the error is visible, with the exponent of Gauss' rule fo
   for _, case in ipairs(solid.cases) do assert(case.pressure_error > 1e-6, name(case)) end
   check.equal(#plane.rates, 10)
   for _, rate in ipairs(plane.rates) do
-    check.at_most(("%s, slave %s: exponent off"):format(rate.label, rate.slave), rate.exponent - rate.expected, 0.2)
+    check.at_most(("%s, slave %s: exponent off"):format(rate.order, rate.slave), rate.exponent - rate.expected, 0.2)
   end
 end)
 
 --- The error of N2 on non-matching meshes, linear elastic, by slave and number of points.
 local function error_at(study, dimension, slave, points, key)
   for _, case in ipairs(study.cases) do
-    if case.dimension == dimension and case.label == "N2" and case.pair == "non-matching" and case.slave == slave and
+    if case.dimension == dimension and case.order == "N2" and case.pair == "non-matching" and case.slave == slave and
        case.points == points and case.material == "linear" then
       return case[key or "pressure_error"]
     end

@@ -1,5 +1,5 @@
 -- scripts/peeling2d.lua as a user runs it, on a shorter strip: published degrees of freedom, the moment of steady
--- peeling against its closed forms, pinned amplitudes, a coarse mesh that peels in snap-backs, the files it leaves.
+-- peeling against its closed forms, pinned oscillations, a coarse mesh that peels in snap-backs, the files it leaves.
 
 local sg = require "signorini"
 local core = require "signorini.core"
@@ -19,10 +19,10 @@ local coarse = run("mesh=m0", "orders=N2", "steps=400", "window=34,40", "iterati
 check.case("Tables 7.8 and B.2: degrees of freedom of the published strip", function()
   local rows, counted = sg.reference "peeling2d_table7_8_and_B2".rows, 0
   for _, row in ipairs(rows) do
-    local label, mesh, printed = row[1], row[2], row[6]
-    local _, strip = problem.scene(label, mesh, problem.length, problem.bonded)
+    local order, mesh, printed = row[1], row[2], row[6]
+    local _, strip = problem.scene(order, mesh, problem.length, problem.bonded)
     local dofs = strip:dofs().total
-    if dofs ~= printed then error(("%s at %s: %d, printed %d"):format(label, mesh, dofs, printed)) end
+    if dofs ~= printed then error(("%s at %s: %d, printed %d"):format(order, mesh, dofs, printed)) end
     counted = counted + 1
   end
   check.equal(counted, 39)
@@ -44,7 +44,7 @@ end)
 check.case("the plateau is the moment of the energy balance at finite strains, and not the thin strip's", function()
   local finite, thin = steady.finite_moment(), steady.thin_moment()
   for _, case in ipairs(study.cases) do
-    check.within_share(case.label, case.window.mean, finite, 5e-4)
+    check.within_share(case.order, case.window.mean, finite, 5e-4)
     assert(math.abs(case.window.mean / thin - 1) > 1e-3)
   end
 end)
@@ -54,7 +54,7 @@ check.case("oscillations and slopes are unchanged; the layer's are a fraction", 
                    ["N2-N2.1 m1"] = { 2.2036e-3, 1.8068e-3, -2.818e-3 } }
   for name, values in pairs(pinned) do
     local window = study.cases[name].window
-    check.within_share(name .. " amplitude", window.amplitude, values[1], 2e-3)
+    check.within_share(name .. " oscillation", window.oscillation, values[1], 2e-3)
     check.within_share(name .. " rise", window.rise, values[2], 2e-3)
     check.within_share(name .. " fall", window.fall, values[3], 2e-3)
     check.equal(study.cases[name].rotation.failed, false)
@@ -82,7 +82,7 @@ check.case("measures of a path: whole steps only, snap-backs in order", function
   local case = { step = { 1, 2, 2.6, 2.4, 2.1, 2.5, 3, 4 }, angle = { 1, 2, 2.6, 2.4, 2.1, 2.5, 3, 4 },
                  moment = { 0, 1, 1.5, 1, -1, -0.5, 0.2, 0.4 } }
   local window = measure.window(case, { 1, 4 })
-  check.near({ window.amplitude, window.rise, window.fall, window.path_amplitude }, { 1, 1, -0.8, 2.5 }, 1e-14)
+  check.near({ window.oscillation, window.rise, window.fall, window.path_oscillation }, { 1, 1, -0.8, 2.5 }, 1e-14)
   -- ∫ M dθ: 0.5 + 0.75 − 0.25 + 0 − 0.3 − 0.075 + 0.3
   check.near(window.mean, (0.5 + 1.25 * 0.6 - 1.25 * 0.2 - 0 * 0.3 - 0.75 * 0.4 - 0.15 * 0.5 + 0.3) / 3, 1e-14)
   local backs = measure.snap_backs(case)

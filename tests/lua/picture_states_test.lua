@@ -1,4 +1,4 @@
--- Pictures of the states that a run has kept: sheets, series, films; several fields, insets, no ground.
+-- Pictures of the states that a run has stored: sheets, series, films; several fields, insets, no ground.
 
 local sg = require "signorini"
 local check = require "check"
@@ -54,14 +54,14 @@ end)
 check.case("a sheet of states is the sheet of their pictures, and does not change the model", function()
   model:restore(at_rest)
   local pictures = { sg.picture{ model = model, field = "uy", title = "start" } }
-  local kept = run({ 0, 4 }, function(info)
+  local stored = run({ 0, 4 }, function(info)
     if info.step == 4 then pictures[2] = sg.picture{ model = model, field = "uy", title = "bend, step 4" } end
   end)
   local tip = model:sample("strip", "uy", { 1, 0.5 })
-  local sheet = draw{ states = kept:states(), field = "uy", model = model }
+  local sheet = draw{ states = stored:states(), field = "uy", model = model }
   sg.sheet{ pictures, file = folder .. "/sheet.png" }
   check.equal(bytes "sheet.png" == sheet, true)
-  for i, state in ipairs(kept:states()) do pictures[i] = sg.picture{ state = state, field = "uy" } end
+  for i, state in ipairs(stored:states()) do pictures[i] = sg.picture{ state = state, field = "uy" } end
   sg.sheet{ pictures, file = folder .. "/sheet.png" }
   check.equal(bytes "sheet.png" == sheet, true)
   check.near(model:sample("strip", "uy", { 1, 0.5 }), tip, 0)
@@ -187,7 +187,7 @@ check.case("wrong arguments", function()
     { { states = {} }, "states must be a list of at least one state" },
     { { states = { 3 } }, "states[1] must be a state", "got the number 3" },
     { { states = { {} } }, "states[1] must be a state" },
-    { { states = states, model = other }, "model is not the model of the kept state" },
+    { { states = states, model = other }, "model is not the model of the stored state" },
     { { model = model, field = "uy", fields = { "ux" } }, "fields cannot be combined with field" },
     { { model = model, fields = {} }, "fields must be a list of at least one name" },
     { { model = model, fields = { "ux", 3 } }, "fields[2] must be a name" },

@@ -22,12 +22,12 @@ local function draw_sheet(arguments)
   return check.png(file)
 end
 
---- A body of this shape, held at one face and driven at another.
-local function beam(shape, held, driven)
+--- A body of this shape, fixed at one face and driven at another.
+local function beam(shape, fixed, driven)
   local body = sg.body{ patch = shape, elements = { 4, 2 }, order = "N2", contact = "south",
                         material = sg.neo_hookean{ E = 2, nu = 0.3 } }
   return sg.model{ bodies = { strip = body }, contacts = {},
-                   supports = { foot = { on = body:face(held), fix = "xy" },
+                   supports = { foot = { on = body:face(fixed), fix = "xy" },
                                 tip = { on = body:face(driven), drive = "xy" } } }
 end
 

@@ -181,14 +181,14 @@ check.case("a profile has only its lists, and is read, written and stored as a t
   for name in pairs(pr) do names[#names + 1] = name end
   check.equal({ #names, rawlen(pr), #pr.x > 1, pr.pressure[1] > 0 }, { 9, 0, true, true })
   local core = require "signorini.core"
-  local kept = core.read_json(core.write_json(pr))
-  check.near(kept.gap, pr.gap, 0)
-  check.equal(kept.presure, nil)
+  local saved = core.read_json(core.write_json(pr))
+  check.near(saved.gap, pr.gap, 0)
+  check.equal(saved.presure, nil)
   local show = require "signorini.show"
-  check.equal(show.text(kept), show.text(pr))
+  check.equal(show.text(saved), show.text(pr))
   check.holds(show.text(pr), ("contact profile of %d points: "):format(#pr.x))
   local record = require "signorini.study.case"(function() return pr end, { case = {}, text = "a" })
-  check.equal({ record.outcome, record.figures.state }, { "done", pr.state })
+  check.equal({ record.outcome, record.results.state }, { "done", pr.state })
 end)
 
 check.done()

@@ -142,7 +142,7 @@ check.case("iterations: too few, with the largest unbalanced forces", function()
     "step 1 (stage 'shear', 1 of 1) was not reached: no convergence after 2 iterations",
     "Worst places: control point", "Hint: allow more iterations")
   check.equal({ place.kind, place.body }, { "control point", "block" })
-  check.near(place.X[2], 0.5, 1e-12) -- neither held face
+  check.near(place.X[2], 0.5, 1e-12) -- neither supported face
   check.holds(place.text, "unbalanced force")
 end)
 

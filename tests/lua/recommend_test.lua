@@ -7,8 +7,8 @@ local problem = require "hertz2d.problem"
 
 local steps = 5
 
-local function scene(label, mesh)
-  local model, stage = problem.scene{ label = label, mesh = mesh, load = "force" }
+local function scene(order, mesh)
+  local model, stage = problem.scene{ order = order, mesh = mesh, load = "force" }
   stage.steps = steps
   return model, { stage }
 end
@@ -16,14 +16,14 @@ end
 local meshes = { "m1", "m2", "m3", "m4", "m5", "m6" }
 
 local function recommend(more)
-  local options = { scene = scene, error = "ground.max_pressure", at_most = 0.02, meshes = meshes }
+  local options = { scene = scene, quantity = "ground.max_pressure", at_most = 0.02, meshes = meshes }
   for key, value in pairs(more or {}) do options[key] = value end
   return sg.recommend(options)
 end
 
 check.case("for 2 % it finds a case that is within 2 % of Hertz", function()
   local found = recommend()
-  local model, stages = scene(found.label, found.mesh)
+  local model, stages = scene(found.order, found.mesh)
   local run = model:run(stages)
   local _, p0 = problem.hertz(2 * run:column "ground.fy"[steps])
   local off = math.abs(run:column "ground.max_pressure"[steps] / p0 - 1)
@@ -39,7 +39,7 @@ check.case("estimates are reliable: each case is as close to the finest mesh as 
   for _, case in ipairs(found.tries) do
     if case.error then
       estimated = estimated + 1
-      check.equal(math.abs(case.figure[1] / exact - 1) <= case.error, true)
+      check.equal(math.abs(case.value[1] / exact - 1) <= case.error, true)
     end
   end
   check.equal(estimated >= 3 and found.error <= 1e-3, true)
@@ -61,20 +61,20 @@ check.case("lists of numbers; no case within the tolerance; dominated orders; a 
     end
     return list
   end
-  local none = recommend{ error = pressures, at_most = 1e-9, meshes = { "m1", "m2" } }
-  check.equal({ none.label, none.error }, {})
+  local none = recommend{ quantity = pressures, at_most = 1e-9, meshes = { "m1", "m2" } }
+  check.equal({ none.order, none.error }, {})
   check.holds(none.report, "None of these is known to be within 1e-09", "comes nearest")
-  check.equal(#none.tries, 3) -- both labels on m1, the richest on m2
+  check.equal(#none.tries, 3) -- both orders on m1, the richest on m2
   local short = recommend{ at_most = 1e-9, limit = 1e-6 }
   check.equal(short.tries[#short.tries].mesh, "m2")
 end)
 
 check.case("failed runs are reported and skipped", function()
-  local found = recommend{ orders = { "N2", "N2-N2.1", "N4" }, scene = function(label, mesh)
-    local model, stages = scene(label, mesh)
-    return model, stages, label == "N4" and sg.plain{ newton = { iterations = 1 } } or nil
+  local found = recommend{ orders = { "N2", "N2-N2.1", "N4" }, scene = function(order, mesh)
+    local model, stages = scene(order, mesh)
+    return model, stages, order == "N4" and sg.plain{ newton = { iterations = 1 } } or nil
   end }
-  check.equal(found.label ~= "N4" and found.label ~= nil, true)
+  check.equal(found.order ~= "N4" and found.order ~= nil, true)
   local failed = 0
   for _, case in ipairs(found.tries) do failed = failed + (case.failed == "iterations" and 1 or 0) end
   check.equal(failed >= 1, true)
@@ -83,12 +83,12 @@ end)
 check.case("wrong arguments are errors at the user's line", function()
   for _, wrong in ipairs {
     { { scene = false }, "scene must be a function" },
-    { { error = 3 }, "error must be a string or a function", "the number 3" },
-    { { error = "ground.maxpressure" }, "sg.recommend: error must be", "'ground.maxpressure'",
+    { { quantity = 3 }, "quantity must be a string or a function", "the number 3" },
+    { { quantity = "ground.maxpressure" }, "sg.recommend: quantity must be", "'ground.maxpressure'",
       "did you mean 'ground.max_pressure'?" },
-    { { error = function() end }, "error must return a number" , "nothing" },
-    { { error = function() return 0 / 0 end }, "finite number", "nan" },
-    { { error = function() return 0 end, meshes = { "m1", "m2" } }, "the result of error is zero" },
+    { { quantity = function() end }, "quantity must return a number" , "nothing" },
+    { { quantity = function() return 0 / 0 end }, "finite number", "nan" },
+    { { quantity = function() return 0 end, meshes = { "m1", "m2" } }, "the result of quantity is zero" },
     { { at_most = -1 }, "at_most must be a number above 0 and below 1 (relative error), got the number -1" },
     { { at_most = 2 }, "at_most must be a number above 0 and below 1 (relative error)", "write 0.02 for 2 %" },
     { { at_most = "0.02" }, "at_most must be a number", "remove the quotes" },
@@ -97,7 +97,7 @@ check.case("wrong arguments are errors at the user's line", function()
     { { scene = function() return 1 end }, "scene must return a model" },
     { { meshes = { "m2", "m1" } }, "N2-N2.2 has", "unknowns on mesh m2",
       "on mesh m1. Hint: order meshes from coarse to fine" },
-    { { scene = function(label) return scene(label, "m1") end }, "and use them in scene" },
+    { { scene = function(order) return scene(order, "m1") end }, "and use them in scene" },
   } do
     check.fails(function() recommend(wrong[1]) end, "recommend_test.lua", table.unpack(wrong, 2))
   end

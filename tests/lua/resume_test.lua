@@ -16,7 +16,9 @@ local function alike(run, other, model, other_model)
     if type(value) ~= "table" then return value end
     local copy = {}
     for key, entry in pairs(value) do
-      if key ~= "wall" and key ~= "timings" and key ~= "wall_column" and key ~= "kept" then copy[key] = strip(entry) end
+      if key ~= "wall" and key ~= "timings" and key ~= "wall_column" and key ~= "stored_states" then
+        copy[key] = strip(entry)
+      end
     end
     return copy
   end

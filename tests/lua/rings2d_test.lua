@@ -13,18 +13,18 @@ for _, row in ipairs(sg.reference "rings2d_error_table7_5".rows) do
 end
 
 check.case("Table 7.5 at m1: both tractions within 10 %", function()
-  for _, label in ipairs { "N2", "N4", "N2-N4", "N2-N2.1" } do
-    local case, row = study.cases[label .. " m1"], printed[label .. " m1"]
-    check.within_share(label .. " p_N", case.pN_error, row.pN, 0.1)
-    check.within_share(label .. " p_T", case.pT_error, row.pT, 0.1)
+  for _, order in ipairs { "N2", "N4", "N2-N4", "N2-N2.1" } do
+    local case, row = study.cases[order .. " m1"], printed[order .. " m1"]
+    check.within_share(order .. " p_N", case.pN_error, row.pN, 0.1)
+    check.within_share(order .. " p_T", case.pT_error, row.pT, 0.1)
   end
 end)
 
 check.case("Table 7.5 at m2: within 15 %, except N2-N2.1, which depends on the rule of the integral", function()
-  for _, label in ipairs { "N2", "N4", "N2-N4" } do
-    local case, row = study.cases[label .. " m2"], printed[label .. " m2"]
-    check.within_share(label .. " p_N", case.pN_error, row.pN, 0.15)
-    check.within_share(label .. " p_T", case.pT_error, row.pT, 0.15)
+  for _, order in ipairs { "N2", "N4", "N2-N4" } do
+    local case, row = study.cases[order .. " m2"], printed[order .. " m2"]
+    check.within_share(order .. " p_N", case.pN_error, row.pN, 0.15)
+    check.within_share(order .. " p_T", case.pT_error, row.pT, 0.15)
   end
   -- On the points of the reference, with the edge where the gap is zero, it is the printed one.
   local case = study.cases["N2-N2.1 m2"]
@@ -47,11 +47,11 @@ end)
 check.case("slipping points carry p_T = mu p_N, and only points at the apex stick", function()
   for _, case in ipairs(study.cases) do
     if case.coulomb.sticking > 3 or case.coulomb.deviation > 3e-3 then
-      error(("%s %s: %d points stick, p_T differs by %g"):format(case.label, case.mesh, case.coulomb.sticking,
+      error(("%s %s: %d points stick, p_T differs by %g"):format(case.order, case.mesh, case.coulomb.sticking,
         case.coulomb.deviation))
     end
     for i, state in ipairs(case.profile.state) do
-      if state == "stick" and case.profile.x[i] > 0.05 then error(case.label .. " sticks at " .. case.profile.x[i]) end
+      if state == "stick" and case.profile.x[i] > 0.05 then error(case.order .. " sticks at " .. case.profile.x[i]) end
     end
   end
 end)
@@ -65,7 +65,7 @@ end)
 check.case("every run is complete, in at most 4 plain Newton iterations a step", function()
   for _, case in ipairs(study.cases) do
     check.equal(case.run.steps, 40)
-    if case.run.iterations > 4 * 40 then error(case.label .. " took " .. case.run.iterations .. " iterations") end
+    if case.run.iterations > 4 * 40 then error(case.order .. " took " .. case.run.iterations .. " iterations") end
   end
 end)
 

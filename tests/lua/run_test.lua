@@ -271,7 +271,7 @@ check.case("a failed step leaves the model at its last increment, and the report
   check.equal(#run:column "grip.fx", 1)
   local last = run:attempts(2)
   check.near({ last[#last].from, last[#last].to }, { 0.625, 0.75 })
-  -- A later stage begins where the model stands.
+  -- A later stage begins at the model's targets.
   check.near(model:run{ { steps = 1, grip = { 1.7, 0 } } }:column "grip.ux", { 1.7 })
   run = climb(4, rough(1, 2, 0), { min = 1 / 4 })
   check.holds(run.report, "Attempts, by fraction of the step: 1 (diverged), 0.5 (diverged), 0.25 (diverged).",
@@ -300,8 +300,8 @@ check.case("arc-length increments that all leave the path end the run with 'left
     return { converged = true, reason = "converged", message = "", fraction = 0.5, iterations = 2,
       residuals = { 1, 0 } }
   end
-  function model:restore(kept)
-    self.accepted, self.next, last = kept, kept, 1
+  function model:restore(saved)
+    self.accepted, self.next, last = saved, saved, 1
   end
   local run = model:run({ { steps = 2, grip = { 1, 0 } } }, { arc_length = true })
   check.equal({ run.failed, run.reason, run.steps, run.controls[1].to },

@@ -38,7 +38,7 @@ end)
 check.case("an edge and a corner are intersections of their faces", function()
   local b = sg.body{ patch = sg.shapes.block{ size = {2, 1, 3} }, elements = {2, 2, 2}, order = "N2", contact = "back",
                      material = linear }
-  -- Only what is held does not move under a pull: read off which points these are.
+  -- Only constrained points do not move under a pull: read off which these are.
   local model = sg.model{ bodies = { b = b },
     supports = { edge = { on = b:edge "south-back", drive = "xyz" }, rest = { on = b:face "front", fix = "xyz" },
                  tip = { on = b:corner "east-north-back", drive = "z" } } }
@@ -55,7 +55,7 @@ check.case("an edge and a corner are intersections of their faces", function()
   check.near(sum, { 0, 0, 0 }, 1e-10)
 end)
 
-check.case("labels per direction along the face count as they say", function()
+check.case("orders per direction along the face count as they say", function()
   local function dofs(order, contact)
     return sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {4, 3, 2}, order = order, contact = contact,
                     thickness_degree = contact and 1, material = soft }:dofs()
@@ -76,17 +76,17 @@ check.case("Table 7.11 is reproduced exactly", function()
   for i, name in ipairs(printed.columns) do at[name] = i end
   check.equal(#printed.rows, 8)
   for _, row in ipairs(printed.rows) do
-    local label, n = row[at.discretization], row[at.mesh] == "fine" and 2 or 1
+    local order, n = row[at.discretization], row[at.mesh] == "fine" and 2 or 1
     local indenter = sg.body{ patch = sg.shapes.spherical_indenter{ width = 10, depth = 10, height = 11, radius = 25.5,
                                 elements = 1, corner = {0, 0, 22} },
-                              elements = { 5 * n, 5 * n, 3 * n }, order = label, contact = "front",
+                              elements = { 5 * n, 5 * n, 3 * n }, order = order, contact = "front",
                               thickness_degree = 1,
                               material = soft }
     local slab = sg.body{ patch = sg.shapes.block{ size = {100, 30, 22} }, elements = { 18 * n, 6 * n, 4 * n },
-                          order = label, contact = "back", thickness_degree = 1, material = soft }
+                          order = order, contact = "back", thickness_degree = 1, material = soft }
     for name, body in pairs{ indenter = indenter, slab = slab } do
       for _, part in ipairs{ "interface", "bulk", "total" } do
-        check.equal({ label, body:dofs()[part] }, { label, row[at[name .. "_" .. part]] })
+        check.equal({ order, body:dofs()[part] }, { order, row[at[name .. "_" .. part]] })
       end
     end
     check.equal(indenter:dofs().total + slab:dofs().total, row[at.total])

@@ -43,8 +43,8 @@ check.case("a model before and after a step", function()
   local now = model:contact_resultant "ground"
   check.equal(now.active > 0, true)
   check.holds(show.text(model), "grip at x = 0, y = -0.1\n",
-    ("contact ground: %d active points, %d slipping; force {%.4g, %.4g}, largest pressure %.4g")
-      :format(now.active, now.slipping, now.fx, now.fy, now.max_pressure))
+    ("contact ground: %d active points, %d slipping; force {%.4g, %.4g}, largest pressure %.4g; tractions per current "
+      .. "area"):format(now.active, now.slipping, now.fx, now.fy, now.max_pressure))
 end)
 
 check.case("a profile, a table, and plain tables as ever", function()

@@ -63,15 +63,15 @@ check.case("ratios of all pairs: within the errors that both reach, or why there
 end)
 
 check.case("the fastest case with at most the error of N2 is at least as accurate and not slower", function()
-  local shares = require "speed_against_accuracy.shares"
-  local list = shares.least(results.ironing.measured.cases, "dPx", "wall")
+  local ratios = require "speed_against_accuracy.ratios"
+  local list = ratios.least(results.ironing.measured.cases, "dPx", "wall")
   check.equal(#list, 2)
   for _, pair in ipairs(list) do
     assert(pair.best.dPx <= pair.plain.dPx and pair.best.wall <= pair.plain.wall)
   end
 end)
 
-check.case("the page: figures from the results, tables, charts; written atomically", function()
+check.case("the page: numbers from the results, tables, charts; written atomically", function()
   local page = read "doc/speed_against_accuracy.md"
   check.holds(page, "# Speed against accuracy", "## Ironing", "## Hertz", "Signorini " .. core.versions.signorini,
     core.processor, "| N2-N2.2 | m1 | 1114 | ", "| 2.04·10⁻¹ |", "Ratio of times, A to B, at equal ",

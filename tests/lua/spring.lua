@@ -56,7 +56,7 @@ local function spring(fails)
   function model:unconstrained_bodies() return {} end
   function model:warnings() return {} end
   function model:snapshot() return { self.accepted[1], self.accepted[2] } end
-  function model:restore(kept) self.accepted, self.next = kept, kept end
+  function model:restore(saved) self.accepted, self.next = saved, saved end
   function model:last_length() return 0 end -- no length to look for a turning point with
   function model:reaction(name)
     local u, sign = self.accepted, name == "bed" and -1 or 1
@@ -69,7 +69,7 @@ local function spring(fails)
              unsettled = 0 }
   end
   function model:profile() return { gap = { 1 } } end
-  function model:energy() return { stored = 0, contact = 0, friction = 0, work = 0 } end
+  function model:energy() return { stored = 0, contact = 0, friction = 0, work = 0, area_growth = 0 } end
   function model:timings() return { bulk = self.spent * 1e-9, contact = 0, linear = 0 } end
   return model
 end

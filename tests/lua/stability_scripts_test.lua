@@ -1,4 +1,4 @@
--- scripts/stability, coarse: cells that converge with plain Newton, none of which fails with controls; figures and
+-- scripts/stability, coarse: cells that converge with plain Newton, none of which fails with controls; results and
 -- files.
 
 local core = require "signorini.core"
@@ -50,8 +50,8 @@ check.case("deep ironing: with p + 1 points long steps fail, and shorter ones ca
   check.equal(maps.plain:cell("N2", 2).outcome, "completed")
   check.equal({ maps.plain:converged() }, { 1, 4 })
   check_controls(maps, 4)
-  local press = maps.robust:cell("N4", 2).figures.press
-  check.near({ press, maps.robust:cell("N4", 16).figures.press }, { 0.7801, 0.7800 }, 1e-4)
+  local press = maps.robust:cell("N4", 2).results.press
+  check.near({ press, maps.robust:cell("N4", 16).results.press }, { 0.7801, 0.7800 }, 1e-4)
   check_files(result, 3)
 end)
 
@@ -71,10 +71,10 @@ check.case("Hertz over the penalty: a high one makes the pressure oscillate, a l
   local plain, robust = result.maps.plain, result.maps.robust
   check.equal(outcomes(plain), { "completed", "completed", "completed", "completed", "completed", "cycling" })
   check_controls(result.maps, 6)
-  local function oscillation(label, penalty) return plain:cell(label, penalty).figures.oscillation end
+  local function oscillation(order, penalty) return plain:cell(order, penalty).results.oscillation end
   check.near({ oscillation("N2", 1e2), oscillation("N2", 1e4), oscillation("N2-N2.2", 1e4) },
     { 0.00325, 0.1230, 0.0144 }, 5e-4)
-  check.near(robust:cell("N2", 1e4).figures.penetration, 3.23e-6, 1e-8)
+  check.near(robust:cell("N2", 1e4).results.penetration, 3.23e-6, 1e-8)
   check_files(result, 5)
 end)
 
@@ -93,8 +93,8 @@ check.case("ironing back and forth: drag changes its sign; long steps fail while
   local plain = result.maps.N2.plain
   check.equal({ plain:converged() }, { 2, 4 })
   check.near(plain:cell(16, 0.8).reached, 0.2, 0.02)
-  local figures = plain:cell(4, 0.8).figures
-  check.near({ figures["drag forward"], figures["drag back"] }, { 0.812, -0.812 }, 1e-3)
+  local results = plain:cell(4, 0.8).results
+  check.near({ results["drag forward"], results["drag back"] }, { 0.812, -0.812 }, 1e-3)
   check_controls(result.maps.N2, 4)
   check_files(result, 3)
 end)
@@ -104,7 +104,7 @@ check.case("locking: the force of L1 is too high the nearer nu comes to 0.5, tha
   local robust = result.maps.robust
   check_controls(result.maps, 6)
   check.equal({ result.reference:converged() }, { 2, 2 })
-  local function off(label, nu) return robust:cell(label, nu).figures.error end
+  local function off(order, nu) return robust:cell(order, nu).results.error end
   check.near({ off("L1", 0.45), off("L1", 0.499), off("N2", 0.45) }, { 0.2125, 1.537, 0.0085 }, 1e-3)
   check.near({ off("N4", 0.45), off("N4", 0.499) }, { 0.0047, 0.0104 }, 1e-3)
   check_files(result, 4)
@@ -117,7 +117,7 @@ check.case("first contact: an unconstrained body is singular before it touches; 
     check.equal(outcomes(plain), { "completed", "singular" })
     check_controls(result.maps[key], 2)
     local robust = result.maps[key].robust
-    local function carried(map, gap) return map:cell(gap, 1e-3).figures.carried end
+    local function carried(map, gap) return map:cell(gap, 1e-3).results.carried end
     check.near({ carried(plain, -1e-3), carried(robust, 1e-3) }, { 1e-3, 1e-3 }, 1e-9)
     check.equal(robust:cell(1e-3, 1e-3).fallback_steps, 1)
   end
@@ -137,14 +137,14 @@ end)
 
 check.case("augmented: no penetration remains; the effect on the pressure depends on the layer", function()
   local result = study("augmented", "penalties=1e2", "reference=m4")
-  local function figures(label)
-    local plain, augmented = result.cases[label .. " 100 penalty"], result.cases[label .. " 100 augmented"]
+  local function results(order)
+    local plain, augmented = result.cases[order .. " 100 penalty"], result.cases[order .. " 100 augmented"]
     check.equal({ plain.outcome, augmented.outcome }, { "completed", "completed" })
     check.equal({ plain.penetration > 1e-4, augmented.penetration <= 5 ^ 0.5 * 1e-6 }, { true, true })
     check.equal({ plain.force_percent < -3, math.abs(augmented.force_percent) < 0.2 }, { true, true })
     return augmented.error / plain.error
   end
-  check.near({ figures "N2-N2.2", figures "N2" }, { 0.105, 0.40 }, 0.05)
+  check.near({ results "N2-N2.2", results "N2" }, { 0.105, 0.40 }, 0.05)
   check_files(result, 3)
 end)
 

@@ -14,7 +14,7 @@ local function new(cases, run, units)
                    units = units }
 end
 
-check.case("if no case has a result, the message about a missing figure gives the reason", function()
+check.case("if no case has a result, the message about a missing result gives the reason", function()
   local function study(run) return new(sg.grid{ a = { 1, 2 } }, run) end
   local failed = study(function() return { failed = true, reason = "penalty = -5" } end):execute{}
   local grid = new(sg.grid{ a = { 1 }, b = { 2 } }, function() return { failed = true } end):execute{}
@@ -105,7 +105,7 @@ check.case("csv writes the columns of table", function()
   local study, file = sample():median "round", scratch .. "/study.csv"
   study:csv(file, { sort = { "mesh", "order" } })
   local data = sg.csv.read(file)
-  check.equal(data.comments, { "study: noted", "cost / s", "wall / s" })
+  check.equal(data.comments, { "study: noted", "cost (s)", "wall (s)" })
   check.equal(data:column "cost", { 13, 13, 23, 23 })
   check.equal(data:column "order", { "N2", "N4", "N2", "N4" })
   check.fails(function() study:csv(scratch .. "/no/a.csv") end, "study_methods_test.lua", ": study:csv: ", "/no/a.csv")

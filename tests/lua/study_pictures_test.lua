@@ -13,7 +13,7 @@ local function study()
     end
   end
   rows[2] = { order = "N4", mesh = { 6, 2 }, steps = 10, wall = 1, failed = true, reason = "diverged" }
-  return setmetatable({ name = "ironing", parameters = { "order", "mesh", "steps" }, figures = { "dPx" },
+  return setmetatable({ name = "ironing", parameters = { "order", "mesh", "steps" }, results = { "dPx" },
            units = { wall = "s", dPx = "%" }, rows = rows }, core.types.study)
 end
 
@@ -40,7 +40,7 @@ end
 check.case("a chart: one curve per series, by x; labels with units; failed cases have no point", function()
   local got = chart { x = "wall", y = "dPx", series = "order", log = "xy", size = { 800, 600 } }
   check.equal({ got.file, got.log, got.size, got.title }, { "a.png", "xy", { 800, 600 }, "ironing" })
-  check.equal({ got.xlabel, got.ylabel, got.legend_title, #got }, { "wall / s", "dPx / %", "order", 2 })
+  check.equal({ got.xlabel, got.ylabel, got.legend_title, #got }, { "wall (s)", "dPx (%)", "order", 2 })
   check.equal({ got[1].label, got[1].x, got[1].y }, { "N4", { 2 }, { 0.1 } })
   check.equal({ got[2].label, got[2].x, got[2].y, got[2].markers }, { "N2", { 1, 2 }, { 0.2, 0.1 }, true })
   got = chart { x = "wall", y = function(row) return 2 * row.dPx end, ylabel = "twice", markers = false, width = 5,
@@ -62,7 +62,7 @@ check.case("a parameter with few whole values along x has its ticks there, and t
     for i, value in ipairs(values) do rows[i] = { n = value, f = i, wall = i } end
     options = options or {}
     options.x, options.y = options.x or "n", "f"
-    local one = { name = "s", parameters = { "n" }, figures = { "f" }, units = {}, rows = rows }
+    local one = { name = "s", parameters = { "n" }, results = { "f" }, units = {}, rows = rows }
     return chart(options, setmetatable(one, core.types.study)).xticks
   end
   check.equal(ticks { 3, 1, 2.0 }, { { 1, "1" }, { 2, "2" }, { 3, "3" } })
@@ -85,7 +85,7 @@ check.case("a heat map: axes in the parameters' order, values with texts, failed
   check.equal({ got.values[1], got.values[2][1], got.values[2][2] }, { { 0.1, 0.1 }, nil, 0.2 })
   check.equal({ got.texts[1], got.texts[2] }, { { 0.1, 0.1 }, { "failed", 0.2 } })
   check.equal({ got.label, got.xlabel, got.ylabel, got.title, got.log },
-    { "dPx / %", "order", "mesh", "ironing", true })
+    { "dPx (%)", "order", "mesh", "ironing", true })
   got = heatmap { x = "mesh", y = "order", value = function(row) return row.wall / 3 end, texts = false,
                   label = "third" }
   check.equal({ got.texts, got.label }, { nil, "third" })
@@ -103,7 +103,7 @@ check.case("pictures are drawn", function()
   local folder = check.folder()
   study():chart({ x = "mesh", y = "dPx", series = "order", file = folder .. "/chart.svg" })
   study():heatmap({ x = "order", y = "mesh", value = "dPx", file = folder .. "/map.svg" })
-  for file, texts in pairs { chart = { ">6×2<", ">dPx / %<", ">N2<" }, map = { ">6×2<", ">failed<", ">dPx / %<" } } do
+  for file, texts in pairs { chart = { ">6×2<", ">dPx (%)<", ">N2<" }, map = { ">6×2<", ">failed<", ">dPx (%)<" } } do
     check.holds(core.read_file(("%s/%s.svg"):format(folder, file)), table.unpack(texts))
   end
 end)

@@ -1,4 +1,4 @@
--- Studies: cases in separate processes, and results that are kept; study_inputs_test.lua changes their inputs,
+-- Studies: cases in separate processes, and results that are saved; study_inputs_test.lua changes their inputs,
 -- study_methods_test.lua reads them.
 
 local sg = require "signorini"
@@ -100,7 +100,7 @@ local function calls(folder)
   return lines
 end
 
-check.case("figures, failures, errors and crashes become rows; finished cases do not run again", function()
+check.case("results, failures, errors and crashes become rows; finished cases do not run again", function()
   local folder = new_folder()
   local function study()
     return noted(folder, sg.grid{ a = { 1, 2, 3, 4, 5 } }, function(case)
@@ -132,14 +132,14 @@ check.case("figures, failures, errors and crashes become rows; finished cases do
   check.equal(calls(folder), 13)
 end)
 
-check.case("the file of a case is JSON with inputs, figures, version, host and time", function()
+check.case("the file of a case is JSON with inputs, results, version, host and time", function()
   local folder = new_folder()
   sg.study{ name = "one", folder = folder, cases = { { order = "N2", mesh = { name = "m1", die = { 6, 2 } } } },
             run = function(case) return { third = 1 / 3, die = case.mesh.die[1] } end }:execute{}
   local name = check.shell(("ls %s/cases"):format(folder)):gsub("\n", "")
   check.holds(name, "mesh=m1_order=N2-", ".json")
   local record = core.read_json(core.read_file(folder .. "/cases/" .. name))
-  check.equal({ record.study, record.case.order, record.case.mesh.die, record.figures.third, record.figures.die },
+  check.equal({ record.study, record.case.order, record.case.mesh.die, record.results.third, record.results.die },
     { "one", "N2", { 6, 2 }, 1 / 3, 6 })
   check.equal({ record.made.versions.signorini, record.made.host, record.outcome },
     { core.versions.signorini, core.host, "done" })
@@ -159,7 +159,7 @@ check.case("cases that request it run last, and alone", function()
   check.equal(record.made.at_once, 1)
 end)
 
-check.case("an error of a case is told aloud and makes the status 1; a case that failed, or os.exit, leaves it 0",
+check.case("an error of a case is reported and makes the status 1; a case that failed, or os.exit, leaves it 0",
   function()
   local function run(body, ending)
     return check.script(([[
@@ -221,10 +221,10 @@ check.case("killed three times and resumed it ends with the same table and repea
   core.write_file(name, script)
   check.shell("mkdir -p " .. scratch)
   local expected = check.program { "-q", name, whole }
-  for _, enough in ipairs { 1, 4, 7 } do -- files, from which on it is killed
+  for _, count in ipairs { 1, 4, 7 } do -- files, from which on it is killed
     check.shell(("%s -q %s %s & until [ $(ls %s/cases 2>/dev/null | grep -c json$) -ge %d ]; do sleep 0.01; done; "
-      .. "kill -9 $!; wait $! 2>/dev/null; true"):format(arg[-1], name, broken, broken, enough))
-    check.equal(files_in(broken) >= enough, true)
+      .. "kill -9 $!; wait $! 2>/dev/null; true"):format(arg[-1], name, broken, broken, count))
+    check.equal(files_in(broken) >= count, true)
   end
   local finished = files_in(broken)
   -- Cases that were under way when they were killed may have been begun twice; none of those that had ended.
@@ -246,20 +246,20 @@ check.case("Ctrl-C ends it with the finished cases, and unlocks the folder", fun
     print "not stopped"]]):format(folder, folder))
   local output = check.shell(("%s -q %s & for i in $(seq 1000); do ls %s/cases/*.json >/dev/null 2>&1 && break; "
     .. "sleep 0.02; done; kill -INT $!; wait $!; echo status $?"):format(arg[-1], name, folder))
-  local kept = files_in(folder)
-  check.equal(kept, 1) -- the others wait
+  local finished = files_in(folder)
+  check.equal(finished, 1) -- the others wait
   core.write_file(folder .. ".go", "")
-  check.holds(output, ("stopped: interrupted: %d of 6 cases %s kept; the same call continues with the others\n")
-    :format(kept, kept == 1 and "is" or "are"), ":2: interrupted", "status 130")
+  check.holds(output, ("stopped: interrupted: %d of 6 cases %s saved; the same call continues with the others\n")
+    :format(finished, finished == 1 and "is" or "are"), ":2: interrupted", "status 130")
   check.holds(check.program { name }, ("stopped: %d of 6 taken from %s, %d to solve\nstopped: %d of 6: a=")
-    :format(kept, folder, 6 - kept, kept + 1), "not stopped\n")
+    :format(finished, folder, 6 - finished, finished + 1), "not stopped\n")
   check.equal(files_in(folder), 6)
   os.remove(name)
 end)
 
 -- ── What goes wrong ──────────────────────────────────────────────────────────────────────────────────────────────────
 
-check.case("a figure that is nan makes its case an error that names it; the others are kept", function()
+check.case("a result that is nan makes its case an error that names it; the others are saved", function()
   local study = noted(new_folder(), sg.grid{ a = { 1, 2, 3, 4, 5 } }, function(case)
     if case.a == 2 then return { dPx = 0 / 0 } end
     if case.a == 3 then return { curve = { 1, math.huge } } end
@@ -268,11 +268,11 @@ check.case("a figure that is nan makes its case an error that names it; the othe
     return { dPx = 1 }
   end):execute{}
   check.equal(study.rows[1].dPx, 1)
-  check.holds(study.rows[2].reason, "case a=2: the figure dPx is nan (not a number). Hint: figures are finite numbers",
+  check.holds(study.rows[2].reason, "case a=2: the result dPx is nan (not a number). Hint: results are finite numbers",
     "return nil for unknown ones")
-  check.holds(study.rows[3].reason, "case a=3: the figure curve[2] is infinity")
-  check.holds(study.rows[4].reason, "the figure 'a' has the name of a parameter")
-  check.holds(study.rows[5].reason, "run returned nothing. Hint: return a table of figures")
+  check.holds(study.rows[3].reason, "case a=3: the result curve[2] is infinity")
+  check.holds(study.rows[4].reason, "the result 'a' has the name of a parameter")
+  check.holds(study.rows[5].reason, "run returned nothing. Hint: return a table of results")
   check.equal({ study.rows[2].failed, study.rows[2].dPx }, { true, nil })
 end)
 
@@ -337,10 +337,10 @@ check.case("on a full disk no finished case is lost, and with more space it cont
   -- Each case that said that it was done is there, and only the others run after that.
   local first, rest = output:match "^(.-)status 1\n(.*)$"
   local _, done = first:gsub(": a=%d: %d", "")
-  local kept = tonumber(rest:match "^%s*(%d+)")
-  check.equal(kept >= done and kept <= done + 1 and kept >= 3, true)
+  local finished = tonumber(rest:match "^%s*(%d+)")
+  check.equal(finished >= done and finished <= done + 1 and finished >= 3, true)
   local _, later = rest:gsub(": a=%d: %d", "")
-  check.equal(later, 8 - kept)
+  check.equal(later, 8 - finished)
 end)
 
 check.case("a folder that cannot be written to is an error before any case runs", function()

@@ -17,17 +17,17 @@ end
 -- there at which they are continuous only, which refinement keeps. So both have the same solutions.
 
 --- A ring pressed into a slab; `part` is "whole" or "half", "fixed" is the half in which `fix` holds the plane.
-local function ironing(part, label)
+local function ironing(part, order)
   local whole = part == "whole"
   local shape = whole and sg.shapes.half_annulus or sg.shapes.quarter_annulus
   local die = sg.body{ patch = shape{ inner = 0.3, outer = 0.5, center = { 1.5, 1.5 } },
-                       elements = { whole and 6 or 3, 2 }, order = label, contact = "south", material = stiff }
+                       elements = { whole and 6 or 3, 2 }, order = order, contact = "south", material = stiff }
   local function line(y)
     return sg.nurbs.curve{ degree = 1, knots = whole and { 0, 0, 0.5, 1, 1 } or { 0, 0, 1, 1 },
                            points = whole and { { 0, y }, { 1.5, y }, { 3, y } } or { { 1.5, y }, { 3, y } } }
   end
   local slab = sg.body{ patch = sg.nurbs.ruled{ a = line(0), b = line(1) }, elements = { whole and 8 or 4, 3 },
-                        order = label, contact = "north", material = soft }
+                        order = order, contact = "north", material = soft }
   local supports = { bed = { on = slab:face "south", fix = "xy" },
                      grip = { on = whole and { die:face "west", die:face "east" } or die:face "east",
                               drive = "y", fix = "x" } }
@@ -41,8 +41,8 @@ end
 
 check.case("half a model in 2D has half of the force", function()
   local press = { { steps = 5, grip = { -0.15 } } }
-  for _, label in ipairs { "N2", "N4", "N2-N4" } do
-    local whole, half = grip(ironing("whole", label), press), grip(ironing("half", label), press)
+  for _, order in ipairs { "N2", "N4", "N2-N4" } do
+    local whole, half = grip(ironing("whole", order), press), grip(ironing("half", order), press)
     check.near(whole[2] / half[2], 2, 2e-9)
     check.near(whole[1], 0, 1e-12)
   end
@@ -93,29 +93,29 @@ local function body(patch) return sg.body{ patch = patch, elements = {2, 2}, ord
 local square = sg.shapes.rectangle{ width = 1, height = 1, corner = {1, 0} }
 local a, skew = body(square), body(square:rotate{ angle = 30, center = {1, 0} })
 local arc = body(sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {3, 3} })
-local function held(s, kind) return { bodies = { a = a, b = skew, arc = arc }, kind = kind, supports = { s = s } } end
+local function fixed(s, kind) return { bodies = { a = a, b = skew, arc = arc }, kind = kind, supports = { s = s } } end
 ]]
 for _, case in ipairs {
-  { "a skew plane", [[sg.model(held{ on = skew:face "west", symmetry = true })]],
+  { "a skew plane", [[sg.model(fixed{ on = skew:face "west", symmetry = true })]],
     "supports.s.symmetry needs a flat face across x or y, but face 'west' of body 'b' is curved or inclined",
     "patch:rotate" },
-  { "a curved face", [[sg.model(held{ on = arc:face "south", symmetry = true })]],
+  { "a curved face", [[sg.model(fixed{ on = arc:face "south", symmetry = true })]],
     "face 'south' of body 'arc' is curved" },
-  { "faces in two planes", [[sg.model(held{ on = {a:face "west", a:face "east"}, symmetry = true })]],
+  { "faces in two planes", [[sg.model(fixed{ on = {a:face "west", a:face "east"}, symmetry = true })]],
     "needs faces in one plane, but face 'east' of body 'a' lies in x = 2, the one before in x = 1",
     "use a separate support for each plane" },
-  { "a drive through the plane", [[sg.model(held{ on = a:face "west", symmetry = true, drive = "xy" })]],
+  { "a drive through the plane", [[sg.model(fixed{ on = a:face "west", symmetry = true, drive = "xy" })]],
     "supports.s.symmetry holds x on the plane x = 1, but drive names x, too: remove one of the two" },
-  { "a free normal", [[sg.model(held{ on = a:face "south", symmetry = true, free = "xy" })]],
+  { "a free normal", [[sg.model(fixed{ on = a:face "south", symmetry = true, free = "xy" })]],
     "supports.s.symmetry holds y on the plane y = 0, but free names y, too" },
-  { "a plane that turns", [[sg.model(held{ on = a:face "west", symmetry = true, rotate = true })]],
+  { "a plane that turns", [[sg.model(fixed{ on = a:face "west", symmetry = true, rotate = true })]],
     "supports.s.symmetry cannot be combined with rotate" },
-  { "a corner", [[sg.model(held{ on = a:corner "south-west", symmetry = true })]],
+  { "a corner", [[sg.model(fixed{ on = a:corner "south-west", symmetry = true })]],
     "supports.s.on must be a face, or a list of faces, got the corner 'south-west'" },
-  { "an obstacle", [[sg.model(held{ on = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }, symmetry = true })]],
+  { "an obstacle", [[sg.model(fixed{ on = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }, symmetry = true })]],
     "supports.s.on must be a face, or a list of faces" },
-  { "no flag", [[sg.model(held{ on = a:face "west", symmetry = "x" })]], "supports.s.symmetry must be true or false" },
-  { "a cylinder around the axis", [[sg.model(held({ on = a:face "west", symmetry = true }, "axisymmetric"))]],
+  { "no flag", [[sg.model(fixed{ on = a:face "west", symmetry = "x" })]], "supports.s.symmetry must be true or false" },
+  { "a cylinder around the axis", [[sg.model(fixed({ on = a:face "west", symmetry = true }, "axisymmetric"))]],
     "needs the axis x = 0 or a face across y, but face 'west' of body 'a' is a cylinder of radius 1", [[fix = "x"]] },
 } do
   check.case("refused: " .. case[1], function()

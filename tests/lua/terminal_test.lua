@@ -75,9 +75,9 @@ end)
 check.case("Ctrl-C twice before the first was seen leaves the prompt and its variables", function()
   -- Both come while one call of C waits, which looks at nothing.
   local file = check.folder() .. "/both"
-  local output, status = session("kept = 4711\n",
+  local output, status = session("value = 4711\n",
     ("io.popen('kill -INT $PPID; sleep 0.1; kill -INT $PPID; touch %s'):read 'a'\n"):format(file),
-    { function() return io.open(file) end, "kept + 1\n" }, { "\n4712\nsg> ", "\4" })
+    { function() return io.open(file) end, "value + 1\n" }, { "\n4712\nsg> ", "\4" })
   check.equal(status, 0)
   check.holds(output, "\n4712\n")
 end)
@@ -107,7 +107,7 @@ check.case("?name is help, and errors are red where the terminal has colors and 
   end
 end)
 
-check.case("history is kept between sessions", function()
+check.case("history is saved between sessions", function()
   session("marker = 4711\n", "\4")
   local output = session("\16\n", "\4") -- Ctrl-P
   check.holds(output, "marker = 4711\n")

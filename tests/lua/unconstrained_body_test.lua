@@ -60,7 +60,7 @@ check.case("damping as a fallback also holds a ball between plates", function()
   end
 end)
 
-check.case("pushed sideways it is held as long as friction holds, and the run reports what follows", function()
+check.case("pushed sideways it stays as long as friction suffices, and the run reports what follows", function()
   local model, steps, most = falling(0.01), 8, 1.7 * mu * press
   local run = model:run({
     { name = "press", steps = 2, push = {0, -press} }, { name = "shove", steps = steps, push = {most, -press} },

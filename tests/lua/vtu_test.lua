@@ -65,9 +65,9 @@ local function each_element(found, body)
   return numbers
 end
 
-for _, label in ipairs { "N2", "N2-N2.2" } do
-  local layered = label ~= "N2"
-  local model = ironing { label = label, points = layered and 5 or 3, E = 20 }
+for _, order in ipairs { "N2", "N2-N2.2" } do
+  local layered = order ~= "N2"
+  local model = ironing { order = order, points = layered and 5 or 3, E = 20 }
   local run = model:run { { name = "press", steps = 12, grip = { 0, -0.15 } },
     { name = "slide", steps = 1, grip = { 0.01, -0.15 } } }
   check.equal(run.failed, false)
@@ -76,7 +76,7 @@ for _, label in ipairs { "N2", "N2-N2.2" } do
   sg.vtu { model = model, file = reference, deformed = false }
   local present, start = read(file, places), read(reference, places)
 
-  check.case(label .. ": cells, degrees and names", function()
+  check.case(order .. ": cells, degrees and names", function()
     check.equal(present.body_names, { "die", "slab" })
     check.equal(present.contact_names, { "interface" })
     check.equal(present.stress, "XX XZ")
@@ -95,7 +95,7 @@ for _, label in ipairs { "N2", "N2-N2.2" } do
     end
   end)
 
-  check.case(label .. ": points on the die's arcs lie on the circles to 1e-12", function()
+  check.case(order .. ": points on the die's arcs lie on the circles to 1e-12", function()
     local worst, count = 0, 0
     each_element(start, function(name, number, cell)
       if name ~= "die" then return end
@@ -116,7 +116,7 @@ for _, label in ipairs { "N2", "N2-N2.2" } do
     if worst > 1e-12 then error(("off by %g"):format(worst)) end
   end)
 
-  check.case(label .. ": displacement and shape are those of the model", function()
+  check.case(order .. ": displacement and shape are those of the model", function()
     local worst, moved = 0, 0
     each_element(present, function(name, number, cell)
       for _, point in ipairs(cell.points) do
@@ -138,7 +138,7 @@ for _, label in ipairs { "N2", "N2-N2.2" } do
     end
   end)
 
-  check.case(label .. ": fields are exact at Gauss points", function()
+  check.case(order .. ": fields are exact at Gauss points", function()
     local fields = { { "sxx", "stress", 1 }, { "szz", "stress", 3 }, { "sxy", "stress", 4 },
                      { "von_mises", "von_mises", 1 },
                      { "pressure", "pressure", 1 }, { "F12", "F", 2 }, { "F21", "F", 4 }, { "F22", "F", 5 } }
@@ -163,7 +163,7 @@ for _, label in ipairs { "N2", "N2-N2.2" } do
     if elsewhere < 1e-6 then error "the comparison cannot fail" end
   end)
 
-  check.case(label .. ": contact pressure at the contact points, nan in bodies", function()
+  check.case(order .. ": contact pressure at the contact points, nan in bodies", function()
     local profile = model:profile "interface"
     local n = layered and 5 or 3
     local found = read(file, gauss[n])

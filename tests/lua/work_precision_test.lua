@@ -8,7 +8,7 @@ local meshes = { "m1", "m2", "m3", "m4" }
 
 --- A study with rows { order, mesh, wall, dPx, failed, reason }.
 local function study(rows)
-  return setmetatable({ name = "ironing", parameters = { "order", "mesh" }, figures = { "dPx", "dofs" },
+  return setmetatable({ name = "ironing", parameters = { "order", "mesh" }, results = { "dPx", "dofs" },
                         units = { wall = "s" }, rows = rows }, core.types.study)
 end
 
@@ -141,7 +141,7 @@ check.case("the chart: a color per order, a marker per mesh, both in the legend,
   check.equal({ ok, message }, { true })
   local first, plain, own = charts[1], charts[3], charts[4]
   check.equal({ #charts, first.file, charts[2].file, first.log }, { 4, "a.png", "b.svg", "xy" })
-  check.equal({ first.xlabel, first.ylabel, first.title }, { "wall / s", "dPx", "ironing" })
+  check.equal({ first.xlabel, first.ylabel, first.title }, { "wall (s)", "dPx", "ironing" })
   check.equal({ first.legend_title, first.marks_title, first.marks }, { "order", "mesh", { "m1", "m2", "m3" } })
   check.equal({ first[2].label, first[2].x, first[2].marks }, { "N4", { 2, 4, 8 }, { "m1", "m2", "m3" } })
   check.equal({ first[3].label, first[3].color }, { "Pareto front", "gray" })
@@ -156,7 +156,7 @@ check.case("files by their endings", function()
   local files = {}
   for i, ending in ipairs { "png", "svg", "pdf" } do files[i] = ("%s/speed.%s"):format(folder, ending) end
   compare(joined(power("N2", { 1, 2, 4 }, 1, 1), power("N2-N2.2", { 1, 2, 4 }, 0.5, 1)), { files = files })
-  check.holds(core.read_file(files[2]), ">order<", ">N2-N2.2<", ">Pareto front<", ">mesh<", ">m3<", ">wall / s<")
+  check.holds(core.read_file(files[2]), ">order<", ">N2-N2.2<", ">Pareto front<", ">mesh<", ">m3<", ">wall (s)<")
   for _, file in ipairs(files) do check.equal(core.exists(file), true) end
 end)
 

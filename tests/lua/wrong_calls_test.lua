@@ -2,7 +2,7 @@
 -- tables in tables, is given a value of another type or out of its range, a misspelt key, or left out. Each must be an
 -- error at the line of the call that names the argument and what the table expects: no crash, and nothing that passes
 -- in silence.
--- They are a few thousand; with the word `trace` behind the script's name each is told before it runs.
+-- They are a few thousand; with the word `trace` behind the script's name each is printed before it runs.
 
 local sg = require "signorini"
 local check = require "check"

@@ -24,8 +24,8 @@ Scene<2> bar(const solid::Material& material) {
   scene.bodies.push_back(
       {"bar", make_body(nurbs::rectangle(2, bar_length, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "south", material)});
   scene.supports = {
-      {"walls", {face_points(scene, 0, "west"), face_points(scene, 0, "east")}, {Hold::fixed, Hold::free}},
-      {"top", {face_points(scene, 0, "north")}, {Hold::free, Hold::driven}}};
+      {"walls", {face_points(scene, 0, "west"), face_points(scene, 0, "east")}, {Constraint::fixed, Constraint::free}},
+      {"top", {face_points(scene, 0, "north")}, {Constraint::free, Constraint::driven}}};
   scene.obstacles = {contact::make_plane<2>({0, -contact::equilibrium_distance(film)}, {0, 1})};
   scene.contacts = {{"film", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, film, 3}};
   return scene;
@@ -46,8 +46,8 @@ Scene<2> arch(double unit = 1, int elements = 8) {
   const nurbs::Patch patch = nurbs::ruled(nurbs::arc(center, radius, 90 + half_angle, 90),
                                           nurbs::arc(center, radius + 0.3 * unit, 90 + half_angle, 90));
   scene.bodies.push_back({"arch", make_body(patch, {elements, 1}, "N3", "north", solid::neo_hookean(1000, 0.3), 2)});
-  scene.supports = {{"wall", {face_points(scene, 0, "west")}, {Hold::fixed, Hold::fixed}},
-                    {"middle", {face_points(scene, 0, "east")}, {Hold::fixed, Hold::free}}};
+  scene.supports = {{"wall", {face_points(scene, 0, "west")}, {Constraint::fixed, Constraint::fixed}},
+                    {"middle", {face_points(scene, 0, "east")}, {Constraint::fixed, Constraint::free}}};
   scene.loads = {{"snow", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
   return scene;
 }
@@ -57,10 +57,10 @@ Scene<2> strip() {
   Scene<2> scene;
   scene.bodies.push_back({"strip", make_body(nurbs::rectangle(6, 1, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south",
                                              solid::neo_hookean(2, 0.3), 2)});
-  Support<2> east{"east", {face_points(scene, 0, "east")}, {Hold::free, Hold::free}};
+  Support<2> east{"east", {face_points(scene, 0, "east")}, {Constraint::free, Constraint::free}};
   east.rotates = true;
   east.center = face_centroid(*scene.bodies[0].body, nurbs::side_of("east", 2));
-  scene.supports = {{"west", {face_points(scene, 0, "west")}, {Hold::fixed, Hold::fixed}}, east};
+  scene.supports = {{"west", {face_points(scene, 0, "west")}, {Constraint::fixed, Constraint::fixed}}, east};
   return scene;
 }
 
@@ -106,7 +106,7 @@ struct Walk {
     EXPECT_NEAR(last_length(model), norm(last_increment), 1e-14);
     targets(component) = target();
     const VectorX residual = bench.residual(model.present.displacement) - drives.force(targets);
-    EXPECT_LT(bench.unknowns.gather(residual).norm(), 1e-9 * bench.unknowns.held_norm(residual));
+    EXPECT_LT(bench.unknowns.gather(residual).norm(), 1e-9 * bench.unknowns.constrained_norm(residual));
   }
 };
 

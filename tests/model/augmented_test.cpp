@@ -14,9 +14,9 @@ using namespace test;
 const solid::NeoHookean material = solid::neo_hookean(2, 0.3);
 
 Scene<2> pressed_block(double penalty) {
-  Scene<2> scene = square({{"walls", "west", {Hold::fixed, Hold::free}},
-                           {"far", "east", {Hold::fixed, Hold::free}},
-                           {"top", "north", {Hold::free, Hold::driven}}},
+  Scene<2> scene = square({{"walls", "west", {Constraint::fixed, Constraint::free}},
+                           {"far", "east", {Constraint::fixed, Constraint::free}},
+                           {"top", "north", {Constraint::free, Constraint::driven}}},
                           material);
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{penalty}, 4}};
@@ -91,7 +91,7 @@ TEST(Augmented, RollBackAndRestoreIncludeMultipliers) {
   set_target(model, 0, 0, -0.1);
   ASSERT_EQ(solve_step(model, augmented(1e-8)).outcome, solve::Outcome::converged);
   accept(model);
-  const Snapshot<2> kept = snapshot(model);
+  const Snapshot<2> saved = snapshot(model);
   const double pressure = resultant(model.present.contacts[0]).max_pressure;
   set_target(model, 0, 0, -0.2);
   ASSERT_EQ(solve_step(model, augmented(1e-8)).outcome, solve::Outcome::converged);
@@ -101,7 +101,7 @@ TEST(Augmented, RollBackAndRestoreIncludeMultipliers) {
   ASSERT_EQ(solve_step(model, augmented(1e-8)).outcome, solve::Outcome::converged);
   const double deeper = resultant(model.present.contacts[0]).max_pressure;
   accept(model);
-  restore(model, kept);
+  restore(model, saved);
   EXPECT_EQ(resultant(model.present.contacts[0]).max_pressure, pressure);
   set_target(model, 0, 0, -0.2);
   ASSERT_EQ(solve_step(model, augmented(1e-8)).outcome, solve::Outcome::converged);
@@ -116,7 +116,7 @@ TEST(PenaltyFactor, IsRestoredWithTheState) {
   ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
   accept(model);
   const double force = reaction(model, 2)(1), pressure = resultant(model.present.contacts[0]).max_pressure;
-  const Snapshot<2> kept = snapshot(model);
+  const Snapshot<2> saved = snapshot(model);
   set_penalty_factor(model, 1);
   set_target(model, 0, 0, -0.2);
   ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
@@ -125,7 +125,7 @@ TEST(PenaltyFactor, IsRestoredWithTheState) {
   EXPECT_NEAR(resultant(model.present.contacts[0]).max_pressure, pressure, 1e-13);
   EXPECT_NEAR(reaction(model, 2)(1), force, 1e-13);
   set_penalty_factor(model, 1);
-  restore(model, kept);
+  restore(model, saved);
   EXPECT_EQ(model.present.penalty_factor, 0.5);
   EXPECT_NEAR(resultant(model.present.contacts[0]).max_pressure, pressure, 1e-13);
   EXPECT_ERROR(set_penalty_factor(model, 0), "model.penalty.factor: factor = 0");

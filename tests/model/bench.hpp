@@ -80,7 +80,7 @@ inline bool compare(Bench& bench, const VectorX& u) {
   nurbs::test::Random random(1);
   VectorX increment = VectorX::Zero(u.size());
   for (int dof = 0; dof < u.size(); ++dof)
-    if (bench.unknowns.held(dof)) increment(dof) = nurbs::test::uniform(random, -0.1, 0.1);
+    if (bench.unknowns.constrained(dof)) increment(dof) = nurbs::test::uniform(random, -0.1, 0.1);
   const VectorX added = along(increment);
   if (!same) return false;
   EXPECT_LT((slopes - tangent).norm(), 1e-8 * tangent.norm());

@@ -20,10 +20,10 @@ Scene<2> strip(double length, int elements, const std::string& label, const soli
   Scene<2> scene;
   scene.bodies.push_back({"strip", make_body(nurbs::rectangle(length, 1, Eigen::Vector2d(0, 0)), {elements, 2}, label,
                                              "south", material, 2)});
-  Support<2> west{"west", {face_points(scene, 0, "west")}, {Hold::fixed, Hold::fixed}};
+  Support<2> west{"west", {face_points(scene, 0, "west")}, {Constraint::fixed, Constraint::fixed}};
   west.rotates = both;
   west.center = face_centroid(*scene.bodies[0].body, nurbs::side_of("west", 2));
-  Support<2> east{"east", {face_points(scene, 0, "east")}, {Hold::free, Hold::free}};
+  Support<2> east{"east", {face_points(scene, 0, "east")}, {Constraint::free, Constraint::free}};
   east.rotates = true;
   east.center = face_centroid(*scene.bodies[0].body, nurbs::side_of("east", 2));
   scene.supports = {west, east};

@@ -71,9 +71,9 @@ TEST(Rollback, RestoresTheAcceptedStateBitwise) {
     EXPECT_TRUE(same_bits(seen(model), before));
     EXPECT_EQ(accepted_target(model, drive_of_grip, 0), target);
   }
-  const Snapshot<2> kept = snapshot(model);
+  const Snapshot<2> saved = snapshot(model);
   iron(model, 10, 12);
-  restore(model, kept);
+  restore(model, saved);
   EXPECT_TRUE(same_bits(seen(model), before));
 }
 
@@ -122,10 +122,10 @@ TEST(Checkpoint, RestoredModelsAreIndependentOfTheirPast) {
   Model<2> model(ironing("N2")), other(ironing("N2"));
   iron(model, 1, 8);
   save(model, folder.file("a.sgn"));
-  StepOptions kept, hasty;
-  kept.linear = solve::LinearKind::reuse;
+  StepOptions reuse, hasty;
+  reuse.linear = solve::LinearKind::reuse;
   hasty.newton.iterations = 2;
-  iron(other, 1, 20, kept);
+  iron(other, 1, 20, reuse);
   EXPECT_NE(step_to(other, drive_of_grip, 3, -0.15, hasty).outcome, solve::Outcome::converged);
   restore(other, folder.file("a.sgn"));
   iron(model, 9, 14);
@@ -184,7 +184,7 @@ TEST(Checkpoint, FilesOfAnotherKindAreErrors) {
   EXPECT_NE(message_of([&] { load(folder.file("a")); }).find("base.archive.kind"), std::string::npos);
   write_archive(folder.file("b"), {"checkpoint", 99}, {});
   EXPECT_NE(message_of([&] { load(folder.file("b")); }).find("written = 99"), std::string::npos);
-  write_archive(folder.file("c"), {"checkpoint", 1}, {});
+  write_archive(folder.file("c"), {"checkpoint", 2}, {});
   EXPECT_THROW(load(folder.file("c")), Error);
 }
 

@@ -10,7 +10,7 @@ using namespace test;
 
 /// A model of a square [0, 1]² with contact between a face and an obstacle.
 void build(const contact::Obstacle<2>& obstacle, const std::string& face = "south") {
-  Scene<2> scene = square({{"top", "north", {Hold::fixed, Hold::fixed}}});
+  Scene<2> scene = square({{"top", "north", {Constraint::fixed, Constraint::fixed}}});
   scene.obstacles = {obstacle};
   scene.contacts = {{"floor", {0, nurbs::side_of(face, 2)}, ObstacleReference{0}, contact::PenaltyLaw{100}, 3}};
   Model<2>{std::move(scene)};
@@ -61,7 +61,7 @@ TEST(Clearance, DiscInAHoleIsFine) {
     Scene<2> scene;
     const nurbs::Patch arc = nurbs::half_annulus(0.6, 1, Eigen::Vector2d(0, 0));
     scene.bodies.push_back({"shell", make_body(arc, {4, 1}, "N2", "north", solid::neo_hookean(1, 0.3))});
-    scene.supports = {{"bed", {face_points(scene, 0, "south")}, {Hold::fixed, Hold::fixed}}};
+    scene.supports = {{"bed", {face_points(scene, 0, "south")}, {Constraint::fixed, Constraint::fixed}}};
     scene.obstacles = {contact::make_ball<2>(center, radius)};
     scene.contacts = {{"roll", {0, nurbs::side_of("north", 2)}, ObstacleReference{0}, contact::PenaltyLaw{100}, 3}};
     Model<2>{std::move(scene)};

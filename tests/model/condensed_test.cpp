@@ -17,7 +17,7 @@ Scene<2> roller(const solid::Material& material, const contact::PenaltyLaw& law)
   Scene<2> scene;
   const nurbs::Patch arc = nurbs::half_annulus(0.3, 1, Eigen::Vector2d(0, 1));
   scene.bodies.push_back({"roller", make_body(arc, {24, 3}, "N2-N2.1", "south", material)});
-  scene.supports = {{"hub", {face_points(scene, 0, "north")}, {Hold::driven, Hold::driven}}};
+  scene.supports = {{"hub", {face_points(scene, 0, "north")}, {Constraint::driven, Constraint::driven}}};
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, law, 9}};
   return scene;
@@ -134,8 +134,8 @@ TEST(Condensed, ContactGrowsBeyondTheContactUnknowns) {
 /// singular.
 TEST(Condensed, BodySupportedByContactOnly) {
   const auto scene = [](double mu) {
-    Scene<2> block =
-        square({{"guide", "west", {mu > 0 ? Hold::free : Hold::fixed, Hold::free}}}, solid::linear_elastic(100, 0.3));
+    Scene<2> block = square({{"guide", "west", {mu > 0 ? Constraint::free : Constraint::fixed, Constraint::free}}},
+                            solid::linear_elastic(100, 0.3));
     block.obstacles = {contact::make_plane<2>({0, 0.001}, {0, 1})};
     block.contacts = {
         {"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{100, 100, mu}, 4}};
@@ -171,10 +171,10 @@ TEST(Condensed, NeedsLinearBodiesAndAContact) {
   };
   const std::string message = "model.linear.condensed";
   EXPECT_ERROR(step(roller(solid::neo_hookean(1, 0.3), {100})), message);
-  EXPECT_ERROR(
-      step(
-          square({{"bed", "south", {Hold::fixed, Hold::fixed}}, {"top", "north", {Hold::driven, Hold::driven}}}, soft)),
-      message);
+  EXPECT_ERROR(step(square({{"bed", "south", {Constraint::fixed, Constraint::fixed}},
+                            {"top", "north", {Constraint::driven, Constraint::driven}}},
+                           soft)),
+               message);
   // The automatic choice is condensation where possible.
   Model<2> linear(roller(soft, {100})), other(roller(solid::neo_hookean(1, 0.3), {100}));
   step_to(linear, 0, 0, -0.01);

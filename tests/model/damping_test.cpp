@@ -13,7 +13,7 @@ namespace damping_test {
 
 using namespace test;
 
-constexpr Hold fixed = Hold::fixed, free_to_move = Hold::free;
+constexpr Constraint fixed = Constraint::fixed, free_to_move = Constraint::free;
 
 StepOptions damped() {
   StepOptions options;
@@ -49,7 +49,7 @@ TEST(Damping, SupportsPreventModes) {
   EXPECT_EQ(along[0].motion(1), 1);
   EXPECT_EQ(along[0].motion(0), 0);
   // Driven components are prescribed, too. A pinned corner leaves no mode, because rotations are about the middle.
-  EXPECT_EQ(unconstrained_of(square({{"wall", "west", {Hold::driven, free_to_move}}})).size(), 1u);
+  EXPECT_EQ(unconstrained_of(square({{"wall", "west", {Constraint::driven, free_to_move}}})).size(), 1u);
   Scene<2> pinned = square({});
   pinned.supports = {{"pin", {corner(pinned, 0, {0, 0})}, {fixed, fixed}}};
   EXPECT_TRUE(unconstrained_of(pinned).empty());
@@ -86,7 +86,7 @@ Scene<3> block_above_plane(double gap) {
   plan.elements = {2, 2, 1};
   plan.contact = {front};
   plan.labels.assign(2, nurbs::parse_label("N2"));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const nurbs::Patch patch = nurbs::block({1, 1, 0.6}, Eigen::Vector3d(0, 0, gap));
   Scene<3> scene;
   scene.bodies.push_back(
@@ -122,7 +122,8 @@ Scene<2> above_plane(double gap, const std::vector<Grip>& grips) {
   scene.bodies[0].body =
       make_body(nurbs::rectangle(1, 1, Eigen::Vector2d(0, gap)), {3, 2}, "N2", "south", solid::neo_hookean(1, 0.3));
   scene.supports.clear();
-  for (const Grip& grip : grips) scene.supports.push_back({grip.name, {face_points(scene, 0, grip.face)}, grip.hold});
+  for (const Grip& grip : grips)
+    scene.supports.push_back({grip.name, {face_points(scene, 0, grip.face)}, grip.constraint});
   scene.loads = {{"weight", {{0, nurbs::side_of("north", 2)}}, true, {0}}};
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50}, 4}};

@@ -19,7 +19,7 @@ namespace diagnosis_test {
 using namespace test;
 using solve::Outcome;
 
-constexpr Hold fixed = Hold::fixed, free_to_move = Hold::free, driven = Hold::driven;
+constexpr Constraint fixed = Constraint::fixed, free_to_move = Constraint::free, driven = Constraint::driven;
 
 // ── Weak directions of matrices ──────────────────────────────────────────────────────────────────────────────────────
 

@@ -15,16 +15,16 @@ using nurbs::test::uniform;
 using std::numbers::pi;
 
 /// A half annulus whose outer arc rotates and is driven along x, above a driven disc, with a load: all kinds of drives.
-Scene<2> busy(std::array<Hold, 2> hold = {Hold::driven, Hold::free}) {
+Scene<2> busy(std::array<Constraint, 2> constraint = {Constraint::driven, Constraint::free}) {
   Scene<2> scene;
   const nurbs::Patch arc = nurbs::half_annulus(0.6, 1, Eigen::Vector2d(0.5, 2));
   scene.bodies.push_back({"shell", make_body(arc, {4, 1}, "N2", "north", solid::neo_hookean(1, 0.3))});
   scene.obstacles = {contact::make_ball<2>({0.5, 2.0}, 0.5)};
-  Support<2> edge{"edge", {face_points(scene, 0, "south")}, hold};
+  Support<2> edge{"edge", {face_points(scene, 0, "south")}, constraint};
   edge.rotates = true;
   edge.center = face_centroid(*scene.bodies[0].body, nurbs::side_of("south", 2));
-  Support<2> roll{"roll", {}, {Hold::driven, Hold::driven}, {0}};
-  scene.supports = {{"idle", {face_points(scene, 0, "north")}, {Hold::free, Hold::free}}, edge, roll};
+  Support<2> roll{"roll", {}, {Constraint::driven, Constraint::driven}, {0}};
+  scene.supports = {{"idle", {face_points(scene, 0, "north")}, {Constraint::free, Constraint::free}}, edge, roll};
   scene.loads = {{"push", {{0, nurbs::side_of("west", 2)}}, false, {0.25, -0.5}},
                  {"gas", {{0, nurbs::side_of("north", 2)}, {0, nurbs::side_of("east", 2)}}, true, {3}}};
   scene.contacts = {
@@ -73,7 +73,7 @@ TEST(Drives, RateIsTheDisplacementsDerivative) {
     EXPECT_NEAR((drives.rate(targets, direction) - slope).norm(), 0, 1e-10 * slope.norm());
     EXPECT_EQ(drives.displacement(drives.start()).norm(), 0);
     for (int dof = 0; dof < unknowns.dofs(); ++dof) {
-      if (unknowns.held(dof)) continue;
+      if (unknowns.constrained(dof)) continue;
       EXPECT_EQ(slope(dof), 0);
     }
     // Forces are linear in the targets.
@@ -131,7 +131,8 @@ TEST(Drives, MomentUsesTheRotatedArms) {
 }
 
 TEST(Unknowns, RotatingFaceSharesItsFreeTranslations) {
-  const Scene<2> driven = busy(), free = busy({Hold::free, Hold::free}), fixed = busy({Hold::fixed, Hold::fixed});
+  const Scene<2> driven = busy(), free = busy({Constraint::free, Constraint::free}),
+                 fixed = busy({Constraint::fixed, Constraint::fixed});
   const int face = static_cast<int>(free.supports[1].on[0].functions.size());
   const Unknowns<2> none(fixed), one(driven), two(free);
   EXPECT_EQ(none.size(), none.dofs() - 2 * face - 2);
@@ -141,7 +142,7 @@ TEST(Unknowns, RotatingFaceSharesItsFreeTranslations) {
     const std::vector<int>& dofs = two.of_support(1, c);
     ASSERT_EQ(static_cast<int>(dofs.size()), face);
     for (int dof : dofs) {
-      EXPECT_TRUE(two.held(dof));
+      EXPECT_TRUE(two.constrained(dof));
       EXPECT_EQ(two.unknown(dof), two.unknown(dofs[0]));
       EXPECT_GE(two.unknown(dof), 0);
     }
@@ -158,29 +159,30 @@ TEST(Unknowns, RotatingFaceSharesItsFreeTranslations) {
 }
 
 TEST(Unknowns, RotatingFaceAllowsNoOtherSupport) {
-  const auto build = [](std::array<Hold, 2> hold, bool first) {
-    Scene<2> scene = busy({Hold::free, Hold::fixed});
-    const Support<2> other{"bolt", {face_points(scene, 0, "west")}, hold};
+  const auto build = [](std::array<Constraint, 2> constraint, bool first) {
+    Scene<2> scene = busy({Constraint::free, Constraint::fixed});
+    const Support<2> other{"bolt", {face_points(scene, 0, "west")}, constraint};
     scene.supports.insert(first ? scene.supports.begin() : scene.supports.end(), other);
     Unknowns<2>{scene};
   };
-  EXPECT_ERROR(build({Hold::fixed, Hold::free}, false),
-               "model.scene.held_twice: support = bolt, verb = (model.verb.fixes), component = x, other = edge, "
+  EXPECT_ERROR(build({Constraint::fixed, Constraint::free}, false),
+               "model.scene.constrained_twice: support = bolt, verb = (model.verb.fixes), component = x, other = edge, "
                "other_verb = (model.verb.turns)");
-  EXPECT_ERROR(build({Hold::free, Hold::driven}, true),
-               "model.scene.held_twice: support = edge, verb = (model.verb.turns), component = y, other = bolt, "
+  EXPECT_ERROR(build({Constraint::free, Constraint::driven}, true),
+               "model.scene.constrained_twice: support = edge, verb = (model.verb.turns), component = y, other = bolt, "
                "other_verb = (model.verb.drives)");
-  EXPECT_ERROR(build({Hold::free, Hold::fixed}, false),
-               "model.scene.held_twice: support = bolt, verb = (model.verb.fixes), component = y, other = edge, "
+  EXPECT_ERROR(build({Constraint::free, Constraint::fixed}, false),
+               "model.scene.constrained_twice: support = bolt, verb = (model.verb.fixes), component = y, other = edge, "
                "other_verb = (model.verb.turns)");
 }
 
 TEST(Assembly, TangentOfSharedUnknownsIsTheResidualsDerivative) {
   Random random(3);
   int compared = 0, touching = 0;
-  for (const auto& hold :
-       {std::array{Hold::free, Hold::free}, {Hold::driven, Hold::free}, {Hold::fixed, Hold::fixed}}) {
-    Bench bench(busy(hold));
+  for (const auto& constraint : {std::array{Constraint::free, Constraint::free},
+                                 {Constraint::driven, Constraint::free},
+                                 {Constraint::fixed, Constraint::fixed}}) {
+    Bench bench(busy(constraint));
     const Drives<2>& drives = bench.system.drives;
     VectorX targets = drives.start();
     for (double angle : {5.0, 25.0}) {
@@ -189,7 +191,7 @@ TEST(Assembly, TangentOfSharedUnknownsIsTheResidualsDerivative) {
       // The disc pushed into the shell's inner side
       u(bench.unknowns.obstacle_offset(0) + 1) = -0.12;
       for (int i = 0; i < bench.unknowns.obstacle_offset(0); ++i)
-        if (!bench.unknowns.held(i)) u(i) = uniform(random, -0.005, 0.005);
+        if (!bench.unknowns.constrained(i)) u(i) = uniform(random, -0.005, 0.005);
       const bool same = compare(bench, u);
       compared += same;
       touching += same && !bench.system.contacts[0]->blocks().empty();

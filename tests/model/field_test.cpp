@@ -17,13 +17,14 @@ Scene<2> disc(const solid::Material& material, solid::Kind kind, const std::vect
   plan.elements = {3, 2};
   plan.contact = {nurbs::side_of("north", 2)};
   plan.labels = {nurbs::parse_label("N2")};
-  plan.through = 2;
+  plan.thickness_degree = 2;
   const auto space =
       std::make_shared<const nurbs::Discretization>(nurbs::rectangle(1.5, 0.5, Eigen::Vector2d(0, 0)), plan);
   Scene<2> scene;
   scene.kind = kind;
   scene.bodies.push_back({"disc", std::make_shared<const solid::Body<2>>(space, material, kind)});
-  for (const Grip& grip : grips) scene.supports.push_back({grip.name, {face_points(scene, 0, grip.face)}, grip.hold});
+  for (const Grip& grip : grips)
+    scene.supports.push_back({grip.name, {face_points(scene, 0, grip.face)}, grip.constraint});
   return scene;
 }
 
@@ -36,10 +37,10 @@ double value(const Model<2>& model, const std::string& field, double xi, double 
 TEST(Field, StressesAreThoseOfTheHomogeneousState) {
   const auto rubber = solid::neo_hookean(2, 0.3);
   const auto steel = solid::linear_elastic(2, 0.3);
-  const std::vector<Grip> grips = {{"rim", "east", {Hold::driven, Hold::free}},
-                                   {"axis", "west", {Hold::fixed, Hold::free}},
-                                   {"bottom", "south", {Hold::free, Hold::fixed}},
-                                   {"top", "north", {Hold::free, Hold::fixed}}};
+  const std::vector<Grip> grips = {{"rim", "east", {Constraint::driven, Constraint::free}},
+                                   {"axis", "west", {Constraint::fixed, Constraint::free}},
+                                   {"bottom", "south", {Constraint::free, Constraint::fixed}},
+                                   {"top", "north", {Constraint::free, Constraint::fixed}}};
   for (const solid::Kind kind : {solid::Kind::plane_strain, solid::Kind::axisymmetric}) {
     const double a = 1.2, hoop = kind == solid::Kind::axisymmetric ? a : 1.0;
     // σ_i = (λ ln J + μ (F_ii² − 1))/J, and λ tr ε + 2 μ ε_i
@@ -67,9 +68,9 @@ TEST(Field, StressesAreThoseOfTheHomogeneousState) {
 /// near it approach values on it.
 TEST(Field, StressesAreContinuousUpToTheAxis) {
   Model<2> model(disc(solid::neo_hookean(2, 0.3), solid::Kind::axisymmetric,
-                      {{"top", "north", {Hold::free, Hold::driven}},
-                       {"bottom", "south", {Hold::fixed, Hold::fixed}},
-                       {"axis", "west", {Hold::fixed, Hold::free}}}));
+                      {{"top", "north", {Constraint::free, Constraint::driven}},
+                       {"bottom", "south", {Constraint::fixed, Constraint::fixed}},
+                       {"axis", "west", {Constraint::fixed, Constraint::free}}}));
   set_target(model, 0, 0, -0.1);
   ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
   for (double eta : {0.2, 0.9}) {

@@ -39,8 +39,9 @@ void expect_stress(const Model<2>& model, const Mat<2>& expected, double scale) 
 
 /// A bar pulled at its east side, free to contract: P = diag(t, 0) everywhere.
 Scene<2> bar(const solid::Material& material, const Vec<2>& start) {
-  Scene<2> scene =
-      square({{"wall", "west", {Hold::fixed, Hold::free}}, {"bed", "south", {Hold::free, Hold::fixed}}}, material);
+  Scene<2> scene = square({{"wall", "west", {Constraint::fixed, Constraint::free}},
+                           {"bed", "south", {Constraint::free, Constraint::fixed}}},
+                          material);
   scene.loads = {{"pull", {face("east")}, false, {start(0), start(1)}}};
   return scene;
 }
@@ -74,8 +75,8 @@ TEST(Loads, TractionOnABarGivesItsStressAndReaction) {
 TEST(Loads, PressureAllAroundIsHydrostatic) {
   for (const solid::Material& material : laws) {
     Scene<2> scene = square({}, material);
-    scene.supports = {{"pin", {corner(scene, 0, {0, 0})}, {Hold::fixed, Hold::fixed}},
-                      {"foot", {corner(scene, 0, {1, 0})}, {Hold::free, Hold::fixed}}};
+    scene.supports = {{"pin", {corner(scene, 0, {0, 0})}, {Constraint::fixed, Constraint::fixed}},
+                      {"foot", {corner(scene, 0, {1, 0})}, {Constraint::free, Constraint::fixed}}};
     scene.loads = {{"sea", {face("west"), face("east"), face("south"), face("north")}, true, {0}}};
     Model<2> model(std::move(scene));
     constexpr double p = 0.5;
@@ -131,7 +132,7 @@ TEST(Loads, RollbackRestoresTheLoad) {
 /// A load on a supported face acts on the support; two loads are summed.
 TEST(Loads, ReactionsBalanceAllLoads) {
   for (const solid::Material& material : laws) {
-    Scene<2> scene = square({{"bed", "south", {Hold::fixed, Hold::fixed}}}, material);
+    Scene<2> scene = square({{"bed", "south", {Constraint::fixed, Constraint::fixed}}}, material);
     scene.loads = {{"wind", {face("west"), face("south")}, false, {0.05, -0.02}},
                    {"gas", {face("north")}, true, {0.1}}};
     Model<2> model(std::move(scene));
@@ -150,8 +151,8 @@ TEST(Loads, AxisymmetricLoadsActOnTheFullCircle) {
     scene.kind = solid::Kind::axisymmetric;
     scene.bodies.push_back({"disc", make_body(nurbs::rectangle(1.5, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "north",
                                               material, {}, solid::Kind::axisymmetric)});
-    scene.supports = {{"axis", {face_points(scene, 0, "west")}, {Hold::fixed, Hold::free}},
-                      {"bed", {face_points(scene, 0, "south")}, {Hold::free, Hold::fixed}}};
+    scene.supports = {{"axis", {face_points(scene, 0, "west")}, {Constraint::fixed, Constraint::free}},
+                      {"bed", {face_points(scene, 0, "south")}, {Constraint::free, Constraint::fixed}}};
     scene.loads = {{"pull", {face("north")}, false, {0, 0.3}}};
     Model<2> model(std::move(scene));
     ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);

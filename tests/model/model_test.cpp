@@ -17,8 +17,8 @@ namespace model_test {
 using namespace test;
 
 TEST(Unknowns, NumberFreeComponents) {
-  const Scene<2> scene =
-      square({{"bed", "south", {Hold::fixed, Hold::fixed}}, {"top", "north", {Hold::free, Hold::driven}}});
+  const Scene<2> scene = square({{"bed", "south", {Constraint::fixed, Constraint::fixed}},
+                                 {"top", "north", {Constraint::free, Constraint::driven}}});
   const Unknowns<2> unknowns(scene);
   const int functions = scene.bodies[0].body->functions();
   EXPECT_EQ(functions, 4 * 3);
@@ -28,28 +28,29 @@ TEST(Unknowns, NumberFreeComponents) {
   EXPECT_EQ(unknowns.of_support(1, 1).size(), 4u);
   int next = 0;
   for (int dof = 0; dof < unknowns.dofs(); ++dof) {
-    EXPECT_EQ(unknowns.unknown(dof), unknowns.held(dof) ? -1 : next);
-    next += !unknowns.held(dof);
+    EXPECT_EQ(unknowns.unknown(dof), unknowns.constrained(dof) ? -1 : next);
+    next += !unknowns.constrained(dof);
   }
   EXPECT_EQ(next, unknowns.size());
-  for (int dof : unknowns.of_support(1, 0)) EXPECT_FALSE(unknowns.held(dof));
-  for (int dof : unknowns.of_support(1, 1)) EXPECT_TRUE(unknowns.held(dof));
+  for (int dof : unknowns.of_support(1, 0)) EXPECT_FALSE(unknowns.constrained(dof));
+  for (int dof : unknowns.of_support(1, 1)) EXPECT_TRUE(unknowns.constrained(dof));
   const VectorX values = VectorX::LinSpaced(unknowns.size(), 1, 2);
   EXPECT_EQ(unknowns.gather(unknowns.spread(values)), values);
 }
 
 TEST(Unknowns, SupportsMustNotContradictEachOther) {
   const auto build = [](const std::vector<Grip>& grips) { Unknowns<2>{square(grips)}; };
-  const Hold fixed = Hold::fixed, driven = Hold::driven, free = Hold::free;
+  const Constraint fixed = Constraint::fixed, driven = Constraint::driven, free = Constraint::free;
   EXPECT_ERROR(build({{"bed", "south", {fixed, fixed}}, {"grip", "west", {driven, free}}}),
-               "model.scene.held_twice: support = grip, verb = (model.verb.drives), component = x, other = bed, "
+               "model.scene.constrained_twice: support = grip, verb = (model.verb.drives), component = x, other = bed, "
                "other_verb = (model.verb.fixes)");
   EXPECT_ERROR(build({{"grip", "west", {free, driven}}, {"bed", "south", {fixed, fixed}}}),
-               "model.scene.held_twice: support = bed, verb = (model.verb.fixes), component = y, other = grip, "
+               "model.scene.constrained_twice: support = bed, verb = (model.verb.fixes), component = y, other = grip, "
                "other_verb = (model.verb.drives)");
-  EXPECT_ERROR(build({{"a", "west", {driven, free}}, {"b", "north", {driven, free}}}),
-               "model.scene.held_twice: support = b, verb = (model.verb.drives), component = x, other = a, other_verb "
-               "= (model.verb.drives)");
+  EXPECT_ERROR(
+      build({{"a", "west", {driven, free}}, {"b", "north", {driven, free}}}),
+      "model.scene.constrained_twice: support = b, verb = (model.verb.drives), component = x, other = a, other_verb "
+      "= (model.verb.drives)");
   build({{"bed", "south", {fixed, fixed}}, {"wall", "west", {fixed, free}}, {"top", "north", {free, driven}}});
 }
 
@@ -58,7 +59,7 @@ TEST(Model, InvalidScenesAreErrors) {
   Scene<2> self = ironing("N2");
   self.contacts[0].master = self.contacts[0].slave;
   EXPECT_ERROR(Model<2>(std::move(self)), "model.scene.own_face: contact = interface");
-  Scene<2> kinds = square({{"bed", "south", {Hold::fixed, Hold::fixed}}});
+  Scene<2> kinds = square({{"bed", "south", {Constraint::fixed, Constraint::fixed}}});
   kinds.kind = solid::Kind::axisymmetric;
   EXPECT_ERROR(Model<2>(std::move(kinds)), "model.scene.kind: body = block");
 }
@@ -67,10 +68,10 @@ TEST(Model, InvalidScenesAreErrors) {
 TEST(Model, PrescribedDisplacementsAreReached) {
   const auto material = solid::neo_hookean(1, 0.3);
   const auto scene = [] {
-    return square({{"bed", "south", {Hold::fixed, Hold::fixed}},
-                   {"walls", "west", {Hold::fixed, Hold::free}},
-                   {"far", "east", {Hold::fixed, Hold::free}},
-                   {"top", "north", {Hold::free, Hold::driven}}});
+    return square({{"bed", "south", {Constraint::fixed, Constraint::fixed}},
+                   {"walls", "west", {Constraint::fixed, Constraint::free}},
+                   {"far", "east", {Constraint::fixed, Constraint::free}},
+                   {"top", "north", {Constraint::free, Constraint::driven}}});
   };
   for (int steps : {1, 4}) {
     Model<2> model(scene());
@@ -97,16 +98,16 @@ TEST(Model, PrescribedDisplacementsAreReached) {
 
 TEST(Model, UnconstrainedBodyIsSingular) {
   for (auto kind : {solve::LinearKind::klu, solve::LinearKind::umfpack}) {
-    Model<2> model(
-        square({{"side", "west", {Hold::driven, Hold::free}}, {"other", "east", {Hold::fixed, Hold::free}}}));
+    Model<2> model(square({{"side", "west", {Constraint::driven, Constraint::free}},
+                           {"other", "east", {Constraint::fixed, Constraint::free}}}));
     set_target(model, 0, 0, 0.1);
     EXPECT_EQ(solve_step(model, {{}, kind}).outcome, solve::Outcome::singular_tangent);
   }
 }
 
 TEST(Model, InversionAndIterationLimitAreReportedAndRolledBack) {
-  Model<2> model(
-      square({{"bed", "south", {Hold::fixed, Hold::fixed}}, {"top", "north", {Hold::driven, Hold::driven}}}));
+  Model<2> model(square({{"bed", "south", {Constraint::fixed, Constraint::fixed}},
+                         {"top", "north", {Constraint::driven, Constraint::driven}}}));
   ASSERT_EQ(step_to(model, 0, 0, -0.1).outcome, solve::Outcome::converged);
   accept(model);
   const VectorX accepted = model.present.displacement;
@@ -168,13 +169,13 @@ TEST(Model, FailedAttemptLeavesNoTrace) {
 TEST(Model, RestoredStateContinuesAsBefore) {
   Model<2> model(ironing("N2"));
   iron(model, 1, 60);
-  const Snapshot<2> kept = snapshot(model);
+  const Snapshot<2> saved = snapshot(model);
   const double length = last_length(model);
   iron(model, 61, 64);
   const VectorX ahead = model.present.displacement;
   const Vec<2> force = reaction(model, grip);
-  restore(model, kept);
-  EXPECT_EQ(model.present.displacement, kept.state.displacement);
+  restore(model, saved);
+  EXPECT_EQ(model.present.displacement, saved.state.displacement);
   EXPECT_EQ(last_length(model), length);
   EXPECT_NEAR(accepted_target(model, drive_of_grip, 0), 1.5 * 14 / 250, 1e-15);
   iron(model, 61, 64);

@@ -66,8 +66,9 @@ const solid::NeoHookean material = solid::neo_hookean(2, 0.3);
 
 /// A block between walls that is pressed onto a plane, with free sides if `spreads`.
 Scene<2> pressed_block(const contact::Method<2>& method, bool spreads = false) {
-  std::vector<Grip> grips{{"walls", "west", {Hold::fixed, Hold::free}}, {"top", "north", {Hold::free, Hold::driven}}};
-  if (!spreads) grips.push_back({"far", "east", {Hold::fixed, Hold::free}});
+  std::vector<Grip> grips{{"walls", "west", {Constraint::fixed, Constraint::free}},
+                          {"top", "north", {Constraint::free, Constraint::driven}}};
+  if (!spreads) grips.push_back({"far", "east", {Constraint::fixed, Constraint::free}});
   Scene<2> scene = square(grips, material);
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, method, 4}};

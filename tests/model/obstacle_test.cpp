@@ -17,8 +17,8 @@ Scene<2> indented(bool disc_moves, double mu) {
   Scene<2> scene;
   const nurbs::Patch block = nurbs::rectangle(2, 1, Eigen::Vector2d(-1, -1));
   scene.bodies.push_back({"slab", make_body(block, {10, 3}, "N2", "north", solid::neo_hookean(1, 0.3))});
-  const Hold moved = Hold::driven, still = Hold::fixed;
-  const Hold bottom = disc_moves ? still : moved, disc = disc_moves ? moved : still;
+  const Constraint moved = Constraint::driven, still = Constraint::fixed;
+  const Constraint bottom = disc_moves ? still : moved, disc = disc_moves ? moved : still;
   scene.supports = {{"bed", {face_points(scene, 0, "south")}, {bottom, bottom}}, {"roll", {}, {disc, disc}, {0}}};
   scene.obstacles = {contact::make_ball<2>({0, 0.4}, 0.4)};
   scene.contacts = {{"rub", {0, nurbs::side_of("north", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50, 50, mu}, 9}};
@@ -55,9 +55,9 @@ TEST(Obstacle, DrivenObstacleIsEquivalentToADrivenBody) {
 TEST(Obstacle, BlockBetweenWallsOnAPlaneIsUniform) {
   const solid::NeoHookean material = solid::neo_hookean(2, 0.3);
   constexpr double penalty = 40, depth = 0.2;
-  Scene<2> scene = square({{"walls", "west", {Hold::fixed, Hold::free}},
-                           {"far", "east", {Hold::fixed, Hold::free}},
-                           {"top", "north", {Hold::free, Hold::driven}}},
+  Scene<2> scene = square({{"walls", "west", {Constraint::fixed, Constraint::free}},
+                           {"far", "east", {Constraint::fixed, Constraint::free}},
+                           {"top", "north", {Constraint::free, Constraint::driven}}},
                           material);
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{penalty}, 4}};
@@ -82,8 +82,9 @@ TEST(Obstacle, AxisymmetricCylinderOnAPlane) {
   scene.kind = solid::Kind::axisymmetric;
   scene.bodies.push_back({"cylinder", make_body(nurbs::rectangle(radius, 1, Eigen::Vector2d(0, 0)), {3, 2}, "N2",
                                                 "south", material, {}, solid::Kind::axisymmetric)});
-  scene.supports = {{"axis", {face_points(scene, 0, "west"), face_points(scene, 0, "east")}, {Hold::fixed, Hold::free}},
-                    {"top", {face_points(scene, 0, "north")}, {Hold::free, Hold::driven}}};
+  scene.supports = {
+      {"axis", {face_points(scene, 0, "west"), face_points(scene, 0, "east")}, {Constraint::fixed, Constraint::free}},
+      {"top", {face_points(scene, 0, "north")}, {Constraint::free, Constraint::driven}}};
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{penalty}, 4}};
   Model<2> model(std::move(scene));

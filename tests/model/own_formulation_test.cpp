@@ -121,7 +121,7 @@ private:
   }
 };
 
-contact::Maker<2> element_pressures() {
+contact::FormulationFactory<2> element_pressures() {
   return [](contact::ContactSetting<2> setting) { return std::make_unique<ElementPressures>(std::move(setting)); };
 }
 
@@ -136,9 +136,9 @@ Scene<2> blocks(const solid::Material& material, double width) {
   scene.bodies.push_back(
       {"upper", make_body(nurbs::rectangle(width, 1, Eigen::Vector2d(0, 1)), {6, 2}, "N2", "south", material)});
   scene.supports = {
-      {"floor", {face_points(scene, 0, "south")}, {Hold::free, Hold::fixed}},
-      {"lid", {face_points(scene, 1, "north")}, {Hold::free, Hold::driven}},
-      {"left", {face_points(scene, 0, "west"), face_points(scene, 1, "west")}, {Hold::fixed, Hold::free}}};
+      {"floor", {face_points(scene, 0, "south")}, {Constraint::free, Constraint::fixed}},
+      {"lid", {face_points(scene, 1, "north")}, {Constraint::free, Constraint::driven}},
+      {"left", {face_points(scene, 0, "west"), face_points(scene, 1, "west")}, {Constraint::fixed, Constraint::free}}};
   scene.contacts = {{"between",
                      {1, nurbs::side_of("south", 2)},
                      FaceReference{0, nurbs::side_of("north", 2)},

@@ -16,8 +16,9 @@ Scene<2> strip(std::vector<int> elements, const std::string& label, const std::s
   Scene<2> scene;
   scene.bodies.push_back({"strip", make_body(nurbs::rectangle(8, 1, Eigen::Vector2d(0, 0)), std::move(elements), label,
                                              contact, solid::neo_hookean(1, 0.3))});
-  scene.supports.push_back({"wall", {face_points(scene, 0, "west")}, {Hold::fixed, Hold::fixed}});
-  scene.supports.push_back({"edge", {face_points(scene, 0, "east")}, {Hold::free, Hold::free}, {}, true, {8, 0.5}});
+  scene.supports.push_back({"wall", {face_points(scene, 0, "west")}, {Constraint::fixed, Constraint::fixed}});
+  scene.supports.push_back(
+      {"edge", {face_points(scene, 0, "east")}, {Constraint::free, Constraint::free}, {}, true, {8, 0.5}});
   return scene;
 }
 
@@ -28,12 +29,13 @@ Scene<3> block(std::vector<int> elements, const std::string& label, const std::s
   plan.elements = std::move(elements);
   plan.contact = {nurbs::side_of(contact, 3)};
   plan.labels.assign(2, nurbs::parse_label(label));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const auto space =
       std::make_shared<const nurbs::Discretization>(nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0)), plan);
   scene.bodies.push_back({"block", std::make_shared<const solid::Body<3>>(space, solid::neo_hookean(1, 0.3))});
-  Support<3> grip{
-      "grip", {{0, space->face_functions(nurbs::side_of("back", 3))}}, {Hold::free, Hold::free, Hold::free}};
+  Support<3> grip{"grip",
+                  {{0, space->face_functions(nurbs::side_of("back", 3))}},
+                  {Constraint::free, Constraint::free, Constraint::free}};
   grip.rotates = true;
   grip.center = {1.5, 1, 1};
   grip.axis = {0, 0, 1};
@@ -103,7 +105,7 @@ TEST(Partition, TwoThreadsHalveTheTimeForAnyShape) {
                         Case{{16, 16, 3}, "N2"}, Case{{8, 8, 16}, "N2-N2.2"}}) {
     Scene<3> scene = block(c.elements, c.label, "front");
     scene.supports[0].rotates = false;
-    scene.supports[0].hold = {Hold::fixed, Hold::fixed, Hold::fixed};
+    scene.supports[0].constraint = {Constraint::fixed, Constraint::fixed, Constraint::fixed};
     const Partition parts = partition(Unknowns<3>(scene), *scene.bodies[0].body, 0);
     EXPECT_TRUE(parts.rest.empty());
     const double elements = scene.bodies[0].body->elements();

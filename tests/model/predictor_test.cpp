@@ -97,10 +97,10 @@ TEST(Predictor, RotatingSupports) {
     Scene<2> strip;
     strip.bodies.push_back({"strip", make_body(nurbs::rectangle(6, 1, Eigen::Vector2d(0, 0)), {6, 1}, "N2", "south",
                                                solid::neo_hookean(2, 0.3), 2)});
-    Support<2> east{"east", {face_points(strip, 0, "east")}, {Hold::free, Hold::free}};
+    Support<2> east{"east", {face_points(strip, 0, "east")}, {Constraint::free, Constraint::free}};
     east.rotates = true;
     east.center = face_centroid(*strip.bodies[0].body, nurbs::side_of("east", 2));
-    strip.supports = {{"west", {face_points(strip, 0, "west")}, {Hold::fixed, Hold::fixed}}, east};
+    strip.supports = {{"west", {face_points(strip, 0, "west")}, {Constraint::fixed, Constraint::fixed}}, east};
     return strip;
   };
   const auto iterations = compare(
@@ -110,7 +110,7 @@ TEST(Predictor, RotatingSupports) {
 
 TEST(Predictor, Loads) {
   const auto scene = [] {
-    Scene<2> bar = square({{"bed", "south", {Hold::fixed, Hold::fixed}}});
+    Scene<2> bar = square({{"bed", "south", {Constraint::fixed, Constraint::fixed}}});
     bar.loads = {{"pull", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
     return bar;
   };
@@ -138,7 +138,7 @@ TEST(Predictor, RestoredStatesContinueAsBefore) {
   Model<2> model(ironing("N2"));
   walk(
       model, [&](int step) { iron(model, step); }, 5, Predictor::linear);
-  const Snapshot<2> kept = snapshot(model);
+  const Snapshot<2> saved = snapshot(model);
   iron(model, 6);
   const auto residuals = solve_step(model, with(Predictor::linear)).residuals;
   const VectorX reached = model.present.displacement;
@@ -147,7 +147,7 @@ TEST(Predictor, RestoredStatesContinueAsBefore) {
   solve_step(model, with(Predictor::linear));
   accept(model);
   for (int again = 0; again < 2; ++again) {
-    restore(model, kept);
+    restore(model, saved);
     iron(model, 6);
     const auto once_more = solve_step(model, with(Predictor::linear)).residuals;
     EXPECT_EQ(once_more.size(), residuals.size());

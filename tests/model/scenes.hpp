@@ -13,13 +13,14 @@ namespace signorini::model::test {
 
 inline std::shared_ptr<const solid::Body<2>> make_body(const nurbs::Patch& patch, std::vector<int> elements,
                                                        const std::string& label, const std::string& contact,
-                                                       const solid::Material& material, std::optional<int> through = 1,
+                                                       const solid::Material& material,
+                                                       std::optional<int> thickness_degree = 1,
                                                        solid::Kind kind = solid::Kind::plane_strain) {
   nurbs::Plan plan;
   plan.elements = std::move(elements);
   plan.contact = {nurbs::side_of(contact, 2)};
   plan.labels = {nurbs::parse_label(label)};
-  plan.through = through;
+  plan.thickness_degree = thickness_degree;
   return std::make_shared<const solid::Body<2>>(std::make_shared<const nurbs::Discretization>(patch, plan), material,
                                                 kind);
 }
@@ -39,9 +40,10 @@ inline Scene<2> ironing(const std::string& label) {
   scene.bodies.push_back({"die", make_body(arc, {6, 2}, label, "south", solid::neo_hookean(1000, 0.3))});
   const nurbs::Patch block = nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0));
   scene.bodies.push_back({"slab", make_body(block, {8, 3}, label, "north", solid::neo_hookean(1, 0.3))});
-  scene.supports.push_back({"bed", {face_points(scene, 1, "south")}, {Hold::fixed, Hold::fixed}});
-  scene.supports.push_back(
-      {"grip", {face_points(scene, 0, "west"), face_points(scene, 0, "east")}, {Hold::driven, Hold::driven}});
+  scene.supports.push_back({"bed", {face_points(scene, 1, "south")}, {Constraint::fixed, Constraint::fixed}});
+  scene.supports.push_back({"grip",
+                            {face_points(scene, 0, "west"), face_points(scene, 0, "east")},
+                            {Constraint::driven, Constraint::driven}});
   const nurbs::Side south = nurbs::side_of("south", 2), north = nurbs::side_of("north", 2);
   const int degree = scene.bodies[0].body->space().face(south).direction(0).degree();
   scene.contacts.push_back(
@@ -72,13 +74,14 @@ inline SupportedControlPoints corner(const Scene<2>& scene, int body, const Vec<
 /// A unit square of one material with given supports on its faces.
 struct Grip {
   const char *name, *face;
-  std::array<Hold, 2> hold;
+  std::array<Constraint, 2> constraint;
 };
 inline Scene<2> square(const std::vector<Grip>& grips, const solid::Material& material = solid::neo_hookean(1, 0.3)) {
   Scene<2> scene;
   scene.bodies.push_back(
       {"block", make_body(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), {2, 2}, "N2", "north", material)});
-  for (const Grip& grip : grips) scene.supports.push_back({grip.name, {face_points(scene, 0, grip.face)}, grip.hold});
+  for (const Grip& grip : grips)
+    scene.supports.push_back({grip.name, {face_points(scene, 0, grip.face)}, grip.constraint});
   return scene;
 }
 

@@ -28,7 +28,7 @@ std::shared_ptr<const solid::Body<3>> make_solid(const nurbs::Patch& patch, std:
   plan.elements = std::move(elements);
   plan.contact = {contact};
   plan.labels.assign(2, nurbs::parse_label(label));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   return std::make_shared<const solid::Body<3>>(std::make_shared<const nurbs::Discretization>(patch, plan), material);
 }
 
@@ -43,8 +43,9 @@ Scene<3> indentation(const std::string& label, double mu, bool turns) {
   scene.bodies.push_back({"indenter", make_solid(cap, {2, 2, 1}, label, front, solid::neo_hookean(5, 0.3))});
   const nurbs::Patch block = nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0));
   scene.bodies.push_back({"block", make_solid(block, {6, 4, 2}, label, back, solid::neo_hookean(1, 0.3))});
-  scene.supports.push_back({"bed", {face_points(scene, 1, front)}, {Hold::fixed, Hold::fixed, Hold::fixed}});
-  Support<3> grip{"grip", {face_points(scene, 0, back)}, {Hold::driven, Hold::driven, Hold::driven}};
+  scene.supports.push_back(
+      {"bed", {face_points(scene, 1, front)}, {Constraint::fixed, Constraint::fixed, Constraint::fixed}});
+  Support<3> grip{"grip", {face_points(scene, 0, back)}, {Constraint::driven, Constraint::driven, Constraint::driven}};
   grip.rotates = turns;
   grip.center = {1.1, 1, 1.8};
   grip.axis = {0, 0, 1};
@@ -141,9 +142,12 @@ TEST(SolidModel, APoleRemainsOnePoint) {
   Scene<3> scene;
   const nurbs::Patch octant = nurbs::sphere_octant(0.5, 1, Eigen::Vector3d::Zero());
   scene.bodies.push_back({"ball", make_solid(octant, {2, 3, 1}, "N2-N2.1", front, solid::neo_hookean(1, 0.3))});
-  scene.supports.push_back({"x0", {face_points(scene, 0, {0, true})}, {Hold::fixed, Hold::free, Hold::free}});
-  scene.supports.push_back({"y0", {face_points(scene, 0, west)}, {Hold::free, Hold::fixed, Hold::free}});
-  scene.supports.push_back({"equator", {face_points(scene, 0, south)}, {Hold::free, Hold::free, Hold::driven}});
+  scene.supports.push_back(
+      {"x0", {face_points(scene, 0, {0, true})}, {Constraint::fixed, Constraint::free, Constraint::free}});
+  scene.supports.push_back(
+      {"y0", {face_points(scene, 0, west)}, {Constraint::free, Constraint::fixed, Constraint::free}});
+  scene.supports.push_back(
+      {"equator", {face_points(scene, 0, south)}, {Constraint::free, Constraint::free, Constraint::driven}});
   scene.obstacles.push_back(contact::make_plane<3>({0, 0, -1}, {0, 0, 1}));
   scene.contacts.push_back({"plane", {0, front}, ObstacleReference{0}, contact::PenaltyLaw{100}, 4});
   Model<3> model(std::move(scene));

@@ -19,7 +19,7 @@ Discretization discretize(const Patch& patch, const std::string& label, const st
   Plan plan;
   for (int d = 0; d < dimensions; ++d) plan.elements.push_back(patch.direction(d).elements() + finer);
   for (const std::string& face : contact) plan.contact.push_back(side_of(face, dimensions));
-  if (!contact.empty()) plan.through = patch.direction(plan.contact.front().direction).degree();
+  if (!contact.empty()) plan.thickness_degree = patch.direction(plan.contact.front().direction).degree();
   plan.labels.assign(static_cast<std::size_t>(contact.empty() ? dimensions : dimensions - 1), parse_label(label));
   return {patch, plan};
 }

@@ -32,11 +32,11 @@ Plan random_plan(test::Random& random, const Patch& patch) {
   const bool at_end = test::integer(random, 0, 1) == 1;
   plan.contact.push_back({through, at_end});
   if (faces == 2) plan.contact.push_back({through, !at_end});
-  plan.through = patch.direction(through).degree() + test::integer(random, 0, 1);
+  plan.thickness_degree = patch.direction(through).degree() + test::integer(random, 0, 1);
   const bool layered = test::integer(random, 0, 4) > 0;
   for (int d = 0; d < dimensions; ++d)
     plan.elements.push_back(patch.direction(d).elements() + test::integer(random, 0, 3));
-  const int most = std::min(3, plan.elements[at(through)] + *plan.through);
+  const int most = std::min(3, plan.elements[at(through)] + *plan.thickness_degree);
   const int rows = test::integer(random, 1, most);
   for (int d = 0; d < dimensions; ++d)
     if (d != through) plan.labels.push_back(random_label(random, patch.direction(d).degree(), layered, rows));
@@ -127,7 +127,7 @@ TEST(Discretization, ContinuityAtExistingAndInsertedKnots) {
         EXPECT_EQ(row.multiplicity(knot), before > 0 ? before + wanted.full_degree() - own : 1 + wanted.elevations);
       }
     }
-    EXPECT_EQ(space.stack().degree(), *plan.through);
+    EXPECT_EQ(space.stack().degree(), *plan.thickness_degree);
     EXPECT_EQ(space.elements(0), plan.elements[0]);
     EXPECT_EQ(space.elements(1), plan.elements[1]);
   }
@@ -142,7 +142,7 @@ TEST(Discretization, AgreesWithTheThesisOnADie) {
   plan.elements = {6, 2};
   plan.contact = {side_of("south", 2)};
   plan.labels = {parse_label("N2-N2.2")};
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const Discretization space(die, plan);
 
   const std::vector<double> inserted{1.0 / 6, 1.0 / 3, 2.0 / 3, 5.0 / 6};
@@ -180,7 +180,7 @@ TEST(Discretization, LayerOfAllRowsIsTheUniformlyElevatedSpace) {
     plan.elements = {5, 3};
     plan.contact = {side_of("south", 2)};
     plan.labels = {parse_label(label)};
-    plan.through = 1;
+    plan.thickness_degree = 1;
     return Discretization(patch, plan);
   };
   const Discretization layered = make("N2-N2.1x4"), uniform = make("N2.1");
@@ -200,7 +200,7 @@ TEST(Discretization, ElementDegreesRiseOnlyInTheLayer) {
   plan.elements = {4, 5};
   plan.contact = {side_of("north", 2)};
   plan.labels = {parse_label("N2-N4.1x2")};
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const Discretization space(rectangle(2, 1, Eigen::Vector2d(0, 0)), plan);
   // Two layer rows of linear functions in the thickness direction: their support is the last two element rows.
   for (int e = 0; e < space.elements(); ++e) {
@@ -283,7 +283,7 @@ TEST(Discretization, SideAcrossALayerIsNotAPatchInSpace) {
   plan.elements = {2, 2, 2};
   plan.contact = {side_of("back", 3)};
   plan.labels.assign(2, parse_label("N2-N4"));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const Discretization space(block({1, 1, 1}, Eigen::Vector3d(0, 0, 0)), plan);
   EXPECT_ERROR(space.face(side_of("west", 3)), "nurbs.body.face_across_layer: face = west, contact = back");
   // Supports need its functions nevertheless: 4 control points in each of two rows, 6 in the layer's.
@@ -297,7 +297,7 @@ TEST(Discretization, ErrorsNameTheArgument) {
     result.elements = std::move(elements);
     for (const auto& label : labels) result.labels.push_back(parse_label(label));
     for (const auto& face : contact) result.contact.push_back(side_of(face, 2));
-    result.through = 1;
+    result.thickness_degree = 1;
     return result;
   };
   const auto build = [&](const Plan& wanted) { Discretization(slab, wanted); };
@@ -317,8 +317,8 @@ TEST(Discretization, ErrorsNameTheArgument) {
   graded.grading.resize(1);
   EXPECT_ERROR(build(graded), "nurbs.body.grading: expected = 2, count = 1");
   Plan lowered = plan({3, 1}, {"N2"}, {"north"});
-  lowered.through = 0;
-  EXPECT_ERROR(build(lowered), "nurbs.body.through: degree = 0, lowest = 1");
+  lowered.thickness_degree = 0;
+  EXPECT_ERROR(build(lowered), "nurbs.body.thickness_degree: degree = 0, lowest = 1");
   EXPECT_ERROR(Discretization(half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0)), plan({6, 2}, {"N1"}, {"south"})),
                "nurbs.body.degree: label = N1, degree = 1, lowest = 2");
   const Patch arc = face(half_annulus(0.3, 0.5, Eigen::Vector2d(0, 0)), side_of("south", 2));

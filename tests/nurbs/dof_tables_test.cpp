@@ -47,7 +47,7 @@ Count count(const Patch& patch, std::vector<int> elements, const std::string& la
   plan.elements = std::move(elements);
   plan.contact = {side_of(contact, dimension)};
   plan.labels.assign(static_cast<std::size_t>(dimension) - 1, parse_label(label));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const Discretization space(patch, plan);
   return {dimension * static_cast<int>(space.face_functions(plan.contact.front()).size()),
           dimension * space.functions()};

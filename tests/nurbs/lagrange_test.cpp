@@ -48,7 +48,7 @@ double geometry_error(int p, int elements) {
   plan.elements = {elements, 1};
   plan.contact = {side_of("south", 2)};
   plan.labels = {parse_label(text("L", p))};
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const Row face = Discretization(arc, plan).face(plan.contact.front());
   double largest = 0;
   for (int k = 0; k <= 1000; ++k) {

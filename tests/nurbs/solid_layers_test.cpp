@@ -52,7 +52,7 @@ Case random_case(test::Random& random, const std::vector<Side>& contact) {
   const int through = contact.front().direction;
   result.plan.elements[at(through)] = test::integer(random, 3, 5);
   result.plan.contact = contact;
-  result.plan.through = result.patch.direction(through).degree();
+  result.plan.thickness_degree = result.patch.direction(through).degree();
   for (int a = 0; a < 2; ++a) result.plan.labels.push_back(label_of(labels[test::integer(random, 0, 6)], result.rows));
   return result;
 }
@@ -110,7 +110,7 @@ TEST(SolidLayers, AgreesWithTheThesisOnAShell) {
   plan.elements = {4, 3, 2};
   plan.contact = {side_of("front", 3)};
   plan.labels = {parse_label("N2-N2.2"), parse_label("N2-N4")};
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const Discretization space(shell, plan);
 
   const std::vector<double> around{0.25, 0.75}, along{1 / 3.0, 2 / 3.0};
@@ -148,7 +148,7 @@ TEST(SolidLayers, ElementDegreesRiseOnlyAlongTheLayerAndInsideIt) {
   plan.elements = {3, 2, 4};
   plan.contact = {side_of("back", 3)};
   plan.labels = {parse_label("N2-N2.2"), parse_label("N3")};
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const Discretization space(block({1, 1, 1}, Vec<3>(0, 0, 0)), plan);
   for (int e = 0; e < space.elements(); ++e) {
     EXPECT_EQ(space.degree(e, 0), e / 6 == 3 ? 4 : 2) << "element " << e;
@@ -163,7 +163,7 @@ TEST(SolidLayers, LayerDepthsOfTwoDirectionsMustAgree) {
     plan.elements = {2, 2, 3};
     plan.contact = {side_of("front", 3)};
     plan.labels = {parse_label(first), parse_label(second)};
-    plan.through = 1;
+    plan.thickness_degree = 1;
     return Discretization(block({1, 1, 1}, Vec<3>(0, 0, 0)), plan).functions();
   };
   // 4 + 1 functions of N2-N2.1 against 3 + 1 of N2 in one direction, on 2 of 4 rows

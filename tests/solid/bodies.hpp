@@ -17,12 +17,12 @@ using nurbs::test::uniform;
 /// A body with one contact face; the label applies along it.
 template <int D>
 Body<D> make_body(const nurbs::Patch& patch, std::vector<int> elements, const std::string& label,
-                  const std::string& contact, const Material& material, std::optional<int> through = 1) {
+                  const std::string& contact, const Material& material, std::optional<int> thickness_degree = 1) {
   nurbs::Plan plan;
   plan.elements = std::move(elements);
   plan.contact = {nurbs::side_of(contact, D)};
   plan.labels.assign(D - 1, nurbs::parse_label(label));
-  plan.through = through;
+  plan.thickness_degree = thickness_degree;
   return {nurbs::Discretization(patch, plan), material};
 }
 

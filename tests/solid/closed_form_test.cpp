@@ -26,18 +26,18 @@ double lateral_stretch(const NeoHookean& material, double a, int dimension) {
 }
 
 template <int D> void uniaxial(const Body<D>& bar, double length, double section, double stretch) {
-  std::map<int, double> held;
+  std::map<int, double> prescribed;
   prescribe(
-      bar, "west", 0, [](const Vec<D>&) { return 0.0; }, held);
+      bar, "west", 0, [](const Vec<D>&) { return 0.0; }, prescribed);
   prescribe(
-      bar, "east", 0, [&](const Vec<D>&) { return (stretch - 1) * length; }, held);
+      bar, "east", 0, [&](const Vec<D>&) { return (stretch - 1) * length; }, prescribed);
   prescribe(
-      bar, "south", 1, [](const Vec<D>&) { return 0.0; }, held);
+      bar, "south", 1, [](const Vec<D>&) { return 0.0; }, prescribed);
   if (D == 3)
     prescribe(
-        bar, "front", D - 1, [](const Vec<D>&) { return 0.0; }, held);
+        bar, "front", D - 1, [](const Vec<D>&) { return 0.0; }, prescribed);
   VectorX u;
-  const Assembled at = equilibrate(bar, held, 12, u);
+  const Assembled at = equilibrate(bar, prescribed, 12, u);
   ASSERT_FALSE(at.inversion);
 
   const NeoHookean material{bar.material().constants()};
@@ -81,10 +81,10 @@ TEST(ClosedForm, ConfinedCompressionInSpaceByALoadAcrossALayer) {
     for (const char* label : {"N2", "N2-N2.2"})
       for (double stretch : {0.7, 1.2}) {
         const Body<3> bar = make_body<3>(block, {2, 1, 2}, label, "back", material);
-        std::map<int, double> held;
+        std::map<int, double> prescribed;
         const auto fix = [&](const char* face, int component) {
           prescribe(
-              bar, face, component, [](const Vec<3>&) { return 0.0; }, held);
+              bar, face, component, [](const Vec<3>&) { return 0.0; }, prescribed);
         };
         fix("west", 0);
         for (const char* face : {"south", "north"}) fix(face, 1);
@@ -94,7 +94,7 @@ TEST(ClosedForm, ConfinedCompressionInSpaceByALoadAcrossALayer) {
         const VectorX load =
             stretch < 1 ? VectorX(-stress * pressure_load(bar, east)) : VectorX(stress * traction_load(bar, east, 0));
         VectorX u;
-        const Assembled at = equilibrate(bar, held, 12, u, load);
+        const Assembled at = equilibrate(bar, prescribed, 12, u, load);
         ASSERT_FALSE(at.inversion);
         const Mat<3> f = Vec<3>(stretch, 1, 1).asDiagonal();
         EXPECT_LT((u - affine<3>(bar, f)).norm(), 1e-12 * u.norm()) << label;
@@ -113,19 +113,19 @@ double ring_stress_error(int elements) {
   const Body<2> ring = make_body<2>(nurbs::quarter_annulus(inner, outer, Eigen::Vector2d(0, 0), 0),
                                     {elements, elements}, "N2", "south", material, 2);
   // The displacement of the control points of a circle follows from that of the circle: u = (A + B/r²) X.
-  std::map<int, double> held;
+  std::map<int, double> prescribed;
   for (int c = 0; c < 2; ++c) {
     prescribe(
-        ring, "south", c, [&](const Vec<2>& x) { return (a + b / (outer * outer)) * x(c); }, held);
+        ring, "south", c, [&](const Vec<2>& x) { return (a + b / (outer * outer)) * x(c); }, prescribed);
     prescribe(
-        ring, "north", c, [&](const Vec<2>& x) { return (a + b / (inner * inner)) * x(c); }, held);
+        ring, "north", c, [&](const Vec<2>& x) { return (a + b / (inner * inner)) * x(c); }, prescribed);
   }
   prescribe(
-      ring, "west", 1, [](const Vec<2>&) { return 0.0; }, held);
+      ring, "west", 1, [](const Vec<2>&) { return 0.0; }, prescribed);
   prescribe(
-      ring, "east", 0, [](const Vec<2>&) { return 0.0; }, held);
+      ring, "east", 0, [](const Vec<2>&) { return 0.0; }, prescribed);
   VectorX u;
-  equilibrate(ring, held, 2, u);
+  equilibrate(ring, prescribed, 2, u);
 
   double error = 0, size = 0;
   for (int e = 0; e < ring.elements(); ++e) {

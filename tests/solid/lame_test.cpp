@@ -53,13 +53,13 @@ double displacement_error(Kind kind, double (*exact)(double), int degree, int el
   const Body<2> plane =
       make_body<2>(quarter, {elements, elements}, text("N", degree), "north", linear_elastic(modulus, ratio), degree);
   const Body<2> wall(plane.shared_space(), plane.material(), kind);
-  std::map<int, double> held;
+  std::map<int, double> prescribed;
   prescribe(
-      wall, "west", 0, [](const Vec<2>&) { return 0.0; }, held);
+      wall, "west", 0, [](const Vec<2>&) { return 0.0; }, prescribed);
   prescribe(
-      wall, "east", 1, [](const Vec<2>&) { return 0.0; }, held);
+      wall, "east", 1, [](const Vec<2>&) { return 0.0; }, prescribed);
   VectorX u;
-  equilibrate(wall, held, 1, u, pressure * pressure_load(wall, nurbs::side_of("north", 2)));
+  equilibrate(wall, prescribed, 1, u, pressure * pressure_load(wall, nurbs::side_of("north", 2)));
 
   return relative_error(wall, u, exact);
 }

@@ -185,14 +185,14 @@ TEST(Law, UniaxialTensionOfANewLawHasItsClosedForm) {
   const Body<3> bar = make_body<3>(nurbs::block({2, 0.5, 0.4}, Eigen::Vector3d(0, 0, 0)), {2, 1, 1}, "N2", "back", svk);
   const auto zero = [](const Vec<3>&) { return 0.0; };
   for (const double a : {0.8, 1.4}) {
-    std::map<int, double> held;
-    prescribe(bar, "west", 0, zero, held);
-    prescribe(bar, "south", 1, zero, held);
-    prescribe(bar, "front", 2, zero, held);
+    std::map<int, double> prescribed;
+    prescribe(bar, "west", 0, zero, prescribed);
+    prescribe(bar, "south", 1, zero, prescribed);
+    prescribe(bar, "front", 2, zero, prescribed);
     const auto pull = [&](const Vec<3>&) { return 2 * (a - 1); };
-    prescribe(bar, "east", 0, pull, held);
+    prescribe(bar, "east", 0, pull, prescribed);
     VectorX u;
-    const Assembled at = equilibrate(bar, held, 12, u);
+    const Assembled at = equilibrate(bar, prescribed, 12, u);
     ASSERT_FALSE(at.inversion);
     const double b = std::sqrt(1 - 0.3 * (a * a - 1));
     EXPECT_LT((u - affine<3>(bar, Vec<3>(a, b, b).asDiagonal())).norm(), 1e-12);

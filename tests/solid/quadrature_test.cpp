@@ -46,7 +46,7 @@ TEST(Quadrature, WeightsOfABodyAddUpToItsVolume) {
   plan.elements = {6, 4};
   plan.contact = {nurbs::side_of("south", 2)};
   plan.labels = {nurbs::parse_label("N2-N2.2")};
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const Body<2> ring(nurbs::Discretization(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(1, 2)), plan),
                      neo_hookean(1, 0.3));
   double area = 0;

@@ -112,12 +112,12 @@ TEST(Condensed, ContactMayBeTheOnlySupport) {
   const Condensation condensation{constant, {20, 21, 22, 23, 59}};
   const auto solver = make_solver(LinearKind::condensed, pattern, &condensation);
   EXPECT_FALSE(solver->factor(constant.data()));
-  Values held = constant;
+  Values supported = constant;
   for (int unknown : {21, 59, 20}) {
-    held[at(pattern.find(unknown, unknown))] += 0.7;
-    EXPECT_LT(backward_error(*solver, pattern, held), 1e-14);
+    supported[at(pattern.find(unknown, unknown))] += 0.7;
+    EXPECT_LT(backward_error(*solver, pattern, supported), 1e-14);
     EXPECT_FALSE(solver->factor(constant.data())); // contact lost, and established again
-    EXPECT_LT(backward_error(*solver, pattern, held), 1e-14);
+    EXPECT_LT(backward_error(*solver, pattern, supported), 1e-14);
   }
   // With very weak support the position of the springs keeps the digits that the matrix has.
   Values weak = constant;

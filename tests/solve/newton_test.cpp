@@ -240,7 +240,7 @@ TEST(Newton, IterationByIterationGivesTheSameResults) {
       EXPECT_EQ(report.outcome, at_once.outcome);
       EXPECT_EQ(report.residuals, at_once.residuals);
       EXPECT_EQ(report.energies, at_once.energies);
-      EXPECT_EQ(report.enough, at_once.enough);
+      EXPECT_EQ(report.tolerance, at_once.tolerance);
       EXPECT_EQ(text_of(report.messages), text_of(at_once.messages));
       EXPECT_EQ(pieces.x, whole.x);
       EXPECT_EQ(pieces.assemblies, whole.assemblies);

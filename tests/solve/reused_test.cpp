@@ -96,23 +96,23 @@ TEST(Reused, PivotsIfTheSymmetricPartIsIndefinite) {
 TEST(Reused, ReportsSingularMatricesAndRecovers) {
   std::mt19937 random(44);
   auto [pattern, free] = free_springs(random, 200);
-  Values held = free;
-  held[at(pattern.find(0, 0))] += 1;
+  Values supported = free;
+  supported[at(pattern.find(0, 0))] += 1;
   const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
   const auto solves = [&](LinearSolver& solver, const Values& values) {
     VectorXd x = b;
     return solver.factor(values.data()) && solver.solve(x.data()) &&
            residual(pattern, values, x, b) <= 1.0001 * Forcing::loosest;
   };
-  for (bool held_before : {false, true}) {
+  for (bool supported_before : {false, true}) {
     const auto solver = make_solver(LinearKind::reuse, pattern);
-    if (held_before) {
-      EXPECT_TRUE(solves(*solver, held));
+    if (supported_before) {
+      EXPECT_TRUE(solves(*solver, supported));
     }
     for (int round = 0; round < 2; ++round) {
       EXPECT_FALSE(solves(*solver, free));
-      EXPECT_FALSE(solves(*solver, Values(held.size(), 0.0)));
-      EXPECT_TRUE(solves(*solver, held));
+      EXPECT_FALSE(solves(*solver, Values(supported.size(), 0.0)));
+      EXPECT_TRUE(solves(*solver, supported));
     }
   }
 }

@@ -66,9 +66,9 @@ TEST_P(Symmetric, SingularMatricesAreReportedAndLeaveNoTrace) {
   for (int round = 0; round < 2; ++round) {
     EXPECT_FALSE(solver->factor(values.data()));
     EXPECT_FALSE(solver->factor(Values(values.size(), 0.0).data()));
-    Values held = values;
-    held[at(pattern.find(0, 0))] += 1;
-    EXPECT_LT(backward_error(*solver, pattern, held), 1e-14);
+    Values supported = values;
+    supported[at(pattern.find(0, 0))] += 1;
+    EXPECT_LT(backward_error(*solver, pattern, supported), 1e-14);
   }
 }
 
@@ -84,12 +84,12 @@ TEST(Symmetry, ComparesTransposedEntriesRelativeToTheLargest) {
     const double largest = *std::max_element(values.begin(), values.end());
     EXPECT_TRUE(symmetry.holds(values.data()));
     for_entries(pattern, [&](int i, int j, int k) {
-      const double kept = values[at(k)];
-      values[at(k)] = kept + 0.9e-9 * largest;
+      const double original = values[at(k)];
+      values[at(k)] = original + 0.9e-9 * largest;
       EXPECT_TRUE(symmetry.holds(values.data())) << i << " " << j;
-      values[at(k)] = kept + 1.2e-9 * largest;
+      values[at(k)] = original + 1.2e-9 * largest;
       EXPECT_EQ(symmetry.holds(values.data()), i == j) << i << " " << j;
-      values[at(k)] = kept;
+      values[at(k)] = original;
     });
   }
 }

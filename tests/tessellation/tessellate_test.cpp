@@ -22,7 +22,7 @@ Scene<3> one_body(const nurbs::Patch& patch, std::vector<int> elements, nurbs::S
   plan.elements = std::move(elements);
   plan.contact = {contact};
   plan.labels.assign(2, nurbs::parse_label("N2-N2.1"));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const auto space = std::make_shared<const nurbs::Discretization>(patch, plan);
   Scene<3> scene;
   scene.bodies.push_back({"body", std::make_shared<const solid::Body<3>>(space, solid::neo_hookean(1, 0.3))});
@@ -36,7 +36,8 @@ SupportedControlPoints face_points(const Scene<3>& scene, nurbs::Side side) {
 /// An undeformed hollow octant.
 Scene<3> octant() {
   Scene<3> scene = one_body(nurbs::sphere_octant(0.5, 1, Eigen::Vector3d(0, 0, 0)), {2, 2, 2}, front);
-  scene.supports.push_back({"hold", {face_points(scene, back)}, {Hold::fixed, Hold::fixed, Hold::fixed}});
+  scene.supports.push_back(
+      {"hold", {face_points(scene, back)}, {Constraint::fixed, Constraint::fixed, Constraint::fixed}});
   return scene;
 }
 
@@ -44,10 +45,13 @@ Scene<3> octant() {
 Scene<3> pressed(const contact::Obstacle<3>& obstacle) {
   Scene<3> scene = one_body(nurbs::block({2, 1, 1}, Eigen::Vector3d(0, 0, 0)), {4, 2, 2}, back);
   scene.obstacles.push_back(obstacle);
-  scene.supports.push_back({"bed", {face_points(scene, front)}, {Hold::free, Hold::free, Hold::fixed}});
-  scene.supports.push_back({"left", {face_points(scene, west)}, {Hold::fixed, Hold::free, Hold::free}});
-  scene.supports.push_back({"near", {face_points(scene, south)}, {Hold::free, Hold::fixed, Hold::free}});
-  scene.supports.push_back({"tool", {}, {Hold::fixed, Hold::fixed, Hold::driven}, {0}});
+  scene.supports.push_back(
+      {"bed", {face_points(scene, front)}, {Constraint::free, Constraint::free, Constraint::fixed}});
+  scene.supports.push_back(
+      {"left", {face_points(scene, west)}, {Constraint::fixed, Constraint::free, Constraint::free}});
+  scene.supports.push_back(
+      {"near", {face_points(scene, south)}, {Constraint::free, Constraint::fixed, Constraint::free}});
+  scene.supports.push_back({"tool", {}, {Constraint::fixed, Constraint::fixed, Constraint::driven}, {0}});
   scene.contacts.push_back({"touch", {0, back}, ObstacleReference{0}, contact::PenaltyLaw{50, 0, 0}, 5});
   return scene;
 }
@@ -208,7 +212,7 @@ Model<2> annulus() {
   plan.elements = {2, 1};
   plan.contact = {south};
   plan.labels.assign(1, nurbs::parse_label("N2"));
-  plan.through = 1;
+  plan.thickness_degree = 1;
   const auto space =
       std::make_shared<const nurbs::Discretization>(nurbs::half_annulus(0.5, 1, Eigen::Vector2d(0, 0)), plan);
   Scene<2> scene;

@@ -116,13 +116,13 @@ TEST(Heatmap, WritesFittingTextsInBlackOrWhite) {
 
 TEST(Heatmap, ListsOccurringCategoriesInOrder) {
   HeatmapOptions options = three_by_two();
-  options.categories = {{"held", good_looks()[0]}, {"never", bad_looks()[0]}, {"lost", bad_looks()[8]}};
+  options.categories = {{"converged", good_looks()[0]}, {"never", bad_looks()[0]}, {"failed", bad_looks()[8]}};
   Heat map = ramp();
   map.values << 2, 0, 0, nan, 0, 2;
   const std::string svg = svg_of({map}, options);
-  EXPECT_TRUE(holds(svg, {">held<", ">lost<"}));
+  EXPECT_TRUE(holds(svg, {">converged<", ">failed<"}));
   EXPECT_FALSE(holds(svg, {">never<"}));
-  EXPECT_LT(number_at(svg, ">held<", "y"), number_at(svg, ">lost<", "y"));
+  EXPECT_LT(number_at(svg, ">converged<", "y"), number_at(svg, ">failed<", "y"));
   EXPECT_EQ(count_of(svg, ";fill:" + in_svg("#cdebe4")), 3 + 1); // cells, and the swatch of the legend
 }
 
@@ -130,10 +130,10 @@ TEST(Heatmap, SharesNamesAndBarAmongMaps) {
   Heat left = ramp(), right = ramp();
   left.title = "before", right.title = "after";
   HeatmapOptions options = three_by_two();
-  const std::string beside = svg_of({left, right}, options);
-  EXPECT_EQ(count_of(beside, ">N3<"), 2);
-  EXPECT_EQ(count_of(beside, ">20<"), 1);
-  EXPECT_NEAR(number_at(beside, ">before<", "y"), number_at(beside, ">after<", "y"), 0.01);
+  const std::string adjacent = svg_of({left, right}, options);
+  EXPECT_EQ(count_of(adjacent, ">N3<"), 2);
+  EXPECT_EQ(count_of(adjacent, ">20<"), 1);
+  EXPECT_NEAR(number_at(adjacent, ">before<", "y"), number_at(adjacent, ">after<", "y"), 0.01);
   options.columns = 1;
   const std::string stacked = svg_of({left, right}, options);
   EXPECT_EQ(count_of(stacked, ">N3<"), 1);
@@ -177,11 +177,11 @@ TEST(Heatmap, KeepsTheSizeOfNamesNextToALongOne) {
   EXPECT_GE(number_at(svg, ">a name of very", "font-size"), 18);
   EXPECT_TRUE(holds(svg, {"…"}));
   EXPECT_LT(number_at(svg, ">N3</text>", "x"), number_at(svg, ">N4</text>", "x"));
-  options.categories = {{"held", good_looks()[0]}, {words, bad_looks()[0]}};
+  options.categories = {{"converged", good_looks()[0]}, {words, bad_looks()[0]}};
   Heat map = ramp();
   map.values << 0, 1, 0, nan, 0, 1;
   const std::string outcomes = svg_of({map}, options);
-  EXPECT_NEAR(number_at(outcomes, ">held<", "font-size"), 27, 1e-9);
+  EXPECT_NEAR(number_at(outcomes, ">converged<", "font-size"), 27, 1e-9);
 }
 
 // ── Names ────────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -214,15 +214,15 @@ TEST(CellNames, NeverOverlap) {
   for (double width : {12.0, 25.0, 40.0, 70.0, 200.0}) {
     const Scale scale = {0, 30, false, 0, 30 * width};
     const Ticks names = named_ticks(numbers(30), scale, 300, usual),
-                beside = stacked_names(numbers(30), scale, 300, usual);
+                adjacent = stacked_names(numbers(30), scale, 300, usual);
     EXPECT_FALSE(names.upright);
     EXPECT_EQ(names.at[0], 0.5);
     for (std::size_t i = 1; i < names.at.size(); ++i) {
       EXPECT_GT(scale(names.at[i]) - scale(names.at[i - 1]), names.names[i].width()) << width;
       EXPECT_NEAR(names.at[i] - names.at[i - 1], names.at[1] - names.at[0], 1e-12);
     }
-    for (std::size_t i = 1; i < beside.at.size(); ++i)
-      EXPECT_GT(scale(beside.at[i]) - scale(beside.at[i - 1]), beside.names[i].size) << width;
+    for (std::size_t i = 1; i < adjacent.at.size(); ++i)
+      EXPECT_GT(scale(adjacent.at[i]) - scale(adjacent.at[i - 1]), adjacent.names[i].size) << width;
   }
 }
 

@@ -152,12 +152,12 @@ TEST(SideBySide, ArrangesPicturesInColumns) {
 
 TEST(SideBySide, HasOneLayoutForDifferentBars) {
   const Bar narrow{{0, 1}, "u"}, wide{{-16000, 3000}, "a long title of a color bar"};
-  const auto frame_with = [](const Bar& own, const std::vector<Bar>& beside, bool flat) {
+  const auto frame_with = [](const Bar& own, const std::vector<Bar>& adjacent, bool flat) {
     PictureOptions options;
     options.trim = true;
     options.range = own.range;
     options.field_label = own.title;
-    options.adjacent_bars = beside;
+    options.adjacent_bars = adjacent;
     if (flat) options.extent = Box{-40, 40, -1, 2};
     const Plate plate = make_plate(ring(0), options);
     return std::pair{plate.frames[0].box, plate.drawing.size};

@@ -19,9 +19,9 @@ local outcomes = {
 local formats = { reached = "%.0f%%", wall = "%.1f", steps = "%d", increments = "%d", iterations = "%d",
                   cutbacks = "%d", fallback_steps = "%d" }
 
---- A number of a cell by its name: an account of the run, or one of the user's figures.
+--- A number of a cell by its name: an account of the run, or one of the user's results.
 local function number(cell, name)
-  if not formats[name] then return cell.figures[name] end
+  if not formats[name] then return cell.results[name] end
   return cell[name] and (name == "reached" and 100 * cell[name] or cell[name])
 end
 
@@ -35,7 +35,7 @@ local function grid(map, value)
   end)
 end
 
---- The numbers of that name, short: accounts as text, figures as numbers, which heat maps write with powers of ten.
+--- The numbers of that name, short: accounts as text, results as numbers, which heat maps write with powers of ten.
 local function texts(map, name)
   return grid(map, function(cell)
     local value = number(cell, name)
@@ -61,7 +61,7 @@ end
 --- Checks the name of a quantity that a picture can show.
 local function check_name(where, argument, maps, name)
   local known = { "iterations", "reached", "increments", "steps", "cutbacks", "fallback_steps", "wall" }
-  check.value(types.choice(lists.joined(known, values.figure_names(cells_of(maps)))), name, where, argument)
+  check.value(types.choice(lists.joined(known, values.result_names(cells_of(maps)))), name, where, argument)
 end
 
 --- Draws one heat map, or two side by side. `panel(map)` gives what differs: values, texts.
@@ -88,8 +88,8 @@ function pictures.outcomes(map, options)
     end)
 end
 
-function pictures.figure(map, options)
-  local where, name = "map:figure", options.name
+function pictures.heatmap(map, options)
+  local where, name = "map:heatmap", options.name
   local maps, titles = read_maps(where, map, options)
   check_name(where, "name", maps, name)
   local label = options.label or name

@@ -16,7 +16,7 @@ local function add_wrapped(lines, first, text, indent)
   for _, line in ipairs(wrapped(words, width, first, indent)) do lines[#lines + 1] = line end
 end
 
---- Paragraphs: lines that begin with a blank are kept, others are filled; a source starts a new line.
+--- Paragraphs: lines that begin with a blank are unchanged, others are filled; a source starts a new line.
 local function add_text(lines, text)
   local paragraph = {}
   local function flush()

@@ -28,7 +28,7 @@ At the prompt:
                           the run; otherwise discards the line. It does not end the prompt
   Ctrl-D, exit, quit      ends the prompt; within an unfinished statement, Ctrl-D discards the statement
   traceback()             shows the traceback of the last error
-A statement may extend over several lines. Local variables are lost after their line: omit `local`. The history is kept
+A statement may extend over several lines. Local variables are lost after their line: omit `local`. The history is saved
 in ~/.local/state/signorini/history. NO_COLOR in the environment turns colors off.]],
   examples = [[
 The examples use this scene, which can be typed or copied to the prompt:

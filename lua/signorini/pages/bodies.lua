@@ -45,7 +45,8 @@ return {
       { "patch", t.object "patch", "shape: a surface in the plane, a volume in 3D" },
       { "elements", patch_types.elements, "knot spans" },
       { "order", order, [[discretization label such as "N2-N2.2", help "orders"]] },
-      { "contact", t.one_or_more(patch_types.any_face), "face that carries the layer, or two opposite ones",
+      { "contact", t.one_or_more(patch_types.any_face), [[face that carries the layer, or two opposite ones; required
+for orders with a layer. Any face can be slave or master of a contact]],
         otherwise = "none" },
       { "material", { kind = "object", name = "material",
                       cure = "for example material = sg.neo_hookean{ E = 1, nu = 0.3 }" }, "the material" },
@@ -107,7 +108,8 @@ patch:reverse(1) exchanges inside and outside. ]] .. driven,
                 'sg.rigid.surface(sg.shapes.block{ size = {9, 9, 1}, corner = {0, 0, -1} }:face "back")' } },
   { "obstacle", [[The result of sg.rigid.*: a rigid master without unknowns; print(obstacle) shows its shape. It is
 fixed unless a support drives it: supports = { push = { on = obstacle, drive = "y" } }; stages then give its
-displacement, push = {-0.1}, and run:column "push.fy" returns the force on it.]],
+displacement, push = {-0.1}, and run:column "push.fy" returns the force that the support exerts
+on the obstacle, which equals the contact force on the slave, run:column "touch.fy".]],
     example = [[
 disc = sg.rigid.cylinder{ center = {1.5, 2}, radius = 1 }
 sg.model{ bodies = { slab = slab },

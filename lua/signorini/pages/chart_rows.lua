@@ -42,7 +42,7 @@ reports more]], otherwise = "that of the curve's number" },
 --- Of charts.
 rows.chart = {
   { "x", t.numbers(nil, true), "abscissae of the curves without x", optional = true },
-  { "xlabel", t.text, 'label of the x axis with its unit: "force in N"', otherwise = "none" },
+  { "xlabel", t.text, 'label of the x axis with its unit: "force (N)"', otherwise = "none" },
   { "ylabel", t.text, "label of the y axis", otherwise = "none" },
   { "title", t.text, "title above the chart", otherwise = "none" },
   { "log", t.choice { "x", "y", "xy" }, "logarithmic axes", otherwise = "none" },

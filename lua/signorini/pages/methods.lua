@@ -35,9 +35,11 @@ support or a traction, {"angle"} of a support that rotates (after its driven com
   { "model:target", "Returns the components of a support or load in the last accepted state.",
     arguments = { driven },
     example = "model:target \"grip\"" },
-  { "model:solve_step", [[Runs Newton's method from the present state (after model:accept and model:rollback: the
+  { "model:solve_step", [[Runs Newton's method from the current state (after model:accept and model:rollback: the
 accepted one) to the targets, without accepting the result. Returns { converged, reason, iterations, message, residuals,
-energies, parts }; reason is "converged", "iterations", "diverged", "cycling", "lost_projection", "inverted",
+energies, parts }: residuals: norms of f; energies: |f·Δu| of each iteration; parts: fractions of the corrections that a
+line search took; reason: "converged", "iterations" (the limit was reached), "diverged", "cycling", "lost_projection",
+"inverted",
 "singular", "nan", "line_search", "penetration" or "interrupted".]], named = rows.step, may_be_empty = true,
     more = "Source of freeze_active_set: V. Agrawal, thesis, IIT Guwahati 2020, 4.5.2.",
     example = [[
@@ -70,7 +72,7 @@ state.]],
     example = "model:set_penalty_factor(0.5)" },
   { "model:penalty_factor", "Returns the factor set by model:set_penalty_factor; initially 1.",
     example = "finer:penalty_factor()  --> 1.0" },
-  { "model:accept", [[Makes the present state the accepted one and updates the slip points. It is an error if the
+  { "model:accept", [[Makes the current state the accepted one and updates the slip points. It is an error if the
 current step has not converged, or if targets were changed and not solved for.]],
     example = [[
 model:rollback()
@@ -86,7 +88,7 @@ between steps.]],
     arguments = { { "snapshot", t.object "snapshot", "made by model:snapshot()" } },
     example = "model:restore(model:snapshot())" },
   { "snapshot", "A saved state of a model, made by model:snapshot, for model:restore." },
-  { "model:residual", [[Returns the unbalanced force f_int + f_c - f_ext at the present displacements and the present
+  { "model:residual", [[Returns the unbalanced force f_int + f_c - f_ext at the current displacements and the current
 targets' loads: one number for each unknown (see model:unknowns). Prescribed displacements that no iteration has applied
 yet are not included.]],
     example = "#model:residual()" },
@@ -97,7 +99,7 @@ by row.]],
   { "model:unknowns", [[Returns the meaning of each unknown: a list of { body, point, component }; for control points
 that share an unknown, the first one.]],
     example = "model:unknowns()[1].body  --> \"die\"" },
-  { "model:displacements", [[Returns the present displacement of each unknown, in the order of model:unknowns.]],
+  { "model:displacements", [[Returns the current displacement of each unknown, in the order of model:unknowns.]],
     example = "#model:displacements()" },
   { "model:move", [[Adds a given increment Δu to the unknowns. The first move after model:set_target also sets the
 prescribed displacements to their targets: start a step with a move of zeros. model:accept accepts the state if its
@@ -118,7 +120,8 @@ list of { kind, body or contact, element or point, X, x, value, text }, the wors
 points whose states cycle or that leave the master, control points that move most in the critical direction of a
 singular or indefinite tangent; unbalanced: places of the largest unbalanced forces.]],
     arguments = { { "on", t.list(t.choice { "step", "line_search", "damping", "active_set_changes", "arc_length",
-      "penalty", "pseudo_transient" }), "controls in use, which the cure does not suggest again", default = {} } },
+      "penalty", "pseudo_transient" }), "controls that your loop uses already, so that cure does not suggest them",
+      default = {} } },
   },
   { "model:timings", [[Returns the times used so far, in seconds: { bulk, contact, linear, factorization, solution,
 search }. linear is the sum of factorization and solution, except for a few vector operations (with linear = "reuse", a
@@ -132,6 +135,6 @@ projected contact point, about 50 ns.]],
   { "model:solver", [[Returns { linear, unknowns, patterns, factorizations, solutions, iterations, factor_memory, memory
 }: the linear solver in use, the size of its systems, the number of sparse patterns analyzed; since the model was made,
 the numbers of numerical factorizations, right-hand sides, and GMRES iterations with a lagged factorization; bytes of
-the present factors, and of the bodies' tables, the tangent and its patterns.]],
+the current factors, and of the bodies' tables, the tangent and its patterns.]],
     example = "model:solver().linear" },
 }

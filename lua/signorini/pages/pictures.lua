@@ -27,7 +27,7 @@ local camera = t.either(t.choice(core.cameras), t.worded(t.named {
 }, "a table { from = …, up = … }"))
 
 local mark = t.named {
-  { "x", t.point, "place in the present state", unit = "length" },
+  { "x", t.point, "place in the current state", unit = "length" },
   { "text", t.text, "short text next to it", default = "" },
 }
 for _, key in ipairs { "kind", "body", "element", "point", "contact", "X", "value" } do -- the rest of run.places
@@ -53,14 +53,14 @@ local entries = { "pictures", t.either(t.object "picture", t.list(t.object "pict
 
 return {
   title = "Pictures and charts", word = "pictures",
-  { "sg.picture", [[Returns a picture of a model's present state, of a state kept by a run, or of patches, and writes it
-to `file` if given. Later changes of the model do not affect the picture.]],
+  { "sg.picture", [[Returns a picture of a model's current state, of a state stored by a run, or of patches, and writes
+it to `file` if given. Later changes of the model do not affect the picture.]],
     named = {
       "Contents, one of:",
-      { "model", t.object "model", "shows its present state", optional = true },
+      { "model", t.object "model", "shows its current state", optional = true },
       { "state", t.object "state", "an entry of run:states()", optional = true, excludes = { "states", "patch" } },
       { "patch", t.one_or_more(t.object "patch"),
-        "patches of one dimension, in gray", optional = true, excludes = { "model" } },
+        "patches in gray, all in the plane or all in 3D", optional = true, excludes = { "model" } },
       "Several states or fields:",
       of_models { "states", t.list(t.object "state", nil, 1), [[run:states(): one picture each, as in sg.sheet; or,
 depending on the file's name ("x-%04d.png", "x.ogv"), as in sg.film]], optional = true },
@@ -68,22 +68,24 @@ depending on the file's name ("x-%04d.png", "x.ogv"), as in sg.film]], optional 
         optional = true, excludes = { "field", "patch", why = "it replaces it" } },
       merged(columns, { needs = { "states", "fields" } }), merged(fps, { needs = { "states" } }),
       "Colors:",
-      of_models { "field", field, [[displacements ux uy u (length), Cauchy stresses sxx syy szz sxy, von_mises,
-pressure, I1 (tr sigma; force per area), F11 F12 F21 F22 F33 (none); for solids also uz sxz syz F13 … F32;
-contact_pressure (force per current area) on slave faces, in the plane as a band along them. Stresses are evaluated at
-the points drawn, neither extrapolated nor averaged, so that jumps between elements are visible]], otherwise = "gray" },
+      of_models { "field", field, [[displacements ux uy u (length); Cauchy stresses (force per area) sxx syy szz sxy,
+von_mises, pressure (-tr sigma/3), I1 (tr sigma: the first invariant of the stress, not of C); deformation gradient (no
+unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per current area, with adhesion
+per reference area) on slave faces, in the plane as a band along them. Stresses are evaluated at the points drawn,
+neither extrapolated nor averaged, so that jumps between elements are visible]],
+        otherwise = "gray" },
       { "factor", t.number, "multiplies the field", default = 1, needs = { "field", "fields" } },
       { "label", t.text, "title of the color bar", otherwise = "the field's name with its factor",
         needs = { "field" }, excludes = { "fields", why = "each of which has its own color bar" } },
       { "range", t.interval, "lowest and highest value of the colors, in the unit of the field times factor",
-        otherwise = "that of the values, without outliers of up to 0.5 %" },
+        otherwise = "that of the values, without the lowest and highest ones, up to 0.5 % of the points drawn" },
       { "contours", contours, [[contour lines: true: at the ticks of the color bar; a number: so many levels within the
 range; or a list of levels]], otherwise = "none", needs = { "field", "fields" } },
-      { "bar", t.flag, "color bar with the lowest and the highest value at its ends", default = true },
+      { "bar", t.flag, "color bar of the range, with the field's extremes at its ends", default = true },
       { "colormap", t.choice(core.colormaps), "'coolwarm' suits values of both signs", default = "viridis" },
       "Parts drawn:",
       of_models { "bodies", t.list(body_name, nil, 1), "names of the bodies", otherwise = "all" },
-      of_models { "deformed", t.flag, "present shape; false: reference shape", default = true },
+      of_models { "deformed", t.flag, "current shape; false: reference shape", default = true },
       of_models { "undeformed", t.flag, "also the reference shape, dashed, in 3D also translucent",
         default = false },
       { "mesh", t.flag, "element boundaries", default = true },
@@ -94,8 +96,8 @@ picture]],
         otherwise = "none" },
       of_models { "obstacles", t.flag, "rigid obstacles", default = true },
       of_models { "mirror", t.choice { "x", "y", "z", "xy", "xz", "yz", "xyz" },
-        [[adds mirror images at 0 of these axes; for bodies that cross the mirror, the image of their larger part; z:
-solids]], otherwise = "none" },
+        [[adds the mirror image about the plane x = 0, y = 0 or z = 0 (solids), for "xy" about both; of a body that
+crosses the plane the larger part is mirrored]], otherwise = "none" },
       of_models { "cut", cut, [[Solids: the half to remove. "y": larger y, "-y": smaller y, cut through the middle of
 the bodies. The cut face shows the field]], otherwise = "no cut" },
       { "marks", t.list(mark), "rings at places, such as run.places; the first ones have priority where space is short",
@@ -103,13 +105,14 @@ the bodies. The cut face shows the field]], otherwise = "no cut" },
       { "names", t.flag, "patches: names of faces, ξ¹ ξ² ξ³ along the directions, numbers of several patches",
         default = true, needs = { "patch" } },
       "Layout and file:",
-      { "title", t.text, "title above the picture", otherwise = "none; that of a kept state" },
+      { "title", t.text, "title above the picture", otherwise = "that of a stored state" },
       { "crop", t.numbers(), [[{xmin, xmax, ymin, ymax}: shows only this part; in 3D with zmin, zmax: the rectangle
 around this box as seen, with everything in front of and behind it]], otherwise = "all", unit = "length" },
       { "inset", t.numbers(), "part in the same form, magnified in a box within the picture",
         otherwise = "none", unit = "length" },
       { "camera", camera, [[Solids: the direction from which they are seen in parallel projection. "iso": from the
-front, the right and above; "front": from -y, z upwards; "left": from -x; "top": from +z, y upwards]],
+front, the right and above; "front": from -y, z upwards; "left": from -x; "top": from +z, y upwards. These
+are directions of view, not names of faces]],
         otherwise = '"iso", with a cut from the side on which the cut face is seen' },
       { "unit", t.text, 'unit of length such as "mm", shown at the axes and the ruler', otherwise = "none" },
       { "axes", t.list(t.text), [[names of the axes, one per direction: {"r in mm", "z in mm"}]],

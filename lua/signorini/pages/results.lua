@@ -39,10 +39,14 @@ return {
   title = "Results of a model",
   word = "results",
   { "model:profile", [[Returns lists along the slave face, one entry per contact point: x, y (current), X, Y
-(reference), area (on which the traction acts), pressure, traction (tangential; in the plane positive along the face's
-xi; on the slave it acts in the opposite direction), gap, state ("open", "stick", "slip", "adhesion"). At a slipping
-point |traction| = mu pressure (mortar: at each multiplier). In 3D also z, Z, and tx, ty, tz, the components of the
-tangential traction t_T, whose magnitude is `traction`; -t_T acts on the slave. Any other name is an error.]],
+(reference), area (current, where the point touches; 0 at an open point, so that the sum is the area in contact; with
+adhesion the reference area), pressure, traction (of friction, along the chord from slip point to foot point, which is
+tangential on a straight master; in the plane positive along the slave face's xi; on the slave it acts in the opposite
+direction), gap, state ("open", "stick", also of a closed point without friction, "slip", "adhesion"). At a slipping
+point |traction| = mu pressure (mortar: at each multiplier). Pressure and traction are forces per current area, whatever
+`per` of the contact is; in mortar contact and with adhesion `area`, pressure and traction refer to the reference area.
+In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is `traction`; -t_T acts
+on the slave. Reading any other field is an error.]],
     arguments = { a_contact },
     example = "model:profile(\"interface\").pressure" },
   { "model:sample", "Returns a field's value at a parametric point of a body.",
@@ -54,10 +58,11 @@ of a slave face, on which xi must be]] },
       { "xi", t.worded(t.point, "a list of 2 numbers {xi1, xi2}, in 3D of 3"), "parametric coordinates" },
     },
     example = "model:sample(\"slab\", \"uy\", {0.5, 1})" },
-  { "model:energy", [[Returns { stored, contact, friction, work }: strain energy of the bodies; energy of penalty
-springs or of adhesion; dissipation by friction in all accepted steps; work of supports and loads in all accepted steps
-(trapezoidal rule). Per unit depth in plane strain. work = stored + contact + friction in the limit of small steps,
-except for the change of the slave's area: see share/doc/theory.md, What is measured.]],
+  { "model:energy", [[Returns { stored, contact, friction, work, area_growth }: strain energy of the bodies; energy of
+penalty springs or of adhesion; and, summed over all accepted steps (trapezoidal rule), dissipation by friction; work of
+supports and loads; energy of the springs times the growth of the area on which they act, zero for contacts with per =
+"reference". Per unit depth in plane strain. work + area_growth = stored + contact + friction in the limit of small
+steps (with friction: and of small penetration): see share/doc/theory.md, Output quantities.]],
     example = "model:energy().stored" },
   { "model:reaction", [[Returns the force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, followed,
 for a support that rotates, by the moment about its center (in 3D about the axis); for a load, its force. Also by name:
@@ -67,12 +72,14 @@ fx, fy, fz, moment.]],
       return table.move(model:load_names(), 1, #model:load_names(), #names + 1, names)
     end), "a support or a load" } },
     example = "model:reaction(\"grip\").fy" },
-  { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, unsettled,
-crossed }: the force on the slave (fz in 3D), the current area in contact, extremes, and the numbers of contact points
-that touch and slip; with method = "mortar" also weighted_penetration, the largest of the multipliers, and `area` is the
-reference area. unsettled: how often, in all accepted states so far, the search for a closest point or slip point
-ended at the limit of iterations; unsettled_at is the reference position of the latest such point. crossed, crossed_at:
-the same for points that passed through the master since the previous state without contact.]],
+  { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, per,
+unsettled, crossed }: the force on the slave (fz in 3D), the current area in contact (in mortar contact and with
+adhesion the reference area), extremes, the numbers of contact points that touch and slip, and the area, "current" or
+"reference", on which tractions act; with method = "mortar" also weighted_penetration, the largest of the multipliers.
+unsettled: how often, in all
+accepted states so far, the search for a closest point or slip point ended at the limit of iterations; unsettled_at is
+the reference position of the latest such point. crossed, crossed_at: the same for points that passed through the master
+since the previous state without contact.]],
     arguments = { a_contact },
     example = "model:contact_resultant(\"interface\").area" },
   { "sg.profile_error", [[Returns the L2 error sqrt(integral of ((p - p_ref)/N)^2 ds) of a contact profile against a

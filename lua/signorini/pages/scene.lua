@@ -20,23 +20,28 @@ local contact = {
   { "slave", slave, [[face over which contact is integrated; pressures are computed at its contact points. Use the finer
 mesh, of equal meshes the softer body (the published ironing studies use the stiff die)]] },
   { "master", t.either(face, obstacle), [[face of the other body onto which these points are projected, or an obstacle.
-Beyond an open end of the master the traction decreases to zero over 0.3 of its last element]] },
+Beyond its edges (a closed ring has none along its arc) the master is extended by 0.3 of its last element; there the
+traction decreases to zero]] },
   { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. Required unless adhesion is
 given. 10 to 1000 times E / h of the softer body is usual, h its element size;
-model:contact_resultant(name).max_penetration is the penetration that remains, and augmented = true of model:run removes
-it]], unit = "pressure per length", optional = true },
+model:contact_resultant(name).max_penetration is the penetration that remains, and augmented = true of model:run reduces
+it to a tolerance on rigid or flat masters]], unit = "pressure per length", optional = true },
   { "friction", t.named {
     { "mu", t.non_negative, "Coulomb's coefficient of friction, tan of the angle of friction, not the angle" },
     { "penalty", t.positive, "tangential penalty, stiffness of elastic slip", unit = "pressure per length" },
   }, "Coulomb friction", otherwise = "none" },
-  { "method", t.choice { "gpts", "mortar" }, [[gpts: Gauss-point-to-surface, penalty at the contact points, tractions
-per current area. mortar: penalty on gaps and slips that are weighted by functions on the slave face (multipliers),
-tractions per reference area; a high penalty then does not over-constrain]], default = "gpts" },
+  { "method", t.choice { "gpts", "mortar" }, [[gpts: Gauss-point-to-surface, penalty at the contact points. mortar:
+penalty on gaps and slips that are weighted by functions on the slave face (multipliers); a high penalty then does not
+over-constrain]], default = "gpts" },
   { "multipliers", t.choice { "equal", "reduced" }, [[functions of the multipliers if method = "mortar". equal: those of
 the slave face. reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element), proven stable
 (inf-sup); for degree p >= 2]], otherwise = "equal" },
+  { "per", t.choice { "current", "reference" }, [[area of the slave face on which tractions act, and to which penalty
+and friction.penalty refer. "current" is that of the published studies; with "reference" and without friction the forces
+derive from an energy, and the tangent is symmetric. Mortar contact and adhesion act per reference area]],
+    otherwise = '"current", with method = "mortar" or adhesion "reference"' },
   { "points", t.integer(1, 100), "Gauss points per slave element and direction",
-    otherwise = "3 (p + 1), p the higher degree along the face" },
+    otherwise = "3 (p + 1), p the degree along the slave face, that of its layer if it has one, in 3D the higher one" },
   { "adhesion", t.named {
     { "hamaker", t.positive, "Hamaker's constant", unit = "force times length" },
     { "r0", t.positive, "equilibrium distance of the potential", unit = "length" },
@@ -59,6 +64,14 @@ contact.conflict = function(values)
   if values.multipliers and values.method ~= "mortar" then
     return ('multipliers = "%s" is for method = "mortar": add this method, or remove multipliers')
       :format(values.multipliers)
+  end
+  if values.method == "mortar" and values.per == "current" then
+    return 'it has method = "mortar" and per = "current", but mortar contact acts per reference area: write per = '
+      .. '"reference", or omit it'
+  end
+  if values.adhesion and values.per == "current" then
+    return 'it has adhesion and per = "current", but the van der Waals law is a force per reference area: write per = '
+      .. '"reference", or omit it'
   end
   if not (values.adhesion or values.penalty) then
     return "penalty (normal penalty, pressure per length) is missing: it must be a positive number, or give "
@@ -118,7 +131,8 @@ sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", tr
       { "rotate", t.worded(t.either(t.flag, t.choice { "x", "y", "z" }, t.space_point),
         "true in the plane; in 3D 'x', 'y', 'z' or a vector {ax, ay, az}"), [[the face rotates as a rigid body about its
 centroid, in 3D about the axis through it, by an angle in degrees that stages give after the driven components; in 3D a
-list of faces rotates as one]], otherwise = "no rotation" },
+list of faces rotates as one, in the plane it must be one face. fix and drive then refer to the centroid, whose other
+components are free: rotate = true, fix = "xy" rotates the face about a fixed point]], otherwise = "no rotation" },
       { "symmetry", t.flag, [[fixes the normal component on flat faces in a plane of symmetry x, y or z = c, in an
 axisymmetric model on the axis or y = c. Each plane of symmetry halves the scene and its forces; on the axis forces
 remain those of the full circle]],
@@ -132,11 +146,12 @@ supports = { bed  = { on = slab:face "south", fix = "xy" },
   { "load", "Applies a dead load to faces: neither direction nor magnitude follows the deformation.",
     head = "loads = { <name> = { on, traction or pressure } }, in sg.model{ … }",
     named = load,
-    more = [[The value given here acts from the first step on; stages give new ones. model:reaction(name) is the force;
-the columns of a run are <name>.fx …, and .tx … or .pressure.]],
+    more = [[The value given here is that at the start of the path; stages change it linearly to theirs. A load that no
+stage names acts in full from the first step; to increase one from zero, give 0 here and its value in a stage.
+model:reaction(name) is the force; the columns of a run are <name>.fx …, and .tx … or .pressure.]],
     example = [[loads = { push = { on = die:face "east", traction = {0, -1} } }]] },
   { "contact", "Defines contact between the face of a body and another body or an obstacle.",
-    head = "contacts = { <name> = { slave, master, penalty, friction, method, … } }, in sg.model{ … }",
+    head = "contacts = { <name> = { slave, master, penalty, friction, method, per, … } }, in sg.model{ … }",
     named = contact,
     more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run.
 Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85) to

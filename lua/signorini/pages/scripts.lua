@@ -3,7 +3,7 @@
 local t = require "signorini.types"
 
 local model = { "model", t.object "model", "" }
-local deformed = { "deformed", t.flag, "present shape; false: reference shape", default = true }
+local deformed = { "deformed", t.flag, "current shape; false: reference shape", default = true }
 local file = { "file", t.text, "name of the file" }
 
 local help_words = t.name(function() return require("signorini.help").words() end)
@@ -95,12 +95,12 @@ values the last row is returned.]],
   { "data:column", "Returns the values of a column as a list, nil where missing.",
     arguments = { { "name", t.name(function(data) return data.columns end), "name of the column" } },
     example = [[sg.reference "ironing2d_oscillation_table7_3":column "discretization"]] },
-  { "sg.vtu", [[Writes a model's present state to a .vtu file for ParaView: every element is a rational Bezier cell with
+  { "sg.vtu", [[Writes a model's current state to a .vtu file for ParaView: every element is a rational Bezier cell with
 the degrees of the element, so shape and displacement are exact, also where rows of different degrees meet.]],
     named = {
       { "model", t.object "model", "model made by sg.model; needed without `patch`", optional = true },
       { "file", t.text, "name that ends with .vtu" },
-      { "deformed", t.flag, "present shape; false: reference shape, for ParaView's Warp By Vector",
+      { "deformed", t.flag, "current shape; false: reference shape, for ParaView's Warp By Vector",
         otherwise = "true" },
       { "patch", t.one_or_more(t.object "patch"), [[patches instead of a model; cells have the number
 patch]], optional = true } },
@@ -124,7 +124,7 @@ needed with resume = true of model:run]], default = false } }, "" } },
     example = [[local series = sg.pvd "ironing.pvd"
 model:run(stages, { on_step = function(info) series:add{ model = model, time = info.step } end })]] },
   { "series", "A time series for ParaView, made by sg.pvd: a list of { time, name } of its states." },
-  { "series:add", "Writes the model's present state as sg.vtu does and adds it to a time series; times must increase.",
+  { "series:add", "Writes the model's current state as sg.vtu does and adds it to a time series; times must increase.",
     named = { model, { "time", t.number, "time of the state" }, deformed },
     example = [[sg.pvd("ironing.pvd"):add{ model = model, time = 0 }]] },
   { "sg.median", "Returns the median of a list of numbers: the middle one, or the mean of the two middle ones.",

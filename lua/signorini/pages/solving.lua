@@ -27,23 +27,40 @@ local a_step = { "step", t.count, "number of the step; a failed step follows the
 return {
   title = "Models and load paths",
   word = "solving",
-  { "model", [[A scene with its accepted and its present state, made by sg.model; print(model) shows its size and its
+  { "model", [[A scene with its accepted and its current state, made by sg.model; print(model) shows its size and its
 parts, their positions and the contacts that touch; tostring(model) shows its size. model:run solves it along a load
 path; help "results" and help "methods" list the other methods.]] },
   { "model:warnings", [[Returns a list of sentences on what is probably unintended. About the scene (sg.model prints
 these, too): bodies that overlap before the first step by more than 1 % of the thickness of the thinner one, Poisson's
 ratios that lock, mu above 3, penalties above 1e8 times the stiffness of an element, contacts that act twice. About the
-present state: inverted linear elastic bodies. run.warnings starts with these.]],
+current state: inverted linear elastic bodies. run.warnings starts with these.]],
     example = "model:warnings()  --> {}" },
-  { "model:run", "Solves a model along its load path and returns a run.",
+  { "model:run", [[Solves a model along its load path and returns a run. A further run continues from the
+model's state; its steps are counted from 1 again.]],
     arguments = { { "stages", stages, "parts of the load path" },
                   { "options", t.named(rows.run), "controls, records and files of the run", default = {} } },
     rows = rows.run,
     more = [[
 A failed step ends the run; this is a result, not an error: run.failed, run.reason, run.cause (the reason behind
 minimum_step), run.report (in words, with the worst places and what may help), run.places (for sg.picture's marks). The
-model keeps the last accepted state. Reasons: completed, stopped, interrupted, cut, iterations, diverged, cycling,
-lost_projection, inverted, singular, indefinite, nan, line_search, penetration, turning_point, minimum_step, left_path.
+model keeps the last accepted state. Reasons:
+  completed        all steps converged
+  stopped          on_step or on_iteration returned "stop"
+  interrupted      Ctrl-C
+  cut              on_step returned "cut", and increments cannot be shorter
+  minimum_step     an increment of the smallest size failed; run.cause is the reason
+  iterations       no convergence within newton.iterations
+  diverged         the residual grew beyond 1e12 times the forces of the run
+  cycling          no convergence within newton.iterations, and contact points still change their states
+  lost_projection  contact points alternately find and lose their closest point at an edge of the master
+  inverted         an element is turned inside out (J ≤ 0)
+  singular         the tangent is singular: an unconstrained body, or a turning point
+  indefinite       no convergence, and the tangent has negative eigenvalues: beyond a turning point
+  nan              the residual is not a finite number
+  line_search      no step length reduces the residual
+  penetration      augmentation does not reduce the penetration to its tolerance
+  turning_point    the prescribed quantity cannot increase further on this path: see arc_length
+  left_path        an arc-length increment converged on another part of the path
 run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns: step,
 increments, iterations, wall; <support>.fx, .fy, in 3D .fz, .moment if it rotates, .ux, .uy, .uz, .angle if driven;
 <load>.fx …, .tx … or .pressure; <contact>.fx …, .area, .max_pressure, .max_penetration.
@@ -67,8 +84,9 @@ help "model:run".]],
 model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
            { name = "slide", steps = 250, grip = {1.5, -0.23} } }]] },
   { "sg.robust", [[Returns the default controls of model:run explicitly: each step starts from the linear predictor
-(predictor = "linear"), a failed step is tried again with fallbacks (fallback = true), then cut in half (step = {
-adaptive = true }). Given options replace these. Together with arc_length = true these controls are tried before arc
+(predictor = "linear"), a failed step is tried again with the first fallbacks (fallback = true), then cut in half
+(step = { adaptive = true }), and at the smallest increment tried with the other fallbacks. Given options replace these.
+Use it to keep these controls with arc_length = true, which otherwise switches them off: they are then tried before arc
 length, and may leave the path that arc length would follow.]], named = "model:run", may_be_empty = true, as_given =
 true,
     example = "model:run(stages, sg.robust{ arc_length = true, step = { adaptive = true, min = 1/256 } })" },
@@ -77,14 +95,15 @@ the last accepted state (predictor = "tangent", fallback = false, step = { adapt
 these. Use it to compare with other programs or published iteration counts, and to find where Newton's method fails.]],
     named = "model:run", may_be_empty = true, as_given = true,
     example = "model:run(stages, sg.plain{ newton = { iterations = 50 } })" },
-  { "run", "The result of model:run; print(run) shows a short table, with fallbacks, cuts and other controls.",
+  { "run", [[The result of model:run; print(run) shows a short table, with fallbacks, cuts and other controls. Methods:
+run:column, run:columns, run:csv, run:states, run:attempts, run:residuals.]],
     fields = {
       { "failed", t.flag, "whether a step failed" },
       { "reason", t.text, "reason why the run ended, see help \"model:run\"" },
       { "cause", t.text, "reason behind \"minimum_step\", of a run that failed" },
       { "report", t.text, "the failure in words, of a run that failed" },
       { "places", t.list(t.any), "worst places, for sg.picture's marks" },
-      { "steps", t.integer(0), "converged steps" },
+      { "steps", t.integer(0), "converged steps; with arc_length = true columns may have further rows between them" },
       { "iterations", t.integer(0), "Newton iterations" },
       { "cutbacks", t.integer(0), "increments cut in half" },
       { "fallback_steps", t.integer(0), "steps solved by fallbacks" },
@@ -93,28 +112,29 @@ these. Use it to compare with other programs or published iteration counts, and 
       { "timings", t.map(t.number), "bulk, contact, linear, rest", unit = "s" },
       { "stages", t.list(t.any), "statistics of the stages" },
       { "controls", t.list(t.any), "where arc length was used" },
-      { "warnings", t.list(t.text), [[model:warnings(); loads that act in full from the first step, a newton.tolerance
-above 1e-3, contacts that never touched, with penetration above 2 % of the smallest body's size, whose closest points
-were not found, or whose points passed through the master in one step; fallbacks that may have changed to another branch
-of solutions, steps that probably did, judged by displacements and released energy; stages in which more than a tenth of
-the work is missing from the energy balance]] },
+      { "warnings", t.list(t.text), [[those of model:warnings(), and about: loads that act in full from the first step;
+newton.tolerance above 1e-3; contacts that never touched; penetration above 2 % of the smallest body's size; closest
+points that were not found; points that passed through the master in one step; steps that may have jumped to another
+branch of solutions (solved by certain fallbacks) or probably have (judged by displacements and released energy); stages
+whose energy balance lacks more than a tenth of the work]] },
     } },
   { "run:columns", "Returns the names of all columns, in order.",
     example = "for _, name in ipairs(run:columns()) do print(name) end" },
-  { "run:column", [[Returns the values of a column, one per converged step: "step", its "increments", "iterations" and
+  { "run:column", [[Returns the values of a column, one per converged step, with arc_length = true also for
+increments between steps, so that the last value is column[#column]: "step", its "increments", "iterations" and
 "wall" (s) including failed attempts, "<support>.fx" (reaction), "<support>.ux" (value of a driven component),
 "<contact>.area" and so on; columns that on_step returns are nan where it returned none.]],
     arguments = { { "name", t.name(function(run) return run:columns() end), "a column" } },
     example = "run:column \"grip.fy\"" },
   { "run:attempts", [[Returns the attempts at a converged or failed step: a list of { from, to, converged, reason,
-iterations, residuals, fallback, restarted }, where from and to are fractions of the step, and again tells whether the
-attempt started at the step's start although a part was accepted.]],
+iterations, residuals, fallback, restarted }, where from and to are fractions of the step, and restarted tells whether
+the attempt started at the step's start although a part was accepted.]],
     arguments = { a_step },
     example = "run:attempts(1)[1].iterations" },
   { "run:residuals", "Returns the residual norms of the iterations of a step's last attempt.",
     arguments = { a_step },
     example = "run:residuals(run.steps)" },
-  { "run:states", [[Returns the states that a run has kept, in order, for sg.picture{ states = run:states() }: those
+  { "run:states", [[Returns the states that a run has stored, in order, for sg.picture{ states = run:states() }: those
 selected by the option `states` of model:run; by default the start, the end of each stage and the last accepted one.]],
     example = "sg.picture{ states = run:states(), field = \"uy\", file = \"states.png\" }" },
   { "run:csv", "Writes all columns to a CSV file; a value that on_step did not return is an empty field.",
@@ -133,7 +153,7 @@ tables.]],
       { "obstacles", t.integer(0), "rigid obstacles (without unknowns)" },
       { "bodies", t.map(t.named {
         { "unknowns", t.integer(0), "those of the body" },
-        { "contact_layer", t.integer(0), "unknowns on the faces that `contact` names" },
+        { "interface", t.integer(0), "unknowns of the control points on contact faces" },
         { "bulk", t.integer(0), "all other unknowns" },
         { "prescribed", t.integer(0), "degrees of freedom that supports fix or drive" },
         { "elements", t.integer(0), "elements" },

@@ -8,7 +8,7 @@ local t = require "signorini.types"
 
 local rows = {}
 
-local tolerance = { "tolerance", t.positive, "residual that counts as zero, relative to the forces of the run",
+local tolerance = { "tolerance", t.positive, "residual that counts as zero, relative to reactions and loads",
                     default = 1e-10 }
 local iterations = { "iterations", t.integer(1, 1000000), "maximum number of iterations per attempt", default = 25 }
 local linear = { "linear", t.choice(core.linear_solvers), [[linear solver. "klu", "umfpack": direct; "reuse": a reused
@@ -17,19 +17,21 @@ linear elastic bodies; "auto": automatic choice]], default = "auto" }
 
 local loop = {
   tolerance, iterations,
-  { "line_search", t.choice { "none", "residual", "energy" }, [[how Newton updates are shortened: by the norm of the
-residual (non-monotone) or by the energy]], default = "none" },
+  { "line_search", t.choice { "none", "residual", "energy" }, [[how Newton corrections are shortened: by the norm of
+the residual (non-monotone) or by the energy]], default = "none" },
   { "freeze_active_set", t.switch(t.range(0, 1), 0.01), [[contact states are frozen until |f·Δu| has decreased to this
 fraction of its first value; true is 0.01]], default = false },
-  { "active_set_changes", t.integer(0, 1000000), [[a contact point that changes its state more often in a step is fixed
-in it (a slipping one as sticking) until the others have converged; 0: never]], default = 0 },
+  { "active_set_changes", t.integer(0, 1000000), [[a contact point that changes its state more than this number of times
+in a step is fixed in it (a slipping one as sticking) until the others have converged; 0: never]], default = 0 },
 }
 
 local augmented = { "augmented", t.switch(t.named {
-  { "penetration", t.share, "largest penetration, as a fraction of the largest body's size", default = 1e-6 },
+  { "penetration", t.share, "largest penetration, as a fraction of the largest body's diagonal", default = 1e-6 },
   { "loops", t.integer(1, 1000000), "maximum number of augmentations per step", default = 100 },
 }, {}), [[augmented Lagrangian method (Uzawa): pressures are augmented until penetration and separation of closed points
-are within the tolerance; in mortar contact those of the multipliers, whose friction is augmented as well]],
+are within the tolerance; in mortar contact those of the multipliers, whose friction is augmented as well. On a
+deformable master, curved under the slave, the default tolerance is often not reached, and the step fails with
+penetration. Not with arc_length]],
   default = false }
 
 local damping = { "damping", t.flag, [[damps unconstrained bodies until contact holds them; the converged state is in
@@ -76,11 +78,12 @@ end
 
 local shortest = 1 / 64 -- increment
 local cutting = {
-  { "adaptive", t.flag, "whether failed steps are cut; false: each step is solved once, as a whole", default = true },
+  { "adaptive", t.flag, "whether failed steps are cut; false: each step is solved as a whole, also by fallbacks",
+    default = true },
   { "max", t.share, "largest increment, a fraction of the step", default = 1 },
   { "min", t.share, "smallest increment, a fraction of the step", otherwise = "1/64, at most max",
     derived = function(values) return math.min(values.max, shortest) end },
-  { "growth", t.range(1), "growth factor after an increment that took at most half of the iterations", default = 2 },
+  { "growth", t.range(1), "growth factor after an increment that took at most half of newton.iterations", default = 2 },
 }
 cutting.conflict = function(values, given)
   for _, key in ipairs { "min", "max", "growth" } do
@@ -101,12 +104,14 @@ rows.run = {
   { "arc_length", t.flag, [[where a step fails, arc-length continuation follows the path, also past turning points,
 until the end of the step is passed; rows between steps have fractional step numbers, run.controls lists where control
 changed]], default = false },
-  control("step", t.named(cutting), [[step cutting: a failed step is cut in half; the rows of a run remain the steps,
-their increments are in run.cutbacks, run:column "increments" and run:attempts(step)]]),
-  control("fallback", t.flag, [[a failed step is tried again with fallbacks: with the tangent predictor and, if the
-tangent is singular because of an unconstrained body, with damping; then, if it cannot be cut further, with damping, a
-line search, pseudo-transient continuation, a frozen active set. run.fallbacks counts their successes; run.warnings
-names steps solved by fallbacks that may lead to another branch of solutions]]),
+  control("step", t.named(cutting), [[step cutting: a failed step is cut in half. A run still has one row per step;
+run.cutbacks counts the cuts, run:column "increments" the increments of each step, run:attempts(step) lists all
+attempts]]),
+  control("fallback", t.flag, [[a failed step is tried again with fallbacks, one at a time: the tangent predictor;
+damping, if an unconstrained body makes the tangent singular. If these fail, the step is cut. When it cannot be cut
+further, these are tried: damping, if it was not tried before; a line search; pseudo-transient continuation; a frozen
+active set. run.fallbacks counts their
+successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions]]),
   control("predictor", predictors, first_guess),
   { "newton", t.named(loop), "Newton's method in each attempt", default = {} },
   linear, augmented, damping, pseudo_transient,
@@ -126,7 +131,7 @@ step]], optional = true },
 uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding error. The file of a
 finished run returns that run at once. Scene and stages must be the same]], default = false },
   { "states", t.worded(t.either(t.integer(2), t.list(t.integer(0)), t.callback),
-    "a number of states from 2, a list of steps, or a function"), [[states kept for run:states(): this number, evenly
+    "a number of states from 2, a list of steps, or a function"), [[states stored for run:states(): this number, evenly
 from start to end, those of the listed steps (0 is the start), or those for which function(info) returns true; a resumed
 run has those since its resumption]], otherwise = "the start and the end of each stage" },
   { "on_step", t.callback, [[function(info), called after each step with info.step, info.stage, info["grip.fx"] …;

@@ -18,7 +18,7 @@ local limit = { "limit", t.positive, "time limit of a case", unit = "wall-clock 
                 otherwise = "none" }
 local only_rows = { "where", t.callback, "function of a row that returns true for the rows to use",
                     otherwise = "all" }
-local columns = { "columns", t.list(t.column), "columns in this order", otherwise = "all parameters and figures" }
+local columns = { "columns", t.list(t.column), "columns in this order", otherwise = "all parameters and results" }
 local sort = { "sort", t.either(t.column, t.list(t.column)), "columns to sort the rows by, in increasing order",
                otherwise = "the order of the cases" }
 
@@ -48,17 +48,17 @@ local filter = t.either({ kind = "map", of = { kind = "any", of = strings }, nam
 return {
   title = "Studies",
   word = "studies",
-  { "sg.study", [[Returns a study: a function evaluated for many cases, whose results are kept. study:execute{} runs
+  { "sg.study", [[Returns a study: a function evaluated for many cases, whose results are saved. study:execute{} runs
 each case in a separate process, so variables that the function changes do not affect other cases.]],
     named = {
       { "name", t.text, "name in tables, charts and of the folder" },
       { "cases", t.list(t.any, nil, 1), [[tables of parameters, or lists of such tables, as sg.grid makes them]] },
-      { "run", t.callback, [[function of a case that returns figures by name: numbers, strings, true or false, and lists
-of these, which tables omit. A failed case returns failed = true and a reason; this is a result, too. A figure that is
+      { "run", t.callback, [[function of a case that returns results by name: numbers, strings, true or false, and lists
+of these, which tables omit. A failed case returns failed = true and a reason; this is a result, too. A result that is
 nan or infinite makes the case an error]] },
       { "folder", t.text, "folder to which each finished case is written at once as a JSON file",
         otherwise = "out/<name>" },
-      { "units", t.map(t.text), "units by the name of a figure or parameter, for tables and axes", optional = true },
+      { "units", t.map(t.text), "units by the name of a result or parameter, for tables and axes", optional = true },
       { "sequential", t.either(t.flag, t.callback), [[true, or a function of a case that returns true, for cases with
 time measurements: they run last, one at a time]], default = false },
       { "inputs", t.data, "values on which the results depend besides the parameters",
@@ -67,8 +67,9 @@ time measurements: they run last, one at a time]], default = false },
 A case remains valid as long as its parameters, everything that run refers to and the program's version are unchanged.
 run refers to its own text, to that of the script's functions that it calls, and to the values that these use: numbers,
 tables, and the contents of bodies and models. With inputs, only the parameters and the inputs are compared. Besides its
-figures each row has wall, the seconds that run took, unless run returned a figure of that name. A case without results
-has failed = true, outcome ("failed", "error", "crashed", or "time" if it exceeded the limit) and reason.]],
+results each row has wall, the seconds that run took, unless run returned a result of that name. A case without results
+has failed = true, outcome ("failed", "error", "crashed", or "time" if it exceeded the limit of study:execute)
+and reason.]],
     example = [[study = sg.study{ name = "steps", cases = sg.grid{ steps = {5, 10} },
   run = function(case)
     local run = press("N2", 1):run{ { name = "press", steps = case.steps, grip = {0, -0.1} } }
@@ -83,15 +84,15 @@ value that is a table is shown by its field `name`, or as 6×2. print shows the 
   { "study", [[The result of sg.study; #study is the number of rows, print(study) shows how many cases are done, and the
 table. Methods that select, group or add return a new study that has rows only.]],
     fields = {
-      { "rows", t.list(t.any), "tables of parameters and figures by name" },
+      { "rows", t.list(t.any), "tables of parameters and results by name" },
       { "parameters", t.list(t.text), "their names" },
-      { "figures", t.list(t.text), "their names" },
+      { "results", t.list(t.text), "their names" },
       { "units", t.map(t.text), "as given" },
       { "name", t.text, "as given" },
       { "folder", t.text, "as given" },
       { "records", t.list(t.any), "of the cases; records[i].made: host, processor, versions of libraries, time" } } },
   { "study:by", "Iterates over the parts of a study with equal values in a column, in the order of the rows.",
-    arguments = { { "name", t.column, "parameter or figure" } },
+    arguments = { { "name", t.column, "parameter or result" } },
     example = [[for order, part in study:by "order" do print(order, #part) end]] },
   { "study:chart", [[Draws the rows as curves, one per value of series, by increasing x. Failed rows and rows without x,
 y or series have no point. Strings and tables along x are in the order of first occurrence; a parameter with few integer
@@ -109,8 +110,8 @@ false: select rows with study:where, or give series.]],
         { xlabel = "the column and its unit", ylabel = "the column and its unit", title = "the study's name",
           legend_title = "the column of series" })),
     example = [[study:chart{ x = "mesh", y = "error", series = "order", file = "error.png" }]] },
-  { "study:column", "Returns a parameter or figure as a list over the rows, nan where it is missing.",
-    arguments = { { "name", t.column, "parameter or figure" } },
+  { "study:column", "Returns a parameter or result as a list over the rows, nan where it is missing.",
+    arguments = { { "name", t.column, "parameter or result" } },
     example = [[study:column "force"]] },
   { "study:csv", "Writes the table of study:table to a CSV file, units in comments, long texts in full.",
     arguments = { { "file", t.text, "name of the file" }, { "options", t.options { columns, sort }, "" } },
@@ -118,7 +119,7 @@ false: select rows with study:where, or give series.]],
   { "study:execute", [[Runs the cases that are missing in the study's folder or whose inputs have changed, prints how
 many are reused and how many are to be solved, and returns the study. Each finished case is written to disk at once: if
 the program is stopped by Ctrl-C or killed, the same call continues with the missing cases. A failed case is a result
-and is kept. A case that ended with an error, or whose process crashed, is reported on standard error at the end, runs
+and is saved. A case that ended with an error, or whose process crashed, is reported on standard error at the end, runs
 again at the next call, and makes the exit status of the program 1, unless the script ends with os.exit.]],
     may_be_empty = true,
     named = { at_once, limit,
@@ -141,14 +142,14 @@ one case in a cell is an error; select cases with study:where.]],
         label = "the column and its unit" })),
     example = [[study:heatmap{ x = "order", y = "mesh", value = "wall", log = true, file = "wall.png" }]] },
   { "study:median", [[Returns the study without one parameter: rows that differ only in it are replaced by one, with the
-medians of their numbers, each over the rows that have it. Use it for figures that vary between repetitions, such as
+medians of their numbers, each over the rows that have it. Use it for results that vary between repetitions, such as
 times: cases = sg.grid{ …, round = {1, 2, 3} }.]],
     arguments = { { "name", parameter, "parameter" } },
     example = [[study:median "mesh"]] },
   { "study:read", [[Reads the finished cases from the study's folder, without running any, and returns the study. It may
 be called while another process executes the study; inputs are not compared.]],
     example = "print(study:read())" },
-  { "study:row", [[Returns the row with these values, a table of parameters and figures by name; it is an error if no
+  { "study:row", [[Returns the row with these values, a table of parameters and results by name; it is an error if no
 row or several rows match.]],
     head = [[study:row{ <column> = value, … }]],
     arguments = { { "wanted", filter, "as in study:where" } },
@@ -165,10 +166,10 @@ has is an error, except with a function.]],
     arguments = { { "wanted", filter,
                     "values, or lists of values, by column, or a function of a row that returns true" } },
     example = [[study:where{ order = "N2", mesh = {1, 2} }]] },
-  { "study:with", "Returns the study with an additional figure, computed from each row.",
-    arguments = { { "name", t.text, "name of the figure" },
+  { "study:with", "Returns the study with an additional result, computed from each row.",
+    arguments = { { "name", t.text, "name of the result" },
                   { "make", t.callback, "function of a row that returns the value, nil where it is unknown" },
-                  { "unit", t.text, "unit of the figure", optional = true } },
+                  { "unit", t.text, "unit of the result", optional = true } },
     example = [[study:with("deviation", function(row) return math.abs(row.force / 0.08 - 1) end)]] },
   { "sg.work_precision", [[Draws a work-precision diagram, error over time: one curve per series through its cases by
 increasing time, one marker per kind of case, both axes logarithmic, the Pareto front as gray steps. Returns the
@@ -184,7 +185,7 @@ comparison; print shows time ratios, the front and omitted cases.]],
           otherwise = "all other parameters together" },
         only_rows,
         { "at", t.list(t.positive, nil, 1), "errors at which times are compared",
-          otherwise = "the smallest, the middle and the largest one that both curves reach" },
+          otherwise = "for each pair of curves the smallest, the middle and the largest one that both reach" },
         { "file", t.text, "name that ends with .png, .svg or .pdf", optional = true },
         { "files", t.list(t.text), "several such names", optional = true },
       }, of_chart("title xlabel ylabel size",
@@ -217,9 +218,9 @@ there is none, nil and a text about the closest case. Failed rows and rows witho
 and meshes from coarse to fine, estimates the error of each from the next level, and stops as soon as an estimate is
 within the tolerance. Prints the attempts and their times.]],
     named = {
-      { "scene", t.callback, "function of label and mesh that returns a model, and what model:run takes" },
-      { "error", t.either(t.text, t.callback), [[quantity whose error is estimated: a column of the run such as
-"ground.max_pressure" (its last value), or a function of model and run that returns a number, or a list of numbers at
+      { "scene", t.callback, "function of order and mesh that returns a model, and what model:run takes" },
+      { "quantity", t.either(t.text, t.callback), [[what is computed, whose error is estimated: a column of the run such
+as "ground.max_pressure" (its last value), or a function of model and run that returns a number, or a list of numbers at
 places independent of the mesh]] },
       { "at_most", { kind = "number", above = 0, below = 1, cure = "write 0.02 for 2 %" }, "relative error" },
       { "orders", t.list(t.text, nil, 1), "order labels, cheapest first", default = { "N2", "N2-N2.2" } },
@@ -227,14 +228,14 @@ places independent of the mesh]] },
 before, in any form that scene accepts]], default = { 1, 2, 4, 8, 16, 32 } },
       { "limit", t.positive, "time after which no further level is started", unit = "seconds", otherwise = "none" } },
     more = [[
-The result has label, mesh, error (the estimate), wall (s) and unknowns of the case of least work within the tolerance
+The result has order, mesh, error (the estimate), wall (s) and unknowns of the case of least work within the tolerance
 (nil if there is none), tries, spent (s) and report. Work is unknowns times iterations, which is reproducible. With d
-the relative distance of the last label's figures on two levels and r the fraction of the error that remains after one
-level (1/2; from three levels on as observed, if larger) the error of the finer level is about d r/(1 - r); that of
-coarser cases is larger by their distance from it. This is the discretization error only; errors of penalty, steps or
-the scene are not included. Labels that take about the work of another one and have twice its error are not tried
-again.]],
-    example = [[sg.recommend{ scene = press, error = "grip.fy", at_most = 0.1, meshes = {1, 2, 4} }]] },
+the relative difference of the quantity on two levels, both with the order that comes last in the list among those
+solved on both, and r the fraction of the error that remains after one level (1/2; from three levels on as observed, if
+larger), the error of the finer level is about d r/(1 - r); that of coarser cases is larger by their difference from it.
+This is the discretization error only; errors of penalty, steps or the scene are not included. Orders that take about
+the work of another one and have twice its error are not tried again.]],
+    example = [[sg.recommend{ scene = press, quantity = "grip.fy", at_most = 0.1, meshes = {1, 2, 4} }]] },
   { "sg.convergence_map", [[Returns a convergence map: where the solve converges over two parameters, and where and why
 it fails. It is a study with a case for each pair of values: a separate process calls scene and path. Errors, crashes
 and the exit status are handled as in study:execute; Ctrl-C ends it with the cells done so far.]],
@@ -242,22 +243,23 @@ and the exit status are handled as in study:execute; Ctrl-C ends it with the cel
       { "name", t.text, "name of the map", default = "convergence map" }, axis "x", axis "y",
       { "scene", t.callback, "function of x and y that returns a model" },
       { "path", t.callback, "function of model, x and y that returns stages and options, as model:run takes them" },
-      { "figures", t.callback, [[function of model, run, x and y that returns numbers by name, called for cells that
+      { "results", t.callback, [[function of model, run, x and y that returns numbers by name, called for cells that
 reach the end of their path; numbers that are not finite are omitted]], optional = true },
       at_once, limit,
       { "file", t.text, [[CSV file to which each finished cell is written at once; the folder next to it, map.cells for
-map.csv, keeps the cells like that of a study, so that a later call reuses them. Remove the file to solve all cells
-again]], otherwise = "not kept" } },
+map.csv, stores the cells like that of a study, so that a later call reuses them. Remove the file to solve all cells
+again]], otherwise = "not stored" } },
     more = [[
 A cell: x, y, outcome, reached (fraction of the path, 0 to 1), steps, increments, iterations, cutbacks, fallback_steps,
-wall (s), report and place of a failure, figures. outcome is run.reason ("completed" for converged cells), or "error"
+wall (s), report and place of a failure, results. outcome is run.reason ("completed" for converged cells), or "error"
 (in one of the functions), "crashed", "time".]],
-    example = [[map = sg.convergence_map{ x = { name = "order", values = {"N2", "N4"} },
+    example = [[-- press(order, mesh), a function of your own, returns a model and its stages
+map = sg.convergence_map{ x = { name = "order", values = {"N2", "N4"} },
   y = { name = "steps", values = {5, 10} }, scene = function(order) return (press(order, 1)) end,
   path = function(model, order, steps) return { { steps = steps, grip = {0, -0.1} } } end }]] },
   { "map", "The result of sg.convergence_map; print(map) shows how many cells converged, and the table.",
     fields = { { "cells", t.list(t.any), [[{ x, y, outcome, reached, steps, increments, iterations, cutbacks,
-fallback_steps, wall, report, place, figures } each]] } } },
+fallback_steps, wall, report, place, results } each]] } } },
   { "map:cell", "Returns the cell at given values of the two parameters; nil if it was not solved.",
     arguments = { { "x", t.either(t.number, t.text), "value of the first parameter" },
                   { "y", t.either(t.number, t.text), "value of the second parameter" } },
@@ -270,16 +272,16 @@ neither are numbers of cells.]],
   { "map:csv", "Writes all cells to a CSV file, with the reports of failures.",
     arguments = { { "file", t.text, "name of the file" } },
     example = [[map:csv "map.csv"]] },
-  { "map:figure", "Draws a number of the cells, of the run or a figure, as a heat map.",
+  { "map:heatmap", "Draws a number of the cells, of the run or a result, as a heat map.",
     named = joined({ { "name", t.text, "such as \"iterations\"" }, file, other, titles },
       of_heatmap("label title range log colormap size",
         { label = "the name", title = "the map's name and the label" })),
-    example = [[map:figure{ name = "iterations", file = "iterations.png" }]] },
+    example = [[map:heatmap{ name = "iterations", file = "iterations.png" }]] },
   { "map:converged", [[Returns the number of cells that converged to the end of their path, and the number of
 all cells.]],
     example = "converged, cells = map:converged()" },
   { "map:picture", "Draws the outcomes as a heat map.",
-    named = joined({ file, { "text", t.text, "number shown in the cells: of the run, such as \"reached\", or a figure",
+    named = joined({ file, { "text", t.text, "number shown in the cells: of the run, such as \"reached\", or a result",
                              default = "iterations" }, other, titles },
       of_heatmap("title size", { title = "the map's name" })),
     example = [[map:picture{ file = "map.png", text = "reached" }]] },

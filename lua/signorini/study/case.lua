@@ -1,32 +1,32 @@
--- One case of a study, solved in its own process: the result of its function becomes figures, checked.
+-- One case of a study, solved in its own process: checks what its function returns.
 
 local core = require "signorini.core"
 
---- Raises an error that names the figure and the case.
+--- Raises an error that names the result and the case.
 local function reject(entry, what, cure)
   core.fail(("sg.study: case %s: %s%s"):format(entry.text, what, cure and ". Hint: " .. cure or ""))
 end
 
---- Checks the figures; returns whether the case failed, and why.
-local function read_figures(entry, figures)
-  if type(figures) ~= "table" then
-    reject(entry, ("run returned %s"):format(figures == nil and "nothing" or core.describe(figures)),
-      "return a table of figures such as { wall = run.wall }")
+--- Checks the results; returns whether the case failed, and why.
+local function read_results(entry, results)
+  if type(results) ~= "table" then
+    reject(entry, ("run returned %s"):format(results == nil and "nothing" or core.describe(results)),
+      "return a table of results such as { wall = run.wall }")
   end
-  for name, value in next, figures do
+  for name, value in next, results do
     if type(name) ~= "string" then
-      reject(entry, ("a figure has no name but %s"):format(core.describe(name)), "write name = value")
+      reject(entry, ("a result has no name but %s"):format(core.describe(name)), "write name = value")
     end
-    if name == "outcome" then reject(entry, "a figure cannot be called 'outcome', a column of every case") end
-    if entry.case[name] ~= nil then reject(entry, ("the figure '%s' has the name of a parameter"):format(name)) end
-    local ok, message = pcall(core.write_json, value, "the figure " .. name) -- finite numbers, plain data
+    if name == "outcome" then reject(entry, "a result cannot be called 'outcome', a column of every case") end
+    if entry.case[name] ~= nil then reject(entry, ("the result '%s' has the name of a parameter"):format(name)) end
+    local ok, message = pcall(core.write_json, value, "the result " .. name) -- finite numbers, plain data
     if not ok then
       reject(entry, tostring(message):gsub("^.-:%d+: ", "", 1):gsub(": only .*$", ""),
-        "figures are finite numbers, strings, or lists of these; return nil for unknown ones, or failed = true with "
+        "results are finite numbers, strings, or lists of these; return nil for unknown ones, or failed = true with "
         .. "a reason")
     end
   end
-  local failed, reason = rawget(figures, "failed"), rawget(figures, "reason") -- rawget: for contact profiles
+  local failed, reason = rawget(results, "failed"), rawget(results, "reason") -- rawget: for contact profiles
   if failed ~= nil and type(failed) ~= "boolean" then
     reject(entry, "failed must be true or false, got " .. core.describe(failed))
   end
@@ -36,16 +36,16 @@ local function read_figures(entry, figures)
   return failed, reason
 end
 
---- Solves the case of an entry (see cases.lua): { figures, outcome = "done" or "failed", reason, wall (s) }.
+--- Solves the case of an entry (see cases.lua): { results, outcome = "done" or "failed", reason, wall (s) }.
 return function(run, entry)
   local copy = core.read_json(core.write_json(entry.case)) -- run may change it
   local began = core.now()
-  local figures = run(copy)
+  local results = run(copy)
   local wall = core.now() - began
-  local failed, reason = read_figures(entry, figures)
-  local record = { outcome = failed and "failed" or "done", reason = reason, wall = wall, figures = {} }
-  for name, value in next, figures do
-    if name ~= "failed" and name ~= "reason" then record.figures[name] = value end
+  local failed, reason = read_results(entry, results)
+  local record = { outcome = failed and "failed" or "done", reason = reason, wall = wall, results = {} }
+  for name, value in next, results do
+    if name ~= "failed" and name ~= "reason" then record.results[name] = value end
   end
   return record
 end

@@ -30,13 +30,13 @@ end
 
 --- The message at the start: how many cases are taken from the folder, and why others are solved again.
 local function words_on(study, missing, reasons, older)
-  local kept, words = #study.cases - #missing, {}
+  local finished, words = #study.cases - #missing, {}
   for why, count in pairs(reasons) do words[#words + 1] = ("%d because %s"):format(count, why) end
   table.sort(words)
   local again = #words > 0 and "; again: " .. table.concat(words, "; ") or ""
-  if kept == 0 and again == "" then return nil end
+  if finished == 0 and again == "" then return nil end
   local version = older > 0 and (" (%d by another version than %s)"):format(older, core.versions.signorini) or ""
-  return ("%s: %d of %d taken from %s%s, %s%s"):format(study.name, kept, #study.cases, study.folder, version,
+  return ("%s: %d of %d taken from %s%s, %s%s"):format(study.name, finished, #study.cases, study.folder, version,
     #missing > 0 and #missing .. " to solve" or "0 solved", again)
 end
 
@@ -75,12 +75,12 @@ end
 local function finished(text, failure, limit)
   if text then return core.read_json(text) end
   if failure == "time" then
-    return { outcome = "time", reason = ("not done within %g s"):format(limit), wall = limit, figures = {} }
+    return { outcome = "time", reason = ("not done within %g s"):format(limit), wall = limit, results = {} }
   end
   local message = failure:match "^failed: (.*)$"
   local first = message and message:match "^[^\n]*" or failure
   if failure:find "signal 9" then first = first .. ": killed from outside, possibly because memory ran out" end
-  return { outcome = message and "error" or "crashed", reason = first, traceback = message, figures = {} }
+  return { outcome = message and "error" or "crashed", reason = first, traceback = message, results = {} }
 end
 
 local function outcome_text(record)
@@ -134,19 +134,19 @@ local function tell_interrupted(study)
   local done, all = #study.rows, #study.cases
   io.stderr:write(("%s: interrupted: %d of %s %s %s\n"):format(study.name, done, counted(all, "case"),
     (done == 1 or all == 1) and "is" or "are",
-    study.folder and "kept; the same call continues with the others" or "done"))
+    study.folder and "saved; the same call continues with the others" or "done"))
 end
 
---- Runs the missing cases; `keeper` holds the folder. Returns whether all were done, not interrupted by Ctrl-C.
-local function run_missing(study, keeper, options)
+--- Runs the missing cases; `handle`: of the locked folder. Returns whether all were done, not interrupted by Ctrl-C.
+local function run_missing(study, handle, options)
   local now = inputs.of(study)
   for i, record in pairs(study.unsaved) do
-    store.write(keeper, study.cases[i], record)
+    store.write(handle, study.cases[i], record)
     study.unsaved[i] = nil
   end
   local list, words = missing(study, now, options.limit, options.rerun)
   if study.on_record then study.on_record() end
-  if #list > 0 then store.take_reserve(keeper) end
+  if #list > 0 then store.take_reserve(handle) end
   local bar = progress(#list)
   local look, tell = display(bar, study, #list)
   if words then bar:line(words) end
@@ -155,12 +155,12 @@ local function run_missing(study, keeper, options)
     record.made = { versions = core.versions, host = core.host, processor = core.processor,
                     time = os.date "!%Y-%m-%dT%H:%M:%SZ", at_once = at_once }
     study.records[i], study.unsaved[i] = record, record
-    store.write(keeper, study.cases[i], record)
+    store.write(handle, study.cases[i], record)
     study.unsaved[i] = nil
     if study.on_record then study.on_record() end
-    if keeper.full then
-      core.fail(("%s: no space is left for '%s'. Hint: free some and execute again; finished cases are kept")
-        :format(keeper.where, study.folder))
+    if handle.full then
+      core.fail(("%s: no space is left for '%s'. Hint: free some and execute again; finished cases are saved")
+        :format(handle.where, study.folder))
     end
     tell(study.cases[i], record)
   end
@@ -174,10 +174,10 @@ end
 
 --- Executes a study for the function named in errors: { jobs, limit, again }, checked. Returns false after Ctrl-C.
 local function execute(name, study, options)
-  local keeper = store.open(name, study)
+  local handle = store.open(name, study)
   study.records = {}
-  local ok, result = pcall(run_missing, study, keeper, options)
-  store.close(keeper)
+  local ok, result = pcall(run_missing, study, handle, options)
+  store.close(handle)
   study:gather()
   if not ok then error(result, 0) end
   if not result then tell_interrupted(study) end

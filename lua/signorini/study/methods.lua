@@ -7,7 +7,7 @@ local counted = require "signorini.counted"
 local csv = require "signorini.csv"
 local cut = require "signorini.cut"
 local filter = require "signorini.study.filter"
-local in_name_of = require "signorini.in_name_of"
+local on_behalf_of = require "signorini.on_behalf_of"
 local format_table = require "signorini.table"
 local lists = require "signorini.lists"
 local median = require "signorini.median"
@@ -23,7 +23,7 @@ local methods = { chart = pictures.chart, heatmap = pictures.heatmap }
 
 --- A study of these rows; `more` replaces other fields of the old one.
 local function part_of(study, rows, more)
-  return setmetatable(lists.merged({ name = study.name, parameters = study.parameters, figures = study.figures,
+  return setmetatable(lists.merged({ name = study.name, parameters = study.parameters, results = study.results,
     units = study.units, rows = rows, whole = study.whole or study }, more), getmetatable(study))
 end
 
@@ -80,8 +80,8 @@ function methods:with(name, make, unit)
     rows[i][name] = value
   end
   units[name] = unit
-  local others = lists.filter(self.figures, function(known) return known ~= name end)
-  return part_of(self, rows, { figures = lists.joined(others, { name }), units = units })
+  local others = lists.filter(self.results, function(known) return known ~= name end)
+  return part_of(self, rows, { results = lists.joined(others, { name }), units = units })
 end
 
 --- Merges rows that differ in one parameter only: medians of numbers, otherwise the value of the first row that has
@@ -107,14 +107,14 @@ end
 
 function methods:median(name)
   check.value(types.choice(self.parameters), name, "study:median", "name")
-  local kept = lists.filter(self.parameters, function(parameter) return parameter ~= name end)
-  local rows = map(grouped(self.rows, kept), function(group)
+  local others = lists.filter(self.parameters, function(parameter) return parameter ~= name end)
+  local rows = map(grouped(self.rows, others), function(group)
     local row = merge(group, name)
     -- A parameter that all rows of the group share stays bitwise the same.
-    for _, parameter in ipairs(kept) do row[parameter] = group[1][parameter] end
+    for _, parameter in ipairs(others) do row[parameter] = group[1][parameter] end
     return row
   end)
-  return part_of(self, rows, { parameters = kept })
+  return part_of(self, rows, { parameters = others })
 end
 
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -179,9 +179,9 @@ function methods:csv(file, options)
   local columns, units, rows = read_table("study:csv", self, options)
   local comments = { ("study: %s"):format(self.name) }
   for j, name in ipairs(columns) do
-    if units[j] ~= "" then comments[#comments + 1] = ("%s / %s"):format(name, units[j]) end
+    if units[j] ~= "" then comments[#comments + 1] = ("%s (%s)"):format(name, units[j]) end
   end
-  in_name_of("study:csv", "sg.csv.write", csv.write, file, { columns = columns, rows = rows, comments = comments })
+  on_behalf_of("study:csv", "sg.csv.write", csv.write, file, { columns = columns, rows = rows, comments = comments })
 end
 
 function methods:__len() return #self.rows end

@@ -12,7 +12,7 @@ function quantity.read(where, key, study, pick)
   local column = type(pick) == "string" and pick or nil
   local unit = column and (study.units[column] or column == "wall" and "s") or ""
   return { where = where, key = key, study = study, pick = pick, name = column or key, unit = unit,
-           label = column and (unit ~= "" and ("%s / %s"):format(column, unit) or column) or "" }
+           label = column and (unit ~= "" and ("%s (%s)"):format(column, unit) or column) or "" }
 end
 
 --- "order = N2, mesh = m1"

@@ -2,7 +2,7 @@
 -- atomically and are on the disk before the next case begins, so that readers, and studies resumed after a power
 -- failure, find only complete results.
 
-local in_name_of = require "signorini.in_name_of"
+local on_behalf_of = require "signorini.on_behalf_of"
 local core = require "signorini.core"
 
 local store = {}
@@ -11,7 +11,7 @@ local store = {}
 local reserve_name, reserve_size = "reserve", 1 << 20
 
 --- Calls a function of the core; its error becomes one of study:execute at the user's line.
-local function call(where, name, ...) return in_name_of(where, "core." .. name, core[name], ...) end
+local function call(where, name, ...) return on_behalf_of(where, "core." .. name, core[name], ...) end
 
 local function read(file)
   if not core.exists(file) then return nil end
@@ -35,7 +35,7 @@ end
 function store.read(study, entry)
   if not study.folder then return nil end
   local record, damaged = read(case_file(study, entry))
-  if record and type(record.case) == "table" and type(record.figures) == "table"
+  if record and type(record.case) == "table" and type(record.results) == "table"
     and type(record.outcome) == "string" then
     return record, false
   end
@@ -50,18 +50,18 @@ local function clear(folder)
   os.remove(folder .. "/study.json")
 end
 
---- Makes and locks the folder until the returned keeper is released. A study without a folder keeps nothing.
+--- Makes and locks the folder until the returned handle is closed. A study without a folder saves nothing.
 function store.open(where, study)
   if not study.folder then return { study = study, where = where } end
   call(where, "mkdir", study.folder .. "/cases")
   local lock = call(where, "lock", study.folder .. "/lock")
-  local keeper = { lock = lock, study = study, where = where, reserve = study.folder .. "/" .. reserve_name }
+  local handle = { lock = lock, study = study, where = where, reserve = study.folder .. "/" .. reserve_name }
   local ok, message = pcall(function()
     if study.fresh then clear(study.folder) end
     local file = study.folder .. "/study.json"
     if not check_owner(where, study) then call(where, "write_file", file, core.write_json { study = study.name }) end
   end)
-  if ok then return setmetatable(keeper, { __index = store }) end
+  if ok then return setmetatable(handle, { __index = store }) end
   lock:release()
   error(message, 0)
 end
@@ -70,28 +70,28 @@ end
 function store.check(where, study) check_owner(where, study) end
 
 --- Reserves the space that the last results will need, before any case runs.
-function store.take_reserve(keeper)
-  if not keeper.lock then return end
-  core.remove_leftovers(keeper.reserve)
-  call(keeper.where, "write_file", keeper.reserve, (" "):rep(reserve_size))
+function store.take_reserve(handle)
+  if not handle.lock then return end
+  core.remove_leftovers(handle.reserve)
+  call(handle.where, "write_file", handle.reserve, (" "):rep(reserve_size))
 end
 
 --- Writes a case's record. If the disk is full, the reserve is released.
-function store.write(keeper, entry, record)
-  if not keeper.lock then return end
-  local file, text = case_file(keeper.study, entry), core.write_json(record, "the case's record")
+function store.write(handle, entry, record)
+  if not handle.lock then return end
+  local file, text = case_file(handle.study, entry), core.write_json(record, "the case's record")
   core.remove_leftovers(file)
   if pcall(core.write_file, file, text, true) then return end
-  os.remove(keeper.reserve)
-  call(keeper.where, "write_file", file, text, true)
-  keeper.full = true
+  os.remove(handle.reserve)
+  call(handle.where, "write_file", file, text, true)
+  handle.full = true
 end
 
 --- Unlocks the folder.
-function store.close(keeper)
-  if not keeper.lock then return end
-  os.remove(keeper.reserve)
-  keeper.lock:release()
+function store.close(handle)
+  if not handle.lock then return end
+  os.remove(handle.reserve)
+  handle.lock:release()
 end
 
 return store

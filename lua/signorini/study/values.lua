@@ -1,8 +1,8 @@
 -- Columns of a study and their values: shared by all readers of studies.
 --
--- A study has name, parameters (names in order), figures (names in order), units (by name) and rows; a row holds the
--- values of parameters and figures by name, wall (s), and for a failed case failed = true and reason. Parameters and
--- figures are plain data; tables among them are shown by their field `name`.
+-- A study has name, parameters (names in order), results (names in order), units (by name) and rows; a row holds the
+-- values of parameters and results by name, wall (s), and for a failed case failed = true and reason. Parameters and
+-- results are plain data; tables among them are shown by their field `name`.
 
 local check = require "signorini.check"
 local core = require "signorini.core"
@@ -12,7 +12,7 @@ local types = require "signorini.types"
 
 local values = {}
 
---- The columns of every case besides its parameters and figures.
+--- The columns of every case besides its parameters and results.
 values.accounts = { "wall", "failed", "outcome", "reason" }
 
 --- Whether two values of plain data are equal; tables are compared entry by entry.
@@ -41,21 +41,21 @@ function values.text(value, exactly)
   return (exactly or math.type(value) == "integer") and core.number_text(value) or ("%.6g"):format(value)
 end
 
---- The names of all figures of records or cells, sorted; without lists, which a table cannot show.
-function values.figure_names(holders)
+--- The names of all results of records or cells, sorted; without lists, which a table cannot show.
+function values.result_names(holders)
   local names = {}
   for _, holder in pairs(holders) do
-    for name, value in pairs(holder.figures) do names[name] = type(value) ~= "table" or names[name] end
+    for name, value in pairs(holder.results) do names[name] = type(value) ~= "table" or names[name] end
   end
   return lists.sorted_names(names)
 end
 
---- All columns of a study by name: parameters, figures, then the columns of every case.
+--- All columns of a study by name: parameters, results, then the columns of every case.
 function values.columns(study)
-  return lists.unique(lists.joined(study.parameters, study.figures, values.accounts))
+  return lists.unique(lists.joined(study.parameters, study.results, values.accounts))
 end
 
---- Raises an error about a figure that no case has because all failed: its name may be correct, so the reason of the
+--- Raises an error about a result that no case has because all failed: its name may be correct, so the reason of the
 --- failures is given.
 function values.check_known(where, name, study)
   local columns = values.columns(study)

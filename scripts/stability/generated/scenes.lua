@@ -38,12 +38,12 @@ local kinds = {
   plane = {
     shapes = { "block", "half ring", "cylinder" },
     orders = { "L1", "L2", "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N2.3", "N3-N3.1" },
-    body = { { 2, 6 }, { 1, 3 } }, slab = { { 6, 16 }, { 2, 4 } }, place = 0.7, way = 0.6,
+    body = { { 2, 6 }, { 1, 3 } }, slab = { { 6, 16 }, { 2, 4 } }, place = 0.7, distance = 0.6,
   },
   space = {
     shapes = { "block", "half ring", "cylinder", "indenter" },
     orders = { "L1", "N2", "N3", "N2-N3", "N2-N2.1" },
-    body = { { 2, 3 }, { 1, 2 }, { 1, 1 } }, slab = { { 4, 6 }, { 2, 4 }, { 1, 2 } }, place = 0.2, way = 0.3,
+    body = { { 2, 3 }, { 1, 2 }, { 1, 1 } }, slab = { { 4, 6 }, { 2, 4 }, { 1, 2 } }, place = 0.2, distance = 0.3,
   },
 }
 scenes.kinds = { "plane", "space" }
@@ -69,7 +69,7 @@ function scenes.describe(kind, seed)
   scene.penalty = roll.decades(30, 300) * math.min(scene.E, 1)
   scene.place = roll.uniform(-ranges.place, ranges.place)
   scene.press = roll.uniform(0.01, 0.2)
-  scene.drag = roll.uniform(-ranges.way, ranges.way)
+  scene.drag = roll.uniform(-ranges.distance, ranges.distance)
   scene.steps = { press = roll.integer(2, 6), drag = roll.integer(4, 24) }
   return scene
 end
@@ -130,19 +130,19 @@ function scenes.build(scene, mirrored)
   end
   local patch, top, bottom = slab_patch(scene.kind)
   local slab = body(patch, "slab", top, 1)
-  local bodies, faces, held = { slab = slab }, { slab = slab:face(top) }, {}
+  local bodies, faces, driven = { slab = slab }, { slab = slab:face(top) }, {}
   if scene.shape == "cylinder" then
-    held = cylinder(scene.kind, sign * scene.place)
-    faces.body = held
+    driven = cylinder(scene.kind, sign * scene.place)
+    faces.body = driven
   else
     local shape, face, sides = shapes[scene.kind][scene.shape](scene.place)
     bodies.body = body(shape, "body", face, scene.E)
     faces.body = bodies.body:face(face)
-    for i, side in ipairs(sides) do held[i] = bodies.body:face(mirrored and other_side[side] or side) end
+    for i, side in ipairs(sides) do driven[i] = bodies.body:face(mirrored and other_side[side] or side) end
   end
   local model = sg.model{
     bodies = bodies,
-    supports = { bed = { on = slab:face(bottom), fix = all }, grip = { on = held, drive = all } },
+    supports = { bed = { on = slab:face(bottom), fix = all }, grip = { on = driven, drive = all } },
     contacts = { interface = {
       slave = faces[scene.slave], master = faces[scene.slave == "slab" and "body" or "slab"], penalty = scene.penalty,
       friction = scene.mu > 0 and { mu = scene.mu, penalty = scene.penalty } or nil,

@@ -3,7 +3,7 @@
 #include "contact/couple3d.hpp"
 
 namespace signorini::contact {
-namespace held_test {
+namespace fixed_state_test {
 
 using namespace test;
 
@@ -183,5 +183,5 @@ TEST(FixedContactState, AdhesionIgnoresIt) {
   EXPECT_LT((couple.dense().force - before).norm(), 1e-13 * before.norm());
 }
 
-} // namespace held_test
+} // namespace fixed_state_test
 } // namespace signorini::contact

@@ -6,7 +6,7 @@
 namespace signorini::bind {
 
 /// The parts read so far. `where`: name of the argument in messages.
-template <int D> struct Draft {
+template <int D> struct SceneBuilder {
   model::Scene<D> scene;
   std::vector<Rigid<D>> obstacles = {}; ///< those of the scene
 
@@ -25,8 +25,8 @@ template <int D>
   fail(where, " must be ", expected, ", got the ", place.kind, " '", place.name, "': ", cure);
 }
 
-/// An entry of `supports` or `loads`; the caller sets its name. New obstacles are added to the draft.
-template <int D> model::Support<D> read_support(Draft<D>& draft, const Arguments& a);
-template <int D> model::Load read_load(const Draft<D>& draft, const Arguments& a);
+/// An entry of `supports` or `loads`; the caller sets its name. New obstacles are added to the scene.
+template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const Arguments& a);
+template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arguments& a);
 
 } // namespace signorini::bind

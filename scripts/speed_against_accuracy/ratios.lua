@@ -2,40 +2,40 @@
 
 local sg = require "signorini"
 
-local shares = {}
+local ratios = {}
 
 --- The pairs of orders that are compared: layers against N2 and N4, and two rows of a layer against one.
-shares.pairs = { { "N2-N2.1", "N2" }, { "N2-N2.2", "N2" }, { "N2-N2.2", "N4" }, { "N2-N2.2x2", "N2-N2.2" } }
+ratios.pairs = { { "N2-N2.1", "N2" }, { "N2-N2.2", "N2" }, { "N2-N2.2", "N4" }, { "N2-N2.2x2", "N2-N2.2" } }
 
---- { at (errors), share (ratio of times at each of them) }, or { why } if there is no common error, from a comparison
+--- { at (errors), ratio (of times at each of them) }, or { why } if there is no common error, from a comparison
 --- by sg.work_precision. nil if one of the two was not run.
-function shares.of(comparison, label, other)
-  for _, ratio in ipairs(comparison.ratios) do
-    local turned = ratio.a == other and ratio.b == label
-    if turned or ratio.a == label and ratio.b == other then
-      if ratio.why then return { why = ratio.why } end
-      local found = { at = ratio.at, share = {} }
-      for i, value in ipairs(ratio.ratio) do found.share[i] = turned and 1 / value or value end
+function ratios.of(comparison, order, other)
+  for _, entry in ipairs(comparison.ratios) do
+    local turned = entry.a == other and entry.b == order
+    if turned or entry.a == order and entry.b == other then
+      if entry.why then return { why = entry.why } end
+      local found = { at = entry.at, ratio = {} }
+      for i, value in ipairs(entry.ratio) do found.ratio[i] = turned and 1 / value or value end
       return found
     end
   end
 end
 
 --- The ratios of a pair of orders in the middle of the common errors, over all problems' results, in increasing order:
---- a list of { share, problem (its title), error (its title) }.
-function shares.over_all(results, label, other)
+--- a list of { ratio, problem (its title), error (its title) }.
+function ratios.over_all(results, order, other)
   local list = {}
   for _, result in ipairs(results) do
     local problem = result.measured.problem
     for _, error in ipairs(problem.errors) do
       local comparison = result.comparisons[error.name]
-      local found = comparison and shares.of(comparison, label, other)
-      if found and found.share then
-        list[#list + 1] = { share = found.share[(#found.share + 1) // 2], problem = problem.title, error = error.title }
+      local found = comparison and ratios.of(comparison, order, other)
+      if found and found.ratio then
+        list[#list + 1] = { ratio = found.ratio[(#found.ratio + 1) // 2], problem = problem.title, error = error.title }
       end
     end
   end
-  table.sort(list, function(a, b) return a.share < b.share end)
+  table.sort(list, function(a, b) return a.ratio < b.ratio end)
   return list
 end
 
@@ -43,7 +43,7 @@ end
 local function is_case(row, order, mesh) return row.order == order and (mesh == nil or row.mesh == mesh) end
 
 --- For N2 on every mesh, the fastest case with at most its error: a list of { plain, best }, rows of the study.
-function shares.least(cases, error, time)
+function ratios.least(cases, error, time)
   local list = {}
   for _, row in ipairs(cases.rows) do
     if is_case(row, "N2") and row[error] and row[error] ~= 0 then
@@ -55,7 +55,7 @@ function shares.least(cases, error, time)
 end
 
 --- The pairs with a published saving of which both were run: { row, other, saved, printed (both in %) }.
-function shares.published(cases, savings, time)
+function ratios.published(cases, savings, time)
   local function row_of(order, mesh)
     local row = cases:where(function(row) return is_case(row, order, mesh) end).rows[1]
     return row and not row.failed and row[time] and row or nil
@@ -70,4 +70,4 @@ function shares.published(cases, savings, time)
   return list
 end
 
-return shares
+return ratios

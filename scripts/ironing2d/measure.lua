@@ -3,7 +3,7 @@
 -- slab's ends would dominate; on m2 and finer it matters even within the window, so the oscillation is also measured
 -- after subtraction of the best-fit parabola ("detrended").
 
-local amplitude = { first = 110, last = 165 }
+local measure = { first = 110, last = 165 }
 
 --- The values minus their best-fit parabola. On points x that lie symmetrically about 0 the polynomials 1, x and x² −
 --- mean x² are orthogonal, so each coefficient is a quotient of two sums.
@@ -28,8 +28,8 @@ local function spread(values) return math.max(table.unpack(values)) - math.min(t
 
 --- { raw, detrended } of a list over the steps first to last, by default the window; empty if the run ended
 --- before it.
-function amplitude.of(values, first, last)
-  first, last = first or amplitude.first, last or amplitude.last
+function measure.oscillation(values, first, last)
+  first, last = first or measure.first, last or measure.last
   if #values < last then return {} end
   local part = table.move(values, first, last, 1, {})
   return { raw = spread(part), detrended = spread(without_parabola(part)) }
@@ -37,7 +37,7 @@ end
 
 --- Adds the named oscillations in % of those of a case, if given: raw_percent, detrended_percent. No percentage for an
 --- oscillation of zero, the detrended one of two or three steps.
-function amplitude.percent(cases, forces, reference)
+function measure.percent(cases, forces, reference)
   for _, case in ipairs(cases) do
     for _, force in ipairs(forces) do
       for _, kind in ipairs { "raw", "detrended" } do
@@ -50,11 +50,11 @@ end
 
 --- Adds to each case the oscillations of its reactions, dPx and dPy, also in % of those of `reference`, a
 --- case or nothing.
-function amplitude.compare(cases, reference)
+function measure.compare(cases, reference)
   for _, case in ipairs(cases) do
-    case.dPx, case.dPy = amplitude.of(case.run:column "grip.fx"), amplitude.of(case.run:column "grip.fy")
+    case.dPx, case.dPy = measure.oscillation(case.run:column "grip.fx"), measure.oscillation(case.run:column "grip.fy")
   end
-  amplitude.percent(cases, { "dPx", "dPy" }, reference)
+  measure.percent(cases, { "dPx", "dPy" }, reference)
 end
 
-return amplitude
+return measure
