@@ -44,6 +44,11 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   const auto* law = std::get_if<contact::PenaltyLaw>(&model.system.scene.contacts[contact].method);
   set_field(L, "per", law && law->per == contact::TractionArea::current ? "current" : "reference");
   set_force<D>(L, sum.force);
+  const auto& multipliers = model.present.contacts[contact].multiplier_results;
+  double weighted = 0;
+  for (const auto& one : multipliers)
+    if (one.state != contact::ContactState::open) weighted = std::max(weighted, -one.gap);
+  if (!multipliers.empty()) set_field(L, "weighted_penetration", weighted);
   const auto set_tally = [&](const char* name, const char* place, const auto& tally) {
     set_field(L, name, static_cast<int>(tally.count));
     if (tally.count > 0) set_field(L, place, VectorX(tally.latest));

@@ -42,8 +42,11 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
     law.friction = friction.get<double>("mu");
     law.tangential = friction.get<double>("penalty");
   }
-  if (a.has("per") && a.get<std::string>("per") == "reference") law.per = contact::TractionArea::reference;
-  return law;
+  const bool mortar = a.get<std::string>("method") == "mortar";
+  if (mortar || (a.has("per") && a.get<std::string>("per") == "reference")) law.per = contact::TractionArea::reference;
+  if (!mortar) return law;
+  const bool reduced = a.has("multipliers") && a.get<std::string>("multipliers") == "reduced";
+  return contact::MortarLaw{law, reduced ? contact::MultiplierSpace::reduced : contact::MultiplierSpace::equal};
 }
 
 /// The user's function of the reference position. It is called only while the model is created, when sg.model's

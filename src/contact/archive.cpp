@@ -29,6 +29,11 @@ auto members(Adhesion& law) {
   return std::tie(hamaker, distance);
 }
 
+auto members(MortarLaw& law) {
+  auto& [penalty, multipliers] = law;
+  return std::tuple_cat(members(penalty), std::tie(multipliers));
+}
+
 /// The position follows from the displacements; a point that acts is not beyond the master.
 template <int D> auto members(PointResult<D>& result) {
   auto& [state, position, gap, beyond, settled, pressure, area, tangents, friction, force, law_area, potential] =
@@ -41,6 +46,17 @@ template <int D> auto members(PointHistory<D>& point) {
   auto& [projection, cleared, slips, slip, limit, multiplier] = point;
   auto& [foot, element, along, xi, gap] = projection;
   return std::tie(foot, element, along, xi, gap, slips, slip, limit, multiplier);
+}
+
+template <int D> auto members(MultiplierResult<D>& result) {
+  auto& [state, beyond, area, gap, pressure, potential, friction, components, elastic, slipped] = result;
+  return std::tie(state, area, gap, pressure, potential, friction, components, elastic, slipped);
+}
+
+/// `cleared` is not stored, because settling resets it.
+template <int D> auto members(MultiplierHistory<D>& multiplier) {
+  auto& [cleared, pressure, friction, elastic, limit] = multiplier;
+  return std::tie(pressure, friction, elastic, limit);
 }
 
 namespace {
@@ -82,33 +98,41 @@ template <int D> void write(ArchiveWriter& to, const Method<D>& method) {
     to.put(*penalty);
   else if (const auto* adhesion = std::get_if<Adhesion>(&method))
     to.put(*adhesion);
+  else if (const auto* mortar = std::get_if<MortarLaw>(&method))
+    to.put(*mortar);
 }
 
 template <int D> Method<D> read_method(ArchiveReader& from) {
   const int index = from.get<int>();
-  require(index == 0 || index == 1, "contact.archive.law", {{"number", index}});
+  require(index >= 0 && index <= 2, "contact.archive.law", {{"number", index}});
   if (index == 0) return from.get<PenaltyLaw>();
-  return from.get<Adhesion>();
+  if (index == 1) return from.get<Adhesion>();
+  return from.get<MortarLaw>();
 }
 
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {
-  const auto& [points, results, dissipated, growth] = history;
+  const auto& [points, results, multipliers, multiplier_results, dissipated, growth] = history;
   to.put(dissipated, growth, static_cast<std::uint64_t>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool acts = results[i].area != 0;
     to.put(points[i], acts);
     if (acts) to.put(results[i]);
   }
+  for (std::size_t a = 0; a < multipliers.size(); ++a) to.put(multipliers[a], multiplier_results[a]);
 }
 
 template <int D> void read_history(ArchiveReader& from, History<D>& history) {
-  auto& [points, results, dissipated, growth] = history;
+  auto& [points, results, multipliers, multiplier_results, dissipated, growth] = history;
   from.into(dissipated, growth);
   const auto count = from.get<std::uint64_t>();
   require(count == points.size(), "contact.archive.points", {{"saved", count}, {"count", points.size()}});
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::apply([&](auto&... parts) { from.into(parts...); }, members(points[i]));
     results[i] = from.get<bool>() ? from.get<PointResult<D>>() : PointResult<D>{};
+  }
+  for (std::size_t a = 0; a < multipliers.size(); ++a) {
+    std::apply([&](auto&... parts) { from.into(parts...); }, members(multipliers[a]));
+    multiplier_results[a] = from.get<MultiplierResult<D>>();
   }
 }
 

@@ -53,6 +53,14 @@ void Formulation<D>::append_master(int element, const Offsets& offsets, std::vec
 
 template <int D>
 void Formulation<D>::append_dofs(const Block& block, const Offsets& offsets, std::vector<int>& dofs) const {
+  if (block.multiplier >= 0) {
+    for (const int node : block.slave_nodes)
+      for (int c = 0; c < D; ++c) dofs.push_back(offsets.slave + D * slave().body_function(node) + c);
+    for (const int node : block.master_nodes)
+      for (int c = 0; c < D; ++c)
+        dofs.push_back(offsets.master + (master().rigid() ? 0 : D * master().surface()->body_function(node)) + c);
+    return;
+  }
   append_slave(block.slave_element, offsets, dofs);
   append_master(block.master_element, offsets, dofs);
   for (const int number : block.extra) dofs.push_back(offsets.extra + number);
@@ -91,6 +99,7 @@ template <int D> void Formulation<D>::settle(History<D>& accepted) {
     accepted.points[i].cleared = 0;
     accepted.results[i].position = position(points_, slave(), i);
   }
+  for (MultiplierHistory<D>& multiplier : accepted.multipliers) multiplier.cleared = 0;
 }
 
 template <int D> std::vector<double> Formulation<D>::gaps(const History<D>& history) const {

@@ -21,7 +21,7 @@ template <int D> struct ContactSetting {
 
 /// Rules of a step that take precedence over the gap and friction of contact points.
 struct Controls {
-  std::vector<FixedContactState> fixed_states = {}; ///< one entry per point; empty: all points are free
+  std::vector<FixedContactState> fixed_states = {}; ///< one entry per constraint; empty: all are free
   /// Contact tolerance of a step's first guess, where otherwise rounding error would decide the states. Free points
   /// with a distance to contact below it, on either side, touch and stick. Points whose slip is within this distance of
   /// Coulomb's cone (all that slipped in the last step) continue to slip if the path continues in its direction
@@ -69,13 +69,18 @@ public:
   virtual double friction() const { return 0; }
   virtual double penalty() const { return 0; }
 
-  /// Evaluation: move() once, then evaluate_part() for 0 … parts() − 1, in any order and in parallel, then gather().
-  /// blocks() are then those of the trial, bitwise independent of the order. Without `tangent` their matrices are
-  /// empty.
+  /// Number of multipliers that are eliminated; their histories are then the constraints of history.hpp.
+  virtual int multipliers() const { return 0; }
+  /// The contact point where a constraint is, for messages.
+  virtual int point_of(int constraint) const { return constraint; }
+
+  /// Evaluation: move() once, then evaluate_part() for 0 … parts() − 1, in any order and in parallel, then gather(),
+  /// which may use parallel() itself. blocks() are then those of the trial, bitwise independent of the order. Without
+  /// `tangent` their matrices are empty.
   void move(const double* slave_displacement, const double* master_displacement);
   virtual int parts() const = 0;
   virtual void evaluate_part(int part, const Trial<D>& trial, bool tangent) = 0;
-  virtual void gather() = 0;
+  virtual void gather(const Trial<D>& trial, bool tangent) = 0;
   const std::vector<Block>& blocks() const { return blocks_; }
   /// Appends the degrees of freedom of a block's columns, those of the rows first.
   void append_dofs(const Block& block, const Offsets& offsets, std::vector<int>& dofs) const;

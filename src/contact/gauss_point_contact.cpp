@@ -8,14 +8,8 @@ namespace signorini::contact {
 
 template <int D>
 GaussPointContact<D>::GaussPointContact(ContactSetting<D> setting) : Formulation<D>(std::move(setting)) {
-  // Whole elements with about the same number of points per piece
-  constexpr std::size_t pieces = contact_pieces<D>;
-  const auto& list = this->points_.list;
-  for (std::size_t i = 1, first = 0; i <= list.size(); ++i)
-    if (i == list.size() || (list[i].element != list[i - 1].element && (i - first) * pieces >= list.size())) {
-      parts_.push_back({first, i, BlockSums<D>(this->slave(), this->master())});
-      first = i;
-    }
+  for (const auto& [first, last] : pieces(this->points_))
+    parts_.push_back({first, last, BlockSums<D>(this->slave(), this->master())});
 }
 
 template <int D> void GaussPointContact<D>::evaluate_part(int index, const Trial<D>& trial, bool tangent) {
@@ -48,23 +42,9 @@ bool GaussPointContact<D>::find_foot(std::size_t i, const Trial<D>& trial, Part&
 }
 
 template <int D> LocalGeometry<D> GaussPointContact<D>::geometry(std::size_t i, const Trial<D>& trial, Feet& at) const {
-  const Projection<D>& projection = trial.present.points[i].projection;
-  const Master<D>& master = this->master();
-  LocalGeometry<D> geometry;
-  geometry.slave = trial.present.results[i].position;
-  geometry.slave_tangent = tangents(this->points_, this->slave(), i);
-  master.functions(at.foot, 1);
-  geometry.master = &at.foot;
-  geometry.foot = projection.foot;
-  geometry.along = projection.along;
-  geometry.gap = projection.gap;
-  geometry.normal = projection.foot == Foot::regular ? master.normal(at.foot)
-                                                     : Vec<D>((geometry.slave - at.foot.position) / projection.gap);
-  geometry.slip_point = nullptr;
-  geometry.revolved = this->points_.revolved;
-  geometry.reference_measure = this->points_.list[i].reference_area;
-  geometry.fade = master.fade(projection.xi, geometry.fade_rate);
-  return geometry;
+  this->master().functions(at.foot, 1);
+  return point_geometry(this->points_, i, this->slave(), this->master(), trial.present.results[i].position,
+                        trial.present.points[i].projection, at.foot);
 }
 
 template <int D>
@@ -85,7 +65,7 @@ void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const Lo
   part.sums.add(this->points_, i, at.foot, geometry.slip_point ? &at.slip_point : nullptr, force, part.tangent);
 }
 
-template <int D> void GaussPointContact<D>::gather() {
+template <int D> void GaussPointContact<D>::gather(const Trial<D>&, bool) {
   for (Part& part : parts_) {
     part.blocks = part.sums.hand_over(this->blocks_);
     this->search_seconds_ += std::exchange(part.search_seconds, 0);

@@ -3,6 +3,7 @@
 
 #include "contact/block_sums.hpp"
 #include "contact/formulation.hpp"
+#include "contact/point_geometry.hpp"
 
 namespace signorini::contact {
 
@@ -13,7 +14,7 @@ public:
 
   int parts() const final { return static_cast<int>(parts_.size()); }
   void evaluate_part(int part, const Trial<D>& trial, bool tangent) final;
-  void gather() final;
+  void gather(const Trial<D>& trial, bool tangent) final;
   double memory() const final;
 
 protected:

@@ -4,7 +4,9 @@
 
 namespace signorini::contact {
 
-template <int D> History<D>::History(const ContactPoints<D>& of) : points(of.size()), results(of.size()) {
+template <int D>
+History<D>::History(const ContactPoints<D>& of, int count)
+    : points(of.size()), results(of.size()), multipliers(at(count)), multiplier_results(at(count)) {
   for (std::size_t i = 0; i < of.size(); ++i) results[i].position = of.reference[i];
 }
 
@@ -22,9 +24,19 @@ template <int D> Resultant<D> resultant(const History<D>& history) {
   return sum;
 }
 
+template <int D> int constraints(const History<D>& history) {
+  return static_cast<int>(history.multipliers.empty() ? history.results.size() : history.multipliers.size());
+}
+
+template <int D> Constraint constraint(const History<D>& history, int index) {
+  const auto of = [](const auto& result) { return Constraint{result.state, result.beyond, result.gap}; };
+  return history.multipliers.empty() ? of(history.results[at(index)]) : of(history.multiplier_results[at(index)]);
+}
+
 template <int D> double potential(const History<D>& history) {
   double sum = 0;
   for (const PointResult<D>& point : history.results) sum += point.potential;
+  for (const MultiplierResult<D>& multiplier : history.multiplier_results) sum += multiplier.potential;
   return sum;
 }
 
@@ -35,7 +47,9 @@ template <int D> double growth(const PointResult<D>& before, const PointResult<D
 
 template <int D> double memory(const History<D>& history) {
   return static_cast<double>(history.points.capacity() * sizeof(PointHistory<D>) +
-                             history.results.capacity() * sizeof(PointResult<D>));
+                             history.results.capacity() * sizeof(PointResult<D>) +
+                             history.multipliers.capacity() * sizeof(MultiplierHistory<D>) +
+                             history.multiplier_results.capacity() * sizeof(MultiplierResult<D>));
 }
 
 template <int D> void look_again(History<D>& history) {
@@ -46,6 +60,8 @@ template <int D> void look_again(History<D>& history) {
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template struct History<D>;                                                                                          \
   template Resultant<D> resultant(const History<D>&);                                                                  \
+  template int constraints(const History<D>&);                                                                         \
+  template Constraint constraint(const History<D>&, int);                                                              \
   template double potential(const History<D>&);                                                                        \
   template double growth(const PointResult<D>&, const PointResult<D>&);                                                \
   template double memory(const History<D>&);                                                                           \

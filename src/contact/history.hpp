@@ -38,12 +38,37 @@ template <int D> struct PointHistory {
   double multiplier = 0; ///< λ_N of the augmented Lagrangian method, a pressure
 };
 
-/// One entry per contact point in both lists.
+/// Result of one multiplier of mortar contact in an evaluation; components as in mortar_law.hpp.
+template <int D> struct MultiplierResult {
+  ContactState state = ContactState::open;
+  bool beyond = false;              ///< none of its points has a projection
+  double area = 0;                  ///< a_A, reference
+  double gap = 0;                   ///< ḡ_A
+  double pressure = 0;              ///< z_A
+  double potential = 0;             ///< energy of its springs
+  Vec<D> friction = Vec<D>::Zero(); ///< t_A; the traction on the slave is Σ M_A (z_A n̄ − t_A)
+  FaceCoordinates<D> components = FaceCoordinates<D>::Zero(); ///< of t_A
+  FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero();    ///< slip of its spring
+  double slipped = 0;                                         ///< since the accepted state
+};
+
+/// History of one multiplier.
+template <int D> struct MultiplierHistory {
+  double cleared = 0;  ///< value of Formulation::travel_ up to which all its points stay open
+  double pressure = 0; ///< λ_A of the augmented Lagrangian method
+  FaceCoordinates<D> friction = FaceCoordinates<D>::Zero(); ///< λ_TA
+  FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero();  ///< slip of its spring in the accepted state
+  double limit = 0;                                         ///< μ z_A a_A in the accepted state
+};
+
+/// One entry per contact point in the first two lists, one per multiplier in the others.
 template <int D> struct History {
-  explicit History(const ContactPoints<D>& of);
+  explicit History(const ContactPoints<D>& of, int multipliers = 0);
 
   std::vector<PointHistory<D>> points;
   std::vector<PointResult<D>> results;
+  std::vector<MultiplierHistory<D>> multipliers;
+  std::vector<MultiplierResult<D>> multiplier_results;
   /// Sums over all accepted steps, by the trapezoidal rule over each: work of friction, ∫ μ t_N dγ da; and ∫∫ φ dA, the
   /// law's energy φ per area times the growth of the area A on which its tractions act, which no force does.
   double dissipated = 0, growth = 0;
@@ -59,6 +84,15 @@ template <int D> struct Resultant {
   int active = 0, slipping = 0;
 };
 template <int D> Resultant<D> resultant(const History<D>& history);
+
+/// Constraints of a contact, which open and close: its multipliers or, without any, its points.
+struct Constraint {
+  ContactState state;
+  bool beyond; ///< no closest point, because that is an open end of the master
+  double gap;  ///< if not open
+};
+template <int D> int constraints(const History<D>& history);
+template <int D> Constraint constraint(const History<D>& history, int index);
 
 /// Energy of the law: springs of the penalty law, or adhesion.
 template <int D> double potential(const History<D>& history);

@@ -94,6 +94,12 @@ template <int D> void Master<D>::locate(const FaceCoordinates<D>& xi, FacePoint<
   functions(point, 0);
 }
 
+template <int D> void Master<D>::locate(const Projection<D>& projection, FacePoint<D>& point) const {
+  if (!shape_) return surface_->locate(projection.element, projection.xi, 2, point);
+  point.xi = projection.xi;
+  place(point);
+}
+
 template <int D>
 FaceCoordinates<D> Master<D>::advance(const FaceCoordinates<D>& slip, const FacePoint<D>& foot, double length) const {
   if (!shape_) return advance_slip(*surface_, slip, foot, length);

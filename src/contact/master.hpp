@@ -41,6 +41,8 @@ public:
   void functions(FacePoint<D>& point, int order) const;
   /// Sets the element that contains xi, the position and the functions there, without derivatives.
   void locate(const FaceCoordinates<D>& xi, FacePoint<D>& point) const;
+  /// The geometry (order 2) at a closest point found before, without functions.
+  void locate(const Projection<D>& projection, FacePoint<D>& point) const;
   /// The slip point's coordinate after a step (slip.hpp); `foot` is the projected point.
   FaceCoordinates<D> advance(const FaceCoordinates<D>& slip, const FacePoint<D>& foot, double length) const;
 

@@ -17,6 +17,10 @@ template <int D> std::unique_ptr<Formulation<D>> make(const Adhesion& law, Conta
   return std::make_unique<AdhesiveContact<D>>(std::move(setting), law);
 }
 
+template <int D> std::unique_ptr<Formulation<D>> make(const MortarLaw& law, ContactSetting<D> setting) {
+  return std::make_unique<MortarContact<D>>(setting, law);
+}
+
 template <int D> std::unique_ptr<Formulation<D>> make(const FormulationFactory<D>& factory, ContactSetting<D> setting) {
   return factory(std::move(setting));
 }

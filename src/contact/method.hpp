@@ -2,8 +2,7 @@
 // Contact method as the user specifies it, and the formulation made from it.
 
 #include "contact/adhesion.hpp"
-#include "contact/formulation.hpp"
-#include "contact/penalty.hpp"
+#include "contact/mortar_contact.hpp"
 
 #include <variant>
 
@@ -13,7 +12,7 @@ namespace signorini::contact {
 template <int D> using FormulationFactory = std::function<std::unique_ptr<Formulation<D>>(ContactSetting<D>)>;
 
 /// Contact law between a slave face and its master: one alternative per formulation, with its constants.
-template <int D> using Method = std::variant<PenaltyLaw, Adhesion, FormulationFactory<D>>;
+template <int D> using Method = std::variant<PenaltyLaw, Adhesion, MortarLaw, FormulationFactory<D>>;
 
 /// Throws Error if a constant is invalid.
 template <int D> std::unique_ptr<Formulation<D>> make_formulation(const Method<D>& method, ContactSetting<D> setting);

@@ -1,6 +1,15 @@
 #include "contact/penalty.hpp"
 
+#include "base/error.hpp"
+
 namespace signorini::contact {
+
+const PenaltyLaw& checked(const PenaltyLaw& law) {
+  require(law.normal > 0, "contact.penalty.normal", {{"value", law.normal}});
+  require(law.friction >= 0, "contact.penalty.friction", {{"value", law.friction}});
+  require(law.friction == 0 || law.tangential > 0, "contact.penalty.tangential", {{"value", law.tangential}});
+  return law;
+}
 
 template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D>& geometry, LocalForce<D>& result) {
   using Force = LocalForce<D>;

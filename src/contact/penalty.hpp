@@ -16,6 +16,9 @@ struct PenaltyLaw {
   TractionArea per = TractionArea::current; ///< reference, without friction: the forces derive from an energy
 };
 
+/// Throws Error if a constant is invalid.
+const PenaltyLaw& checked(const PenaltyLaw& law);
+
 /// Evaluates the law (return mapping) at a closed point, t_N = λ_N − ε_N g > 0, or at one with a fixed state.
 template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D>& geometry, LocalForce<D>& result);
 

@@ -1,23 +1,10 @@
 #include "contact/penalty_contact.hpp"
 
-#include "base/error.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace signorini::contact {
-
-namespace {
-
-PenaltyLaw checked(const PenaltyLaw& law) {
-  require(law.normal > 0, "contact.penalty.normal", {{"value", law.normal}});
-  require(law.friction >= 0, "contact.penalty.friction", {{"value", law.friction}});
-  require(law.friction == 0 || law.tangential > 0, "contact.penalty.tangential", {{"value", law.tangential}});
-  return law;
-}
-
-} // namespace
 
 template <int D>
 PenaltyContact<D>::PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& law)

@@ -10,10 +10,10 @@ namespace {
 constexpr unsigned char beyond = 255;
 
 /// State as a code. Adhesive states count as open, because the traction is continuous in them.
-template <int D> unsigned char code(const contact::PointResult<D>& result) {
-  if (result.beyond) return beyond;
-  const bool smooth = result.state == contact::ContactState::adhesion;
-  return static_cast<unsigned char>(smooth ? contact::ContactState::open : result.state);
+unsigned char code(const contact::Constraint& constraint) {
+  if (constraint.beyond) return beyond;
+  const bool smooth = constraint.state == contact::ContactState::adhesion;
+  return static_cast<unsigned char>(smooth ? contact::ContactState::open : constraint.state);
 }
 
 /// Slipping points are fixed to stick, because the direction of slip would change in every iteration.
@@ -30,37 +30,66 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
   entries_.clear();
   first_.assign(1, 0);
   frictional_.clear();
+  reversed_.clear();
+  frictions_.assign(contacts.size(), {});
   rounds_ = 0;
   frozen_ = options.freeze > 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    first_.push_back(first_.back() + static_cast<int>(histories[k].results.size()));
+    first_.push_back(first_.back() + constraints(histories[k]));
     frictional_.push_back(contacts[k]->friction() > 0);
     controls[k].fixed_states.clear();
     if (!frozen_) continue;
-    for (const auto& result : histories[k].results)
-      controls[k].fixed_states.push_back(result.state == contact::ContactState::open
+    for (int i = 0; i < constraints(histories[k]); ++i)
+      controls[k].fixed_states.push_back(constraint(histories[k], i).state == contact::ContactState::open
                                              ? contact::FixedContactState::open
                                              : contact::FixedContactState::touching);
   }
   counts_.assign(at(first_.back()), 0);
 }
 
+template <int D> void ActiveSet<D>::stick_where_reversed(const Histories& histories, Controls& controls) {
+  using contact::ContactState, contact::FixedContactState;
+  for (const auto& [index, before] : std::exchange(reversed_, {})) {
+    std::vector<FixedContactState>& fixed = controls[at(index.contact)].fixed_states;
+    if (fixed.empty()) continue; // freed meanwhile
+    fixed[at(index.point)] = before;
+    if (std::all_of(fixed.begin(), fixed.end(), [](auto state) { return state == FixedContactState::free; }))
+      fixed.clear();
+  }
+  for (std::size_t k = 0; k < histories.size(); ++k) {
+    const auto& results = histories[k].multiplier_results;
+    auto& before = frictions_[k];
+    before.resize(results.size(), contact::FaceCoordinates<D>::Zero());
+    for (std::size_t a = 0; a < results.size(); ++a) {
+      const contact::FaceCoordinates<D> last = before[a];
+      before[a].setZero();
+      if (results[a].state == ContactState::slip) before[a] = results[a].components;
+      if (!(before[a].dot(last) < 0)) continue;
+      std::vector<FixedContactState>& fixed = controls[k].fixed_states;
+      fixed.resize(results.size(), FixedContactState::free);
+      reversed_.push_back({{static_cast<int>(k), static_cast<int>(a)}, fixed[a]});
+      fixed[a] = FixedContactState::stick;
+    }
+  }
+}
+
 template <int D> void ActiveSet<D>::note(const Histories& histories, double residual, Controls& controls) {
   Entry entry{residual, {}};
   entry.states.reserve(counts_.size());
   for (const auto& history : histories)
-    for (const auto& result : history.results) entry.states.push_back(code(result));
+    for (int i = 0; i < constraints(history); ++i) entry.states.push_back(code(constraint(history, i)));
+  stick_where_reversed(histories, controls);
   if (!entries_.empty() && options_.changes > 0 && !frozen_) {
     const std::vector<unsigned char>& before = entries_.back().states;
     for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += entry.states[i] != before[i];
     for (std::size_t k = 0; k < histories.size(); ++k) {
-      const auto& results = histories[k].results;
+      const int count = constraints(histories[k]);
       const int* counts = counts_.data() + first_[k];
-      if (std::none_of(counts, counts + results.size(), [&](int count) { return count > options_.changes; })) continue;
+      if (std::none_of(counts, counts + count, [&](int changes) { return changes > options_.changes; })) continue;
       std::vector<contact::FixedContactState>& fixed = controls[k].fixed_states;
-      fixed.assign(results.size(), contact::FixedContactState::free);
-      for (std::size_t i = 0; i < results.size(); ++i)
-        if (counts[i] > options_.changes) fixed[i] = fixed_state_for(results[i].state);
+      fixed.assign(at(count), contact::FixedContactState::free);
+      for (int i = 0; i < count; ++i)
+        if (counts[i] > options_.changes) fixed[at(i)] = fixed_state_for(constraint(histories[k], i).state);
     }
   }
   entries_.push_back(std::move(entry));

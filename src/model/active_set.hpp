@@ -1,6 +1,6 @@
 #pragma once
-// Active set of a step: records the states of contact points (open, stick, slip) over the iterations, fixes states, and
-// detects set cycling.
+// Active set of a step: records the states of contact points or multipliers (open, stick, slip) over the iterations,
+// fixes states, and detects set cycling.
 
 #include "contact/formulation.hpp"
 #include "model/constants.hpp"
@@ -8,10 +8,11 @@
 
 #include <deque>
 #include <string>
+#include <utility>
 
 namespace signorini::model {
 
-/// A contact point: index of the contact, and index of the point in it.
+/// A constraint (contact/history.hpp): index of the contact, and index of the point or multiplier in it.
 struct PointIndex {
   int contact, point;
 };
@@ -25,7 +26,9 @@ public:
   /// open or closed.
   void begin(const contact::Formulations<D>& contacts, const Histories& histories, const ActiveSetOptions& options,
              Controls& controls);
-  /// Records the states of an evaluation with its residual, and fixes points whose state has changed too often.
+  /// Records the states of an evaluation with its residual, and fixes points whose state has changed too often. A
+  /// multiplier whose slip reverses sticks in the next evaluation: Newton's method has passed over a state of stick,
+  /// and would return, because the tangent of slip has no stiffness that stops it.
   void note(const Histories& histories, double residual, Controls& controls);
   /// Ends the freeze if `ratio`, |f·Δu| over its first value, is below options.freeze.
   void thaw(double ratio, Controls& controls);
@@ -50,6 +53,7 @@ private:
     double residual;
     std::vector<unsigned char> states; ///< of all points, contact after contact; see code()
   };
+  void stick_where_reversed(const Histories& histories, Controls& controls);
   std::vector<int> changes(bool past_end) const;
   std::vector<PointIndex> points_with(const std::vector<int>& changes, int least) const;
 
@@ -58,6 +62,9 @@ private:
   std::vector<int> counts_;      ///< changes of each point in this step
   std::vector<int> first_;       ///< index of each contact's first point
   std::vector<bool> frictional_; ///< of each contact
+  /// Multipliers that stick in this evaluation, with the states to which they return.
+  std::vector<std::pair<PointIndex, contact::FixedContactState>> reversed_;
+  std::vector<std::vector<contact::FaceCoordinates<D>>> frictions_; ///< per contact and multiplier, before
   bool frozen_ = false;
   int rounds_ = 0;
 };

@@ -78,7 +78,9 @@ template <int D> void Assembly<D>::cover(bool contacts) {
     for (const contact::Block& block : contacts_[k]->blocks()) {
       Nodes dofs;
       contacts_[k]->append_dofs(block, unknowns_.of_contact(k), dofs);
-      contacts_[k]->append_master(block.master_element, unknowns_.of_contact(k), dofs, true);
+      if (block.multiplier < 0) contacts_[k]->append_master(block.master_element, unknowns_.of_contact(k), dofs, true);
+      for (const int element : block.master_elements)
+        contacts_[k]->append_master(element, unknowns_.of_contact(k), dofs, true);
       for (int& dof : dofs) dof = unknowns_.unknown(dof);
       groups.push_back(std::move(dofs));
     }
@@ -136,7 +138,7 @@ template <int D> void Assembly<D>::watch_contacts() {
       dofs.insert(dofs.end(), own.begin(), own.end());
       for (int alpha = 0; alpha < D - 1; ++alpha)
         for (bool at_end : {false, true})
-          for (int i = 0, e = block.slave_element; i < margin; ++i) {
+          for (int i = 0, e = block.slave_element; e >= 0 && i < margin; ++i) {
             e = contact.slave().neighbor(e, alpha, at_end);
             if (e < 0) break;
             contact.append_slave(e, unknowns_.of_contact(k), dofs);
@@ -156,9 +158,11 @@ template <int D> bool Assembly<D>::locate() {
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     for (const contact::Block& block : contacts_[k]->blocks()) {
       Placement& placement = placements_[k][block.key()];
-      if (!placement.positions.empty()) continue;
-      placement.columns.clear();
-      contacts_[k]->append_dofs(block, unknowns_.of_contact(k), placement.columns);
+      if (!placement.positions.empty() && block.multiplier < 0) continue;
+      Nodes dofs;
+      contacts_[k]->append_dofs(block, unknowns_.of_contact(k), dofs);
+      if (!placement.positions.empty() && dofs == placement.columns) continue;
+      placement.columns = std::move(dofs);
       placement.rows.assign(placement.columns.begin(), placement.columns.begin() + block.rows);
       std::vector<int> positions;
       for (int row : placement.rows)
@@ -236,7 +240,11 @@ template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Reques
   const Stopwatch watch;
   move(present.displacement);
   add_heads(contact_tasks.size());
-  for (const auto& contact : contacts_) contact->gather();
+  double gathering = 0;
+  {
+    ScopedTimer timer(gathering);
+    for (std::size_t k = 0; k < contacts_.size(); ++k) contacts_[k]->gather(trials[k], request.tangent);
+  }
   if (!locate()) {
     cover(true);
     locate();
@@ -250,7 +258,7 @@ template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Reques
     if (task.share == 0) add_elements(partitions_[task.body].rest, request, task);
 
   // The elapsed time is divided in proportion to the times of the tasks.
-  double bulk = 0, contact = 0;
+  double bulk = 0, contact = gathering;
   for (const Task& task : tasks) bulk += task.seconds;
   for (const ContactTask& task : contact_tasks) contact += task.seconds;
   const double scale = watch.seconds() / (bulk + contact);

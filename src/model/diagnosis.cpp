@@ -62,14 +62,15 @@ std::vector<FailurePlace> largest(const Model<D>& model, const VectorX& values, 
 }
 
 template <int D> FailurePlace contact_point(const Model<D>& model, const PointIndex& index, Message what) {
-  const contact::ContactPoints<D>& points = model.system.contacts[at(index.contact)]->points();
-  const auto i = at(index.point);
+  const contact::Formulation<D>& contact = *model.system.contacts[at(index.contact)];
+  const contact::ContactPoints<D>& points = contact.points();
+  const auto i = at(contact.point_of(index.point));
   return {"contact point",
           model.system.scene.contacts[at(index.contact)].name,
           points.list[i].element,
           points.reference[i],
           model.accepted.contacts[at(index.contact)].results[i].position,
-          model.present.contacts[at(index.contact)].results[i].gap,
+          constraint(model.present.contacts[at(index.contact)], index.point).gap,
           std::move(what)};
 }
 
@@ -80,18 +81,19 @@ void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<P
     diagnosis.places.push_back(contact_point(model, points[k], what(points[k])));
   if (points.empty()) return;
   const FailurePlace& first = diagnosis.places.front();
+  const bool weighted = model.system.contacts[at(points.front().contact)]->multipliers() > 0;
   diagnosis.messages.push_back(Message(
-      "model.diagnosis.points",
+      weighted ? "model.diagnosis.multipliers" : "model.diagnosis.points",
       {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
 }
 
 /// The contact points that are not open, those with the largest |gap| first.
 template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
   const auto& contacts = model.present.contacts;
-  const auto result = [&](const PointIndex& p) { return contacts[at(p.contact)].results[at(p.point)]; };
+  const auto result = [&](const PointIndex& p) { return constraint(contacts[at(p.contact)], p.point); };
   std::vector<PointIndex> points;
   for (int k = 0; k < static_cast<int>(contacts.size()); ++k)
-    for (int i = 0; i < static_cast<int>(contacts[at(k)].results.size()); ++i)
+    for (int i = 0; i < constraints(contacts[at(k)]); ++i)
       if (result({k, i}).state != contact::ContactState::open) points.push_back({k, i});
   std::stable_sort(points.begin(), points.end(), [&](const PointIndex& a, const PointIndex& b) {
     return std::abs(result(a).gap) > std::abs(result(b).gap);
@@ -286,7 +288,7 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
   if (report.outcome == Outcome::penetration)
     add_points(diagnosis, model, farthest(model), [&](const PointIndex& point) {
       return Message("model.place.gap",
-                     {{"gap", model.present.contacts[at(point.contact)].results[at(point.point)].gap}});
+                     {{"gap", constraint(model.present.contacts[at(point.contact)], point.point).gap}});
     });
   if (report.outcome == Outcome::singular_tangent && has_tangent) {
     const WeakDirection weak = null_direction(assembly.pattern(), assembly.values());

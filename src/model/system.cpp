@@ -61,7 +61,7 @@ System<D>::System(Scene<D> given)
 
 template <int D> State<D> System<D>::start() const {
   State<D> state{VectorX::Zero(unknowns.dofs()), drives.start(), VectorX::Zero(unknowns.dofs()), 1, {}, {}};
-  for (const auto& contact : contacts) state.contacts.emplace_back(contact->points());
+  for (const auto& contact : contacts) state.contacts.emplace_back(contact->points(), contact->multipliers());
   for (const auto& named : scene.bodies) state.internal.push_back(solid::initial_values(*named.body));
   return state;
 }

@@ -77,6 +77,7 @@ inline nurbs::Discretization slab(const std::string& label) {
 inline std::vector<int> signature(const Pair<2>& pair) {
   std::vector<int> result;
   for (const auto& point : pair.results()) result.push_back(static_cast<int>(point.state));
+  for (const auto& multiplier : pair.multipliers()) result.push_back(static_cast<int>(multiplier.state));
   for (const Block& block : pair.blocks())
     result.insert(result.end(), {block.slave_element, block.master_element, block.slip_element});
   return result;

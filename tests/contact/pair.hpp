@@ -5,7 +5,7 @@
 
 namespace signorini::contact::test {
 
-using Law = std::variant<PenaltyLaw, Adhesion>;
+using Law = std::variant<PenaltyLaw, Adhesion, MortarLaw>;
 
 template <int D> class Pair {
 public:
@@ -13,7 +13,8 @@ public:
        const Region<D>& where = {})
       : setting_{std::move(slave), std::move(master), points, revolved, where},
         method_(std::visit([](const auto& constants) { return Method<D>(constants); }, law)),
-        formulation_(make_formulation(method_, setting_)), accepted_(formulation_->points()), present_(accepted_) {}
+        formulation_(make_formulation(method_, setting_)),
+        accepted_(formulation_->points(), formulation_->multipliers()), present_(accepted_) {}
   Pair(Surface<D> slave, Surface<D> master, const Law& law, int points, bool revolved = false,
        const Region<D>& where = {})
       : Pair(std::move(slave), Master<D>(std::move(master)), law, points, revolved, where) {}
@@ -24,8 +25,10 @@ public:
       : setting_(other.setting_), method_(other.method_), formulation_(make_formulation(method_, setting_)),
         accepted_(other.accepted_), present_(other.present_), controls_(other.controls_), factor_(other.factor_),
         accepted_place_(other.accepted_place_), place_(other.place_) {
-    for (History<D>* history : {&accepted_, &present_})
+    for (History<D>* history : {&accepted_, &present_}) {
       for (auto& point : history->points) point.cleared = 0;
+      for (auto& multiplier : history->multipliers) multiplier.cleared = 0;
+    }
     go(accepted_place_);
     formulation_->return_to_accepted();
     go(place_);
@@ -41,7 +44,7 @@ public:
   }
   void evaluate_parts(bool tangent) {
     for (int part = 0; part < formulation_->parts(); ++part) formulation_->evaluate_part(part, trial(), tangent);
-    formulation_->gather();
+    formulation_->gather(trial(), tangent);
   }
   void accept() {
     formulation_->commit(present_, accepted_, factor_);
@@ -66,6 +69,7 @@ public:
     for (History<D>* history : {&accepted_, &present_}) look_again(*history);
   }
   const History<D>& history() const { return accepted_; }
+  const History<D>& present() const { return present_; }
   void restore(const History<D>& history) {
     accepted_ = history;
     rollback();
@@ -76,6 +80,7 @@ public:
   const Master<D>& master() const { return formulation_->master(); }
   const std::vector<Block>& blocks() const { return formulation_->blocks(); }
   const std::vector<PointResult<D>>& results() const { return present_.results; }
+  const std::vector<MultiplierResult<D>>& multipliers() const { return present_.multiplier_results; }
   const std::vector<PointResult<D>>& accepted_results() const { return accepted_.results; }
   const std::vector<Vec<D>>& reference_positions() const { return formulation_->points().reference; }
   Resultant<D> resultant() const { return contact::resultant(present_); }

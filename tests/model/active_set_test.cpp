@@ -55,7 +55,7 @@ struct Strip {
     contacts[0]->move(u.data(), base_u.data());
     for (int part = 0; part < contacts[0]->parts(); ++part)
       contacts[0]->evaluate_part(part, {present[0], accepted[0], controls[0]}, true);
-    contacts[0]->gather();
+    contacts[0]->gather({present[0], accepted[0], controls[0]}, true);
   }
   void accept() {
     contacts[0]->commit(present[0], accepted[0], 1);

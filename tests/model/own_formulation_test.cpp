@@ -30,7 +30,7 @@ public:
   bool has_potential() const override { return false; } // unsymmetric where open: 0 = −c ∫ z_e dA is independent of u
   double stiffness(const contact::History<2>&, double) const override { return 0; }
   int parts() const override { return 1; }
-  void gather() override {}
+  void gather(const contact::Trial<2>&, bool) override {}
 
   void evaluate_part(int, const contact::Trial<2>& trial, bool) override {
     for (std::size_t first = 0, last; first < points_.size(); first = last) {

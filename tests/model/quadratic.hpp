@@ -21,6 +21,8 @@ template <int D> std::vector<int> smooth_piece(const Model<D>& model) {
   std::vector<int> result;
   for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
     for (const auto& point : model.present.contacts[k].results) result.push_back(static_cast<int>(point.state));
+    for (const auto& multiplier : model.present.contacts[k].multiplier_results)
+      result.push_back(static_cast<int>(multiplier.state));
     for (const auto& block : model.system.contacts[k]->blocks())
       result.insert(result.end(), {block.slave_element, block.master_element, block.slip_element});
   }

@@ -28,8 +28,8 @@ return {
     "Tied contact and bodies of several patches are not available. Model the part as one patch.", "sg.body",
     "sg.nurbs.coons" },
   { "mortar, segment to segment, node to surface, nts, gpts, contact formulation",
-    "Contact is Gauss-point-to-surface with a penalty; mortar and node-to-surface contact are not available.",
-    "contact" },
+    "Contact is Gauss-point-to-surface with a penalty, or mortar: method = \"mortar\". Node-to-surface contact is not "
+      .. "available.", "contact" },
   { "lagrange multiplier, augmented lagrangian, uzawa",
     "Contact uses a penalty; `augmented = true` adds the augmented Lagrangian method (Uzawa). Lagrange multipliers as "
       .. "unknowns are not available.", "contact", "model:run" },

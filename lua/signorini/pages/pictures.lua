@@ -91,7 +91,8 @@ range; or a list of levels]], otherwise = "none", needs = { "field", "fields" } 
       { "mesh", t.flag, "element boundaries", default = true },
       { "control_points", t.flag, "control points and control net", default = false },
       of_models { "vectors", t.choice { "displacement", "traction" }, [[arrows: displacements at points of a grid, or
-tractions (force per current area) at the contact points of slave faces, with a scale below the picture]],
+tractions (force per current area, mortar: reference area) at the contact points of slave faces, with a scale below the
+picture]],
         otherwise = "none" },
       of_models { "obstacles", t.flag, "rigid obstacles", default = true },
       of_models { "mirror", t.choice { "x", "y", "z", "xy", "xz", "yz", "xyz" },

@@ -43,9 +43,10 @@ return {
 adhesion the reference area), pressure, traction (of friction, along the chord from slip point to foot point, which is
 tangential on a straight master; in the plane positive along the slave face's xi; on the slave it acts in the opposite
 direction), gap, state ("open", "stick", also of a closed point without friction, "slip", "adhesion"). At a slipping
-point |traction| = mu pressure. Pressure and traction are forces per current area, whatever `per` of the contact is,
-with adhesion per reference area. In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose
-magnitude is `traction`; -t_T acts on the slave. Reading any other field is an error.]],
+point |traction| = mu pressure (mortar: at each multiplier). Pressure and traction are forces per current area, whatever
+`per` of the contact is; in mortar contact and with adhesion `area`, pressure and traction refer to the reference area.
+In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is `traction`; -t_T acts
+on the slave. Reading any other field is an error.]],
     arguments = { a_contact },
     example = "model:profile(\"interface\").pressure" },
   { "model:sample", "Returns a field's value at a parametric point of a body.",
@@ -72,11 +73,13 @@ fx, fy, fz, moment.]],
     end), "a support or a load" } },
     example = "model:reaction(\"grip\").fy" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, per,
-unsettled, crossed }: the force on the slave (fz in 3D), the current area in contact (with adhesion the reference area),
-extremes, the numbers of contact points that touch and slip, and the area, "current" or "reference", on which tractions
-act. unsettled: how often, in all accepted states so far, the search for a closest point or slip point ended at the
-limit of iterations; unsettled_at is the reference position of the latest such point. crossed, crossed_at: the same for
-points that passed through the master since the previous state without contact.]],
+unsettled, crossed }: the force on the slave (fz in 3D), the current area in contact (in mortar contact and with
+adhesion the reference area), extremes, the numbers of contact points that touch and slip, and the area, "current" or
+"reference", on which tractions act; with method = "mortar" also weighted_penetration, the largest of the multipliers.
+unsettled: how often, in all
+accepted states so far, the search for a closest point or slip point ended at the limit of iterations; unsettled_at is
+the reference position of the latest such point. crossed, crossed_at: the same for points that passed through the master
+since the previous state without contact.]],
     arguments = { a_contact },
     example = "model:contact_resultant(\"interface\").area" },
   { "sg.profile_error", [[Returns the L2 error sqrt(integral of ((p - p_ref)/N)^2 ds) of a contact profile against a

@@ -30,10 +30,16 @@ it to a tolerance on rigid or flat masters]], unit = "pressure per length", opti
     { "mu", t.non_negative, "Coulomb's coefficient of friction, tan of the angle of friction, not the angle" },
     { "penalty", t.positive, "tangential penalty, stiffness of elastic slip", unit = "pressure per length" },
   }, "Coulomb friction", otherwise = "none" },
+  { "method", t.choice { "gpts", "mortar" }, [[gpts: Gauss-point-to-surface, penalty at the contact points. mortar:
+penalty on gaps and slips that are weighted by functions on the slave face (multipliers); a high penalty then does not
+over-constrain]], default = "gpts" },
+  { "multipliers", t.choice { "equal", "reduced" }, [[functions of the multipliers if method = "mortar". equal: those of
+the slave face. reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element), proven stable
+(inf-sup); for degree p >= 2]], otherwise = "equal" },
   { "per", t.choice { "current", "reference" }, [[area of the slave face on which tractions act, and to which penalty
 and friction.penalty refer. "current" is that of the published studies; with "reference" and without friction the forces
-derive from an energy, and the tangent is symmetric. Adhesion acts per reference area]],
-    otherwise = '"current", with adhesion "reference"' },
+derive from an energy, and the tangent is symmetric. Mortar contact and adhesion act per reference area]],
+    otherwise = '"current", with method = "mortar" or adhesion "reference"' },
   { "points", t.integer(1, 100), "Gauss points per slave element and direction",
     otherwise = "3 (p + 1), p the degree along the slave face, that of its layer if it has one, in 3D the higher one" },
   { "adhesion", t.named {
@@ -50,6 +56,18 @@ contact.conflict = function(values)
       return ("it has both adhesion and %s, but the van der Waals law is repulsive already: remove one of the two")
         :format(other)
     end
+  end
+  if values.adhesion and values.method == "mortar" then
+    return 'it has both adhesion and method = "mortar", but van der Waals forces act at contact points: remove one of '
+      .. "the two"
+  end
+  if values.multipliers and values.method ~= "mortar" then
+    return ('multipliers = "%s" is for method = "mortar": add this method, or remove multipliers')
+      :format(values.multipliers)
+  end
+  if values.method == "mortar" and values.per == "current" then
+    return 'it has method = "mortar" and per = "current", but mortar contact acts per reference area: write per = '
+      .. '"reference", or omit it'
   end
   if values.adhesion and values.per == "current" then
     return 'it has adhesion and per = "current", but the van der Waals law is a force per reference area: write per = '
@@ -134,8 +152,7 @@ stage names acts in full from the first step; to increase one from zero, give 0 
 model:reaction(name) is the force; the columns of a run are <name>.fx …, and .tx … or .pressure.]],
     example = [[loads = { push = { on = die:face "east", traction = {0, -1} } }]] },
   { "contact", "Defines contact between the face of a body and another body or an obstacle.",
-    head = "contacts = { <name> = { slave, master, penalty, friction, per, points, adhesion, where } }, "
-      .. "in sg.model{ … }",
+    head = "contacts = { <name> = { slave, master, penalty, friction, method, per, … } }, in sg.model{ … }",
     named = contact,
     more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run (force on the
 slave).

@@ -29,8 +29,9 @@ local augmented = { "augmented", t.switch(t.named {
   { "penetration", t.share, "largest penetration, as a fraction of the largest body's diagonal", default = 1e-6 },
   { "loops", t.integer(1, 1000000), "maximum number of augmentations per step", default = 100 },
 }, {}), [[augmented Lagrangian method (Uzawa): pressures are augmented until penetration and separation of closed points
-are within the tolerance. On a deformable master, curved under the slave, the default tolerance is often not reached,
-and the step fails (run.cause "penetration"). Not with arc_length]],
+are within the tolerance; in mortar contact those of the multipliers, whose friction is augmented as well. On a
+deformable master, curved under the slave, the default tolerance is often not reached, and the step fails (run.cause
+"penetration"). Not with arc_length]],
   default = false }
 
 local damping = { "damping", t.flag, [[damps unconstrained bodies until contact holds them; the converged state is in

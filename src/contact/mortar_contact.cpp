@@ -1,0 +1,375 @@
+#include "contact/mortar_contact.hpp"
+
+#include "base/parallel.hpp"
+#include "base/timer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace signorini::contact {
+
+template <int D>
+MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLaw& law)
+    : Formulation<D>(setting), law_(checked(law.penalty)),
+      functions_(this->slave_, this->points_, setting.points, law.multipliers),
+      is_skipped_(at(this->slave_.elements()), false), cleared_(at(this->slave_.elements()), 0.0),
+      sums_(at(functions_.count())), tangents_(at(functions_.count())), strips_(at(this->slave_.elements())) {
+  for (const auto& [first, last] : pieces(this->points_))
+    parts_.push_back({first,
+                      last,
+                      BlockSums<D>(this->slave(), this->master()),
+                      MultiplierRows<D>(this->slave(), this->master(), functions_),
+                      {}});
+  std::size_t sums = 0;
+  for (int e = 0; e < this->slave_.elements(); ++e) {
+    first_sum_.push_back(sums);
+    sums += functions_.on(e).size();
+  }
+  element_sums_.resize(sums);
+}
+
+template <int D> PenaltyLaw MortarContact<D>::scaled(double factor) const {
+  return {factor * law_.normal, factor * law_.tangential, law_.friction};
+}
+
+// ── Gaps and slips weighted by multiplier ────────────────────────────────────────────────────────────────────────────
+
+/// Whether a multiplier is open without a look at its gap.
+template <int D> bool MortarContact<D>::is_far(int multiplier, const Trial<D>& trial) const {
+  const auto& fixed = trial.controls.fixed_states;
+  const FixedContactState state = fixed.empty() ? FixedContactState::free : fixed[at(multiplier)];
+  if (state != FixedContactState::free) return state == FixedContactState::open;
+  const MultiplierHistory<D>& history = trial.present.multipliers[at(multiplier)];
+  return history.pressure == 0 && this->travel_ + trial.controls.guessed < history.cleared;
+}
+
+template <int D> void MortarContact<D>::evaluate_part(int index, const Trial<D>& trial, bool /*tangent*/) {
+  Part& part = parts_[at(index)];
+  const auto& list = this->points_.list;
+  Feet feet;
+  for (std::size_t first = part.first, last = first; first < part.last; first = last) {
+    const int element = list[first].element;
+    const auto on = functions_.on(element);
+    std::fill_n(element_sums_.begin() + static_cast<std::ptrdiff_t>(first_sum_[at(element)]), on.size(),
+                MultiplierSums<D>{});
+    is_skipped_[at(element)] = std::all_of(on.begin(), on.end(), [&](int a) { return is_far(a, trial); });
+    double& cleared = cleared_[at(element)] = std::numeric_limits<double>::infinity();
+    for (; last < part.last && list[last].element == element; ++last) {
+      PointResult<D>& result = trial.present.results[last];
+      result = {};
+      result.position = position(this->points_, this->slave(), last);
+      if (!is_skipped_[at(element)]) weigh(last, trial, part, feet);
+      cleared = std::min(cleared, trial.present.points[last].cleared);
+    }
+  }
+}
+
+/// Projects point i and adds its gap and slip to the sums of the slave element's multipliers.
+template <int D> void MortarContact<D>::weigh(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) {
+  PointResult<D>& result = trial.present.results[i];
+  PointHistory<D>& point = trial.present.points[i];
+  const Master<D>& master = this->master();
+  at.foot.settled = true;
+  {
+    const ScopedTimer timer(this->times_search_ ? &part.search_seconds : nullptr);
+    point.projection = master.project(result.position, point.projection, at.foot);
+  }
+  const auto& [foot, element, along, xi, gap] = point.projection;
+  result.beyond = foot == Foot::none;
+  result.settled = at.foot.settled;
+  point.cleared = foot == Foot::regular && at.foot.settled && gap > 0 ? this->travel_ + gap : 0;
+  FaceCoordinates<D> rate;
+  const double fade = result.beyond || (foot != Foot::regular && gap == 0) ? 0 : master.fade(xi, rate);
+  if (fade == 0) return;
+
+  const ContactPoint& own = this->points_.list[i];
+  MultiplierSums<D> one;
+  one.area = own.weight * own.reference_area * fade;
+  one.gap = one.area * gap;
+  if (frictional()) {
+    one.normal = one.area *
+                 (foot == Foot::regular ? master.normal(at.foot) : Vec<D>((result.position - at.foot.position) / gap));
+    one.along = one.area * tangents(this->points_, this->slave(), i)[0];
+    if (!point.slips) remember_foot(i, trial);
+    if (point.slips) {
+      master.locate(point.slip, at.slip_point);
+      one.slip = one.area * (at.foot.position - at.slip_point.position);
+    }
+  }
+  const std::size_t count = functions_.on(own.element).size();
+  const double* values = functions_.at_point(i);
+  MultiplierSums<D>* sums = element_sums_.data() + first_sum_[signorini::at(own.element)];
+  for (std::size_t a = 0; a < count; ++a) {
+    sums[a].area += values[a] * one.area;
+    sums[a].gap += values[a] * one.gap;
+    if (!frictional()) continue;
+    sums[a].normal += values[a] * one.normal;
+    sums[a].slip += values[a] * one.slip;
+    sums[a].along += values[a] * one.along;
+  }
+}
+
+/// A point that was not projected in the accepted state slips from its foot point there.
+template <int D> void MortarContact<D>::remember_foot(std::size_t i, const Trial<D>& trial) const {
+  PointHistory<D>& point = trial.present.points[i];
+  FacePoint<D> foot;
+  const Projection<D> projection =
+      this->accepted_master_.project(trial.accepted.results[i].position, point.projection, foot);
+  if (projection.foot == Foot::none) return;
+  point.slips = true;
+  point.slip = projection.xi;
+}
+
+// ── Pressures ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Sums over the elements of each multiplier, and its law.
+template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
+  const PenaltyLaw law = scaled(trial.penalty_factor);
+  const Controls& controls = trial.controls;
+  const double tie = controls.onward ? -controls.guessed : controls.guessed;
+  active_.clear();
+  for (int a = 0; a < functions_.count(); ++a) {
+    MultiplierResult<D>& result = trial.present.multiplier_results[at(a)];
+    MultiplierHistory<D>& history = trial.present.multipliers[at(a)];
+    const bool far = is_far(a, trial);
+    result = {};
+    tangents_[at(a)] = {};
+    MultiplierSums<D>& sum = sums_[at(a)] = {};
+    history.cleared = std::numeric_limits<double>::infinity();
+    for (const int element : functions_.support(a)) {
+      history.cleared = std::min(history.cleared, cleared_[at(element)]);
+      if (far) continue;
+      const auto on = functions_.on(element);
+      const MultiplierSums<D>& part =
+          element_sums_[first_sum_[at(element)] +
+                        at(static_cast<int>(std::find(on.begin(), on.end(), a) - on.begin()))];
+      sum.area += part.area;
+      sum.gap += part.gap;
+      sum.normal += part.normal;
+      sum.slip += part.slip;
+      sum.along += part.along;
+    }
+    result.beyond = !far && sum.area == 0;
+    if (far || result.beyond) continue;
+    const FixedContactState fixed =
+        controls.fixed_states.empty() ? FixedContactState::free : controls.fixed_states[at(a)];
+    tangents_[at(a)] = mortar_law(law, sum, history, {fixed, controls.guessed, tie, controls.landing}, result);
+    if (result.state != ContactState::open) active_.push_back(a);
+  }
+}
+
+// ── Forces ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Adds the tractions of a part's points to its blocks and, for the tangent, their rows to those of the multipliers.
+template <int D> void MortarContact<D>::distribute(Part& part, const Trial<D>& trial, bool tangent) {
+  part.rows.clear();
+  const auto& list = this->points_.list;
+  Feet feet;
+  std::vector<double> weights;
+  for (std::size_t first = part.first, last = first; first < part.last; first = last) {
+    const int element = list[first].element;
+    const auto on = functions_.on(element);
+    const bool acts = !is_skipped_[at(element)] && std::any_of(on.begin(), on.end(), [&](int a) {
+      return trial.present.multiplier_results[at(a)].state != ContactState::open;
+    });
+    for (; last < part.last && list[last].element == element; ++last)
+      if (acts) add_point(last, trial, tangent, part, feet, weights);
+    if (acts) part.sums.close_element(tangent);
+  }
+}
+
+template <int D>
+void MortarContact<D>::add_point(std::size_t i, const Trial<D>& trial, bool tangent, Part& part, Feet& at,
+                                 std::vector<double>& weights) {
+  const PointHistory<D>& point = trial.present.points[i];
+  PointResult<D>& result = trial.present.results[i];
+  const Projection<D>& projection = point.projection;
+  if (result.beyond || (projection.foot != Foot::regular && projection.gap == 0)) return;
+  const ContactPoint& own = this->points_.list[i];
+  const auto on = functions_.on(own.element);
+  const double* values = functions_.at_point(i);
+  const double area = own.weight * own.reference_area;
+  // p = Σ M_A z_A, t_T = Σ M_A t_A; the state is that of the multiplier with the largest part of p
+  double pressure = 0, largest = 0;
+  Vec<D> friction = Vec<D>::Zero();
+  weights.assign(on.size(), 0);
+  for (std::size_t a = 0; a < on.size(); ++a) {
+    const MultiplierResult<D>& multiplier = trial.present.multiplier_results[signorini::at(on[a])];
+    if (multiplier.state == ContactState::open) continue;
+    const double share = values[a] * multiplier.pressure;
+    pressure += share;
+    friction += values[a] * multiplier.friction;
+    weights[a] = area * values[a];
+    if (std::abs(share) <= largest) continue;
+    largest = std::abs(share);
+    result.state = multiplier.state;
+  }
+  const Master<D>& master = this->master();
+  master.locate(projection, at.foot);
+  master.functions(at.foot, 1);
+  const LocalGeometry<D> geometry =
+      point_geometry(this->points_, i, this->slave(), master, result.position, projection, at.foot);
+  if (geometry.fade == 0) return;
+  LocalForce<D> force;
+  const GapRows<D> gap = gap_rows(geometry, force.shift);
+  const Vec<D> traction = pressure * geometry.normal - friction;
+  LocalRow<D> measure_row = LocalRow<D>::Zero();
+  force.measure = geometry.reference_measure;
+  fade_area(geometry, force.shift, force.measure, measure_row);
+  force.force = force.measure * traction;
+  force.tangent = (force.measure * pressure) * gap.normal;
+  force.tangent.noalias() += traction * measure_row;
+  part.sums.add(this->points_, i, at.foot, nullptr, force, tangent);
+
+  result.gap = projection.gap;
+  result.pressure = pressure;
+  for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[signorini::at(k)];
+  result.friction = friction;
+  result.force = own.weight * force.force;
+  result.area = own.weight * force.measure;
+  if (!tangent) return;
+  const FacePoint<D>* slip_point = nullptr;
+  if (frictional() && point.slips) {
+    master.locate(point.slip, at.slip_point);
+    slip_point = &at.slip_point;
+  }
+  part.rows.add(this->points_, i, at.foot, slip_point, point_rows(geometry, gap, force.shift, slip_point),
+                PointRows<D>::count(frictional()), geometry.fade, weights.data());
+}
+
+template <int D>
+LocalRows<D> MortarContact<D>::point_rows(const LocalGeometry<D>& geometry, const GapRows<D>& gap,
+                                          const LocalShift<D>& shift, const FacePoint<D>* slip_point) const {
+  using Rows = PointRows<D>;
+  using Force = LocalForce<D>;
+  const double fade = geometry.fade;
+  const LocalRow<D> rate = geometry.fade_rate.transpose() * shift; // δω
+  LocalRows<D> rows = LocalRows<D>::Zero();
+  rows.row(Rows::gap) = fade * gap.gap;
+  rows.row(Rows::gap_fade) = geometry.gap * rate;
+  rows.row(Rows::area) = rate;
+  if (!frictional()) return rows;
+  rows.template middleRows<D>(Rows::normal) = fade * gap.normal + geometry.normal * rate;
+  if (slip_point) {
+    // v = x̄ᵐ − xᵐ(ξ̄ of the accepted state),  δv = δx̄ᵐ + τ_α δξ̄^α − δxᵐ
+    LocalBlock<D> slip = LocalBlock<D>::Zero();
+    slip.template middleCols<D>(Force::master_column).setIdentity();
+    slip.template middleCols<D>(Force::slip_column).diagonal().setConstant(-1);
+    for (int a = 0; a < D - 1; ++a) slip.noalias() += geometry.master->tangent[at(a)] * shift.row(a);
+    rows.template middleRows<D>(Rows::slip) = fade * slip;
+    rows.template middleRows<D>(Rows::slip).noalias() += (geometry.master->position - slip_point->position) * rate;
+  }
+  if constexpr (D == 3) {
+    auto along = rows.template middleRows<D>(Rows::along);
+    along.template middleCols<D>(Force::slave_tangent_column).diagonal().setConstant(fade);
+    along.noalias() += geometry.slave_tangent[0] * rate;
+  }
+  return rows;
+}
+
+// ── Coupling of a multiplier's unknowns ──────────────────────────────────────────────────────────────────────────────
+
+/// Appends a block for each active multiplier.
+template <int D> void MortarContact<D>::couple_all() {
+  for (auto& list : strips_) list.clear();
+  for (const Part& part : parts_)
+    for (const Strip& strip : part.rows.strips()) strips_[at(strip.slave_element)].push_back(&strip);
+  const std::size_t first = this->blocks_.size(), count = active_.size(), chunks = parts_.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    if (spare_.empty()) spare_.emplace_back();
+    this->blocks_.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+  }
+  parallel(static_cast<int>(chunks), [&](int chunk) {
+    const std::size_t own = at(chunk);
+    for (std::size_t k = own * count / chunks; k < (own + 1) * count / chunks; ++k) {
+      const int a = active_[k];
+      couple<D>({a, sums_[at(a)], tangents_[at(a)]}, functions_, this->slave(), this->master(), strips_,
+                PointRows<D>::count(frictional()), parts_[own].space, this->blocks_[first + k]);
+    }
+  });
+}
+
+template <int D> void MortarContact<D>::gather(const Trial<D>& trial, bool tangent) {
+  decide(trial);
+  parallel(parts(), [&](int part) { distribute(parts_[at(part)], trial, tangent); });
+  for (Part& part : parts_) {
+    part.blocks = part.sums.hand_over(this->blocks_);
+    this->search_seconds_ += std::exchange(part.search_seconds, 0);
+  }
+  if (tangent) couple_all();
+}
+
+template <int D> void MortarContact<D>::take_back(std::vector<Block>& blocks) {
+  auto block = blocks.begin();
+  for (Part& part : parts_)
+    for (; part.blocks > 0; --part.blocks) part.sums.recycle(std::move(*block++));
+  std::move(block, blocks.end(), std::back_inserter(spare_));
+  blocks.clear();
+}
+
+// ── Histories ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+template <int D> void MortarContact<D>::commit_points(History<D>& present, double /*penalty_factor*/) {
+  if (!frictional()) return;
+  for (std::size_t a = 0; a < present.multipliers.size(); ++a) {
+    MultiplierHistory<D>& history = present.multipliers[a];
+    const MultiplierResult<D>& result = present.multiplier_results[a];
+    const bool open = result.state == ContactState::open;
+    const double limit = open ? 0 : law_.friction * result.pressure * result.area;
+    // ∫ μ z dγ a by the trapezoidal rule
+    present.dissipated += 0.5 * (history.limit + limit) * result.slipped;
+    history.limit = limit;
+    history.elastic = result.elastic;
+    if (open) history.friction.setZero();
+  }
+  for (std::size_t i = 0; i < present.points.size(); ++i) {
+    PointHistory<D>& point = present.points[i];
+    point.slips = !is_skipped_[at(this->points_.list[i].element)] && point.projection.foot != Foot::none;
+    point.slip = point.projection.xi;
+  }
+}
+
+/// λ_A and λ_TA become the pressure and friction of the last evaluation.
+template <int D> void MortarContact<D>::augment(History<D>& history) const {
+  for (std::size_t a = 0; a < history.multipliers.size(); ++a) {
+    history.multipliers[a].pressure = history.multiplier_results[a].pressure;
+    history.multipliers[a].friction = history.multiplier_results[a].components;
+  }
+}
+
+/// Includes positive gaps, and elastic slip where a multiplier sticks.
+template <int D> double MortarContact<D>::violation(const History<D>& history) const {
+  double farthest = 0;
+  for (const MultiplierResult<D>& result : history.multiplier_results) {
+    if (result.state == ContactState::open) continue;
+    farthest = std::max({farthest, std::abs(result.gap), result.elastic.norm()});
+  }
+  return farthest;
+}
+
+template <int D> double MortarContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
+  const PenaltyLaw law = scaled(penalty_factor);
+  const double steepest = std::max(law.normal, frictional() ? law.tangential : 0);
+  double sum = 0;
+  for (const MultiplierResult<D>& result : history.multiplier_results)
+    if (result.state != ContactState::open) sum += result.area * steepest * result.area * steepest;
+  return std::sqrt(sum);
+}
+
+template <int D> double MortarContact<D>::memory() const {
+  const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
+  double sum = Formulation<D>::memory() + functions_.memory() + bytes(element_sums_) + bytes(sums_) + bytes(tangents_);
+  for (const Part& part : parts_) {
+    sum += part.sums.memory();
+    for (const Strip& strip : part.rows.strips()) sum += bytes(strip.rows) + bytes(strip.shares);
+  }
+  return sum;
+}
+
+template class MortarContact<2>;
+template class MortarContact<3>;
+
+} // namespace signorini::contact

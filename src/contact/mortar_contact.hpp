@@ -1,0 +1,82 @@
+#pragma once
+// Mortar contact by penalty and augmentation: gaps and slips weighted by multiplier functions on the slave face.
+
+#include "contact/block_sums.hpp"
+#include "contact/formulation.hpp"
+#include "contact/multiplier_rows.hpp"
+#include "contact/point_geometry.hpp"
+
+namespace signorini::contact {
+
+struct MortarLaw {
+  PenaltyLaw penalty; ///< at multipliers; per reference area, whatever its `per`
+  MultiplierSpace multipliers = MultiplierSpace::equal;
+};
+
+/// Tractions Σ M_A (z_A n̄ − t_A) per reference area with the pressures z_A and frictions t_A of mortar_law.hpp. Without
+/// friction the virtual work is Σ z_A a_A δḡ_A, which has a potential.
+template <int D> class MortarContact final : public Formulation<D> {
+public:
+  /// Throws Error if a constant is invalid, no contact point is left, or the face has no such multipliers.
+  MortarContact(const ContactSetting<D>& setting, const MortarLaw& law);
+
+  int multipliers() const override { return functions_.count(); }
+  int point_of(int constraint) const override { return std::max(functions_.largest(constraint), 0); }
+  /// Except beyond open ends of the master, where the area on which tractions act changes.
+  bool has_potential() const override { return !frictional(); }
+  double friction() const override { return law_.friction; }
+  double penalty() const override { return law_.normal; }
+  int parts() const override { return static_cast<int>(parts_.size()); }
+  void evaluate_part(int part, const Trial<D>& trial, bool tangent) override;
+  void gather(const Trial<D>& trial, bool tangent) override;
+  void augment(History<D>& history) const override;
+  double violation(const History<D>& history) const override;
+  double stiffness(const History<D>& history, double penalty_factor) const override;
+  double memory() const override;
+  const MultiplierFunctions<D>& functions() const { return functions_; }
+
+private:
+  /// A piece of the slave face: whole elements.
+  struct Part {
+    std::size_t first, last; ///< points
+    BlockSums<D> sums;
+    MultiplierRows<D> rows;
+    CouplingSpace space;
+    double search_seconds = 0; ///< since the last gather()
+    std::size_t blocks = 0;    ///< number of element blocks in the last gather()
+  };
+  /// Working space: foot point and former foot point on the master.
+  struct Feet {
+    FacePoint<D> foot, slip_point;
+  };
+
+  bool frictional() const { return law_.friction > 0; }
+  PenaltyLaw scaled(double factor) const;
+  bool is_far(int multiplier, const Trial<D>& trial) const;
+  void weigh(std::size_t i, const Trial<D>& trial, Part& part, Feet& at);
+  void remember_foot(std::size_t i, const Trial<D>& trial) const;
+  void decide(const Trial<D>& trial);
+  void distribute(Part& part, const Trial<D>& trial, bool tangent);
+  void add_point(std::size_t i, const Trial<D>& trial, bool tangent, Part& part, Feet& at,
+                 std::vector<double>& weights);
+  LocalRows<D> point_rows(const LocalGeometry<D>& geometry, const GapRows<D>& gap, const LocalShift<D>& shift,
+                          const FacePoint<D>* slip_point) const;
+  void couple_all();
+  void commit_points(History<D>& present, double penalty_factor) override;
+  void take_back(std::vector<Block>& blocks) override;
+
+  PenaltyLaw law_; ///< without penalty factor
+  MultiplierFunctions<D> functions_;
+  std::vector<Part> parts_;
+  std::vector<std::size_t> first_sum_;          ///< per slave element: offset into element_sums_
+  std::vector<MultiplierSums<D>> element_sums_; ///< per slave element and multiplier on it
+  std::vector<char> is_skipped_;                ///< per slave element: its points were not projected
+  std::vector<double> cleared_;                 ///< per slave element: least `cleared` of its points
+  std::vector<MultiplierSums<D>> sums_;         ///< per multiplier, as the next
+  std::vector<MultiplierTangent<D>> tangents_;
+  std::vector<int> active_;                       ///< multipliers that are not open, increasing
+  std::vector<std::vector<const Strip*>> strips_; ///< per slave element
+  std::vector<Block> spare_;
+};
+
+} // namespace signorini::contact

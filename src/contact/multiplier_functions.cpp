@@ -1,0 +1,81 @@
+#include "contact/multiplier_functions.hpp"
+
+#include "nurbs/bezier.hpp"
+#include "nurbs/tensor.hpp"
+#include "solid/quadrature.hpp"
+
+#include <algorithm>
+
+namespace signorini::contact {
+
+namespace {
+
+/// The functions of an element at the Gauss points, functions × points.
+MatrixX values_on(const nurbs::Space1D& space, int element, int points) {
+  const int degree = space.degree(element);
+  const solid::QuadratureRule rule = solid::gauss_legendre(points, 0, 1);
+  MatrixX bernsteins(degree + 1, points);
+  for (int q = 0; q < points; ++q) nurbs::bernstein(degree, rule.points[at(q)], 1, 0, bernsteins.col(q).data());
+  return space.extraction(element) * bernsteins;
+}
+
+} // namespace
+
+template <int D>
+MultiplierFunctions<D>::MultiplierFunctions(const Surface<D>& slave, const ContactPoints<D>& points, int per_direction,
+                                            MultiplierSpace kind)
+    : numbers_(at(slave.elements())) {
+  std::vector<nurbs::Space1D> spaces;
+  for (int d = 0; d < D - 1; ++d) spaces.push_back(multiplier_space(slave.direction(d), kind));
+  const nurbs::Space1D &u = spaces.front(), &v = spaces.back();
+  const int count = D == 2 ? u.functions() : u.functions() * v.functions();
+  supports_.resize(at(count));
+  nodes_.resize(at(count));
+  largest_.assign(at(count), -1);
+  std::vector<double> most(at(count), 0.0);
+  std::size_t i = 0;
+  for (int e = 0; e < slave.elements(); ++e) {
+    nurbs::ElementFunctions functions;
+    std::array<MatrixX, 2> along{MatrixX::Ones(1, per_direction), MatrixX::Ones(1, per_direction)};
+    for (std::size_t d = 0; d < D - 1; ++d) {
+      const int own = d == 0 ? e % u.elements() : e / u.elements();
+      functions.along[d] = spaces[d].functions_on(own);
+      functions.stride[d] = d == 0 ? 1 : u.functions();
+      along[d] = values_on(spaces[d], own, per_direction);
+    }
+    functions.each([&](int multiplier, const std::array<int, 3>&) {
+      numbers_[at(e)].push_back(multiplier);
+      supports_[at(multiplier)].push_back(e);
+      std::vector<int>& nodes = nodes_[at(multiplier)];
+      nodes.insert(nodes.end(), slave.nodes(e), slave.nodes(e) + slave.functions_on(e));
+    });
+    for (; i < points.size() && points.list[i].element == e; ++i) {
+      const int q = points.list[i].number;
+      offsets_.push_back(values_.size());
+      functions.each([&](int multiplier, const std::array<int, 3>& a) {
+        const double value = along[0](a[0], q % per_direction) * along[1](a[1], q / per_direction);
+        values_.push_back(value);
+        if (value <= most[at(multiplier)]) return;
+        most[at(multiplier)] = value;
+        largest_[at(multiplier)] = static_cast<int>(i);
+      });
+    }
+  }
+  for (std::vector<int>& nodes : nodes_) {
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  }
+}
+
+template <int D> double MultiplierFunctions<D>::memory() const {
+  const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
+  double sum = bytes(offsets_) + bytes(values_);
+  for (const auto* lists : {&numbers_, &supports_, &nodes_})
+    for (const auto& list : *lists) sum += bytes(list);
+  return sum;
+}
+
+template class MultiplierFunctions<2>;
+template class MultiplierFunctions<3>;
+
+} // namespace signorini::contact

@@ -1,0 +1,36 @@
+#pragma once
+// The multiplier functions M_A on a slave face: products over its directions, tabulated at the contact points.
+
+#include "contact/contact_points.hpp"
+#include "contact/multiplier_space.hpp"
+
+#include <span>
+
+namespace signorini::contact {
+
+template <int D> class MultiplierFunctions {
+public:
+  /// `points` has `per_direction` Gauss points per element and direction. Throws Error as multiplier_space().
+  MultiplierFunctions(const Surface<D>& slave, const ContactPoints<D>& points, int per_direction, MultiplierSpace kind);
+
+  int count() const { return static_cast<int>(supports_.size()); }
+  /// Multipliers that do not vanish on a slave element.
+  std::span<const int> on(int element) const { return numbers_[at(element)]; }
+  /// Slave elements on which a multiplier does not vanish, increasing.
+  std::span<const int> support(int multiplier) const { return supports_[at(multiplier)]; }
+  /// Face-local indices of all functions on the support, increasing.
+  std::span<const int> nodes(int multiplier) const { return nodes_[at(multiplier)]; }
+  /// M_A of on(element) at contact point i.
+  const double* at_point(std::size_t i) const { return values_.data() + offsets_[i]; }
+  /// The contact point at which a multiplier is largest; −1 if it has none.
+  int largest(int multiplier) const { return largest_[at(multiplier)]; }
+  double memory() const;
+
+private:
+  std::vector<std::vector<int>> numbers_, supports_, nodes_;
+  std::vector<std::size_t> offsets_;
+  std::vector<double> values_;
+  std::vector<int> largest_;
+};
+
+} // namespace signorini::contact

@@ -1,0 +1,206 @@
+#include "contact/multiplier_rows.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace signorini::contact {
+
+template <int D>
+MultiplierRows<D>::MultiplierRows(const Surface<D>& slave, const Master<D>& master,
+                                  const MultiplierFunctions<D>& functions)
+    : slave_(slave), master_(master), functions_(functions),
+      base_(at(PointRows<D>::most * D * (slave.most_functions() + 2 * master.most_functions()))) {}
+
+template <int D> void MultiplierRows<D>::clear() {
+  std::move(strips_.begin(), strips_.end(), std::back_inserter(spare_));
+  strips_.clear();
+}
+
+template <int D> Strip& MultiplierRows<D>::find(int slave_element, int master_element, int slip_element, int count) {
+  for (auto strip = strips_.rbegin(); strip != strips_.rend() && strip->slave_element == slave_element; ++strip)
+    if (strip->master_element == master_element && strip->slip_element == slip_element) return *strip;
+  if (spare_.empty()) {
+    strips_.emplace_back();
+  } else {
+    strips_.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+  }
+  Strip& strip = strips_.back();
+  const int nodes = slave_.functions_on(slave_element) + master_.functions_on(master_element);
+  const int multipliers = static_cast<int>(functions_.on(slave_element).size());
+  strip.slave_element = slave_element;
+  strip.master_element = master_element;
+  strip.slip_element = slip_element;
+  strip.columns = D * (nodes + (slip_element >= 0 ? master_.functions_on(slip_element) : 0));
+  strip.rows.assign(at(multipliers * count * strip.columns), 0.0);
+  strip.shares.assign(at(multipliers * nodes), 0.0);
+  return strip;
+}
+
+/// The chain rule from the local variables to the nodes' displacements.
+template <int D>
+void MultiplierRows<D>::expand(const Strip& strip, const double* r, const FacePoint<D>& master,
+                               const FacePoint<D>* slip_point, const LocalRows<D>& local, int count) {
+  using Force = LocalForce<D>;
+  const int ns = slave_.functions_on(strip.slave_element), nm = master_.functions_on(strip.master_element);
+  const bool own_columns = strip.slip_element >= 0;
+  const int nl = own_columns ? master_.functions_on(strip.slip_element) : 0;
+  double* out = base_.data();
+  for (int i = 0; i < count; ++i) {
+    const auto row = local.row(i);
+    for (int b = 0; b < ns; ++b)
+      for (int c = 0; c < D; ++c) {
+        double sum = row(c) * r[b];
+        for (int k = 0; k < D - 1; ++k) sum += row(Force::slave_tangent_column + k * D + c) * r[(k + 1) * ns + b];
+        *out++ = sum;
+      }
+    for (int b = 0; b < nm; ++b)
+      for (int c = 0; c < D; ++c) {
+        double sum = row(Force::master_column + c) * master.value[at(b)];
+        for (int k = 0; k < D - 1; ++k) sum += row(Force::tangent_column + k * D + c) * master.derivative[at(k)][at(b)];
+        if (slip_point && !own_columns) sum += row(Force::slip_column + c) * slip_point->value[at(b)];
+        *out++ = sum;
+      }
+    for (int b = 0; b < nl; ++b)
+      for (int c = 0; c < D; ++c) *out++ = row(Force::slip_column + c) * slip_point->value[at(b)];
+  }
+}
+
+template <int D>
+void MultiplierRows<D>::add(const ContactPoints<D>& points, std::size_t i, const FacePoint<D>& master,
+                            const FacePoint<D>* slip_point, const LocalRows<D>& local, int count, double fade,
+                            const double* weights) {
+  const bool rigid = master_.rigid(); // one node for all elements
+  const bool own_columns = slip_point && !rigid && slip_point->element != master.element;
+  Strip& strip =
+      find(points.list[i].element, rigid ? 0 : master.element, own_columns ? slip_point->element : -1, count);
+  const double* r = points.functions(i);
+  expand(strip, r, master, slip_point, local, count);
+  const int ns = slave_.functions_on(strip.slave_element), nm = master_.functions_on(strip.master_element);
+  const int multipliers = static_cast<int>(functions_.on(strip.slave_element).size()), size = count * strip.columns;
+  const double* __restrict base = base_.data();
+  for (int a = 0; a < multipliers; ++a) {
+    if (weights[a] == 0) continue;
+    double* __restrict rows = strip.rows.data() + a * size;
+    for (int c = 0; c < size; ++c) rows[c] += weights[a] * base[c];
+    double* shares = strip.shares.data() + a * (ns + nm);
+    for (int b = 0; b < ns; ++b) shares[b] -= fade * weights[a] * r[b];
+    for (int b = 0; b < nm; ++b) shares[ns + b] += fade * weights[a] * master.value[at(b)];
+  }
+}
+
+namespace {
+
+/// Collects master elements and nodes of the strips of a multiplier's support.
+template <int D>
+void collect_nodes(const MultiplierFunctions<D>& functions, const Master<D>& master,
+                   const std::vector<std::vector<const Strip*>>& strips, Block& block) {
+  block.master_elements.clear();
+  for (const int element : functions.support(block.multiplier))
+    for (const Strip* strip : strips[at(element)]) {
+      block.master_elements.push_back(strip->master_element);
+      if (strip->slip_element >= 0) block.master_elements.push_back(strip->slip_element);
+    }
+  const auto sort = [](std::vector<int>& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  };
+  sort(block.master_elements);
+  const auto slave_nodes = functions.nodes(block.multiplier);
+  block.slave_nodes.assign(slave_nodes.begin(), slave_nodes.end());
+  block.master_nodes.clear();
+  if (master.rigid()) {
+    block.master_nodes.push_back(0);
+    return;
+  }
+  const Surface<D>& face = *master.surface();
+  for (const int element : block.master_elements)
+    block.master_nodes.insert(block.master_nodes.end(), face.nodes(element),
+                              face.nodes(element) + face.functions_on(element));
+  sort(block.master_nodes);
+}
+
+/// Numbers of the nodes in the block, by face-local index.
+void number(const std::vector<int>& nodes, int first, int functions, std::vector<int>& numbers) {
+  numbers.resize(at(functions));
+  for (const int node : nodes) numbers[at(node)] = first++;
+}
+
+/// Adds a multiplier's rows and shares in a strip to those of the block.
+template <int D>
+void add_strip(const Strip& strip, int own, int count, const Surface<D>& slave, const Master<D>& master,
+               CouplingSpace& space) {
+  const int ns = slave.functions_on(strip.slave_element), nm = master.functions_on(strip.master_element);
+  const double* rows = strip.rows.data() + own * count * strip.columns;
+  const double* shares = strip.shares.data() + own * (ns + nm);
+  for (int b = 0, nodes = strip.columns / D; b < nodes; ++b) {
+    int node;
+    if (b < ns) {
+      node = space.slave_column[at(slave.nodes(strip.slave_element)[b])];
+    } else if (master.rigid()) {
+      node = space.master_column[0];
+    } else {
+      const int* list = master.surface()->nodes(b < ns + nm ? strip.master_element : strip.slip_element);
+      node = space.master_column[at(list[b < ns + nm ? b - ns : b - ns - nm])];
+    }
+    for (int i = 0; i < count; ++i)
+      for (int c = 0; c < D; ++c) space.rows(i, D * node + c) += rows[i * strip.columns + D * b + c];
+    if (b < ns + nm) space.shares(node) += shares[b];
+  }
+}
+
+} // namespace
+
+template <int D>
+void couple(const ActiveMultiplier<D>& multiplier, const MultiplierFunctions<D>& functions, const Surface<D>& slave,
+            const Master<D>& master, const std::vector<std::vector<const Strip*>>& strips, int count,
+            CouplingSpace& space, Block& block) {
+  using Rows = PointRows<D>;
+  const auto& [index, sums, tangent] = multiplier;
+  block.slave_element = block.master_element = block.slip_element = -1;
+  block.multiplier = index;
+  collect_nodes(functions, master, strips, block);
+  const int ns = static_cast<int>(block.slave_nodes.size()), nm = static_cast<int>(block.master_nodes.size());
+  number(block.slave_nodes, 0, slave.functions(), space.slave_column);
+  number(block.master_nodes, ns, master.rigid() ? 1 : master.surface()->functions(), space.master_column);
+  const int size = block.rows = block.columns = D * (ns + nm);
+  block.force.assign(at(size), 0.0);
+  block.matrix.resize(at(size * size));
+  space.rows.setZero(count, size);
+  space.shares.setZero(ns + nm);
+  for (const int element : functions.support(index)) {
+    const auto on = functions.on(element);
+    const int own = static_cast<int>(std::find(on.begin(), on.end(), index) - on.begin());
+    for (const Strip* strip : strips[at(element)]) add_strip<D>(*strip, own, count, slave, master, space);
+  }
+
+  // ḡ = G/a, V = S/a:  δḡ = (δG − ḡ δa)/a,  δV = (δS − V δa)/a
+  const auto& x = space.rows;
+  const double gap = sums.gap / sums.area;
+  using Row = Eigen::Matrix<double, 1, Eigen::Dynamic>;
+  const Row gap_row = (x.row(Rows::gap) + x.row(Rows::gap_fade) - gap * x.row(Rows::area)) / sums.area;
+  // ∂f/∂z_A = −Σ w M_A ω δg:  K = −Σ w M_A ω δg ⊗ δz_A
+  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> matrix(block.matrix.data(), size,
+                                                                                            size);
+  matrix.noalias() = x.row(Rows::gap).transpose() * (-tangent.pressure * gap_row);
+  if (count == Rows::normal) return;
+  const Vec<D> slip = sums.slip / sums.area;
+  space.directions.noalias() = tangent.of_gap * gap_row;
+  space.directions.noalias() += tangent.of_normal * x.template middleRows<D>(Rows::normal);
+  space.directions.noalias() +=
+      (tangent.of_slip / sums.area) * (x.template middleRows<D>(Rows::slip) - slip * x.row(Rows::area));
+  if constexpr (D == 3) space.directions.noalias() += tangent.of_along * x.template middleRows<D>(Rows::along);
+  // f contains −t_A Σ w M_A ω (−R, R̄)
+  for (int b = 0; b < ns + nm; ++b)
+    for (int c = 0; c < D; ++c) matrix.row(D * b + c) -= space.shares(b) * space.directions.row(c);
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template class MultiplierRows<D>;                                                                                    \
+  template void couple(const ActiveMultiplier<D>&, const MultiplierFunctions<D>&, const Surface<D>&, const Master<D>&, \
+                       const std::vector<std::vector<const Strip*>>&, int, CouplingSpace&, Block&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::contact

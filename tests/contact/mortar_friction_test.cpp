@@ -1,0 +1,238 @@
+// Mortar contact with friction and augmentation, in 2D and 3D: tangent against finite differences in every state,
+// Coulomb's law, history, objectivity, dissipation.
+#include "contact/couple.hpp"
+#include "contact/couple3d.hpp"
+
+#include <cmath>
+
+namespace signorini::contact {
+namespace mortar_friction_test {
+
+using namespace test;
+
+constexpr MultiplierSpace spaces[] = {MultiplierSpace::equal, MultiplierSpace::reduced};
+
+MortarLaw law(MultiplierSpace space, double mu) {
+  return {{100, 80, mu}, space};
+}
+
+template <class AnyMaster>
+Couple pressed_disc(const std::string& label, AnyMaster master, const MortarLaw& own, double x, double y,
+                    bool revolved = false) {
+  return {discretize(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(x, y + 0.5)), {14, 2}, label, "south"),
+          "south",
+          std::move(master),
+          own,
+          6,
+          revolved};
+}
+
+template <int D> int count(const Pair<D>& pair, ContactState state) {
+  return static_cast<int>(std::count_if(pair.multipliers().begin(), pair.multipliers().end(),
+                                        [&](const auto& one) { return one.state == state; }));
+}
+
+TEST(MortarFriction, TangentIsTheForcesDerivativeInEveryState) {
+  Census sum;
+  unsigned seed = 100;
+  Random random(9);
+  for (const MultiplierSpace space : spaces) {
+    // Small drags stick, longer ones slip; after one longer than an element former foot points lie in other elements.
+    sum.add(press_and_drag(pressed_disc("N2", slab("N2"), law(space, 0.3), 0.8, 1.0), ++seed, 0.06, {3e-4, 0.02, 0.5}));
+    for (int trial = 0; trial < 3; ++trial)
+      sum.add(press_and_drag(pressed_disc("N2-N2.1", wavy(random, 3, 0.1, 3, 6), law(space, 0.3), 1.3, 0.1), ++seed,
+                             0.07, {1e-3, 0.1, -0.4}));
+    sum.add(press_and_drag(pressed_disc("N2", make_ball<2>({1, -2}, 2), law(space, 0.3), 1.3, 0.1), ++seed, 0.06,
+                           {3e-4, -0.1}));
+    sum.add(press_and_drag(pressed_disc("N3", make_plane<2>({0, 0}, {0.2, 2}), law(space, 0.3), 1.3, 0.1, true), ++seed,
+                           0.06, {3e-4, 0.1}));
+  }
+  EXPECT_GE(sum.states, 25) << sum.stepped_over << " states lay on a change of state";
+  EXPECT_GT(sum.stick, 100);
+  EXPECT_GT(sum.slip, 100);
+}
+
+TEST(MortarFriction, TangentIsTheForcesDerivativeWithAugmentation) {
+  Random random(21);
+  Census census;
+  for (const MultiplierSpace space : spaces)
+    for (int trial = 0; trial < 3; ++trial) {
+      Couple couple = pressed_disc("N2", trial % 2 == 0 ? slab("N2") : wavy(random, 3, 0.1, 3, 6), law(space, 0.3), 1.3,
+                                   trial % 2 == 0 ? 1.0 : 0.1);
+      couple.shake(random, 0.003);
+      couple.touch();
+      couple.move_die(1e-3, -0.05);
+      couple.evaluate();
+      couple.pair.augment();
+      couple.pair.accept();
+      for (const auto& [x, y] : {std::pair{2e-4, 0.0}, {0.03, 0.02}, {0.0, 0.02}}) {
+        couple.move_die(x, y);
+        couple.shake(random, 0.0003);
+        compare_with_differences(couple, census);
+      }
+      EXPECT_GT(couple.pair.resultant().active, 3); // although lifted
+    }
+  EXPECT_GE(census.states, 12) << census.stepped_over << " states lay on a change of state";
+  EXPECT_GT(census.stick, 30);
+  EXPECT_GT(census.slip, 30);
+}
+
+TEST(MortarFriction, TangentIsTheForcesDerivativeIn3D) {
+  Random random(1);
+  Census3 census;
+  for (const MultiplierSpace space : spaces)
+    for (double mu : {0.0, 0.3})
+      for (int kind = 0; kind < 3; ++kind) {
+        Couple3 couple =
+            kind < 2 ? Couple3("N2", wavy_plate(random, 3, 0.02, 2 + kind, 4), law(space, mu), {1.4, 1.5, 0.1}, 5)
+                     : Couple3("N2", Obstacle<3>(make_ball<3>({1.5, 1.5, -2}, 2)), law(space, mu), {1.5, 1.5, 0.1});
+        couple.shake(random, 0.003);
+        couple.touch();
+        couple.move_die({0, 0, -0.08});
+        couple.shake(random, 0.001);
+        compare_with_differences(couple, random, census);
+        couple.pair.accept();
+        for (const Vec<3>& drag : {Vec<3>(3e-4, 1e-4, 0), Vec<3>(0.02, 0.03, 0), Vec<3>(-0.3, 0.2, 0)}) {
+          couple.move_die(drag);
+          couple.shake(random, 0.0003);
+          compare_with_differences(couple, random, census);
+          couple.pair.accept();
+        }
+        couple.turn_die(0.1, {1.5, 1.5, 0});
+        compare_with_differences(couple, random, census);
+        couple.pair.augment();
+        couple.move_die({1e-3, 0, 0.01});
+        compare_with_differences(couple, random, census);
+      }
+  EXPECT_GE(census.compared, 50) << census.stepped_over << " states lay on a change of state";
+  EXPECT_GT(census.stick, 200);
+  EXPECT_GT(census.slip, 200);
+}
+
+TEST(MortarFriction, IsCoulombsAndOpposesTheSliding) {
+  for (const MultiplierSpace space : spaces)
+    for (double direction : {1.0, -1.0}) {
+      Couple couple = pressed_disc("N2", slab("N2"), law(space, 0.2), 1.4, 1.0);
+      couple.touch();
+      couple.move_die(0, -0.05);
+      couple.evaluate();
+      couple.pair.accept();
+      double dissipated = 0;
+      for (int step = 0; step < 12; ++step) {
+        couple.move_die(0.01 * direction, 0);
+        couple.evaluate();
+        for (const auto& multiplier : couple.pair.multipliers()) {
+          EXPECT_LE(multiplier.friction.norm(), 0.2 * multiplier.pressure * (1 + 1e-14));
+          if (multiplier.state != ContactState::slip) continue;
+          EXPECT_NEAR(multiplier.friction.norm(), 0.2 * multiplier.pressure, 1e-13 * multiplier.pressure);
+          EXPECT_GT(multiplier.friction(0) * direction, 0);
+        }
+        const Eigen::Vector2d force = couple.pair.resultant().force;
+        couple.pair.accept();
+        if (step < 6) continue;
+        EXPECT_EQ(count(couple.pair, ContactState::stick), 0);
+        EXPECT_NEAR(force(0), -0.2 * direction * force(1), 1e-12 * force(1));
+        // In full slip friction dissipates force times way.
+        if (step > 6) {
+          EXPECT_NEAR(couple.pair.dissipated() - dissipated, 0.2 * force(1) * 0.01, 1e-12 * force(1));
+        }
+        dissipated = couple.pair.dissipated();
+        // The accepted state has the same forces.
+        couple.evaluate();
+        EXPECT_NEAR((couple.pair.resultant().force - force).norm(), 0, 1e-12 * force.norm());
+      }
+    }
+}
+
+/// Bodies that turn together keep their tractions, which turn with them.
+template <int D, class AnyCouple> void expect_turned(AnyCouple& couple, const Mat<D>& turn) {
+  const VectorX before = couple.dense().force;
+  const MatrixX die = couple.die.points(), base = couple.base->points();
+  for (int i = 0; i < couple.u.size(); i += D) {
+    const Vec<D> x = i < couple.die_dofs() ? die.col(i / D) : base.col((i - couple.die_dofs()) / D);
+    couple.u.template segment<D>(i) = turn * (x + couple.u.template segment<D>(i)) - x;
+  }
+  couple.evaluate();
+  const VectorX after = couple.dense().force;
+  double difference = 0;
+  for (int i = 0; i < before.size(); i += D)
+    difference = std::max(difference, (after.segment<D>(i) - turn * before.segment<D>(i)).norm());
+  EXPECT_LE(difference, 1e-12 * before.norm());
+}
+
+TEST(MortarFriction, IsIndependentOfTheFrame) {
+  for (const MultiplierSpace space : spaces) {
+    Couple couple = pressed_disc("N2", slab("N2"), law(space, 0.3), 1.4, 1.0);
+    couple.touch();
+    couple.move_die(3e-3, -0.05);
+    couple.evaluate();
+    couple.pair.accept();
+    couple.evaluate();
+    EXPECT_GT(std::abs(couple.pair.resultant().force(0)), 1e-2);
+    expect_turned<2>(couple, Eigen::Rotation2Dd(0.7).toRotationMatrix());
+
+    Random random(2);
+    Couple3 solid("N2", wavy_plate(random, 3, 0.02, 2, 4), law(space, 0.3), {1.4, 1.5, 0.1}, 5);
+    solid.touch();
+    solid.move_die({3e-3, -2e-3, -0.08});
+    solid.evaluate();
+    solid.pair.accept();
+    solid.evaluate();
+    EXPECT_GT(solid.pair.resultant().force.head<2>().norm(), 1e-2);
+    expect_turned<3>(solid, Eigen::AngleAxisd(0.7, Vec<3>(1, 2, -1).normalized()).toRotationMatrix());
+  }
+}
+
+TEST(MortarFriction, StartsAtTheAcceptedPosition) {
+  Couple couple = pressed_disc("N2", slab("N2"), law(MultiplierSpace::reduced, 0.5), 1.3, 0.95);
+  couple.evaluate();
+  for (const auto& multiplier : couple.pair.multipliers()) EXPECT_NEAR(multiplier.friction.norm(), 0, 1e-13);
+  couple.pair.accept();
+  couple.move_die(1e-3, 0);
+  couple.evaluate();
+  // On a straight master the slip of all points is that of the die.
+  EXPECT_GT(count(couple.pair, ContactState::stick), 2);
+  for (const auto& multiplier : couple.pair.multipliers())
+    if (multiplier.state == ContactState::stick) {
+      EXPECT_NEAR(multiplier.friction(0), 80 * 1e-3, 1e-12);
+    }
+}
+
+/// Augmentation of a sticking flat block: pressures and frictions of the last evaluation become multipliers.
+TEST(MortarFriction, AugmentationAddsPressureAndFriction) {
+  const auto block = discretize(nurbs::rectangle(2, 0.5, Eigen::Vector2d(0, 0)), {5, 1}, "N2", "south");
+  for (const MultiplierSpace space : spaces) {
+    Couple couple(block, "south", make_plane<2>({0, 0}, {0, 1}), law(space, 0.5), 4);
+    couple.evaluate();
+    couple.pair.accept();
+    couple.move_die(1e-3, -0.02);
+    for (int loop = 1; loop <= 3; ++loop) {
+      couple.evaluate();
+      for (const auto& multiplier : couple.pair.multipliers()) {
+        EXPECT_NEAR(multiplier.pressure, loop * 2, 1e-12);
+        EXPECT_NEAR(multiplier.friction(0), loop * 0.08, 1e-12);
+      }
+      EXPECT_NEAR(couple.pair.formulation().violation(couple.pair.present()), 0.02, 1e-14);
+      couple.pair.augment();
+    }
+    couple.pair.accept();
+    // Lifted to zero gap and back to zero slip it carries the multipliers.
+    couple.move_die(-1e-3, 0.02);
+    couple.evaluate();
+    for (const auto& multiplier : couple.pair.multipliers()) {
+      EXPECT_NEAR(multiplier.pressure, 6, 1e-12);
+      EXPECT_NEAR(multiplier.friction(0), 0.24, 1e-12);
+    }
+    EXPECT_NEAR(couple.pair.formulation().violation(couple.pair.present()), 0, 1e-14);
+    // Multipliers that change after the accepted state are rolled back.
+    couple.pair.augment();
+    couple.pair.augment();
+    couple.pair.rollback();
+    couple.move_die(1e-3, -0.02);
+    couple.evaluate();
+    EXPECT_NEAR(couple.pair.multipliers()[2].pressure, 8, 1e-12);
+  }
+}
+
+} // namespace mortar_friction_test
+} // namespace signorini::contact
