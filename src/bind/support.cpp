@@ -123,8 +123,8 @@ template <int D> void read_symmetry(const Arguments& a, const SceneBuilder<D>& b
       reject_symmetry("needs the axis x = 0 or a face across y, but ", words, " is a cylinder of radius ",
                       number(found->place), ": use fix = \"x\" to fix its radius");
     if (plane && (plane->axis != found->axis || std::abs(plane->place - found->place) > tolerance))
-      reject_symmetry("needs faces in one plane, but ", words, " lies in ", found->words(), ", the one before in ",
-                      plane->words(), ": use a separate support for each plane");
+      reject_symmetry("needs faces in one plane, but ", words, " lies in ", found->words(), ", another one in ",
+                      plane->words(), ". Hint: use a separate support for each plane");
     plane = found;
   });
   const std::string normal = model::component_name(plane->axis);

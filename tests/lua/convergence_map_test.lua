@@ -318,7 +318,7 @@ end)
 
 check.case("wrong arguments are errors at the user's line that name the cure", function()
   check.fails(function() make{ x = { name = "order" } } end, "convergence_map_test.lua:",
-    "sg.convergence_map: x.values (each once) is missing")
+    "sg.convergence_map: x.values (its values, each once) is missing")
   check.fails(function() make{ x = { name = "order", values = { "a", "a" } } } end, "x.values has the string 'a' twice")
   check.fails(function() make{ y = { name = "steps", values = { {} } } } end,
     "y.values[1] must be a number or a string, got an empty table")

@@ -102,7 +102,7 @@ for _, case in ipairs {
   { "a curved face", [[sg.model(fixed{ on = arc:face "south", symmetry = true })]],
     "face 'south' of body 'arc' is curved" },
   { "faces in two planes", [[sg.model(fixed{ on = {a:face "west", a:face "east"}, symmetry = true })]],
-    "needs faces in one plane, but face 'east' of body 'a' lies in x = 2, the one before in x = 1",
+    "needs faces in one plane, but face 'east' of body 'a' lies in x = 2, another one in x = 1",
     "use a separate support for each plane" },
   { "a drive through the plane", [[sg.model(fixed{ on = a:face "west", symmetry = true, drive = "xy" })]],
     "supports.s.symmetry holds x on the plane x = 1, but drive names x, too: remove one of the two" },
