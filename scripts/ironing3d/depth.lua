@@ -7,13 +7,17 @@ local problem = require "ironing3d.problem"
 
 local depth = {}
 
---- Presses a case and adds the list of `states`, one per step: depth, Pz, area, max_pressure, max_penetration.
+--- Presses a case and adds the list of `states`, one per step: depth, Pz, area, max_pressure, max_penetration; and
+--- `fullest`, the state with the largest contact area: depth, area, snapshot.
 function depth.solve(case)
   case.mesh, case.depth, case.distance, case.states = case.mesh or "coarse", problem.published_depth, 0, {}
-  case.on_step = function(_, info)
-    table.insert(case.states, { depth = -info["grip.uz"], Pz = -info["grip.fz"], area = info["interface.area"],
-                                max_pressure = info["interface.max_pressure"],
-                                max_penetration = info["interface.max_penetration"] })
+  case.on_step = function(model, info)
+    local state = { depth = -info["grip.uz"], Pz = -info["grip.fz"], area = info["interface.area"],
+                    max_pressure = info["interface.max_pressure"], max_penetration = info["interface.max_penetration"] }
+    table.insert(case.states, state)
+    if not case.fullest or state.area > case.fullest.area then
+      case.fullest = { depth = state.depth, area = state.area, snapshot = model:snapshot() }
+    end
   end
   return problem.solve(case)
 end
@@ -26,8 +30,7 @@ end
 local function result_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
-    local last, largest = case.states[#case.states] or {}, 0
-    for _, state in ipairs(case.states) do largest = math.max(largest, state.area) end
+    local last, largest = case.states[#case.states] or {}, case.fullest and case.fullest.area
     rows[i] = { case.order, case.radius, case.from, last.depth, case.run.reason, case.turn and -case.turn,
                 case.run.iterations, case.run.cutbacks, last.Pz, largest, last.area, last.max_pressure,
                 last.max_penetration }
@@ -51,6 +54,14 @@ local function draw(file, cases, key, ylabel)
   return #chart > 0
 end
 
+--- Draws the state with the largest contact area next to the deepest one, which the model has.
+local function draw_fold(file, case, name, deepest)
+  local last = output.picture(case.model, ("depth %.2f, area %.0f mm²"):format(deepest, case.states[#case.states].area))
+  case.model:restore(case.fullest.snapshot)
+  local full = output.picture(case.model, ("depth %.2f, area %.0f mm²"):format(case.fullest.depth, case.fullest.area))
+  output.draw_sheet(file, { full, last }, ("3D ironing, %s: largest contact area, and deepest state"):format(name))
+end
+
 --- The study. Returns { cases }.
 function depth.run(options, files)
   local cases, pictures = {}, {}
@@ -61,8 +72,10 @@ function depth.run(options, files)
                                   linear = options.linear }
         local name = ("%s, R = %g, x = %g"):format(order, radius, from)
         if #case.states > 0 then
-          pictures[#pictures + 1] = output.picture(case.model,
-            ("%s, depth %.2f"):format(name, case.states[#case.states].depth))
+          local deepest = case.states[#case.states].depth
+          pictures[#pictures + 1] = output.picture(case.model, ("%s, depth %.2f"):format(name, deepest))
+          draw_fold(files(("fold_%s_R%g_x%g.png"):format(order, radius, from)), case, name, deepest)
+          case.fullest.snapshot = nil
         end
         case.model = nil
         print(name)

@@ -79,7 +79,8 @@ end
 --- pictures. `label`: of their color bar.
 function study.record_states(case, field, label)
   local pictures, titles = {}, {
-    [case.press] = "pressed", [case.press + case.slide // 2] = "half of the way", [case.press + case.slide] = "the end",
+    [case.press] = "pressed", [case.press + case.slide // 2] = "middle of the slide",
+    [case.press + case.slide] = "the end",
   }
   return function(model, info)
     if titles[info.step] then

@@ -53,7 +53,7 @@ void Formulation<D>::append_master(int element, const Offsets& offsets, std::vec
 
 template <int D>
 void Formulation<D>::append_dofs(const Block& block, const Offsets& offsets, std::vector<int>& dofs) const {
-  if (block.multiplier >= 0) {
+  if (block.group >= 0) {
     for (const int node : block.slave_nodes)
       for (int c = 0; c < D; ++c) dofs.push_back(offsets.slave + D * slave().body_function(node) + c);
     for (const int node : block.master_nodes)

@@ -129,7 +129,6 @@ template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
   const PenaltyLaw law = scaled(trial.penalty_factor);
   const Controls& controls = trial.controls;
   const double tie = controls.onward ? -controls.guessed : controls.guessed;
-  active_.clear();
   for (int a = 0; a < functions_.count(); ++a) {
     MultiplierResult<D>& result = trial.present.multiplier_results[at(a)];
     MultiplierHistory<D>& history = trial.present.multipliers[at(a)];
@@ -156,7 +155,6 @@ template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
     const FixedContactState fixed =
         controls.fixed_states.empty() ? FixedContactState::free : controls.fixed_states[at(a)];
     tangents_[at(a)] = mortar_law(law, sum, history, {fixed, controls.guessed, tie, controls.landing}, result);
-    if (result.state != ContactState::open) active_.push_back(a);
   }
 }
 
@@ -271,23 +269,29 @@ LocalRows<D> MortarContact<D>::point_rows(const LocalGeometry<D>& geometry, cons
 
 // ── Coupling of a multiplier's unknowns ──────────────────────────────────────────────────────────────────────────────
 
-/// Appends a block for each active multiplier.
+/// Appends a block for each group with a multiplier that is not open.
 template <int D> void MortarContact<D>::couple_all() {
   for (auto& list : strips_) list.clear();
   for (const Part& part : parts_)
     for (const Strip& strip : part.rows.strips()) strips_[at(strip.slave_element)].push_back(&strip);
-  const std::size_t first = this->blocks_.size(), count = active_.size(), chunks = parts_.size();
-  for (std::size_t k = 0; k < count; ++k) {
+  const auto& groups = functions_.groups();
+  const std::size_t first = this->blocks_.size(), chunks = parts_.size();
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const auto& members = groups[g].members;
+    if (std::all_of(members.begin(), members.end(), [&](int a) { return tangents_[at(a)].pressure == 0; })) continue;
     if (spare_.empty()) spare_.emplace_back();
-    this->blocks_.push_back(std::move(spare_.back()));
+    Block& block = this->blocks_.emplace_back(std::move(spare_.back()));
     spare_.pop_back();
+    block.slave_element = block.master_element = block.slip_element = -1;
+    block.group = static_cast<int>(g);
   }
+  const std::size_t count = this->blocks_.size() - first;
   parallel(static_cast<int>(chunks), [&](int chunk) {
     const std::size_t own = at(chunk);
     for (std::size_t k = own * count / chunks; k < (own + 1) * count / chunks; ++k) {
-      const int a = active_[k];
-      couple<D>({a, sums_[at(a)], tangents_[at(a)]}, functions_, this->slave(), this->master(), strips_,
-                PointRows<D>::count(frictional()), parts_[own].space, this->blocks_[first + k]);
+      Block& block = this->blocks_[first + k];
+      couple<D>(groups[at(block.group)], functions_, sums_, tangents_, this->slave(), this->master(), strips_,
+                PointRows<D>::count(frictional()), parts_[own].space, block);
     }
   });
 }

@@ -74,7 +74,6 @@ private:
   std::vector<double> cleared_;                 ///< per slave element: least `cleared` of its points
   std::vector<MultiplierSums<D>> sums_;         ///< per multiplier, as the next
   std::vector<MultiplierTangent<D>> tangents_;
-  std::vector<int> active_;                       ///< multipliers that are not open, increasing
   std::vector<std::vector<const Strip*>> strips_; ///< per slave element
   std::vector<Block> spare_;
 };

@@ -5,8 +5,15 @@
 #include "solid/quadrature.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace signorini::contact {
+
+void sort_once(std::vector<int>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
 
 namespace {
 
@@ -30,7 +37,6 @@ MultiplierFunctions<D>::MultiplierFunctions(const Surface<D>& slave, const Conta
   const nurbs::Space1D &u = spaces.front(), &v = spaces.back();
   const int count = D == 2 ? u.functions() : u.functions() * v.functions();
   supports_.resize(at(count));
-  nodes_.resize(at(count));
   largest_.assign(at(count), -1);
   std::vector<double> most(at(count), 0.0);
   std::size_t i = 0;
@@ -46,8 +52,6 @@ MultiplierFunctions<D>::MultiplierFunctions(const Surface<D>& slave, const Conta
     functions.each([&](int multiplier, const std::array<int, 3>&) {
       numbers_[at(e)].push_back(multiplier);
       supports_[at(multiplier)].push_back(e);
-      std::vector<int>& nodes = nodes_[at(multiplier)];
-      nodes.insert(nodes.end(), slave.nodes(e), slave.nodes(e) + slave.functions_on(e));
     });
     for (; i < points.size() && points.list[i].element == e; ++i) {
       const int q = points.list[i].number;
@@ -61,17 +65,34 @@ MultiplierFunctions<D>::MultiplierFunctions(const Surface<D>& slave, const Conta
       });
     }
   }
-  for (std::vector<int>& nodes : nodes_) {
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  make_groups(slave);
+}
+
+/// Groups multipliers by the first element of their supports, in 3D by tiles of 2 × 2 elements.
+template <int D> void MultiplierFunctions<D>::make_groups(const Surface<D>& slave) {
+  const int tile = D - 1, width = slave.direction(0).elements(), across = (width + tile - 1) / tile;
+  std::map<int, MultiplierGroup> by_tile;
+  for (int a = 0; a < count(); ++a) {
+    const int first = supports_[at(a)].front();
+    MultiplierGroup& group = by_tile[first % width / tile + across * (first / width / tile)];
+    group.members.push_back(a);
+    group.support.insert(group.support.end(), supports_[at(a)].begin(), supports_[at(a)].end());
+  }
+  for (auto& [place, group] : by_tile) {
+    sort_once(group.support);
+    for (const int e : group.support)
+      group.nodes.insert(group.nodes.end(), slave.nodes(e), slave.nodes(e) + slave.functions_on(e));
+    sort_once(group.nodes);
+    groups_.push_back(std::move(group));
   }
 }
 
 template <int D> double MultiplierFunctions<D>::memory() const {
   const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
   double sum = bytes(offsets_) + bytes(values_);
-  for (const auto* lists : {&numbers_, &supports_, &nodes_})
+  for (const auto* lists : {&numbers_, &supports_})
     for (const auto& list : *lists) sum += bytes(list);
+  for (const MultiplierGroup& group : groups_) sum += bytes(group.members) + bytes(group.support) + bytes(group.nodes);
   return sum;
 }
 

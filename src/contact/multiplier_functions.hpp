@@ -8,6 +8,15 @@
 
 namespace signorini::contact {
 
+/// Sorts a list and removes repetitions.
+void sort_once(std::vector<int>& list);
+
+/// Multipliers whose supports begin near each other, which couple nearly the same unknowns.
+struct MultiplierGroup {
+  std::vector<int> members, support; ///< multipliers, and the slave elements of their supports, increasing
+  std::vector<int> nodes;            ///< face-local indices of all functions on the support, increasing
+};
+
 template <int D> class MultiplierFunctions {
 public:
   /// `points` has `per_direction` Gauss points per element and direction. Throws Error as multiplier_space().
@@ -18,8 +27,7 @@ public:
   std::span<const int> on(int element) const { return numbers_[at(element)]; }
   /// Slave elements on which a multiplier does not vanish, increasing.
   std::span<const int> support(int multiplier) const { return supports_[at(multiplier)]; }
-  /// Face-local indices of all functions on the support, increasing.
-  std::span<const int> nodes(int multiplier) const { return nodes_[at(multiplier)]; }
+  const std::vector<MultiplierGroup>& groups() const { return groups_; }
   /// M_A of on(element) at contact point i.
   const double* at_point(std::size_t i) const { return values_.data() + offsets_[i]; }
   /// The contact point at which a multiplier is largest; −1 if it has none.
@@ -27,7 +35,10 @@ public:
   double memory() const;
 
 private:
-  std::vector<std::vector<int>> numbers_, supports_, nodes_;
+  void make_groups(const Surface<D>& slave);
+
+  std::vector<std::vector<int>> numbers_, supports_;
+  std::vector<MultiplierGroup> groups_;
   std::vector<std::size_t> offsets_;
   std::vector<double> values_;
   std::vector<int> largest_;

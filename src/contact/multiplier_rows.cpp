@@ -91,24 +91,19 @@ void MultiplierRows<D>::add(const ContactPoints<D>& points, std::size_t i, const
 
 namespace {
 
-/// Collects master elements and nodes of the strips of a multiplier's support.
+/// Collects master elements and nodes of the strips of a group's support.
 template <int D>
-void collect_nodes(const MultiplierFunctions<D>& functions, const Master<D>& master,
+void collect_nodes(const MultiplierGroup& group, const Master<D>& master,
                    const std::vector<std::vector<const Strip*>>& strips, Block& block) {
+  block.slave_nodes = group.nodes;
   block.master_elements.clear();
-  for (const int element : functions.support(block.multiplier))
+  block.master_nodes.clear();
+  for (const int element : group.support)
     for (const Strip* strip : strips[at(element)]) {
       block.master_elements.push_back(strip->master_element);
       if (strip->slip_element >= 0) block.master_elements.push_back(strip->slip_element);
     }
-  const auto sort = [](std::vector<int>& list) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  };
-  sort(block.master_elements);
-  const auto slave_nodes = functions.nodes(block.multiplier);
-  block.slave_nodes.assign(slave_nodes.begin(), slave_nodes.end());
-  block.master_nodes.clear();
+  sort_once(block.master_elements);
   if (master.rigid()) {
     block.master_nodes.push_back(0);
     return;
@@ -117,7 +112,7 @@ void collect_nodes(const MultiplierFunctions<D>& functions, const Master<D>& mas
   for (const int element : block.master_elements)
     block.master_nodes.insert(block.master_nodes.end(), face.nodes(element),
                               face.nodes(element) + face.functions_on(element));
-  sort(block.master_nodes);
+  sort_once(block.master_nodes);
 }
 
 /// Numbers of the nodes in the block, by face-local index.
@@ -149,55 +144,77 @@ void add_strip(const Strip& strip, int own, int count, const Surface<D>& slave, 
   }
 }
 
+/// Writes the rows ∂f/∂z_A, ∂f/∂t_A to the left, δz_A, δt_A to the right, from those collected of one multiplier.
+template <int D>
+void add_factors(const MultiplierSums<D>& sums, const MultiplierTangent<D>& tangent, bool frictional, int row,
+                 CouplingSpace& space) {
+  using Rows = PointRows<D>;
+  const auto& x = space.rows;
+  // ḡ = G/a, V = S/a:  δḡ = (δG − ḡ δa)/a,  δV = (δS − V δa)/a
+  const double gap = sums.gap / sums.area;
+  using Row = Eigen::Matrix<double, 1, Eigen::Dynamic>;
+  const Row gap_row = (x.row(Rows::gap) + x.row(Rows::gap_fade) - gap * x.row(Rows::area)) / sums.area;
+  // ∂f/∂z_A = −Σ w M_A ω δg
+  space.left.row(row) = -x.row(Rows::gap);
+  space.right.row(row) = tangent.pressure * gap_row;
+  if (!frictional) return;
+  const Vec<D> slip = sums.slip / sums.area;
+  auto directions = space.right.template middleRows<D>(row + 1);
+  directions.noalias() = tangent.of_gap * gap_row;
+  directions.noalias() += tangent.of_normal * x.template middleRows<D>(Rows::normal);
+  directions.noalias() +=
+      (tangent.of_slip / sums.area) * (x.template middleRows<D>(Rows::slip) - slip * x.row(Rows::area));
+  if constexpr (D == 3) directions.noalias() += tangent.of_along * x.template middleRows<D>(Rows::along);
+  // f contains −t_A Σ w M_A ω (−R, R̄)
+  auto shares = space.left.template middleRows<D>(row + 1);
+  shares.setZero();
+  for (Eigen::Index b = 0; b < space.shares.size(); ++b)
+    for (int c = 0; c < D; ++c) shares(c, D * b + c) = -space.shares(b);
+}
+
 } // namespace
 
 template <int D>
-void couple(const ActiveMultiplier<D>& multiplier, const MultiplierFunctions<D>& functions, const Surface<D>& slave,
-            const Master<D>& master, const std::vector<std::vector<const Strip*>>& strips, int count,
-            CouplingSpace& space, Block& block) {
-  using Rows = PointRows<D>;
-  const auto& [index, sums, tangent] = multiplier;
-  block.slave_element = block.master_element = block.slip_element = -1;
-  block.multiplier = index;
-  collect_nodes(functions, master, strips, block);
+void couple(const MultiplierGroup& group, const MultiplierFunctions<D>& functions,
+            const std::vector<MultiplierSums<D>>& sums, const std::vector<MultiplierTangent<D>>& tangents,
+            const Surface<D>& slave, const Master<D>& master, const std::vector<std::vector<const Strip*>>& strips,
+            int count, CouplingSpace& space, Block& block) {
+  collect_nodes(group, master, strips, block);
   const int ns = static_cast<int>(block.slave_nodes.size()), nm = static_cast<int>(block.master_nodes.size());
   number(block.slave_nodes, 0, slave.functions(), space.slave_column);
   number(block.master_nodes, ns, master.rigid() ? 1 : master.surface()->functions(), space.master_column);
   const int size = block.rows = block.columns = D * (ns + nm);
+  const bool frictional = count > PointRows<D>::count(false);
+  const int factors = frictional ? 1 + D : 1; // per multiplier
+  space.active.clear();
+  for (const int a : group.members)
+    if (tangents[at(a)].pressure != 0) space.active.push_back(a);
+  const int all = factors * static_cast<int>(space.active.size());
+  space.left.resize(all, size);
+  space.right.resize(all, size);
+  int row = 0;
+  for (const int a : space.active) {
+    space.rows.setZero(count, size);
+    space.shares.setZero(ns + nm);
+    for (const int element : functions.support(a)) {
+      const auto on = functions.on(element);
+      const int own = static_cast<int>(std::find(on.begin(), on.end(), a) - on.begin());
+      for (const Strip* strip : strips[at(element)]) add_strip<D>(*strip, own, count, slave, master, space);
+    }
+    add_factors(sums[at(a)], tangents[at(a)], frictional, row, space);
+    row += factors;
+  }
   block.force.assign(at(size), 0.0);
   block.matrix.resize(at(size * size));
-  space.rows.setZero(count, size);
-  space.shares.setZero(ns + nm);
-  for (const int element : functions.support(index)) {
-    const auto on = functions.on(element);
-    const int own = static_cast<int>(std::find(on.begin(), on.end(), index) - on.begin());
-    for (const Strip* strip : strips[at(element)]) add_strip<D>(*strip, own, count, slave, master, space);
-  }
-
-  // ḡ = G/a, V = S/a:  δḡ = (δG − ḡ δa)/a,  δV = (δS − V δa)/a
-  const auto& x = space.rows;
-  const double gap = sums.gap / sums.area;
-  using Row = Eigen::Matrix<double, 1, Eigen::Dynamic>;
-  const Row gap_row = (x.row(Rows::gap) + x.row(Rows::gap_fade) - gap * x.row(Rows::area)) / sums.area;
-  // ∂f/∂z_A = −Σ w M_A ω δg:  K = −Σ w M_A ω δg ⊗ δz_A
   Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> matrix(block.matrix.data(), size,
                                                                                             size);
-  matrix.noalias() = x.row(Rows::gap).transpose() * (-tangent.pressure * gap_row);
-  if (count == Rows::normal) return;
-  const Vec<D> slip = sums.slip / sums.area;
-  space.directions.noalias() = tangent.of_gap * gap_row;
-  space.directions.noalias() += tangent.of_normal * x.template middleRows<D>(Rows::normal);
-  space.directions.noalias() +=
-      (tangent.of_slip / sums.area) * (x.template middleRows<D>(Rows::slip) - slip * x.row(Rows::area));
-  if constexpr (D == 3) space.directions.noalias() += tangent.of_along * x.template middleRows<D>(Rows::along);
-  // f contains −t_A Σ w M_A ω (−R, R̄)
-  for (int b = 0; b < ns + nm; ++b)
-    for (int c = 0; c < D; ++c) matrix.row(D * b + c) -= space.shares(b) * space.directions.row(c);
+  matrix.noalias() = space.left.transpose() * space.right;
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template class MultiplierRows<D>;                                                                                    \
-  template void couple(const ActiveMultiplier<D>&, const MultiplierFunctions<D>&, const Surface<D>&, const Master<D>&, \
+  template void couple(const MultiplierGroup&, const MultiplierFunctions<D>&, const std::vector<MultiplierSums<D>>&,   \
+                       const std::vector<MultiplierTangent<D>>&, const Surface<D>&, const Master<D>&,                  \
                        const std::vector<std::vector<const Strip*>>&, int, CouplingSpace&, Block&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

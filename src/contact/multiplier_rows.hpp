@@ -51,24 +51,20 @@ private:
   std::vector<double> base_; ///< working space of add(): a point's rows by column
 };
 
-/// A multiplier at the end of an evaluation.
-template <int D> struct ActiveMultiplier {
-  int number;
-  const MultiplierSums<D>& sums;
-  const MultiplierTangent<D>& tangent;
-};
-
 /// Working space of couple().
 struct CouplingSpace {
   std::vector<int> slave_column, master_column; ///< by face-local node
-  MatrixX rows, directions;
+  std::vector<int> active;                      ///< members of the group that are not open
+  MatrixX rows, left, right;
   VectorX shares;
 };
 
-/// Fills the block of ∂f/∂z_A δz_A + ∂f/∂t_A δt_A from the strips of the elements of the multiplier's support.
+/// Fills the block of a group: Σ ∂f/∂z_A δz_A + ∂f/∂t_A δt_A over its members that are not open, from the strips of
+/// each element. `sums` and `tangents` are by multiplier.
 template <int D>
-void couple(const ActiveMultiplier<D>& multiplier, const MultiplierFunctions<D>& functions, const Surface<D>& slave,
-            const Master<D>& master, const std::vector<std::vector<const Strip*>>& strips, int count,
-            CouplingSpace& space, Block& block);
+void couple(const MultiplierGroup& group, const MultiplierFunctions<D>& functions,
+            const std::vector<MultiplierSums<D>>& sums, const std::vector<MultiplierTangent<D>>& tangents,
+            const Surface<D>& slave, const Master<D>& master, const std::vector<std::vector<const Strip*>>& strips,
+            int count, CouplingSpace& space, Block& block);
 
 } // namespace signorini::contact

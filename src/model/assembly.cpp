@@ -78,7 +78,7 @@ template <int D> void Assembly<D>::cover(bool contacts) {
     for (const contact::Block& block : contacts_[k]->blocks()) {
       Nodes dofs;
       contacts_[k]->append_dofs(block, unknowns_.of_contact(k), dofs);
-      if (block.multiplier < 0) contacts_[k]->append_master(block.master_element, unknowns_.of_contact(k), dofs, true);
+      if (block.group < 0) contacts_[k]->append_master(block.master_element, unknowns_.of_contact(k), dofs, true);
       for (const int element : block.master_elements)
         contacts_[k]->append_master(element, unknowns_.of_contact(k), dofs, true);
       for (int& dof : dofs) dof = unknowns_.unknown(dof);
@@ -158,7 +158,7 @@ template <int D> bool Assembly<D>::locate() {
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     for (const contact::Block& block : contacts_[k]->blocks()) {
       Placement& placement = placements_[k][block.key()];
-      if (!placement.positions.empty() && block.multiplier < 0) continue;
+      if (!placement.positions.empty() && block.group < 0) continue;
       Nodes dofs;
       contacts_[k]->append_dofs(block, unknowns_.of_contact(k), dofs);
       if (!placement.positions.empty() && dofs == placement.columns) continue;

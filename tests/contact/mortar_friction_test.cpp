@@ -183,6 +183,41 @@ TEST(MortarFriction, IsIndependentOfTheFrame) {
   }
 }
 
+TEST(MortarFriction, FixedStatesBelongToMultipliers) {
+  for (const MultiplierSpace space : spaces) {
+    Couple couple = pressed_disc("N2", slab("N2"), law(space, 0.2), 1.4, 1.0);
+    couple.touch();
+    couple.move_die(0.02, -0.06);
+    couple.evaluate();
+    const std::size_t size = couple.pair.multipliers().size();
+    const int closed = count(couple.pair, ContactState::slip) + count(couple.pair, ContactState::stick);
+    ASSERT_GT(count(couple.pair, ContactState::slip), 1);
+    const VectorX before = couple.dense().force;
+
+    couple.pair.fix_states(std::vector<FixedContactState>(size, FixedContactState::open));
+    couple.evaluate();
+    EXPECT_TRUE(couple.pair.blocks().empty());
+
+    std::vector<FixedContactState> some(size, FixedContactState::free);
+    some[size / 2] = FixedContactState::stick;
+    some[size / 2 - 3] = FixedContactState::touching; // at a gap, so that it is in tension, without friction
+    couple.pair.fix_states(some);
+    couple.evaluate();
+    EXPECT_EQ(couple.pair.multipliers()[size / 2].state, ContactState::stick);
+    EXPECT_GT(couple.pair.multipliers()[size / 2].friction.norm(), 0.2 * couple.pair.multipliers()[size / 2].pressure);
+    EXPECT_LT(couple.pair.multipliers()[size / 2 - 3].pressure, 0);
+    EXPECT_EQ(couple.pair.multipliers()[size / 2 - 3].friction.norm(), 0);
+    Census census;
+    compare_with_differences(couple, census);
+    EXPECT_EQ(census.states, 1);
+
+    couple.pair.fix_states({});
+    couple.evaluate();
+    EXPECT_EQ(count(couple.pair, ContactState::slip) + count(couple.pair, ContactState::stick), closed);
+    EXPECT_LT((couple.dense().force - before).norm(), 1e-13 * before.norm());
+  }
+}
+
 TEST(MortarFriction, StartsAtTheAcceptedPosition) {
   Couple couple = pressed_disc("N2", slab("N2"), law(MultiplierSpace::reduced, 0.5), 1.3, 0.95);
   couple.evaluate();

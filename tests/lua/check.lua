@@ -97,7 +97,7 @@ function check.pictures(folder, names)
   for _, name in ipairs(names) do
     local bytes = core.read_file(("%s/%s.png"):format(folder, name))
     if not (bytes:find("^\137PNG\r\n\26\n") and bytes:find("IEND....$")) then
-      error(name .. " is no whole picture", 2)
+      error(name .. " is not a complete picture", 2)
     end
   end
 end

@@ -61,7 +61,7 @@ local function leftovers()
   return names
 end
 
-check.equal(run "anew", 0)
+check.equal(run "again", 0)
 local undisturbed = read(output)
 check.holds(undisturbed, " 100\n")
 local largest = #read(file)

@@ -56,7 +56,7 @@ return {
   { "sg.picture", [[Returns a picture of a model's current state, of a state stored by a run, or of patches, and writes
 it to `file` if given. Later changes of the model do not affect the picture.]],
     named = {
-      "Contents, one of:",
+      "Contents, one of these, or states below:",
       { "model", t.object "model", "shows its current state", optional = true },
       { "state", t.object "state", "an entry of run:states()", optional = true, excludes = { "states", "patch" } },
       { "patch", t.one_or_more(t.object "patch"),

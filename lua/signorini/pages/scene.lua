@@ -117,7 +117,8 @@ as keys. Plane strain has unit depth; in an axisymmetric model x is the radius, 
 circle.]],
     named = {
       { "bodies", t.map(t.object "body", 1), "the bodies" },
-      { "supports", t.map(t.either(t.named "support", t.named "load")), "supports of the bodies; may include loads",
+      { "supports", t.map(t.either(t.named "support", t.named "load")),
+        "supports of bodies and obstacles; entries with traction or pressure are loads",
         optional = true },
       { "loads", t.map(t.named "load"), "external forces", optional = true },
       { "contacts", t.map(t.named "contact"), "pairs of faces that may touch", optional = true },
@@ -171,8 +172,8 @@ model:reaction(name) is the force; the columns of a run are <name>.fx …, and .
   { "contact", "Defines contact between the face of a body and another body or an obstacle.",
     head = "contacts = { <name> = { slave, master, penalty, friction, method, per, … } }, in sg.model{ … }",
     named = contact,
-    more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run. Two half
-passes have two names: <name> is the pass over the slave face, <name>.master that over the master face.
+    more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run (force on the
+slave). Two half passes have two names: <name> is the pass over the slave face, <name>.master that over the master face.
 Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85) to
 (3.89), points 7.1.1 of ]] .. thesis .. [[. More in share/doc/theory.md.]],
     example = [[

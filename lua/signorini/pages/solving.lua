@@ -63,7 +63,8 @@ model keeps the last accepted state. Reasons:
   left_path        an arc-length increment converged on another part of the path
 run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns: step,
 increments, iterations, wall; <support>.fx, .fy, in 3D .fz, .moment if it rotates, .ux, .uy, .uz, .angle if driven;
-<load>.fx …, .tx … or .pressure; <contact>.fx …, .area, .max_pressure, .max_penetration.
+<load>.fx …, .tx … or .pressure; <contact>.fx … (force on the slave), .area,
+.max_pressure, .max_penetration.
 Source: Newton's steps (4.33) to (4.35), freeze_active_set 4.5.2 of V. Agrawal, thesis, IIT Guwahati, 2020; augmented:
 J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992); arc_length: E. Riks, J. Appl. Mech. 39 (1972), H. B. Keller, in
 Applications of Bifurcation Theory, Academic Press, 1977.]],
@@ -102,16 +103,16 @@ run:column, run:columns, run:csv, run:states, run:attempts, run:residuals.]],
       { "reason", t.text, "reason why the run ended, see help \"model:run\"" },
       { "cause", t.text, "reason behind \"minimum_step\", of a run that failed" },
       { "report", t.text, "the failure in words, of a run that failed" },
-      { "places", t.list(t.any), "worst places, for sg.picture's marks" },
+      { "places", t.list(t.any), "worst places of a failure, { x, X, text, … }, for sg.picture's marks" },
       { "steps", t.integer(0), "converged steps; with arc_length = true columns may have further rows between them" },
-      { "iterations", t.integer(0), "Newton iterations" },
+      { "iterations", t.integer(0), "Newton iterations, also of failed attempts" },
       { "cutbacks", t.integer(0), "increments cut in half" },
       { "fallback_steps", t.integer(0), "steps solved by fallbacks" },
       { "fallbacks", t.map(t.integer(0)), "successes of each fallback" },
       { "wall", t.number, "wall time", unit = "s" },
       { "timings", t.map(t.number), "bulk, contact, linear, rest", unit = "s" },
-      { "stages", t.list(t.any), "statistics of the stages" },
-      { "controls", t.list(t.any), "where arc length was used" },
+      { "stages", t.list(t.any), "{ name, steps, iterations, cutbacks, wall } of each stage" },
+      { "controls", t.list(t.any), "where arc length began or ended: { step, to, place, reason } each" },
       { "warnings", t.list(t.text), [[those of model:warnings(), and about: loads that act in full from the first step;
 newton.tolerance above 1e-3; contacts that never touched; penetration above 2 % of the smallest body's size; closest
 points that were not found; points that passed through the master in one step; steps that may have jumped to another

@@ -30,8 +30,8 @@ local augmented = { "augmented", t.switch(t.named {
   { "loops", t.integer(1, 1000000), "maximum number of augmentations per step", default = 100 },
 }, {}), [[augmented Lagrangian method (Uzawa): pressures are augmented until penetration and separation of closed points
 are within the tolerance; in mortar contact those of the multipliers, whose friction is augmented as well. On a
-deformable master, curved under the slave, the default tolerance is often not reached, and the step fails with
-penetration. Not with arc_length, nor in contacts with half passes]],
+deformable master, curved under the slave, the default tolerance is often not reached, and the step fails (run.cause
+"penetration"). Not with arc_length, nor in contacts with half passes]],
   default = false }
 
 local damping = { "damping", t.flag, [[damps unconstrained bodies until contact holds them; the converged state is in
@@ -102,8 +102,8 @@ local file = { "file", t.text, "the checkpoint's file" }
 --- The options of model:run.
 rows.run = {
   { "arc_length", t.flag, [[where a step fails, arc-length continuation follows the path, also past turning points,
-until the end of the step is passed; rows between steps have fractional step numbers, run.controls lists where control
-changed]], default = false },
+until the end of the step is passed; available after the model's first accepted step. Rows between steps have fractional
+step numbers, run.controls lists where control changed]], default = false },
   control("step", t.named(cutting), [[step cutting: a failed step is cut in half. A run still has one row per step;
 run.cutbacks counts the cuts, run:column "increments" the increments of each step, run:attempts(step) lists all
 attempts]]),

@@ -25,7 +25,7 @@ local sort = { "sort", t.either(t.column, t.list(t.column)), "columns to sort th
 --- Rows of a parameter of a convergence map.
 local function axis(key)
   return { key, t.named { { "name", t.text, "name of the parameter" },
-                          { "values", t.list(t.either(t.number, t.text), nil, 1), "each once" } },
+                          { "values", t.list(t.either(t.number, t.text), nil, 1), "its values, each once" } },
            "parameter along " .. key }
 end
 
@@ -69,7 +69,8 @@ run refers to its own text, to that of the script's functions that it calls, and
 tables, and the contents of bodies and models. With inputs, only the parameters and the inputs are compared. Besides its
 results each row has wall, the seconds that run took, unless run returned a result of that name. A case without results
 has failed = true, outcome ("failed", "error", "crashed", or "time" if it exceeded the limit of study:execute)
-and reason.]],
+and reason. Methods of the study: study:execute, study:row, study:where, study:with, study:table, study:chart and
+others, help "studies".]],
     example = [[study = sg.study{ name = "steps", cases = sg.grid{ steps = {5, 10} },
   run = function(case)
     local run = press("N2", 1):run{ { name = "press", steps = case.steps, grip = {0, -0.1} } }
@@ -252,7 +253,7 @@ again]], otherwise = "not stored" } },
     more = [[
 A cell: x, y, outcome, reached (fraction of the path, 0 to 1), steps, increments, iterations, cutbacks, fallback_steps,
 wall (s), report and place of a failure, results. outcome is run.reason ("completed" for converged cells), or "error"
-(in one of the functions), "crashed", "time".]],
+(in one of the functions), "crashed", "time". map:picture draws the outcomes, map:heatmap a number; help "map".]],
     example = [[-- press(order, mesh), a function of your own, returns a model and its stages
 map = sg.convergence_map{ x = { name = "order", values = {"N2", "N4"} },
   y = { name = "steps", values = {5, 10} }, scene = function(order) return (press(order, 1)) end,
