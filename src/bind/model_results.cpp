@@ -41,8 +41,12 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   const auto sum = contact::resultant(model.present.contacts[contact]);
   push_fields(L, "area", sum.area, "max_pressure", sum.max_pressure, "max_penetration", sum.max_penetration, "active",
               sum.active, "slipping", sum.slipping);
-  const auto* law = std::get_if<contact::PenaltyLaw>(&model.system.scene.contacts[contact].method);
-  set_field(L, "per", law && law->per == contact::TractionArea::current ? "current" : "reference");
+  const model::Contact<D>& named = model.system.scene.contacts[contact];
+  const bool is_half = named.other_pass >= 0;
+  const auto* law = std::get_if<contact::PenaltyLaw>(&named.method);
+  const bool current = is_half || (law && law->per == contact::TractionArea::current);
+  set_field(L, "per", current ? "current" : "reference");
+  if (is_half) set_field(L, "imbalance", model::imbalance(model, static_cast<int>(contact)));
   set_force<D>(L, sum.force);
   const auto& multipliers = model.present.contacts[contact].multiplier_results;
   double weighted = 0;

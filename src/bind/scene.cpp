@@ -42,7 +42,9 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
     law.friction = friction.get<double>("mu");
     law.tangential = friction.get<double>("penalty");
   }
-  const bool mortar = a.get<std::string>("method") == "mortar";
+  const auto method = a.get<std::string>("method");
+  if (method == "half_passes") return contact::HalfPass{law};
+  const bool mortar = method == "mortar";
   if (mortar || (a.has("per") && a.get<std::string>("per") == "reference")) law.per = contact::TractionArea::reference;
   if (!mortar) return law;
   const bool reduced = a.has("multipliers") && a.get<std::string>("multipliers") == "reduced";
@@ -86,6 +88,16 @@ template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const 
   return contact;
 }
 
+/// The half pass over the master face of a contact.
+template <int D> model::Contact<D> swapped(const SceneBuilder<D>& builder, const Arguments& a, model::Contact<D> pass) {
+  const model::FaceReference slave = std::get<model::FaceReference>(pass.master);
+  pass.master = pass.slave;
+  pass.slave = slave;
+  if (!a.has("points")) pass.points = default_points(builder.scene, slave);
+  pass.name += ".master";
+  return pass;
+}
+
 template <int D> std::vector<model::NamedBody<D>> read_bodies(const Arguments& a) {
   std::vector<model::NamedBody<D>> bodies;
   a.each("bodies", [&](const std::string& name, int index, const std::string& path) {
@@ -107,6 +119,7 @@ void check_name(const Arguments& a, const model::Scene<D>& scene, const std::str
   };
   clash(scene.supports, "support");
   clash(scene.loads, "load");
+  clash(scene.contacts, "contact"); // the second one of two half passes
   if (name == "name" || name == "steps")
     a.fail(path, " cannot be called '", name, "', which is a key of stages: choose another name");
 }
@@ -150,7 +163,17 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
   each("supports", add_boundary_condition);
   each("loads", add_boundary_condition);
   each("contacts", [&](const Arguments& part, const std::string& name) -> std::string& {
-    return scene.contacts.emplace_back(read_contact(builder, part, name)).name;
+    const std::size_t first = scene.contacts.size();
+    scene.contacts.push_back(read_contact(builder, part, name));
+    if (std::holds_alternative<contact::HalfPass>(scene.contacts[first].method)) {
+      scene.contacts[first].name = name;
+      model::Contact<D> other = swapped(builder, part, scene.contacts[first]);
+      check_name(a, scene, other.name, text("the second pass '", other.name, "' of contacts.", name));
+      scene.contacts.push_back(std::move(other));
+      scene.contacts[first].other_pass = static_cast<int>(first + 1);
+      scene.contacts[first + 1].other_pass = static_cast<int>(first);
+    }
+    return scene.contacts[first].name;
   });
   if constexpr (D == 2)
     if (scene.kind == solid::Kind::axisymmetric) revolve(scene);

@@ -34,6 +34,11 @@ auto members(MortarLaw& law) {
   return std::tuple_cat(members(penalty), std::tie(multipliers));
 }
 
+auto members(HalfPass& pass) {
+  auto& [penalty] = pass;
+  return std::tie(penalty);
+}
+
 /// The position follows from the displacements; a point that acts is not beyond the master.
 template <int D> auto members(PointResult<D>& result) {
   auto& [state, position, gap, beyond, settled, pressure, area, tangents, friction, force, law_area, potential] =
@@ -100,14 +105,17 @@ template <int D> void write(ArchiveWriter& to, const Method<D>& method) {
     to.put(*adhesion);
   else if (const auto* mortar = std::get_if<MortarLaw>(&method))
     to.put(*mortar);
+  else if (const auto* half = std::get_if<HalfPass>(&method))
+    to.put(*half);
 }
 
 template <int D> Method<D> read_method(ArchiveReader& from) {
   const int index = from.get<int>();
-  require(index >= 0 && index <= 2, "contact.archive.law", {{"number", index}});
+  require(index >= 0 && index <= 3, "contact.archive.law", {{"number", index}});
   if (index == 0) return from.get<PenaltyLaw>();
   if (index == 1) return from.get<Adhesion>();
-  return from.get<MortarLaw>();
+  if (index == 2) return from.get<MortarLaw>();
+  return from.get<HalfPass>();
 }
 
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {

@@ -6,8 +6,8 @@
 namespace signorini::contact {
 
 template <int D>
-BlockSums<D>::BlockSums(const Surface<D>& slave, const Master<D>& master)
-    : slave_(slave), master_(master),
+BlockSums<D>::BlockSums(const Surface<D>& slave, const Master<D>& master, Pass pass)
+    : slave_(slave), master_(master), pass_(pass),
       columns_(at(D * (slave.most_functions() + 2 * master.most_functions()) * (2 * D - 1))) {}
 
 /// Index of the block with these elements, which is created if necessary.
@@ -26,14 +26,14 @@ template <int D> std::size_t BlockSums<D>::find(int slave_element, int master_el
   result.slave_element = slave_element;
   result.master_element = master_element;
   result.slip_element = slip_element;
-  result.rows = D * (ns + nm);
+  result.rows = D * (ns + master_rows(nm));
   result.columns = D * (ns + nm + (slip_element >= 0 ? master_.functions_on(slip_element) : 0));
   result.force.assign(at(result.rows), 0.0);
   result.matrix.assign(tangent ? at(result.rows * result.columns) : 0, 0.0);
   if constexpr (D == 3) {
     const std::size_t own = blocks_.size() - 1 - first_;
     if (products_.size() <= own) products_.emplace_back();
-    products_[own].start(ns + nm, nm, result.columns, result.matrix.data());
+    products_[own].start(ns + master_rows(nm), master_rows(nm), result.columns, result.matrix.data());
   }
   return blocks_.size() - 1;
 }
@@ -93,7 +93,7 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
       find(points.list[point].element, rigid ? 0 : master.element, own_columns ? slip_point->element : -1, tangent);
   Block& block = blocks_[index];
   const int ns = slave_.functions_on(block.slave_element), nm = master_.functions_on(block.master_element);
-  const int width = block.columns;
+  const int width = block.columns, rows = master_rows(nm);
   const double* r = points.functions(point);
   const double w = points.list[point].weight;
 
@@ -101,7 +101,7 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
   double* out = block.force.data();
   for (int a = 0; a < ns; ++a)
     for (int i = 0; i < D; ++i) *out++ -= w * r[a] * force.force(i);
-  for (int a = 0; a < nm; ++a)
+  for (int a = 0; a < rows; ++a)
     for (int i = 0; i < D; ++i) *out++ += w * master.value[at(a)] * force.force(i);
   if (!tangent) return;
 
@@ -112,8 +112,8 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
   if constexpr (D == 3) {
     const Products::Factors factors = products_[index - first_].add();
     for (int a = 0; a < ns; ++a) factors.left[a] = -r[a];
-    std::copy_n(master.value.data(), nm, factors.left + ns);
-    for (std::size_t k = 0; k < 2; ++k) {
+    std::copy_n(master.value.data(), rows, factors.left + ns);
+    for (std::size_t k = 0; k < 2 && rows > 0; ++k) {
       std::copy_n(master.derivative[k].data(), nm, factors.rates + k * at(nm));
       double* turn = factors.turn + k * 3 * at(width);
       for (int i = 0; i < 3; ++i)
@@ -128,7 +128,7 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
         const double* row = dt + i * width;
         for (int c = 0; c < width; ++c) matrix[c] -= factor * row[c];
       }
-    for (int a = 0; a < nm; ++a) {
+    for (int a = 0; a < rows; ++a) {
       const std::size_t m = at(a);
       for (int i = 0; i < D; ++i, matrix += width) {
         const double factor = master.value[m];

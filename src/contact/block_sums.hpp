@@ -9,12 +9,15 @@
 
 namespace signorini::contact {
 
+/// Where forces act: on both faces, or in a half pass on the slave alone.
+enum class Pass : unsigned char { full, half };
+
 /// Sums the contributions of all points that share a slave, a master and a slip-point element. Points must be added
 /// slave element by slave element, with close_element() after each.
 template <int D> class BlockSums {
 public:
   /// Keeps references to both.
-  BlockSums(const Surface<D>& slave, const Master<D>& master);
+  BlockSums(const Surface<D>& slave, const Master<D>& master, Pass pass = Pass::full);
 
   /// Adds the local force at point i. `master` holds the closest point with its functions, `slip_point` the slip point
   /// (null if not used).
@@ -30,11 +33,14 @@ public:
 
 private:
   std::size_t find(int slave_element, int master_element, int slip_element, bool tangent);
+  /// Number of the master's nodes with rows.
+  int master_rows(int nodes) const { return pass_ == Pass::half ? 0 : nodes; }
   void fill_columns(const Block& block, const double* slave, double weight, const FacePoint<D>& master,
                     const FacePoint<D>* slip_point, const LocalForce<D>& force);
 
   const Surface<D>& slave_;
   const Master<D>& master_;
+  Pass pass_;
   std::vector<Block> blocks_, spare_;
   std::size_t first_ = 0;          ///< first block of the current slave element
   std::vector<double> columns_;    ///< working space of add(): ∂force and ∂ξ̄ by column

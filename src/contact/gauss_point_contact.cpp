@@ -7,9 +7,10 @@
 namespace signorini::contact {
 
 template <int D>
-GaussPointContact<D>::GaussPointContact(ContactSetting<D> setting) : Formulation<D>(std::move(setting)) {
+GaussPointContact<D>::GaussPointContact(ContactSetting<D> setting, Pass pass)
+    : Formulation<D>(std::move(setting)), pass_(pass) {
   for (const auto& [first, last] : pieces(this->points_))
-    parts_.push_back({first, last, BlockSums<D>(this->slave(), this->master())});
+    parts_.push_back({first, last, BlockSums<D>(this->slave(), this->master(), pass)});
 }
 
 template <int D> void GaussPointContact<D>::evaluate_part(int index, const Trial<D>& trial, bool tangent) {
@@ -61,7 +62,7 @@ void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const Lo
   result.force = weight * force.force;
   result.law_area = weight * force.measure;
   result.area = result.law_area * force.stretch;
-  result.potential = result.law_area * force.potential;
+  result.potential = energy_share() * result.law_area * force.potential;
   part.sums.add(this->points_, i, at.foot, geometry.slip_point ? &at.slip_point : nullptr, force, part.tangent);
 }
 

@@ -10,7 +10,7 @@ namespace signorini::contact {
 /// Common part of Gauss-point formulations: projection, local geometry, blocks, threads.
 template <int D> class GaussPointContact : public Formulation<D> {
 public:
-  explicit GaussPointContact(ContactSetting<D> setting);
+  explicit GaussPointContact(ContactSetting<D> setting, Pass pass = Pass::full);
 
   int parts() const final { return static_cast<int>(parts_.size()); }
   void evaluate_part(int part, const Trial<D>& trial, bool tangent) final;
@@ -18,6 +18,11 @@ public:
   double memory() const final;
 
 protected:
+  Pass pass() const { return pass_; }
+  /// Both half passes compute the whole energy density of the springs and the whole work of friction between the faces:
+  /// each counts half.
+  double energy_share() const { return pass_ == Pass::half ? 0.5 : 1; }
+
   /// A piece of the slave face: whole elements.
   struct Part {
     std::size_t first, last; ///< points
@@ -45,6 +50,7 @@ protected:
 private:
   void take_back(std::vector<Block>& blocks) final;
 
+  Pass pass_;
   std::vector<Part> parts_;
 };
 

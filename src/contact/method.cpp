@@ -21,6 +21,10 @@ template <int D> std::unique_ptr<Formulation<D>> make(const MortarLaw& law, Cont
   return std::make_unique<MortarContact<D>>(setting, law);
 }
 
+template <int D> std::unique_ptr<Formulation<D>> make(const HalfPass& pass, ContactSetting<D> setting) {
+  return std::make_unique<PenaltyContact<D>>(std::move(setting), pass.penalty, Pass::half);
+}
+
 template <int D> std::unique_ptr<Formulation<D>> make(const FormulationFactory<D>& factory, ContactSetting<D> setting) {
   return factory(std::move(setting));
 }

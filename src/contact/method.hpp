@@ -12,7 +12,7 @@ namespace signorini::contact {
 template <int D> using FormulationFactory = std::function<std::unique_ptr<Formulation<D>>(ContactSetting<D>)>;
 
 /// Contact law between a slave face and its master: one alternative per formulation, with its constants.
-template <int D> using Method = std::variant<PenaltyLaw, Adhesion, MortarLaw, FormulationFactory<D>>;
+template <int D> using Method = std::variant<PenaltyLaw, Adhesion, MortarLaw, HalfPass, FormulationFactory<D>>;
 
 /// Throws Error if a constant is invalid.
 template <int D> std::unique_ptr<Formulation<D>> make_formulation(const Method<D>& method, ContactSetting<D> setting);

@@ -9,10 +9,13 @@ namespace signorini::contact {
 template <int D> class PenaltyContact final : public GaussPointContact<D> {
 public:
   /// Throws Error if a constant is invalid or no contact point is left.
-  PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& law);
+  PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& law, Pass pass = Pass::full);
 
-  /// Tractions per current area are not the derivative of an energy: δ(t_c a) contains t_c δa.
-  bool has_potential() const override { return law_.per == TractionArea::reference && !frictional(); }
+  /// Tractions per current area are not the derivative of an energy: δ(t_c a) contains t_c δa. Those of a half pass
+  /// depend on the master's position, but do not act on it.
+  bool has_potential() const override {
+    return law_.per == TractionArea::reference && !frictional() && this->pass() == Pass::full;
+  }
   double friction() const override { return law_.friction; }
   double penalty() const override { return law_.normal; }
   void augment(History<D>& history) const override;

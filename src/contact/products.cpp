@@ -53,6 +53,7 @@ void Products::finish() {
   double* of_master = block_ + (nodes_ - master_nodes_) * step;
   for (int i = 0; i < 3; ++i) {
     add_product(nodes_, columns_, points_, left_.data(), traction_.data() + i * columns_, step, block_ + i * columns_);
+    if (master_nodes_ == 0) continue;
     add_product(master_nodes_, columns_, 2 * points_, rates_.data(), turn_.data() + i * columns_, step,
                 of_master + i * columns_);
   }

@@ -11,7 +11,8 @@ namespace signorini::contact {
 /// as matrix products over all points: most of the work of contact in 3D.
 class Products {
 public:
-  /// Starts a block with 3 rows per row node (the master's nodes are the last ones) and `columns` columns.
+  /// Starts a block with 3 rows per row node (the master's nodes, if it has rows, are the last ones) and `columns`
+  /// columns.
   void start(int nodes, int master_nodes, int columns, double* block);
   /// Memory for the factors of another point: `nodes` values left; 2 × `master_nodes` rates; 3 × `columns` values ∂T_i;
   /// 2 × 3 × `columns` values T_i ∂ξ̄^α, α slowest.

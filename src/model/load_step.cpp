@@ -168,6 +168,9 @@ template <int D> void classify(const ActiveSet<D>& set, solve::NewtonReport& rep
 } // namespace
 
 template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepOptions& options) {
+  if (options.augmented.penetration > 0)
+    for (const Contact<D>& contact : model.system.scene.contacts)
+      require(contact.other_pass < 0, "model.step.augmented_half_passes", {{"contact", contact.name}});
   if (!model.step) model.step = begin_step(model, options);
   Step& step = *model.step;
   solve::NewtonReport& report = step.report;

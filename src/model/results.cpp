@@ -3,6 +3,8 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 
+#include <algorithm>
+
 namespace signorini::model {
 
 template <int D>
@@ -43,6 +45,14 @@ template <int D> Energies energies(const Model<D>& model) {
   return sum;
 }
 
+template <int D> double imbalance(const Model<D>& model, int pass) {
+  const int other = model.system.scene.contacts[at(pass)].other_pass;
+  const Vec<D> here = contact::resultant(model.present.contacts[at(pass)]).force;
+  const Vec<D> there = contact::resultant(model.present.contacts[at(other)]).force;
+  const double larger = std::max(here.norm(), there.norm());
+  return larger > 0 ? (here + there).norm() / larger : 0;
+}
+
 template <int D> std::vector<Message> warnings(const Model<D>& model) {
   std::vector<Message> warnings = model.scene_warnings;
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
@@ -76,6 +86,7 @@ template <int D> double memory(const Model<D>& model) {
   template Vec<D> load_resultant(const Model<D>&, int);                                                                \
   template Energies energies(const Model<D>&);                                                                         \
   template std::vector<Message> warnings(const Model<D>&);                                                             \
+  template double imbalance(const Model<D>&, int);                                                                     \
   template double search_seconds(const Model<D>&);                                                                     \
   template double memory(const Model<D>&);
 SIGNORINI_INSTANTIATE(2)

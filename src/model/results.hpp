@@ -30,6 +30,10 @@ template <int D> Energies energies(const Model<D>& model);
 /// Warnings about the scene, then about inverted linear elastic bodies in the present state.
 template <int D> std::vector<Message> warnings(const Model<D>& model);
 
+/// ‖f + f₂‖ / max(‖f‖, ‖f₂‖) of the forces of a half pass and of the other one, 0 without forces: by how much action
+/// and reaction differ.
+template <int D> double imbalance(const Model<D>& model, int pass);
+
 /// Seconds of the contacts' search, summed over threads; with one thread a part of Timings::contact.
 template <int D> double search_seconds(const Model<D>& model);
 /// Bytes of the bodies' tables and of the tangent with its patterns; for factors see LinearSolution::statistics().

@@ -69,6 +69,7 @@ template <int D> struct Contact {
   contact::Method<D> method;
   int points; ///< Gauss points per slave element and direction
   contact::Region<D> where = {};
+  int other_pass = -1; ///< of a half pass: index of the contact with slave and master swapped
 };
 
 template <int D> struct Scene {

@@ -5,7 +5,7 @@
 
 namespace signorini::contact::test {
 
-using Law = std::variant<PenaltyLaw, Adhesion, MortarLaw>;
+using Law = std::variant<PenaltyLaw, Adhesion, MortarLaw, HalfPass>;
 
 template <int D> class Pair {
 public:

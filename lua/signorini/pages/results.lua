@@ -75,8 +75,9 @@ fx, fy, fz, moment.]],
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, per,
 unsettled, crossed }: the force on the slave (fz in 3D), the current area in contact (in mortar contact and with
 adhesion the reference area), extremes, the numbers of contact points that touch and slip, and the area, "current" or
-"reference", on which tractions act; with method = "mortar" also weighted_penetration, the largest of the multipliers.
-unsettled: how often, in all
+"reference", on which tractions act; with method = "mortar" also weighted_penetration, the largest of the multipliers;
+with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how much action and
+reaction differ, 0 without forces. unsettled: how often, in all
 accepted states so far, the search for a closest point or slip point ended at the limit of iterations; unsettled_at is
 the reference position of the latest such point. crossed, crossed_at: the same for points that passed through the master
 since the previous state without contact.]],

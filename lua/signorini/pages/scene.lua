@@ -30,15 +30,18 @@ it to a tolerance on rigid or flat masters]], unit = "pressure per length", opti
     { "mu", t.non_negative, "Coulomb's coefficient of friction, tan of the angle of friction, not the angle" },
     { "penalty", t.positive, "tangential penalty, stiffness of elastic slip", unit = "pressure per length" },
   }, "Coulomb friction", otherwise = "none" },
-  { "method", t.choice { "gpts", "mortar" }, [[gpts: Gauss-point-to-surface, penalty at the contact points. mortar:
-penalty on gaps and slips that are weighted by functions on the slave face (multipliers); a high penalty then does not
-over-constrain]], default = "gpts" },
+  { "method", t.choice { "gpts", "mortar", "half_passes" }, [[gpts: Gauss-point-to-surface, penalty at the contact
+points. mortar: penalty on gaps and slips that are weighted by functions on the slave face (multipliers); a high penalty
+then does not over-constrain. half_passes: as gpts, but each of the two faces is slave once and receives only the force
+of its own pass: no choice of slave biases the result, twice the points, unsymmetric tangents, and action equals
+reaction only up to the discretization error, imbalance in model:contact_resultant]], default = "gpts" },
   { "multipliers", t.choice { "equal", "reduced" }, [[functions of the multipliers if method = "mortar". equal: those of
 the slave face. reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element), proven stable
 (inf-sup); for degree p >= 2]], otherwise = "equal" },
   { "per", t.choice { "current", "reference" }, [[area of the slave face on which tractions act, and to which penalty
 and friction.penalty refer. "current" is that of the published studies; with "reference" and without friction the forces
-derive from an energy, and the tangent is symmetric. Mortar contact and adhesion act per reference area]],
+derive from an energy, and the tangent is symmetric. Mortar contact and adhesion act per reference area, half passes per
+current area]],
     otherwise = '"current", with method = "mortar" or adhesion "reference"' },
   { "points", t.integer(1, 100), "Gauss points per slave element and direction",
     otherwise = "3 (p + 1), p the degree along the slave face, that of its layer if it has one, in 3D the higher one" },
@@ -48,7 +51,8 @@ derive from an energy, and the tangent is symmetric. Mortar contact and adhesion
   }, "van der Waals forces in place of penalty and friction; the force is zero at the distance 15^(-1/6) r0",
     optional = true },
   { "where", region, [[function(X) that returns true where the contact acts; X = {x, y}, in 3D {x, y, z}, is a reference
-position of the slave face. Called when the model is made]], otherwise = "everywhere" },
+position of the slave face, with half passes of either face. Called when the model is made]],
+    otherwise = "everywhere" },
 }
 contact.conflict = function(values)
   for _, other in ipairs { "penalty", "friction" } do
@@ -60,6 +64,20 @@ contact.conflict = function(values)
   if values.adhesion and values.method == "mortar" then
     return 'it has both adhesion and method = "mortar", but van der Waals forces act at contact points: remove one of '
       .. "the two"
+  end
+  if values.method == "half_passes" then
+    if values.adhesion then
+      return 'it has both adhesion and method = "half_passes", but half passes are for penalty contact: remove one of '
+        .. "the two"
+    end
+    if require("signorini.pages").kind(values.master) == "obstacle" then
+      return 'method = "half_passes" needs a face of a body as the master, since an obstacle has no contact points: '
+        .. 'use method = "gpts" or "mortar"'
+    end
+    if values.per == "reference" then
+      return 'it has method = "half_passes" and per = "reference", but the reference areas of the two faces are '
+        .. 'stretched differently, so that action and reaction would differ: write per = "current", or omit it'
+    end
   end
   if values.multipliers and values.method ~= "mortar" then
     return ('multipliers = "%s" is for method = "mortar": add this method, or remove multipliers')
@@ -155,7 +173,7 @@ model:reaction(name) is the force; the columns of a run are <name>.fx …, and .
     head = "contacts = { <name> = { slave, master, penalty, friction, method, per, … } }, in sg.model{ … }",
     named = contact,
     more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run (force on the
-slave).
+slave). Two half passes have two names: <name> is the pass over the slave face, <name>.master that over the master face.
 Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85) to
 (3.89), points 7.1.1 of ]] .. thesis .. [[. More in share/doc/theory.md.]],
     example = [[

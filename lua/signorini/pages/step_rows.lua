@@ -31,7 +31,7 @@ local augmented = { "augmented", t.switch(t.named {
 }, {}), [[augmented Lagrangian method (Uzawa): pressures are augmented until penetration and separation of closed points
 are within the tolerance; in mortar contact those of the multipliers, whose friction is augmented as well. On a
 deformable master, curved under the slave, the default tolerance is often not reached, and the step fails (run.cause
-"penetration"). Not with arc_length]],
+"penetration"). Not with arc_length, nor in contacts with half passes]],
   default = false }
 
 local damping = { "damping", t.flag, [[damps unconstrained bodies until contact holds them; the converged state is in

@@ -58,9 +58,10 @@ local function contact_text(model, name)
   local now = model:contact_resultant(name)
   if now.active == 0 then return ("  contact %s: open"):format(name) end
   local force = map(axes, function(axis) return now["f" .. axis] and ("%.4g"):format(now["f" .. axis]) end)
-  return ("  contact %s: %s, %d slipping; force {%s}, largest pressure %.4g; tractions per %s area")
+  local text = ("  contact %s: %s, %d slipping; force {%s}, largest pressure %.4g; tractions per %s area")
     :format(name, now.active == 1 and "1 active point" or now.active .. " active points", now.slipping,
       table.concat(force, ", "), now.max_pressure, now.per)
+  return now.imbalance and ("%s; half pass, imbalance %.2g"):format(text, now.imbalance) or text
 end
 
 function objects.model(model)

@@ -1,0 +1,122 @@
+// Half passes: forces on the slave alone, equal to those of a full pass; tangents against finite differences in every
+// state, in 2D, axisymmetric and 3D; energies that count half.
+#include "contact/couple.hpp"
+#include "contact/couple3d.hpp"
+
+#include <functional>
+
+namespace signorini::contact {
+namespace half_pass_test {
+
+using namespace test;
+
+HalfPass half(double mu, double tangential = 100) {
+  return {{100, tangential, mu}};
+}
+
+TEST(HalfPass, TangentIsTheForcesDerivativeInEveryState) {
+  Census sum;
+  unsigned seed = 0;
+  Random random(9);
+  for (const char* label : {"N2", "N4", "N2-N2.2"})
+    for (double mu : {0.0, 0.2}) {
+      // Small drags stick, longer ones slip; after one longer than an element the slip point lies in another element.
+      sum.add(press_and_drag(Couple(label, slab("N2"), half(mu), 0.8, 1.0), ++seed, 0.06, {3e-4, 0.02, 0.5}));
+      sum.add(press_and_drag(Couple(label, slab("N2"), half(mu), 0.8, 1.0, true), ++seed, 0.06, {3e-4, 0.02, 0.5}));
+      sum.add(press_and_drag(Couple(label, wavy(random, 3, 0.15, 3, 6), half(mu, 50), 1.3, 0.1), ++seed, 0.06,
+                             {1e-3, 0.1, 0.4}));
+      // Beyond the open end of the master, where the area fades
+      sum.add(press_and_drag(Couple(label, slab("N2"), half(mu), 2.9, 1.0), ++seed, 0.06, {3e-4, 0.02}));
+    }
+  EXPECT_GE(sum.states, 50) << sum.stepped_over << " states lay on a change of state";
+  EXPECT_GT(sum.open, 500);
+  EXPECT_GT(sum.stick, 100);
+  EXPECT_GT(sum.slip, 100);
+  EXPECT_GT(sum.elsewhere, 10);
+}
+
+TEST(HalfPass, TangentIsTheForcesDerivativeAtAKinkOfTheMaster) {
+  const auto valley = polyline({{0, 1.6}, {1.5, 1}, {3, 1.6}});
+  for (double drag : {2e-4, 0.02}) {
+    Couple couple("N2", valley, half(0.2), 1.5, 1.0);
+    Random random(3);
+    couple.shake(random, 0.001);
+    couple.evaluate();
+    couple.pair.accept();
+    couple.move_die(drag, -0.1); // closes within the step
+    Census census;
+    compare_with_differences(couple, census);
+    couple.pair.accept();
+    couple.move_die(drag, 0);
+    compare_with_differences(couple, census);
+    EXPECT_EQ(census.states, 2);
+    EXPECT_GT(census.slip + census.stick, 10);
+  }
+}
+
+TEST(HalfPass, TangentIsTheForcesDerivativeOfSolids) {
+  Random random(1);
+  Census3 census;
+  for (const char* label : {"N2", "N2-N2.1"})
+    for (double mu : {0.0, 0.3})
+      for (int degree : {1, 2}) {
+        Couple3 couple(label, wavy_plate(random, 3, 0.02, degree, 4), half(mu, 80), {1.4, 1.5, 0.1});
+        couple.shake(random, 0.003);
+        couple.touch();
+        couple.move_die({0, 0, -0.05});
+        compare_with_differences(couple, random, census);
+        couple.pair.accept();
+        for (const Vec<3>& drag : {Vec<3>(3e-4, 1e-4, 0), Vec<3>(-0.05, 0.01, 0), Vec<3>(0.3, 0.2, 0)}) {
+          couple.move_die(drag);
+          couple.shake(random, 0.0003);
+          compare_with_differences(couple, random, census);
+          couple.pair.accept();
+        }
+      }
+  EXPECT_GE(census.compared, 25) << census.stepped_over << " states lay on a change of state";
+  EXPECT_GT(census.stick, 100);
+  EXPECT_GT(census.slip, 50);
+  EXPECT_GT(census.elsewhere, 3);
+}
+
+/// Pressed and dragged: the slave's rows are bitwise those of a full pass, the master's are zero, energies are half.
+template <class AnyCouple, class Move>
+void compare_with_full(AnyCouple full, AnyCouple pass, const Move& press, const Move& drag) {
+  const auto go = [&](const Move& move) {
+    for (AnyCouple* couple : {&full, &pass}) {
+      move(*couple);
+      couple->evaluate();
+      couple->pair.accept();
+    }
+  };
+  go(press);
+  go(drag);
+  ASSERT_GT(full.pair.resultant().slipping, 0);
+  const Dense all = full.dense(), own = pass.dense();
+  const auto slave = full.die_dofs(), master = full.base_dofs();
+  EXPECT_EQ((all.force.head(slave) - own.force.head(slave)).norm(), 0);
+  EXPECT_EQ(own.force.tail(master).norm(), 0);
+  EXPECT_EQ(own.tangent.bottomRows(master).norm(), 0);
+  EXPECT_LE((all.tangent.topRows(slave) - own.tangent.topRows(slave)).norm(), 1e-15 * all.tangent.norm());
+  EXPECT_EQ(pass.pair.potential(), 0.5 * full.pair.potential());
+  EXPECT_GT(full.pair.dissipated(), 0);
+  EXPECT_EQ(pass.pair.dissipated(), 0.5 * full.pair.dissipated());
+  EXPECT_EQ(pass.pair.history().growth, 0.5 * full.pair.history().growth);
+  EXPECT_FALSE(pass.pair.formulation().has_potential());
+}
+
+TEST(HalfPass, ActsOnTheSlaveAsAFullPassDoes) {
+  const std::function<void(Couple&)> down = [](Couple& c) { c.move_die(0, -0.05); };
+  const std::function<void(Couple&)> along = [](Couple& c) { c.move_die(0.03, 0); };
+  const PenaltyLaw law = half(0.2).penalty;
+  compare_with_full(Couple("N2", slab("N2"), law, 1.4, 1.0), Couple("N2", slab("N2"), half(0.2), 1.4, 1.0), down,
+                    along);
+  Random one(2), same(2);
+  const std::function<void(Couple3&)> below = [](Couple3& c) { c.move_die({0, 0, -0.2}); };
+  const std::function<void(Couple3&)> across = [](Couple3& c) { c.move_die({0.03, 0.02, 0}); };
+  compare_with_full(Couple3("N2", wavy_plate(one, 3, 0.02, 2, 4), law, {1.4, 1.5, 0.1}),
+                    Couple3("N2", wavy_plate(same, 3, 0.02, 2, 4), half(0.2), {1.4, 1.5, 0.1}), below, across);
+}
+
+} // namespace half_pass_test
+} // namespace signorini::contact
