@@ -31,8 +31,8 @@ local function acts(list)
   return lists.any(list, function(state) return state.contact ~= 0 or state.friction ~= 0 end)
 end
 
---- What is missing in the balance between two states of a path, positive if energy is lost. The energy of the springs
---- per area times the growth of the area on which tractions act is no work of a force: it enters next to the work.
+--- What is missing in the balance between two states of a path, positive if energy is lost. Tractions do not do the
+--- work ∫∫ φ dA of a growing area (φ: energy of the springs per area, see theory.md): area_growth is added.
 function energy_balance.missing(before, after)
   local function change(name) return after[name] - before[name] end
   return change "work" + change "area_growth" - change "stored" - change "contact" - change "friction"

@@ -7,7 +7,7 @@ local ratios = {}
 --- The pairs of orders that are compared: layers against N2 and N4, and two rows of a layer against one.
 ratios.pairs = { { "N2-N2.1", "N2" }, { "N2-N2.2", "N2" }, { "N2-N2.2", "N4" }, { "N2-N2.2x2", "N2-N2.2" } }
 
---- { at (errors), ratio (of times at each of them) }, or { why } if there is no common error, from a comparison
+--- { at = errors, ratio = time ratios at these errors }, or { why } if there is no common error, from a comparison
 --- by sg.work_precision. nil if one of the two was not run.
 function ratios.of(comparison, order, other)
   for _, entry in ipairs(comparison.ratios) do

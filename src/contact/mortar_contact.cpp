@@ -30,10 +30,6 @@ MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLa
   element_sums_.resize(sums);
 }
 
-template <int D> PenaltyLaw MortarContact<D>::scaled(double factor) const {
-  return {factor * law_.normal, factor * law_.tangential, law_.friction};
-}
-
 // ── Gaps and slips weighted by multiplier ────────────────────────────────────────────────────────────────────────────
 
 /// Whether a multiplier is open without a look at its gap.
@@ -126,7 +122,7 @@ template <int D> void MortarContact<D>::remember_foot(std::size_t i, const Trial
 
 /// Sums over the elements of each multiplier, and its law.
 template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
-  const PenaltyLaw law = scaled(trial.penalty_factor);
+  const PenaltyLaw law = scaled(law_, trial.penalty_factor);
   const Controls& controls = trial.controls;
   const double tie = controls.onward ? -controls.guessed : controls.guessed;
   for (int a = 0; a < functions_.count(); ++a) {
@@ -355,11 +351,10 @@ template <int D> double MortarContact<D>::violation(const History<D>& history) c
 }
 
 template <int D> double MortarContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
-  const PenaltyLaw law = scaled(penalty_factor);
-  const double steepest = std::max(law.normal, frictional() ? law.tangential : 0);
+  const double penalty = largest_penalty(scaled(law_, penalty_factor));
   double sum = 0;
   for (const MultiplierResult<D>& result : history.multiplier_results)
-    if (result.state != ContactState::open) sum += result.area * steepest * result.area * steepest;
+    if (result.state != ContactState::open) sum += result.area * penalty * result.area * penalty;
   return std::sqrt(sum);
 }
 

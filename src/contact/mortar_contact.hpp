@@ -51,7 +51,6 @@ private:
   };
 
   bool frictional() const { return law_.friction > 0; }
-  PenaltyLaw scaled(double factor) const;
   bool is_far(int multiplier, const Trial<D>& trial) const;
   void weigh(std::size_t i, const Trial<D>& trial, Part& part, Feet& at);
   void remember_foot(std::size_t i, const Trial<D>& trial) const;

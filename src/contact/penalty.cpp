@@ -2,6 +2,8 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
+
 namespace signorini::contact {
 
 const PenaltyLaw& checked(const PenaltyLaw& law) {
@@ -9,6 +11,16 @@ const PenaltyLaw& checked(const PenaltyLaw& law) {
   require(law.friction >= 0, "contact.penalty.friction", {{"value", law.friction}});
   require(law.friction == 0 || law.tangential > 0, "contact.penalty.tangential", {{"value", law.tangential}});
   return law;
+}
+
+PenaltyLaw scaled(PenaltyLaw law, double factor) {
+  law.normal *= factor;
+  law.tangential *= factor;
+  return law;
+}
+
+double largest_penalty(const PenaltyLaw& law) {
+  return std::max(law.normal, law.friction > 0 ? law.tangential : 0);
 }
 
 template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D>& geometry, LocalForce<D>& result) {

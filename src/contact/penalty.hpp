@@ -24,6 +24,10 @@ struct HalfPass {
 
 /// Throws Error if a constant is invalid.
 const PenaltyLaw& checked(const PenaltyLaw& law);
+/// The law with its penalty parameters times a factor.
+PenaltyLaw scaled(PenaltyLaw law, double factor);
+/// The larger penalty parameter in use.
+double largest_penalty(const PenaltyLaw& law);
 
 /// Evaluates the law (return mapping) at a closed point, t_N = λ_N − ε_N g > 0, or at one with a fixed state.
 template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D>& geometry, LocalForce<D>& result);

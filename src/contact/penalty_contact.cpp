@@ -10,10 +10,6 @@ template <int D>
 PenaltyContact<D>::PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& law, Pass pass)
     : GaussPointContact<D>(std::move(setting), pass), law_(checked(law)) {}
 
-template <int D> PenaltyLaw PenaltyContact<D>::scaled(double factor) const {
-  return {factor * law_.normal, factor * law_.tangential, law_.friction, law_.per};
-}
-
 template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) {
   PointHistory<D>& point = trial.present.points[i];
   const Controls& controls = trial.controls;
@@ -23,7 +19,7 @@ template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Tri
     return;
   if (!this->find_foot(i, trial, part, at)) return;
 
-  const PenaltyLaw law = scaled(trial.penalty_factor);
+  const PenaltyLaw law = scaled(law_, trial.penalty_factor);
   const Foot foot = point.projection.foot;
   const double gap = point.projection.gap;
   // t_N = λ_N − ε_N g > 0 below a distance of λ_N/ε_N
@@ -61,7 +57,7 @@ template <int D> void PenaltyContact<D>::remember_touch(std::size_t i, const Tri
 
 template <int D> void PenaltyContact<D>::commit_points(History<D>& present, double penalty_factor) {
   if (!frictional()) return;
-  const PenaltyLaw law = scaled(penalty_factor);
+  const PenaltyLaw law = scaled(law_, penalty_factor);
   for (std::size_t i = 0; i < this->points_.size(); ++i) advance_slip_point(i, present, law);
 }
 
@@ -109,11 +105,10 @@ template <int D> double PenaltyContact<D>::violation(const History<D>& history) 
 }
 
 template <int D> double PenaltyContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
-  const PenaltyLaw law = scaled(penalty_factor);
-  const double steepest = std::max(law.normal, frictional() ? law.tangential : 0);
+  const double penalty = largest_penalty(scaled(law_, penalty_factor));
   double sum = 0;
   for (const PointResult<D>& point : history.results)
-    if (point.state != ContactState::open) sum += point.law_area * steepest * point.law_area * steepest;
+    if (point.state != ContactState::open) sum += point.law_area * penalty * point.law_area * penalty;
   return std::sqrt(sum);
 }
 

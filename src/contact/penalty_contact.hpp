@@ -26,7 +26,6 @@ private:
   using typename GaussPointContact<D>::Part;
   using typename GaussPointContact<D>::Feet;
   bool frictional() const { return law_.friction > 0; }
-  PenaltyLaw scaled(double factor) const;
   void evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) override;
   void commit_points(History<D>& present, double penalty_factor) override;
   void remember_touch(std::size_t i, const Trial<D>& trial) const;

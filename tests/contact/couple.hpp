@@ -136,6 +136,27 @@ inline void compare_with_differences(Couple& couple, Census& census) {
   census.add(here);
 }
 
+/// Sums of the residual over both bodies, which hold minus the forces on them, its moment, and the sum of its norms.
+struct Balance {
+  Eigen::Vector2d on_die = Eigen::Vector2d::Zero(), on_base = Eigen::Vector2d::Zero();
+  double moment = 0, size = 0;
+};
+inline Balance balance(const Couple& couple) {
+  Balance sum;
+  const VectorX force = couple.dense().force;
+  const MatrixX die = couple.die.points(), base = couple.base->points();
+  for (int i = 0; i < couple.u.size(); i += 2) {
+    const bool first = i < couple.die_dofs();
+    const Eigen::Vector2d f = force.segment<2>(i);
+    const Eigen::Vector2d x =
+        Eigen::Vector2d(first ? die.col(i / 2) : base.col((i - couple.die_dofs()) / 2)) + couple.u.segment<2>(i);
+    (first ? sum.on_die : sum.on_base) += f;
+    sum.moment += x(0) * f(1) - x(1) * f(0);
+    sum.size += f.norm();
+  }
+  return sum;
+}
+
 /// Presses, then drags by `drags` with a comparison after each, starting from random displacements.
 inline Census press_and_drag(Couple couple, unsigned seed, double depth, const std::vector<double>& drags) {
   Random random(seed);

@@ -1,7 +1,7 @@
 // Mortar contact with friction and augmentation, in 2D and 3D: tangent against finite differences in every state,
 // Coulomb's law, history, objectivity, dissipation.
-#include "contact/couple.hpp"
 #include "contact/couple3d.hpp"
+#include "contact/mortar_discs.hpp"
 
 #include <cmath>
 
@@ -10,42 +10,21 @@ namespace mortar_friction_test {
 
 using namespace test;
 
-constexpr MultiplierSpace spaces[] = {MultiplierSpace::equal, MultiplierSpace::reduced};
-
-MortarLaw law(MultiplierSpace space, double mu) {
-  return {{100, 80, mu}, space};
-}
-
-template <class AnyMaster>
-Couple pressed_disc(const std::string& label, AnyMaster master, const MortarLaw& own, double x, double y,
-                    bool revolved = false) {
-  return {discretize(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(x, y + 0.5)), {14, 2}, label, "south"),
-          "south",
-          std::move(master),
-          own,
-          6,
-          revolved};
-}
-
-template <int D> int count(const Pair<D>& pair, ContactState state) {
-  return static_cast<int>(std::count_if(pair.multipliers().begin(), pair.multipliers().end(),
-                                        [&](const auto& one) { return one.state == state; }));
-}
-
 TEST(MortarFriction, TangentIsTheForcesDerivativeInEveryState) {
   Census sum;
   unsigned seed = 100;
   Random random(9);
-  for (const MultiplierSpace space : spaces) {
+  for (const MultiplierSpace space : multiplier_spaces) {
     // Small drags stick, longer ones slip; after one longer than an element former foot points lie in other elements.
-    sum.add(press_and_drag(pressed_disc("N2", slab("N2"), law(space, 0.3), 0.8, 1.0), ++seed, 0.06, {3e-4, 0.02, 0.5}));
+    sum.add(
+        press_and_drag(pressed_disc("N2", slab("N2"), mortar(space, 0.3), 0.8, 1.0), ++seed, 0.06, {3e-4, 0.02, 0.5}));
     for (int trial = 0; trial < 3; ++trial)
-      sum.add(press_and_drag(pressed_disc("N2-N2.1", wavy(random, 3, 0.1, 3, 6), law(space, 0.3), 1.3, 0.1), ++seed,
+      sum.add(press_and_drag(pressed_disc("N2-N2.1", wavy(random, 3, 0.1, 3, 6), mortar(space, 0.3), 1.3, 0.1), ++seed,
                              0.07, {1e-3, 0.1, -0.4}));
-    sum.add(press_and_drag(pressed_disc("N2", make_ball<2>({1, -2}, 2), law(space, 0.3), 1.3, 0.1), ++seed, 0.06,
+    sum.add(press_and_drag(pressed_disc("N2", make_ball<2>({1, -2}, 2), mortar(space, 0.3), 1.3, 0.1), ++seed, 0.06,
                            {3e-4, -0.1}));
-    sum.add(press_and_drag(pressed_disc("N3", make_plane<2>({0, 0}, {0.2, 2}), law(space, 0.3), 1.3, 0.1, true), ++seed,
-                           0.06, {3e-4, 0.1}));
+    sum.add(press_and_drag(pressed_disc("N3", make_plane<2>({0, 0}, {0.2, 2}), mortar(space, 0.3), 1.3, 0.1, true),
+                           ++seed, 0.06, {3e-4, 0.1}));
   }
   EXPECT_GE(sum.states, 25) << sum.stepped_over << " states lay on a change of state";
   EXPECT_GT(sum.stick, 100);
@@ -55,10 +34,10 @@ TEST(MortarFriction, TangentIsTheForcesDerivativeInEveryState) {
 TEST(MortarFriction, TangentIsTheForcesDerivativeWithAugmentation) {
   Random random(21);
   Census census;
-  for (const MultiplierSpace space : spaces)
+  for (const MultiplierSpace space : multiplier_spaces)
     for (int trial = 0; trial < 3; ++trial) {
-      Couple couple = pressed_disc("N2", trial % 2 == 0 ? slab("N2") : wavy(random, 3, 0.1, 3, 6), law(space, 0.3), 1.3,
-                                   trial % 2 == 0 ? 1.0 : 0.1);
+      Couple couple = pressed_disc("N2", trial % 2 == 0 ? slab("N2") : wavy(random, 3, 0.1, 3, 6), mortar(space, 0.3),
+                                   1.3, trial % 2 == 0 ? 1.0 : 0.1);
       couple.shake(random, 0.003);
       couple.touch();
       couple.move_die(1e-3, -0.05);
@@ -80,12 +59,12 @@ TEST(MortarFriction, TangentIsTheForcesDerivativeWithAugmentation) {
 TEST(MortarFriction, TangentIsTheForcesDerivativeIn3D) {
   Random random(1);
   Census3 census;
-  for (const MultiplierSpace space : spaces)
+  for (const MultiplierSpace space : multiplier_spaces)
     for (double mu : {0.0, 0.3})
       for (int kind = 0; kind < 3; ++kind) {
         Couple3 couple =
-            kind < 2 ? Couple3("N2", wavy_plate(random, 3, 0.02, 2 + kind, 4), law(space, mu), {1.4, 1.5, 0.1}, 5)
-                     : Couple3("N2", Obstacle<3>(make_ball<3>({1.5, 1.5, -2}, 2)), law(space, mu), {1.5, 1.5, 0.1});
+            kind < 2 ? Couple3("N2", wavy_plate(random, 3, 0.02, 2 + kind, 4), mortar(space, mu), {1.4, 1.5, 0.1}, 5)
+                     : Couple3("N2", Obstacle<3>(make_ball<3>({1.5, 1.5, -2}, 2)), mortar(space, mu), {1.5, 1.5, 0.1});
         couple.shake(random, 0.003);
         couple.touch();
         couple.move_die({0, 0, -0.08});
@@ -110,9 +89,9 @@ TEST(MortarFriction, TangentIsTheForcesDerivativeIn3D) {
 }
 
 TEST(MortarFriction, IsCoulombsAndOpposesTheSliding) {
-  for (const MultiplierSpace space : spaces)
+  for (const MultiplierSpace space : multiplier_spaces)
     for (double direction : {1.0, -1.0}) {
-      Couple couple = pressed_disc("N2", slab("N2"), law(space, 0.2), 1.4, 1.0);
+      Couple couple = pressed_disc("N2", slab("N2"), mortar(space, 0.2), 1.4, 1.0);
       couple.touch();
       couple.move_die(0, -0.05);
       couple.evaluate();
@@ -161,8 +140,8 @@ template <int D, class AnyCouple> void expect_turned(AnyCouple& couple, const Ma
 }
 
 TEST(MortarFriction, IsIndependentOfTheFrame) {
-  for (const MultiplierSpace space : spaces) {
-    Couple couple = pressed_disc("N2", slab("N2"), law(space, 0.3), 1.4, 1.0);
+  for (const MultiplierSpace space : multiplier_spaces) {
+    Couple couple = pressed_disc("N2", slab("N2"), mortar(space, 0.3), 1.4, 1.0);
     couple.touch();
     couple.move_die(3e-3, -0.05);
     couple.evaluate();
@@ -172,7 +151,7 @@ TEST(MortarFriction, IsIndependentOfTheFrame) {
     expect_turned<2>(couple, Eigen::Rotation2Dd(0.7).toRotationMatrix());
 
     Random random(2);
-    Couple3 solid("N2", wavy_plate(random, 3, 0.02, 2, 4), law(space, 0.3), {1.4, 1.5, 0.1}, 5);
+    Couple3 solid("N2", wavy_plate(random, 3, 0.02, 2, 4), mortar(space, 0.3), {1.4, 1.5, 0.1}, 5);
     solid.touch();
     solid.move_die({3e-3, -2e-3, -0.08});
     solid.evaluate();
@@ -184,8 +163,8 @@ TEST(MortarFriction, IsIndependentOfTheFrame) {
 }
 
 TEST(MortarFriction, FixedStatesBelongToMultipliers) {
-  for (const MultiplierSpace space : spaces) {
-    Couple couple = pressed_disc("N2", slab("N2"), law(space, 0.2), 1.4, 1.0);
+  for (const MultiplierSpace space : multiplier_spaces) {
+    Couple couple = pressed_disc("N2", slab("N2"), mortar(space, 0.2), 1.4, 1.0);
     couple.touch();
     couple.move_die(0.02, -0.06);
     couple.evaluate();
@@ -219,7 +198,7 @@ TEST(MortarFriction, FixedStatesBelongToMultipliers) {
 }
 
 TEST(MortarFriction, StartsAtTheAcceptedPosition) {
-  Couple couple = pressed_disc("N2", slab("N2"), law(MultiplierSpace::reduced, 0.5), 1.3, 0.95);
+  Couple couple = pressed_disc("N2", slab("N2"), mortar(MultiplierSpace::reduced, 0.5), 1.3, 0.95);
   couple.evaluate();
   for (const auto& multiplier : couple.pair.multipliers()) EXPECT_NEAR(multiplier.friction.norm(), 0, 1e-13);
   couple.pair.accept();
@@ -236,8 +215,8 @@ TEST(MortarFriction, StartsAtTheAcceptedPosition) {
 /// Augmentation of a sticking flat block: pressures and frictions of the last evaluation become multipliers.
 TEST(MortarFriction, AugmentationAddsPressureAndFriction) {
   const auto block = discretize(nurbs::rectangle(2, 0.5, Eigen::Vector2d(0, 0)), {5, 1}, "N2", "south");
-  for (const MultiplierSpace space : spaces) {
-    Couple couple(block, "south", make_plane<2>({0, 0}, {0, 1}), law(space, 0.5), 4);
+  for (const MultiplierSpace space : multiplier_spaces) {
+    Couple couple(block, "south", make_plane<2>({0, 0}, {0, 1}), mortar(space, 0.5), 4);
     couple.evaluate();
     couple.pair.accept();
     couple.move_die(1e-3, -0.02);

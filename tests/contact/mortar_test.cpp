@@ -1,7 +1,7 @@
 // Mortar contact without friction: tangent against finite differences in every state, symmetry, energy, balance of
 // forces and moments, weighted gaps, history.
-#include "contact/couple.hpp"
 #include "contact/couple3d.hpp"
+#include "contact/mortar_discs.hpp"
 
 #include <cmath>
 
@@ -10,42 +10,20 @@ namespace mortar_test {
 
 using namespace test;
 
-constexpr MultiplierSpace spaces[] = {MultiplierSpace::equal, MultiplierSpace::reduced};
-
-MortarLaw law(MultiplierSpace space, double mu = 0) {
-  return {{100, 80, mu}, space};
-}
-
-/// A half annulus of radius 0.5 with small elements whose lowest point is (x, y).
-template <class AnyMaster>
-Couple pressed_disc(const std::string& label, AnyMaster master, const MortarLaw& own, double x, double y,
-                    bool revolved = false) {
-  return {discretize(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(x, y + 0.5)), {14, 2}, label, "south"),
-          "south",
-          std::move(master),
-          own,
-          6,
-          revolved};
-}
-
-int count(const Pair<2>& pair, ContactState state) {
-  return static_cast<int>(std::count_if(pair.multipliers().begin(), pair.multipliers().end(),
-                                        [&](const auto& one) { return one.state == state; }));
-}
-
 TEST(Mortar, TangentIsTheForcesDerivativeInEveryState) {
   Census sum;
   unsigned seed = 0;
   Random random(9);
-  for (const MultiplierSpace space : spaces)
+  for (const MultiplierSpace space : multiplier_spaces)
     for (const char* label : {"N2", "N2-N2.2"}) {
-      sum.add(press_and_drag(pressed_disc(label, slab(label), law(space), 0.8, 1.0), ++seed, 0.06, {0.02, 0.5}));
+      sum.add(press_and_drag(pressed_disc(label, slab(label), mortar(space), 0.8, 1.0), ++seed, 0.06, {0.02, 0.5}));
       for (int trial = 0; trial < 2; ++trial)
-        sum.add(press_and_drag(pressed_disc(label, wavy(random, 3, 0.15, 3, 6), law(space), 1.3, 0.1), ++seed, 0.06,
+        sum.add(press_and_drag(pressed_disc(label, wavy(random, 3, 0.15, 3, 6), mortar(space), 1.3, 0.1), ++seed, 0.06,
                                {0.1, 0.4}));
-      sum.add(press_and_drag(pressed_disc(label, make_ball<2>({1, -2}, 2), law(space), 1.3, 0.1), ++seed, 0.06, {0.1}));
-      sum.add(press_and_drag(pressed_disc(label, make_plane<2>({0, 0}, {0.2, 2}), law(space), 1.3, 0.1, true), ++seed,
-                             0.06, {0.1}));
+      sum.add(
+          press_and_drag(pressed_disc(label, make_ball<2>({1, -2}, 2), mortar(space), 1.3, 0.1), ++seed, 0.06, {0.1}));
+      sum.add(press_and_drag(pressed_disc(label, make_plane<2>({0, 0}, {0.2, 2}), mortar(space), 1.3, 0.1, true),
+                             ++seed, 0.06, {0.1}));
     }
   EXPECT_GE(sum.states, 35) << sum.stepped_over << " states lay on a change of state";
   EXPECT_GT(sum.open, 500);
@@ -57,11 +35,11 @@ TEST(Mortar, TangentIsTheForcesDerivativeAtTheEndsOfTheMaster) {
   const auto block = discretize(nurbs::rectangle(1, 0.5, Eigen::Vector2d(1, 1)), {6, 1}, "N2", "south");
   Random random(5);
   Census census;
-  for (const MultiplierSpace space : spaces)
+  for (const MultiplierSpace space : multiplier_spaces)
     for (double mu : {0.0, 0.3})
       for (int trial = 0; trial < 3; ++trial) {
         const auto base = discretize(nurbs::rectangle(0.55, 1, Eigen::Vector2d(1.2, 0)), {4, 1}, "N2", "north");
-        Couple couple(block, "south", base, law(space, mu), 5);
+        Couple couple(block, "south", base, mortar(space, mu), 5);
         couple.shake(random, 0.005);
         couple.evaluate();
         couple.pair.accept();
@@ -81,9 +59,9 @@ TEST(Mortar, TangentIsTheForcesDerivativeAtTheEndsOfTheMaster) {
 
 TEST(Mortar, TangentIsTheForcesDerivativeAtACorner) {
   const auto valley = polyline({{0, 1.6}, {1.5, 1}, {3, 1.6}});
-  for (const MultiplierSpace space : spaces)
+  for (const MultiplierSpace space : multiplier_spaces)
     for (double mu : {0.0, 0.2}) {
-      Couple couple = pressed_disc("N2", valley, law(space, mu), 1.5, 1.0);
+      Couple couple = pressed_disc("N2", valley, mortar(space, mu), 1.5, 1.0);
       Random random(3);
       couple.shake(random, 0.001);
       couple.evaluate();
@@ -103,9 +81,9 @@ TEST(Mortar, TangentIsTheForcesDerivativeAtACorner) {
 
 TEST(Mortar, TangentIsSymmetricAndTheForceThatOfAnEnergy) {
   Random random(7);
-  for (const MultiplierSpace space : spaces)
+  for (const MultiplierSpace space : multiplier_spaces)
     for (bool revolved : {false, true}) {
-      Couple couple = pressed_disc("N2-N2.1", wavy(random, 3, 0.1, 2, 4), law(space), 1.4, 0.0, revolved);
+      Couple couple = pressed_disc("N2-N2.1", wavy(random, 3, 0.1, 2, 4), mortar(space), 1.4, 0.0, revolved);
       couple.touch();
       couple.move_die(0, -0.07);
       couple.shake(random, 0.001);
@@ -131,8 +109,8 @@ TEST(Mortar, TangentIsSymmetricAndTheForceThatOfAnEnergy) {
 /// A flat face at a uniform gap: each multiplier has this gap and ε times it as pressure, in sum 1 per area.
 TEST(Mortar, WeightedGapsOfAFlatFaceAreUniform) {
   const auto block = discretize(nurbs::rectangle(2, 0.5, Eigen::Vector2d(0, 0)), {5, 1}, "N2", "south");
-  for (const MultiplierSpace space : spaces) {
-    Couple couple(block, "south", make_plane<2>({0, 0}, {0, 1}), law(space), 4);
+  for (const MultiplierSpace space : multiplier_spaces) {
+    Couple couple(block, "south", make_plane<2>({0, 0}, {0, 1}), mortar(space), 4);
     couple.move_die(0.3, -0.02);
     couple.evaluate();
     double area = 0;
@@ -156,29 +134,17 @@ TEST(Mortar, WeightedGapsOfAFlatFaceAreUniform) {
 
 TEST(Mortar, ForcesBalanceAndWithoutFrictionMomentsToo) {
   Random random(4);
-  for (const MultiplierSpace space : spaces)
+  for (const MultiplierSpace space : multiplier_spaces)
     for (double mu : {0.0, 0.3})
       for (int trial = 0; trial < 5; ++trial) {
-        Couple couple = pressed_disc("N2-N4", wavy(random, 3, 0.1, 3, 6), law(space, mu), 1.3, 0.1);
+        Couple couple = pressed_disc("N2-N4", wavy(random, 3, 0.1, 3, 6), mortar(space, mu), 1.3, 0.1);
         couple.touch();
         couple.move_die(0.02, -0.07);
         couple.shake(random, 0.005);
         couple.evaluate();
-        const VectorX force = couple.dense().force;
         const Resultant<2> resultant = couple.pair.resultant();
         ASSERT_GT(resultant.active, 0);
-        Eigen::Vector2d on_die = Eigen::Vector2d::Zero(), on_base = Eigen::Vector2d::Zero();
-        double moment = 0, size = 0;
-        const MatrixX die = couple.die.points(), base = couple.base->points();
-        for (int i = 0; i < couple.u.size(); i += 2) {
-          const bool first = i < couple.die_dofs();
-          const Eigen::Vector2d f = force.segment<2>(i);
-          const Eigen::Vector2d x =
-              Eigen::Vector2d(first ? die.col(i / 2) : base.col((i - couple.die_dofs()) / 2)) + couple.u.segment<2>(i);
-          (first ? on_die : on_base) += f;
-          moment += x(0) * f(1) - x(1) * f(0);
-          size += f.norm();
-        }
+        const auto [on_die, on_base, moment, size] = balance(couple);
         EXPECT_LT((on_die + on_base).norm(), 1e-14 * size);
         EXPECT_LT((on_die + resultant.force).norm(), 1e-13 * size);
         if (mu == 0) {
@@ -189,8 +155,8 @@ TEST(Mortar, ForcesBalanceAndWithoutFrictionMomentsToo) {
 
 TEST(Mortar, RollbackRestoresBitwise) {
   Random random(5);
-  for (const MultiplierSpace space : spaces) {
-    Couple couple = pressed_disc("N2-N2.1", slab("N2"), law(space, 0.2), 1.3, 1.0);
+  for (const MultiplierSpace space : multiplier_spaces) {
+    Couple couple = pressed_disc("N2-N2.1", slab("N2"), mortar(space, 0.2), 1.3, 1.0);
     couple.touch();
     couple.move_die(0, -0.1);
     couple.evaluate();
@@ -218,9 +184,9 @@ TEST(Mortar, RollbackRestoresBitwise) {
 
 TEST(Mortar, SkippingFarElementsMissesNoContact) {
   Random random(8);
-  for (const MultiplierSpace space : spaces)
+  for (const MultiplierSpace space : multiplier_spaces)
     for (double mu : {0.0, 0.2}) {
-      const auto fresh_couple = [&] { return pressed_disc("N2", slab("N2"), law(space, mu), 1.3, 1.02); };
+      const auto fresh_couple = [&] { return pressed_disc("N2", slab("N2"), mortar(space, mu), 1.3, 1.02); };
       Couple couple = fresh_couple();
       couple.touch();
       couple.move_die(0, 0.02);
@@ -248,7 +214,7 @@ TEST(Mortar, ErrorsNameTheArgument) {
   const auto build = [](MortarLaw own) { pressed_disc("N2", slab("N2"), own, 1, 1); };
   EXPECT_ERROR(build({{0, 100, 0.2}}), "contact.penalty.normal: value = 0");
   EXPECT_ERROR(build({{100, 0, 0.2}}), "contact.penalty.tangential: value = 0");
-  EXPECT_ERROR(Couple(polyline({{0, 2}, {1, 2}}), "north", slab("N2"), law(MultiplierSpace::reduced), 3),
+  EXPECT_ERROR(Couple(polyline({{0, 2}, {1, 2}}), "north", slab("N2"), mortar(MultiplierSpace::reduced), 3),
                "contact.mortar.reduced_degree: degree = 1");
 }
 

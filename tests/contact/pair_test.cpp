@@ -63,21 +63,9 @@ TEST(Pair, ForcesBalanceAndWithoutFrictionMomentsToo) {
       couple.move_die(0.02, -0.06);
       couple.shake(random, 0.01);
       couple.evaluate();
-      const VectorX force = couple.dense().force;
       const Resultant<2> resultant = couple.pair.resultant();
       ASSERT_GT(resultant.active, 0);
-      Eigen::Vector2d on_die = Eigen::Vector2d::Zero(), on_base = Eigen::Vector2d::Zero();
-      double moment = 0, size = 0;
-      const MatrixX die = couple.die.points(), base = couple.base->points();
-      for (int i = 0; i < couple.u.size(); i += 2) {
-        const bool first = i < couple.die_dofs();
-        const Eigen::Vector2d f = force.segment<2>(i);
-        const Eigen::Vector2d x =
-            Eigen::Vector2d(first ? die.col(i / 2) : base.col((i - couple.die_dofs()) / 2)) + couple.u.segment<2>(i);
-        (first ? on_die : on_base) += f;
-        moment += x(0) * f(1) - x(1) * f(0);
-        size += f.norm();
-      }
+      const auto [on_die, on_base, moment, size] = balance(couple);
       EXPECT_LT((on_die + on_base).norm(), 1e-14 * size);
       // The residual holds minus the force on the slave.
       EXPECT_LT((on_die + resultant.force).norm(), 1e-14 * size);
