@@ -10,7 +10,7 @@ namespace signorini::contact {
 /// functions, then of the master element's (the single node of a rigid master is element 0), D each, then to the
 /// formulation's additional unknowns; columns belong to the same, then to the degrees of freedom of the slip element's
 /// functions. A half pass has rows for the slave element only. Rows and columns of a group's block belong to those of
-/// its slave nodes, then of its master nodes. See Formulation::append_dofs.
+/// its slave nodes, then of its master nodes, then to additional unknowns. See Formulation::append_dofs.
 struct Block {
   int slave_element, master_element;
   int slip_element = -1;       ///< −1 if the slip points lie in the master element or are not used
@@ -25,9 +25,10 @@ struct Block {
   /// Blocks of a contact with the same key have the same degrees of freedom, except that those of a group change with
   /// its master nodes.
   std::uint64_t key() const {
-    constexpr int bits = 21; // two million elements on a face
+    constexpr int bits = 20; // a million elements on a face
     if (group >= 0) return std::uint64_t{1} << 63 | static_cast<std::uint64_t>(group);
-    return (static_cast<std::uint64_t>(slave_element) << (2 * bits)) |
+    return (static_cast<std::uint64_t>(!extra.empty()) << (3 * bits)) |
+           (static_cast<std::uint64_t>(slave_element) << (2 * bits)) |
            (static_cast<std::uint64_t>(master_element) << bits) | static_cast<std::uint64_t>(slip_element + 1);
   }
 };

@@ -59,6 +59,7 @@ void Formulation<D>::append_dofs(const Block& block, const Offsets& offsets, std
     for (const int node : block.master_nodes)
       for (int c = 0; c < D; ++c)
         dofs.push_back(offsets.master + (master().rigid() ? 0 : D * master().surface()->body_function(node)) + c);
+    for (const int number : block.extra) dofs.push_back(offsets.extra + number);
     return;
   }
   append_slave(block.slave_element, offsets, dofs);

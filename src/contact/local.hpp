@@ -11,8 +11,8 @@ namespace signorini::contact {
 enum class ContactState { open, stick, slip, adhesion };
 
 /// State to which a point is fixed, independent of its gap and friction; free: not fixed. Touching: stick or slip
-/// according to the friction law.
-enum class FixedContactState : unsigned char { free, open, touching, stick };
+/// according to the friction law. Slip: of multipliers.
+enum class FixedContactState : unsigned char { free, open, touching, stick, slip };
 
 /// "open", "stick", "slip", "adhesion".
 const char* name_of(ContactState state);

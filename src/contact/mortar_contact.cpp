@@ -28,6 +28,23 @@ MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLa
     sums += functions_.on(e).size();
   }
   element_sums_.resize(sums);
+  if (!solves_multipliers()) return;
+  conditions_.resize(at(functions_.count()));
+  whole_.assign(at(functions_.count()), 0.0);
+  for (std::size_t i = 0; i < this->points_.size(); ++i) {
+    const ContactPoint& own = this->points_.list[i];
+    const double* values = functions_.at_point(i);
+    for (const int a : functions_.on(own.element)) whole_[at(a)] += *values++ * own.weight * own.reference_area;
+  }
+}
+
+template <int D> std::vector<std::string> MortarContact<D>::extra_unknowns() const {
+  std::vector<std::string> names;
+  if (!solves_multipliers()) return names;
+  for (int a = 0; a < functions_.count(); ++a)
+    for (int i = 0; i < unknowns_per_multiplier<D>(frictional()); ++i)
+      names.push_back((i == 0 ? "pressure " : "friction ") + std::to_string(a + 1));
+  return names;
 }
 
 // ── Gaps and slips weighted by multiplier ────────────────────────────────────────────────────────────────────────────
@@ -38,7 +55,10 @@ template <int D> bool MortarContact<D>::is_far(int multiplier, const Trial<D>& t
   const FixedContactState state = fixed.empty() ? FixedContactState::free : fixed[at(multiplier)];
   if (state != FixedContactState::free) return state == FixedContactState::open;
   const MultiplierHistory<D>& history = trial.present.multipliers[at(multiplier)];
-  return history.pressure == 0 && this->travel_ + trial.controls.guessed < history.cleared;
+  // A multiplier with a pressure remains closed up to the gap pressure/ε.
+  const double closed = solves_multipliers() ? unknowns_of<D>(trial.extra, multiplier, frictional()).normal
+                                             : history.pressure / (law_.normal * trial.penalty_factor);
+  return this->travel_ + trial.controls.guessed + std::max(closed, 0.0) < history.cleared;
 }
 
 template <int D> void MortarContact<D>::evaluate_part(int index, const Trial<D>& trial, bool /*tangent*/) {
@@ -120,7 +140,24 @@ template <int D> void MortarContact<D>::remember_foot(std::size_t i, const Trial
 
 // ── Pressures ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// Sums over the elements of each multiplier, and its law.
+/// Sums over the elements of a multiplier.
+template <int D> MultiplierSums<D> MortarContact<D>::sum_up(int multiplier) const {
+  MultiplierSums<D> sum;
+  for (const int element : functions_.support(multiplier)) {
+    const auto on = functions_.on(element);
+    const MultiplierSums<D>& part =
+        element_sums_[first_sum_[at(element)] +
+                      at(static_cast<int>(std::find(on.begin(), on.end(), multiplier) - on.begin()))];
+    sum.area += part.area;
+    sum.gap += part.gap;
+    sum.normal += part.normal;
+    sum.slip += part.slip;
+    sum.along += part.along;
+  }
+  return sum;
+}
+
+/// Sums and law of each multiplier.
 template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
   const PenaltyLaw law = scaled(law_, trial.penalty_factor);
   const Controls& controls = trial.controls;
@@ -131,26 +168,22 @@ template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
     const bool far = is_far(a, trial);
     result = {};
     tangents_[at(a)] = {};
-    MultiplierSums<D>& sum = sums_[at(a)] = {};
     history.cleared = std::numeric_limits<double>::infinity();
-    for (const int element : functions_.support(a)) {
-      history.cleared = std::min(history.cleared, cleared_[at(element)]);
-      if (far) continue;
-      const auto on = functions_.on(element);
-      const MultiplierSums<D>& part =
-          element_sums_[first_sum_[at(element)] +
-                        at(static_cast<int>(std::find(on.begin(), on.end(), a) - on.begin()))];
-      sum.area += part.area;
-      sum.gap += part.gap;
-      sum.normal += part.normal;
-      sum.slip += part.slip;
-      sum.along += part.along;
-    }
+    for (const int element : functions_.support(a)) history.cleared = std::min(history.cleared, cleared_[at(element)]);
+    const MultiplierSums<D>& sum = sums_[at(a)] = far ? MultiplierSums<D>{} : sum_up(a);
     result.beyond = !far && sum.area == 0;
-    if (far || result.beyond) continue;
     const FixedContactState fixed =
         controls.fixed_states.empty() ? FixedContactState::free : controls.fixed_states[at(a)];
-    tangents_[at(a)] = mortar_law(law, sum, history, {fixed, controls.guessed, tie, controls.landing}, result);
+    const MultiplierControl control{fixed, controls.guessed, tie, controls.landing};
+    const bool open = far || result.beyond;
+    if (!solves_multipliers()) {
+      if (!open) tangents_[at(a)] = mortar_law(law, sum, history, control, result);
+      continue;
+    }
+    const auto unknowns = unknowns_of<D>(trial.extra, a, frictional());
+    conditions_[at(a)] =
+        open ? open_multiplier(law_.normal, whole_[at(a)], unknowns)
+             : multiplier_law(law_.normal, law_.friction, sum, whole_[at(a)], unknowns, control, result);
   }
 }
 
@@ -186,12 +219,12 @@ void MortarContact<D>::add_point(std::size_t i, const Trial<D>& trial, bool tang
   const double* values = functions_.at_point(i);
   const double area = own.weight * own.reference_area;
   // p = Σ M_A z_A, t_T = Σ M_A t_A; the state is that of the multiplier with the largest part of p
-  double pressure = 0, largest = 0;
+  double pressure = 0, largest = -1;
   Vec<D> friction = Vec<D>::Zero();
   weights.assign(on.size(), 0);
   for (std::size_t a = 0; a < on.size(); ++a) {
     const MultiplierResult<D>& multiplier = trial.present.multiplier_results[signorini::at(on[a])];
-    if (multiplier.state == ContactState::open) continue;
+    if (multiplier.state == ContactState::open || values[a] == 0) continue;
     const double share = values[a] * multiplier.pressure;
     pressure += share;
     friction += values[a] * multiplier.friction;
@@ -265,6 +298,24 @@ LocalRows<D> MortarContact<D>::point_rows(const LocalGeometry<D>& geometry, cons
 
 // ── Coupling of a multiplier's unknowns ──────────────────────────────────────────────────────────────────────────────
 
+template <int D> Block& MortarContact<D>::new_block() {
+  if (spare_.empty()) spare_.emplace_back();
+  Block& block = this->blocks_.emplace_back(std::move(spare_.back()));
+  spare_.pop_back();
+  return block;
+}
+
+/// Appends the blocks of multipliers that are unknowns.
+template <int D> void MortarContact<D>::add_conditions(bool tangent) {
+  for (int a = 0; a < functions_.count(); ++a)
+    fill_conditions(conditions_[at(a)], a, frictional(), tangent, new_block());
+  if (!tangent) return;
+  for (const Part& part : parts_)
+    for (const Strip& strip : part.rows.strips())
+      fill_coupling(strip, this->slave(), this->master(), functions_, conditions_, law_.normal, frictional(),
+                    new_block());
+}
+
 /// Appends a block for each group with a multiplier that is not open.
 template <int D> void MortarContact<D>::couple_all() {
   for (auto& list : strips_) list.clear();
@@ -275,9 +326,7 @@ template <int D> void MortarContact<D>::couple_all() {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const auto& members = groups[g].members;
     if (std::all_of(members.begin(), members.end(), [&](int a) { return tangents_[at(a)].pressure == 0; })) continue;
-    if (spare_.empty()) spare_.emplace_back();
-    Block& block = this->blocks_.emplace_back(std::move(spare_.back()));
-    spare_.pop_back();
+    Block& block = new_block();
     block.slave_element = block.master_element = block.slip_element = -1;
     block.group = static_cast<int>(g);
   }
@@ -299,7 +348,10 @@ template <int D> void MortarContact<D>::gather(const Trial<D>& trial, bool tange
     part.blocks = part.sums.hand_over(this->blocks_);
     this->search_seconds_ += std::exchange(part.search_seconds, 0);
   }
-  if (tangent) couple_all();
+  if (solves_multipliers())
+    add_conditions(tangent);
+  else if (tangent)
+    couple_all();
 }
 
 template <int D> void MortarContact<D>::take_back(std::vector<Block>& blocks) {
@@ -334,6 +386,7 @@ template <int D> void MortarContact<D>::commit_points(History<D>& present, doubl
 
 /// λ_A and λ_TA become the pressure and friction of the last evaluation.
 template <int D> void MortarContact<D>::augment(History<D>& history) const {
+  if (solves_multipliers()) return;
   for (std::size_t a = 0; a < history.multipliers.size(); ++a) {
     history.multipliers[a].pressure = history.multiplier_results[a].pressure;
     history.multipliers[a].friction = history.multiplier_results[a].components;
@@ -342,6 +395,7 @@ template <int D> void MortarContact<D>::augment(History<D>& history) const {
 
 /// Includes positive gaps, and elastic slip where a multiplier sticks.
 template <int D> double MortarContact<D>::violation(const History<D>& history) const {
+  if (solves_multipliers()) return 0;
   double farthest = 0;
   for (const MultiplierResult<D>& result : history.multiplier_results) {
     if (result.state == ContactState::open) continue;
@@ -351,7 +405,7 @@ template <int D> double MortarContact<D>::violation(const History<D>& history) c
 }
 
 template <int D> double MortarContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
-  const double penalty = largest_penalty(scaled(law_, penalty_factor));
+  const double penalty = solves_multipliers() ? law_.normal : largest_penalty(scaled(law_, penalty_factor));
   double sum = 0;
   for (const MultiplierResult<D>& result : history.multiplier_results)
     if (result.state != ContactState::open) sum += result.area * penalty * result.area * penalty;

@@ -1,9 +1,10 @@
 #pragma once
-// Mortar contact by penalty and augmentation: gaps and slips weighted by multiplier functions on the slave face.
+// Mortar contact: gaps and slips weighted by multiplier functions on the slave face, and pressures by penalty and
+// augmentation or as unknowns.
 
 #include "contact/block_sums.hpp"
 #include "contact/formulation.hpp"
-#include "contact/multiplier_rows.hpp"
+#include "contact/multiplier_blocks.hpp"
 #include "contact/point_geometry.hpp"
 
 namespace signorini::contact {
@@ -14,7 +15,8 @@ struct MortarLaw {
 };
 
 /// Tractions Σ M_A (z_A n̄ − t_A) per reference area with the pressures z_A and frictions t_A of mortar_law.hpp. Without
-/// friction the virtual work is Σ z_A a_A δḡ_A, which has a potential.
+/// friction the virtual work is Σ z_A a_A δḡ_A, which has a potential. With Enforcement::multipliers z_A and t_A are
+/// unknowns with the equations of multiplier_law.hpp.
 template <int D> class MortarContact final : public Formulation<D> {
 public:
   /// Throws Error if a constant is invalid, no contact point is left, or the face has no such multipliers.
@@ -22,10 +24,11 @@ public:
 
   int multipliers() const override { return functions_.count(); }
   int point_of(int constraint) const override { return std::max(functions_.largest(constraint), 0); }
+  std::vector<std::string> extra_unknowns() const override;
   /// Except beyond open ends of the master, where the area on which tractions act changes.
-  bool has_potential() const override { return !frictional(); }
+  bool has_potential() const override { return !frictional() && !solves_multipliers(); }
   double friction() const override { return law_.friction; }
-  double penalty() const override { return law_.normal; }
+  double penalty() const override { return solves_multipliers() ? 0 : law_.normal; }
   int parts() const override { return static_cast<int>(parts_.size()); }
   void evaluate_part(int part, const Trial<D>& trial, bool tangent) override;
   void gather(const Trial<D>& trial, bool tangent) override;
@@ -51,28 +54,34 @@ private:
   };
 
   bool frictional() const { return law_.friction > 0; }
+  bool solves_multipliers() const { return law_.enforcement == Enforcement::multipliers; }
   bool is_far(int multiplier, const Trial<D>& trial) const;
   void weigh(std::size_t i, const Trial<D>& trial, Part& part, Feet& at);
   void remember_foot(std::size_t i, const Trial<D>& trial) const;
+  MultiplierSums<D> sum_up(int multiplier) const;
   void decide(const Trial<D>& trial);
   void distribute(Part& part, const Trial<D>& trial, bool tangent);
   void add_point(std::size_t i, const Trial<D>& trial, bool tangent, Part& part, Feet& at,
                  std::vector<double>& weights);
   LocalRows<D> point_rows(const LocalGeometry<D>& geometry, const GapRows<D>& gap, const LocalShift<D>& shift,
                           const FacePoint<D>* slip_point) const;
+  Block& new_block();
   void couple_all();
+  void add_conditions(bool tangent);
   void commit_points(History<D>& present, double penalty_factor) override;
   void take_back(std::vector<Block>& blocks) override;
 
   PenaltyLaw law_; ///< without penalty factor
   MultiplierFunctions<D> functions_;
   std::vector<Part> parts_;
-  std::vector<std::size_t> first_sum_;          ///< per slave element: offset into element_sums_
-  std::vector<MultiplierSums<D>> element_sums_; ///< per slave element and multiplier on it
-  std::vector<char> is_skipped_;                ///< per slave element: its points were not projected
-  std::vector<double> cleared_;                 ///< per slave element: least `cleared` of its points
-  std::vector<MultiplierSums<D>> sums_;         ///< per multiplier, as the next
-  std::vector<MultiplierTangent<D>> tangents_;
+  std::vector<std::size_t> first_sum_;            ///< per slave element: offset into element_sums_
+  std::vector<MultiplierSums<D>> element_sums_;   ///< per slave element and multiplier on it
+  std::vector<char> is_skipped_;                  ///< per slave element: its points were not projected
+  std::vector<double> cleared_;                   ///< per slave element: least `cleared` of its points
+  std::vector<MultiplierSums<D>> sums_;           ///< per multiplier, as the next
+  std::vector<MultiplierTangent<D>> tangents_;    ///< without unknown multipliers
+  std::vector<ConditionRows<D>> conditions_;      ///< with unknown multipliers
+  std::vector<double> whole_;                     ///< their areas without open ends
   std::vector<std::vector<const Strip*>> strips_; ///< per slave element
   std::vector<Block> spare_;
 };

@@ -58,7 +58,9 @@ void friction(const PenaltyLaw& law, const MultiplierSums<D>& sums, const Multip
   Components traction = trial;
   Square scale = Square::Identity(); // ∂traction/∂trial
   result.state = ContactState::stick;
-  if (control.fixed_state != FixedContactState::stick && magnitude > limit + tie && magnitude > -tie) {
+  const bool slips = control.fixed_state == FixedContactState::slip ||
+                     (control.fixed_state != FixedContactState::stick && magnitude > limit + tie && magnitude > -tie);
+  if (slips && magnitude > 0) {
     // t = μ z d,  δt = μ δz d + μ z/|trial| (I − d dᵀ) δtrial
     result.state = ContactState::slip;
     const Components d = trial / magnitude;

@@ -8,12 +8,17 @@ namespace signorini::contact {
 /// The slave's area on which the tractions of a law act.
 enum class TractionArea : unsigned char { current, reference };
 
+/// How the contact conditions are satisfied: up to a penetration; by augmentations of the penalty's pressures (Uzawa);
+/// by Lagrange multipliers as unknowns.
+enum class Enforcement : unsigned char { penalty, augmented, multipliers };
+
 /// Penalty parameters are pressure per length.
 struct PenaltyLaw {
   double normal;                            ///< ε_N > 0
   double tangential = 0;                    ///< ε_T, used when friction > 0
   double friction = 0;                      ///< Coulomb's μ ≥ 0
   TractionArea per = TractionArea::current; ///< reference, without friction: the forces derive from an energy
+  Enforcement enforcement = Enforcement::penalty;
 };
 
 /// One of two half passes between two faces: its forces act on the slave alone, those on the other face come from the

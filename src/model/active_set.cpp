@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini::model {
 
@@ -21,6 +22,16 @@ contact::FixedContactState fixed_state_for(contact::ContactState state) {
   return state == contact::ContactState::open ? contact::FixedContactState::open : contact::FixedContactState::stick;
 }
 
+/// The same state, for the next evaluation.
+contact::FixedContactState held_state(unsigned char code) {
+  using contact::ContactState, contact::FixedContactState;
+  if (code == beyond) return FixedContactState::free;
+  const auto state = static_cast<ContactState>(code);
+  return state == ContactState::open   ? FixedContactState::open
+         : state == ContactState::slip ? FixedContactState::slip
+                                       : FixedContactState::stick;
+}
+
 } // namespace
 
 template <int D>
@@ -33,6 +44,9 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
   reversed_.clear();
   frictions_.assign(contacts.size(), {});
   rounds_ = 0;
+  held_ = false;
+  fewest_ = std::numeric_limits<int>::max();
+  tries_ = most_tries;
   frozen_ = options.freeze > 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     first_.push_back(first_.back() + constraints(histories[k]));
@@ -94,6 +108,47 @@ template <int D> void ActiveSet<D>::note(const Histories& histories, double resi
   }
   entries_.push_back(std::move(entry));
   if (entries_.size() > remembered_evaluations) entries_.pop_front();
+}
+
+template <int D> bool ActiveSet<D>::hold_back(const Histories& histories, Controls& controls) {
+  if (entries_.size() < 2 || frozen_) return false;
+  const std::vector<unsigned char>& before = entries_[entries_.size() - 2].states;
+  std::vector<unsigned char>& now = entries_.back().states;
+  const auto changes = [&](int i) {
+    return now[at(i)] != before[at(i)] && now[at(i)] != beyond && before[at(i)] != beyond;
+  };
+  int changed = 0, first = -1;
+  for (std::size_t k = 0; k < histories.size(); ++k) {
+    if (histories[k].multipliers.empty()) continue;
+    if (!controls[k].fixed_states.empty()) return false;
+    for (int i = first_[k]; i < first_[k + 1]; ++i) {
+      if (!changes(i)) continue;
+      if (first < 0) first = i;
+      ++changed;
+    }
+  }
+  if (changed < fewest_) {
+    fewest_ = std::max(changed, 1);
+    tries_ = most_tries;
+    return false;
+  }
+  if (changed <= 1 || tries_-- > 0) return false;
+  for (std::size_t k = 0; k < histories.size(); ++k) {
+    if (histories[k].multipliers.empty()) continue;
+    for (int i = first_[k]; i < first_[k + 1]; ++i) {
+      if (i != first && changes(i)) now[at(i)] = before[at(i)];
+      controls[k].fixed_states.push_back(held_state(now[at(i)]));
+    }
+  }
+  held_ = true;
+  return true;
+}
+
+template <int D> bool ActiveSet<D>::let_go(Controls& controls) {
+  if (!held_) return false;
+  for (auto& control : controls) control.fixed_states.clear();
+  held_ = false;
+  return true;
 }
 
 template <int D> void ActiveSet<D>::thaw(double ratio, Controls& controls) {

@@ -30,8 +30,14 @@ public:
   /// multiplier whose slip reverses sticks in the next evaluation: Newton's method has passed over a state of stick,
   /// and would return, because the tangent of slip has no stiffness that stops it.
   void note(const Histories& histories, double residual, Controls& controls);
+  /// Principal pivoting for multipliers (J. J. Júdice, F. M. Pires, Comput. Oper. Res. 21, 1994): as long as fewer
+  /// states change from one iteration to the next, all change at once; where their number stagnates, states are held so
+  /// that only the first of them changes. Call after note(); returns whether states are held, for another evaluation.
+  bool hold_back(const Histories& histories, Controls& controls);
   /// Ends the freeze if `ratio`, |f·Δu| over its first value, is below options.freeze.
   void thaw(double ratio, Controls& controls);
+  /// Frees the states that hold_back() holds, before an evaluation; returns whether any was held.
+  bool let_go(Controls& controls);
   /// Frees all points; returns whether any was fixed. Points that change too often may be fixed again in `most_rounds`
   /// rounds.
   bool release(Controls& controls);
@@ -67,6 +73,8 @@ private:
   std::vector<std::vector<contact::FaceCoordinates<D>>> frictions_; ///< per contact and multiplier, before
   bool frozen_ = false;
   int rounds_ = 0;
+  bool held_ = false;          ///< states are held in the present evaluation
+  int fewest_ = 0, tries_ = 0; ///< changes of states: the fewest in this step, and tries that are left to reduce them
 };
 
 } // namespace signorini::model

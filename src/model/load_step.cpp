@@ -102,12 +102,17 @@ template <int D> solve::Outcome assemble_step(Model<D>& model, bool tangent, Mes
   const bool first = step.pending && report.iterations == 0;
   if (!report.energies.empty()) set.thaw(report.energies.back() / report.energies.front(), model.controls);
   if (step.landing && !report.energies.empty() && has_landed(model)) end_landing(model);
+  set.let_go(model.controls);
   guess(model, report.iterations == 0 && model.targets != model.accepted.targets);
-  const solve::Outcome outcome = evaluate(model, first ? &step.increment : nullptr, tangent, why);
+  solve::Outcome outcome = evaluate(model, first ? &step.increment : nullptr, tangent, why);
   guess(model, false);
   if (first) model.unbalanced += model.system.unknowns.gather(model.system.assembly.product());
   if (outcome != solve::Outcome::converged || !std::exchange(step.moved, false)) return outcome;
   set.note(model.present.contacts, model.unbalanced.norm(), model.controls);
+  if (!first && set.hold_back(model.present.contacts, model.controls)) {
+    outcome = evaluate(model, nullptr, tangent, why);
+    if (outcome != solve::Outcome::converged) return outcome;
+  }
   // With pseudo-time damping, which changes, repeated states do not imply a cycle.
   const bool repeats = step.pseudo_time.damping() == 0;
   if (const int period = repeats ? set.period() : 0; period > 0) {
@@ -130,6 +135,10 @@ template <int D> solve::Trial retreat(Model<D>& model, double part) {
 template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOptions& augmented, Message& why) {
   if (model.step->landing) {
     end_landing(model);
+    return solve::Outcome::iterating;
+  }
+  if (model.active_set.let_go(model.controls)) {
+    model.step->moved = true;
     return solve::Outcome::iterating;
   }
   if (model.active_set.release(model.controls)) {

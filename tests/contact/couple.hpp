@@ -9,7 +9,7 @@
 
 namespace signorini::contact::test {
 
-/// The slave body's displacements come first, then the master body's or the obstacle's.
+/// The slave body's displacements come first, then the master body's or the obstacle's, then additional unknowns.
 struct Couple {
   nurbs::Discretization die;
   std::optional<nurbs::Discretization> base; ///< none: an obstacle
@@ -21,18 +21,18 @@ struct Couple {
       : die(std::move(slave)), base(std::move(master)),
         pair(Surface<2>(die, nurbs::side_of(side, 2)), Surface<2>(*base, nurbs::side_of("north", 2)), law, points,
              revolved),
-        u(VectorX::Zero(die_dofs() + base_dofs())) {}
+        u(VectorX::Zero(die_dofs() + base_dofs() + pair.extra_unknowns())) {}
   Couple(nurbs::Discretization slave, const std::string& side, const Obstacle<2>& master, const Law& law, int points,
          bool revolved = false)
       : die(std::move(slave)), pair(Surface<2>(die, nurbs::side_of(side, 2)), master, law, points, revolved),
-        u(VectorX::Zero(die_dofs() + base_dofs())) {}
+        u(VectorX::Zero(die_dofs() + base_dofs() + pair.extra_unknowns())) {}
   /// A half annulus of radius 0.5 whose lowest point is (x, y).
   template <class AnyMaster, class AnyLaw = PenaltyLaw>
   Couple(const std::string& label, AnyMaster master, const AnyLaw& law, double x, double y, bool revolved = false)
       : Couple(discretize(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(x, y + 0.5)), {6, 2}, label, "south"), "south",
                std::move(master), law, 9, revolved) {}
 
-  /// Degrees of freedom of the two contact faces, or of the face and the obstacle.
+  /// Degrees of freedom of the two contact faces, or of the face and the obstacle, and additional unknowns.
   std::vector<int> face_dofs() const {
     std::vector<int> dofs;
     const auto append = [&](const Surface<2>& surface, int offset) {
@@ -44,11 +44,15 @@ struct Couple {
       append(*pair.master().surface(), die_dofs());
     else
       dofs.insert(dofs.end(), {die_dofs(), die_dofs() + 1});
+    for (int i = first_extra(); i < u.size(); ++i) dofs.push_back(i);
     return dofs;
   }
   int die_dofs() const { return 2 * die.functions(); }
   int base_dofs() const { return base ? 2 * base->functions() : 2; }
-  void evaluate(const VectorX& at) { pair.evaluate(at.data(), at.data() + die_dofs()); }
+  int first_extra() const { return die_dofs() + base_dofs(); }
+  void evaluate(const VectorX& at) {
+    pair.evaluate(at.data(), at.data() + die_dofs(), true, at.data() + first_extra());
+  }
   void evaluate() { evaluate(u); }
   Dense dense() const { return test::dense(pair, die_dofs(), base_dofs()); }
   void move_die(double x, double y) {

@@ -14,7 +14,7 @@
 namespace signorini::contact::test {
 
 /// An indenter with a bulging bottom whose lowest point is (x, y, z), above a master; all displacements in one vector,
-/// the master body's or the obstacle's last.
+/// then the master body's or the obstacle's, then additional unknowns.
 struct Couple3 {
   nurbs::Discretization die;
   std::optional<nurbs::Discretization> base;
@@ -33,14 +33,17 @@ struct Couple3 {
           int points = 4)
       : die(indenter(label, at)), base(master),
         pair(Surface<3>(die, nurbs::side_of("front", 3)), top_of(*base), law, points),
-        u(VectorX::Zero(3 * (die.functions() + base->functions()))) {}
+        u(VectorX::Zero(3 * (die.functions() + base->functions()) + pair.extra_unknowns())) {}
   Couple3(const std::string& label, const Obstacle<3>& master, const Law& law, const Vec<3>& at)
       : die(indenter(label, at)), pair(Surface<3>(die, nurbs::side_of("front", 3)), master, law, 4),
-        u(VectorX::Zero(3 * (die.functions() + 1))) {}
+        u(VectorX::Zero(3 * (die.functions() + 1) + pair.extra_unknowns())) {}
 
   int die_dofs() const { return 3 * die.functions(); }
-  int base_dofs() const { return static_cast<int>(u.size()) - die_dofs(); }
-  void evaluate(const VectorX& at) { pair.evaluate(at.data(), at.data() + die_dofs()); }
+  int base_dofs() const { return 3 * (base ? base->functions() : 1); }
+  int first_extra() const { return die_dofs() + base_dofs(); }
+  void evaluate(const VectorX& at) {
+    pair.evaluate(at.data(), at.data() + die_dofs(), true, at.data() + first_extra());
+  }
   void evaluate() { evaluate(u); }
   Dense dense() const { return test::dense(pair, die_dofs(), base_dofs()); }
   void move_die(const Vec<3>& by) {

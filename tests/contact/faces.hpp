@@ -65,7 +65,7 @@ struct Dense {
 };
 
 template <int D> Dense dense(const Pair<D>& pair, int slave_dofs, int master_dofs) {
-  const int size = slave_dofs + master_dofs;
+  const int size = slave_dofs + master_dofs + pair.extra_unknowns();
   Dense sum{VectorX::Zero(size), MatrixX::Zero(size, size)};
   for (const Block& block : pair.blocks()) {
     std::vector<int> dofs;

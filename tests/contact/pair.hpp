@@ -35,7 +35,9 @@ public:
   }
   Pair(Pair&&) = default;
 
-  void evaluate(const double* slave, const double* master, bool tangent = true) {
+  /// `extra`: values of the formulation's additional unknowns.
+  void evaluate(const double* slave, const double* master, bool tangent = true, const double* extra = nullptr) {
+    extra_ = extra;
     place_ = {copy(slave, formulation_->slave()), formulation_->master().rigid()
                                                       ? std::vector<double>(master, master + D)
                                                       : copy(master, *formulation_->master().surface())};
@@ -76,6 +78,7 @@ public:
   }
 
   const Formulation<D>& formulation() const { return *formulation_; }
+  int extra_unknowns() const { return static_cast<int>(formulation_->extra_unknowns().size()); }
   const Surface<D>& slave() const { return formulation_->slave(); }
   const Master<D>& master() const { return formulation_->master(); }
   const std::vector<Block>& blocks() const { return formulation_->blocks(); }
@@ -93,7 +96,7 @@ private:
   struct Place {
     std::vector<double> slave, master;
   };
-  Trial<D> trial() { return {present_, accepted_, controls_, factor_, nullptr}; }
+  Trial<D> trial() { return {present_, accepted_, controls_, factor_, extra_}; }
   static std::vector<double> copy(const double* displacement, const Surface<D>& face) {
     int last = 0;
     for (int i = 0; i < face.functions(); ++i) last = std::max(last, face.body_function(i));
@@ -109,6 +112,7 @@ private:
   History<D> accepted_, present_;
   Controls controls_;
   double factor_ = 1;
+  const double* extra_ = nullptr;
   Place accepted_place_, place_;
 };
 

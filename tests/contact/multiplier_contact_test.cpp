@@ -1,0 +1,133 @@
+// Mortar contact with Lagrange multipliers as unknowns: tangent against finite differences in every state, symmetry,
+// conditions of contact and friction at a solution.
+#include "contact/couple3d.hpp"
+#include "contact/mortar_discs.hpp"
+
+#include <cmath>
+
+namespace signorini::contact {
+namespace multiplier_contact_test {
+
+using namespace test;
+
+MortarLaw multipliers(MultiplierSpace space, double mu = 0) {
+  MortarLaw law = mortar(space, mu);
+  law.penalty.enforcement = Enforcement::multipliers;
+  return law;
+}
+
+/// Random multipliers: pressures of both signs, friction within and beyond Coulomb's cone.
+template <class AnyCouple> void set_multipliers(AnyCouple& couple, Random& random, int each, double mu) {
+  for (int i = couple.first_extra(); i < couple.u.size(); ++i)
+    couple.u(i) =
+        (i - couple.first_extra()) % each == 0 ? uniform(random, -0.02, 0.06) : uniform(random, -mu, mu) * 0.03;
+}
+
+/// Presses, then drags, with a comparison in each state.
+Census press_and_slide(Couple couple, unsigned seed, double depth, double mu, const std::vector<double>& drags) {
+  Random random(seed);
+  Census census;
+  const int each = mu > 0 ? 3 : 1;
+  couple.shake(random, 0.003);
+  couple.touch();
+  couple.move_die(0, -depth);
+  set_multipliers(couple, random, each, mu);
+  compare_with_differences(couple, census);
+  couple.pair.accept();
+  for (double drag : drags) {
+    couple.move_die(drag, 0);
+    set_multipliers(couple, random, each, mu);
+    compare_with_differences(couple, census);
+  }
+  return census;
+}
+
+TEST(MultiplierContact, TangentIsTheResidualsDerivativeInEveryState) {
+  Census sum;
+  unsigned seed = 0;
+  Random random(9);
+  for (const MultiplierSpace space : multiplier_spaces)
+    for (double mu : {0.0, 0.3}) {
+      const MortarLaw law = multipliers(space, mu);
+      sum.add(press_and_slide(pressed_disc("N2", slab("N2"), law, 0.8, 1.0), ++seed, 0.06, mu, {3e-4, 0.02, 0.5}));
+      for (int trial = 0; trial < 3; ++trial)
+        sum.add(press_and_slide(pressed_disc("N2-N2.1", wavy(random, 3, 0.1, 3, 6), law, 1.3, 0.1), ++seed, 0.07, mu,
+                                {1e-3, 0.1, -0.4}));
+      sum.add(
+          press_and_slide(pressed_disc("N2", make_ball<2>({1, -2}, 2), law, 1.3, 0.1), ++seed, 0.06, mu, {3e-4, -0.1}));
+      sum.add(press_and_slide(pressed_disc("N3", make_plane<2>({0, 0}, {0.2, 2}), law, 1.3, 0.1, true), ++seed, 0.06,
+                              mu, {3e-4, 0.1}));
+    }
+  EXPECT_GE(sum.states, 50) << sum.stepped_over << " states lay on a change of state";
+  EXPECT_GT(sum.open, 500);
+  EXPECT_GT(sum.stick, 300);
+  EXPECT_GT(sum.slip, 300);
+}
+
+/// The slave is wider than the master, so that its outer points have no projection or a faded area.
+TEST(MultiplierContact, TangentIsTheResidualsDerivativeAtTheEndsOfTheMaster) {
+  const auto block = discretize(nurbs::rectangle(1, 0.5, Eigen::Vector2d(1, 1)), {6, 1}, "N2", "south");
+  Random random(5);
+  Census census;
+  for (const MultiplierSpace space : multiplier_spaces)
+    for (double mu : {0.0, 0.3})
+      for (int trial = 0; trial < 3; ++trial) {
+        const auto base = discretize(nurbs::rectangle(0.55, 1, Eigen::Vector2d(1.2, 0)), {4, 1}, "N2", "north");
+        Couple couple(block, "south", base, multipliers(space, mu), 5);
+        couple.shake(random, 0.005);
+        couple.evaluate();
+        couple.pair.accept();
+        couple.move_die(0.004, -0.03);
+        set_multipliers(couple, random, mu > 0 ? 3 : 1, mu);
+        compare_with_differences(couple, census);
+        const auto& results = couple.pair.results();
+        EXPECT_GT(std::count_if(results.begin(), results.end(), [](const auto& one) { return one.beyond; }), 2);
+      }
+  EXPECT_GE(census.states, 8) << census.stepped_over << " states lay on a change of state";
+}
+
+TEST(MultiplierContact, TangentIsTheResidualsDerivativeIn3D) {
+  Random random(1);
+  Census3 census;
+  for (const MultiplierSpace space : multiplier_spaces)
+    for (double mu : {0.0, 0.3})
+      for (int kind = 0; kind < 3; ++kind) {
+        const MortarLaw law = multipliers(space, mu);
+        const int each = mu > 0 ? 4 : 1;
+        Couple3 couple = kind < 2 ? Couple3("N2", wavy_plate(random, 3, 0.02, 2 + kind, 4), law, {1.4, 1.5, 0.1}, 5)
+                                  : Couple3("N2", Obstacle<3>(make_ball<3>({1.5, 1.5, -2}, 2)), law, {1.5, 1.5, 0.1});
+        couple.shake(random, 0.003);
+        couple.touch();
+        couple.move_die({0, 0, -0.08});
+        set_multipliers(couple, random, each, mu);
+        compare_with_differences(couple, random, census);
+        couple.pair.accept();
+        for (const Vec<3>& drag : {Vec<3>(3e-4, 1e-4, 0), Vec<3>(0.02, 0.03, 0), Vec<3>(-0.3, 0.2, 0)}) {
+          couple.move_die(drag);
+          set_multipliers(couple, random, each, mu);
+          compare_with_differences(couple, random, census);
+          couple.pair.accept();
+        }
+      }
+  EXPECT_GE(census.compared, 30) << census.stepped_over << " states lay on a change of state";
+  EXPECT_GT(census.stick, 100);
+  EXPECT_GT(census.slip, 100);
+}
+
+TEST(MultiplierContact, TangentIsSymmetricWithoutFriction) {
+  Random random(7);
+  for (const MultiplierSpace space : multiplier_spaces)
+    for (bool revolved : {false, true}) {
+      Couple couple = pressed_disc("N2-N2.1", wavy(random, 3, 0.1, 2, 4), multipliers(space), 1.4, 0.0, revolved);
+      couple.touch();
+      couple.move_die(0, -0.07);
+      set_multipliers(couple, random, 1, 0);
+      couple.evaluate();
+      ASSERT_GT(count(couple.pair, ContactState::stick), 1);
+      const Dense at = couple.dense();
+      EXPECT_LE((at.tangent - at.tangent.transpose()).norm(), 1e-13 * at.tangent.norm());
+    }
+}
+
+} // namespace multiplier_contact_test
+} // namespace signorini::contact
