@@ -20,8 +20,8 @@ auto members(Cylinder& cylinder) {
 }
 
 auto members(PenaltyLaw& law) {
-  auto& [normal, tangential, friction, per] = law;
-  return std::tie(normal, tangential, friction, per);
+  auto& [normal, tangential, friction, per, enforcement] = law;
+  return std::tie(normal, tangential, friction, per, enforcement);
 }
 
 auto members(Adhesion& law) {

@@ -26,6 +26,7 @@ public:
   bool has_potential() const override { return !frictional(); }
   double friction() const override { return law_.friction; }
   double penalty() const override { return law_.normal; }
+  bool augmented() const override { return law_.enforcement == Enforcement::augmented; }
   int parts() const override { return static_cast<int>(parts_.size()); }
   void evaluate_part(int part, const Trial<D>& trial, bool tangent) override;
   void gather(const Trial<D>& trial, bool tangent) override;

@@ -8,12 +8,18 @@ namespace signorini::contact {
 /// The slave's area on which the tractions of a law act.
 enum class TractionArea : unsigned char { current, reference };
 
-/// Penalty parameters are pressure per length.
+/// How the contact conditions are enforced: by penalty alone, by the augmented Lagrangian method (Uzawa), or with
+/// Lagrange multipliers as unknowns (mortar contact).
+enum class Enforcement : unsigned char { penalty, augmented, multipliers };
+
+/// Penalty parameters are pressure per length. Unless enforced by penalty, those of a scene may be 0, which stands for
+/// values from material and mesh.
 struct PenaltyLaw {
   double normal;                            ///< ε_N > 0
   double tangential = 0;                    ///< ε_T, used when friction > 0
   double friction = 0;                      ///< Coulomb's μ ≥ 0
   TractionArea per = TractionArea::current; ///< reference, without friction: the forces derive from an energy
+  Enforcement enforcement = Enforcement::penalty;
 };
 
 /// One of two half passes between two faces: its forces act on the slave alone, those on the other face come from the
