@@ -39,9 +39,10 @@ local function joined(words) return #words > 0 and table.concat(words, ", ") or 
 --- Raises an error about keys that are not in the rows.
 local function reject_unknown(where, name, value, unknown, rows)
   table.sort(unknown)
-  local known = pages.keys(rows)
+  local known, hints = pages.keys(rows), rows.hints or {}
   local all = table.concat(lists.map({ table.unpack(unknown, 1, most_unknown) }, function(key)
-    return ("unknown argument '%s' (%s)%s"):format(key, core.describe(value[key]), meant(key, known))
+    local hint = hints[key] and ". Hint: " .. hints[key] or meant(key, known)
+    return ("unknown argument '%s' (%s)%s"):format(key, core.describe(value[key]), hint)
   end), "; ")
   core.fail(("%s%s: %s%s known: %s"):format(where, name == "" and "" or ": " .. name, all, all:find "%?$" and "" or ";",
     joined(known)))

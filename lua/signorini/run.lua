@@ -34,11 +34,28 @@ local function controls_on(options)
   return lists.filter(lists.sorted_names(is_on), function(name) return is_on[name] end)
 end
 
+--- The name of an augmented contact, if any. Raises an error where an option does not suit.
+local function augmented_contact(model, options)
+  local name = lists.filter(model:contact_names(), function(contact)
+    return model:contact_law(contact).enforcement == "augmented"
+  end)[1]
+  if name and options.arc_length then
+    core.fail(('%s: arc_length does not work with augmented contacts, such as contacts.%s. Hint: use enforcement = '
+      .. '"penalty", or remove arc_length'):format(where, name))
+  end
+  if options.augmentation and not name then
+    core.fail(('%s: augmentation is for augmented contacts, but the model has none. Hint: write enforcement = '
+      .. '"augmented" in a contact, or omit augmentation'):format(where))
+  end
+  return name
+end
+
 --- The options with { solver (arguments of model:solve_step), tries (see controls.lua), policy (see steps.lua), on
---- (controls that are on), checkpoints (see checkpoint.lua), states (to be stored) }.
+--- (controls that are on), checkpoints (see checkpoint.lua), states (to be stored), augmented (see above) }.
 local function read_options(model, options, path, total)
+  options.augmented = augmented_contact(model, options)
   options.solver = lists.merged(options.newton)
-  for _, key in ipairs { "predictor", "linear", "augmented", "damping", "pseudo_transient" } do
+  for _, key in ipairs { "predictor", "linear", "augmentation", "damping", "pseudo_transient" } do
     options.solver[key] = options[key]
   end
   options.on, options.checkpoints = controls_on(options), checkpoint(options)
@@ -277,10 +294,10 @@ local function begin_stage(model, stage)
   end
 end
 
---- Records why a step failed; unless the user stopped it, searches for a turning point.
+--- Records why a step failed; unless the user stopped it, searches for a turning point, by arc length.
 local function fail(run, step, result)
   local began = core.now()
-  local turn = not steps.is_wanted(result) and arc_length.turning_point(step)
+  local turn = not (steps.is_wanted(result) or step.options.augmented) and arc_length.turning_point(step)
   run:account("wall", core.now() - began)
   run:record_failure(step, result, turn and step:place(turn))
 end

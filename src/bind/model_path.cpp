@@ -7,6 +7,7 @@
 #include "model/diagnosis.hpp"
 #include "model/load_step.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace signorini::bind {
@@ -61,14 +62,19 @@ model::Predictor read_predictor(const Arguments& a) {
                               : model::Predictor::linear;
 }
 
-model::StepOptions read_step_options(const Arguments& a) {
+template <int D> model::StepOptions read_step_options(const model::Model<D>& model, const Arguments& a) {
   model::StepOptions options = read_newton(a);
   options.newton.line_search = solve::line_search_kind(a.get<std::string>("line_search"));
   options.predictor = read_predictor(a);
   options.active_set = {.freeze = a.get("freeze_active_set", 0.0), .changes = a.get<int>("active_set_changes")};
-  if (a.has("augmented")) {
-    const Arguments augmented = a.table("augmented");
-    options.augmented = {.penetration = augmented.get<double>("penetration"), .loops = augmented.get<int>("loops")};
+  if (a.has("augmentation")) {
+    const auto& contacts = model.system.contacts;
+    require(
+        std::any_of(contacts.begin(), contacts.end(), [](const auto& one) { return one->augmented(); }),
+        "augmentation is for augmented contacts, but the model has none. Hint: write enforcement = \"augmented\" in "
+        "a contact, or omit augmentation");
+    const Arguments limits = a.table("augmentation");
+    options.augmentation = {.penetration = limits.get<double>("penetration"), .loops = limits.get<int>("loops")};
   }
   options.damping = a.get<bool>("damping");
   options.pseudo_transient = a.get<bool>("pseudo_transient");
@@ -83,11 +89,11 @@ int push_report(lua_State* L, const solve::NewtonReport& report) {
 }
 
 template <int D> int solve_step(model::Model<D>& model, const Arguments& a, lua_State* L) {
-  return push_report(L, model::solve_step(model, read_step_options(a)));
+  return push_report(L, model::solve_step(model, read_step_options(model, a)));
 }
 
 template <int D> int iterate(model::Model<D>& model, const Arguments& a, lua_State* L) {
-  return push_report(L, model::iterate(model, read_step_options(a)));
+  return push_report(L, model::iterate(model, read_step_options(model, a)));
 }
 
 template <int D> int solve_arc(model::Model<D>& model, const Arguments& a, lua_State* L) {

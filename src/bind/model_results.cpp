@@ -36,6 +36,42 @@ template <int D> int reaction(const model::Model<D>& model, const std::string& n
   return 1;
 }
 
+/// Area on which the tractions of a contact act.
+template <int D> const char* area_name(const contact::Method<D>& method) {
+  const contact::PenaltyLaw* law = contact::penalty_law(method);
+  return law && law->per == contact::TractionArea::current ? "current" : "reference";
+}
+
+const char* name_of(contact::Enforcement enforcement) {
+  switch (enforcement) {
+  case contact::Enforcement::augmented:
+    return "augmented";
+  case contact::Enforcement::multipliers:
+    return "multipliers";
+  default:
+    return "penalty";
+  }
+}
+
+template <int D> int contact_law(const model::Model<D>& model, const std::string& name, lua_State* L) {
+  const auto contact = at(find(model.system.scene.contacts, name, "contact"));
+  const model::Contact<D>& named = model.system.scene.contacts[contact];
+  push_fields(L, "points", named.points, "per", area_name<D>(named.method));
+  if (const auto* adhesion = std::get_if<contact::Adhesion>(&named.method)) {
+    set_fields(L, "method", "gpts", "hamaker", adhesion->hamaker, "r0", adhesion->distance);
+    return 1;
+  }
+  const auto* mortar = std::get_if<contact::MortarLaw>(&named.method);
+  set_field(L, "method", mortar ? "mortar" : named.other_pass >= 0 ? "half_passes" : "gpts");
+  if (mortar) set_field(L, "multipliers", mortar->multipliers == contact::MultiplierSpace::equal ? "equal" : "reduced");
+  const contact::PenaltyLaw& law = *contact::penalty_law(named.method);
+  const double penalty = model.system.contacts[contact]->penalty();
+  set_fields(L, "enforcement", name_of(law.enforcement), "penalty", penalty, "default_penalty", law.normal == 0);
+  if (law.friction > 0)
+    set_fields(L, "mu", law.friction, "friction_penalty", law.tangential > 0 ? law.tangential : penalty);
+  return 1;
+}
+
 template <int D> int contact_resultant(const model::Model<D>& model, const std::string& name, lua_State* L) {
   const std::size_t contact = at(find(model.system.scene.contacts, name, "contact"));
   const auto sum = contact::resultant(model.present.contacts[contact]);
@@ -43,9 +79,7 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
               sum.active, "slipping", sum.slipping);
   const model::Contact<D>& named = model.system.scene.contacts[contact];
   const bool is_half = named.other_pass >= 0;
-  const auto* law = std::get_if<contact::PenaltyLaw>(&named.method);
-  const bool current = is_half || (law && law->per == contact::TractionArea::current);
-  set_field(L, "per", current ? "current" : "reference");
+  set_field(L, "per", area_name<D>(named.method));
   if (is_half) set_field(L, "imbalance", model::imbalance(model, static_cast<int>(contact)));
   set_force<D>(L, sum.force);
   const auto& multipliers = model.present.contacts[contact].multiplier_results;
@@ -173,9 +207,13 @@ template <int D> int cost(const model::Model<D>& model, lua_State* L) {
 
 template <int D>
 constexpr Function model_results_entries[] = {
-    {"reaction", call<reaction<D>>}, {"contact_resultant", call<contact_resultant<D>>},
-    {"profile", call<profile<D>>},   {"sample", call<sample<D>>},
-    {"energy", call<energy<D>>},     {"cost", call<cost<D>>},
+    {"reaction", call<reaction<D>>},
+    {"contact_law", call<contact_law<D>>},
+    {"contact_resultant", call<contact_resultant<D>>},
+    {"profile", call<profile<D>>},
+    {"sample", call<sample<D>>},
+    {"energy", call<energy<D>>},
+    {"cost", call<cost<D>>},
 };
 
 } // namespace

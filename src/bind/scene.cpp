@@ -36,12 +36,16 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
     const Arguments adhesion = a.table("adhesion");
     return contact::Adhesion{adhesion.get<double>("hamaker"), adhesion.get<double>("r0")};
   }
-  contact::PenaltyLaw law{a.get<double>("penalty")};
+  contact::PenaltyLaw law{a.get("penalty", 0.0)};
   if (a.has("friction")) {
     const Arguments friction = a.table("friction");
     law.friction = friction.get<double>("mu");
-    law.tangential = friction.get<double>("penalty");
+    law.tangential = friction.get("penalty", 0.0);
   }
+  const auto enforcement = a.get<std::string>("enforcement");
+  law.enforcement = enforcement == "penalty"     ? contact::Enforcement::penalty
+                    : enforcement == "augmented" ? contact::Enforcement::augmented
+                                                 : contact::Enforcement::multipliers;
   const auto method = a.get<std::string>("method");
   if (method == "half_passes") return contact::HalfPass{law};
   const bool mortar = method == "mortar";

@@ -20,8 +20,8 @@ auto members(Cylinder& cylinder) {
 }
 
 auto members(PenaltyLaw& law) {
-  auto& [normal, tangential, friction, per] = law;
-  return std::tie(normal, tangential, friction, per);
+  auto& [normal, tangential, friction, per, enforcement] = law;
+  return std::tie(normal, tangential, friction, per, enforcement);
 }
 
 auto members(Adhesion& law) {
@@ -30,7 +30,7 @@ auto members(Adhesion& law) {
 }
 
 auto members(MortarLaw& law) {
-  auto& [penalty, multipliers] = law;
+  auto& [penalty, multipliers, scale] = law; // the scale follows from material and mesh
   return std::tuple_cat(members(penalty), std::tie(multipliers));
 }
 

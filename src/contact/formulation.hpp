@@ -68,6 +68,8 @@ public:
   /// Coulomb's μ and the penalty parameter ε_N (0: none), which warnings and the diagnosis compare with usual values.
   virtual double friction() const { return 0; }
   virtual double penalty() const { return 0; }
+  /// Whether steps augment it until its violation() is small.
+  virtual bool augmented() const { return false; }
 
   /// Number of multipliers that are eliminated; their histories are then the constraints of history.hpp.
   virtual int multipliers() const { return 0; }

@@ -1,5 +1,6 @@
 #include "contact/method.hpp"
 
+#include "base/error.hpp"
 #include "contact/adhesive_contact.hpp"
 #include "contact/penalty_contact.hpp"
 
@@ -10,6 +11,7 @@ namespace signorini::contact {
 namespace {
 
 template <int D> std::unique_ptr<Formulation<D>> make(const PenaltyLaw& law, ContactSetting<D> setting) {
+  require(law.enforcement != Enforcement::multipliers, "contact.enforcement.points");
   return std::make_unique<PenaltyContact<D>>(std::move(setting), law);
 }
 
@@ -22,6 +24,8 @@ template <int D> std::unique_ptr<Formulation<D>> make(const MortarLaw& law, Cont
 }
 
 template <int D> std::unique_ptr<Formulation<D>> make(const HalfPass& pass, ContactSetting<D> setting) {
+  // Where penetrations vanish, nothing makes the pressures of the two faces equal.
+  require(pass.penalty.enforcement == Enforcement::penalty, "contact.enforcement.half_passes");
   return std::make_unique<PenaltyContact<D>>(std::move(setting), pass.penalty, Pass::half);
 }
 

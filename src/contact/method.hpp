@@ -14,7 +14,15 @@ template <int D> using FormulationFactory = std::function<std::unique_ptr<Formul
 /// Contact law between a slave face and its master: one alternative per formulation, with its constants.
 template <int D> using Method = std::variant<PenaltyLaw, Adhesion, MortarLaw, HalfPass, FormulationFactory<D>>;
 
-/// Throws Error if a constant is invalid.
+/// The penalty law of a method, with the constness of its argument; nullptr for adhesion and user-defined formulations.
+template <class AnyMethod> auto penalty_law(AnyMethod& method) {
+  auto* law = std::get_if<PenaltyLaw>(&method);
+  if (auto* mortar = std::get_if<MortarLaw>(&method)) law = &mortar->penalty;
+  if (auto* half = std::get_if<HalfPass>(&method)) law = &half->penalty;
+  return law;
+}
+
+/// Throws Error if a constant is invalid, or the formulation has no such enforcement.
 template <int D> std::unique_ptr<Formulation<D>> make_formulation(const Method<D>& method, ContactSetting<D> setting);
 
 } // namespace signorini::contact

@@ -12,7 +12,7 @@ namespace signorini::contact {
 
 template <int D>
 MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLaw& law)
-    : Formulation<D>(setting), law_(checked(law.penalty)),
+    : Formulation<D>(setting), law_(checked(law.penalty)), scale_(law.scale > 0 ? law.scale : law.penalty.normal),
       functions_(this->slave_, this->points_, setting.points, law.multipliers),
       is_skipped_(at(this->slave_.elements()), false), cleared_(at(this->slave_.elements()), 0.0),
       sums_(at(functions_.count())), tangents_(at(functions_.count())), strips_(at(this->slave_.elements())) {
@@ -56,7 +56,7 @@ template <int D> bool MortarContact<D>::is_far(int multiplier, const Trial<D>& t
   if (state != FixedContactState::free) return state == FixedContactState::open;
   const MultiplierHistory<D>& history = trial.present.multipliers[at(multiplier)];
   // A multiplier with a pressure remains closed up to the gap pressure/ε.
-  const double closed = solves_multipliers() ? unknowns_of<D>(trial.extra, multiplier, frictional()).normal
+  const double closed = solves_multipliers() ? scale_ * unknowns_of<D>(trial.extra, multiplier, frictional()).normal / law_.normal
                                              : history.pressure / (law_.normal * trial.penalty_factor);
   return this->travel_ + trial.controls.guessed + std::max(closed, 0.0) < history.cleared;
 }
@@ -312,7 +312,7 @@ template <int D> void MortarContact<D>::add_conditions(bool tangent) {
   if (!tangent) return;
   for (const Part& part : parts_)
     for (const Strip& strip : part.rows.strips())
-      fill_coupling(strip, this->slave(), this->master(), functions_, conditions_, law_.normal, frictional(),
+      fill_coupling(strip, this->slave(), this->master(), functions_, conditions_, scale_, frictional(),
                     new_block());
 }
 
@@ -405,7 +405,7 @@ template <int D> double MortarContact<D>::violation(const History<D>& history) c
 }
 
 template <int D> double MortarContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
-  const double penalty = solves_multipliers() ? law_.normal : largest_penalty(scaled(law_, penalty_factor));
+  const double penalty = solves_multipliers() ? scale_ : largest_penalty(scaled(law_, penalty_factor));
   double sum = 0;
   for (const MultiplierResult<D>& result : history.multiplier_results)
     if (result.state != ContactState::open) sum += result.area * penalty * result.area * penalty;

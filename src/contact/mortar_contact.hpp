@@ -12,6 +12,7 @@ namespace signorini::contact {
 struct MortarLaw {
   PenaltyLaw penalty; ///< at multipliers; per reference area, whatever its `per`
   MultiplierSpace multipliers = MultiplierSpace::equal;
+  double scale = 0; ///< of multipliers that are unknowns, pressure per length; 0: that of `penalty`
 };
 
 /// Tractions Σ M_A (z_A n̄ − t_A) per reference area with the pressures z_A and frictions t_A of mortar_law.hpp. Without
@@ -29,6 +30,7 @@ public:
   bool has_potential() const override { return !frictional() && !solves_multipliers(); }
   double friction() const override { return law_.friction; }
   double penalty() const override { return solves_multipliers() ? 0 : law_.normal; }
+  bool augmented() const override { return law_.enforcement == Enforcement::augmented; }
   int parts() const override { return static_cast<int>(parts_.size()); }
   void evaluate_part(int part, const Trial<D>& trial, bool tangent) override;
   void gather(const Trial<D>& trial, bool tangent) override;
@@ -72,6 +74,7 @@ private:
   void take_back(std::vector<Block>& blocks) override;
 
   PenaltyLaw law_; ///< without penalty factor
+  double scale_;   ///< of unknown multipliers
   MultiplierFunctions<D> functions_;
   std::vector<Part> parts_;
   std::vector<std::size_t> first_sum_;            ///< per slave element: offset into element_sums_

@@ -8,11 +8,13 @@ namespace signorini::contact {
 /// The slave's area on which the tractions of a law act.
 enum class TractionArea : unsigned char { current, reference };
 
-/// How the contact conditions are satisfied: up to a penetration; by augmentations of the penalty's pressures (Uzawa);
-/// by Lagrange multipliers as unknowns.
+/// How the contact conditions are enforced: by penalty alone, by the augmented Lagrangian method (Uzawa), or with
+/// Lagrange multipliers as unknowns (mortar contact).
 enum class Enforcement : unsigned char { penalty, augmented, multipliers };
 
-/// Penalty parameters are pressure per length.
+/// Penalty parameters are pressure per length. Unless enforced by penalty, those of a scene may be 0, which stands for
+/// values from material and mesh. With multipliers as unknowns they are the c of semi-smooth Newton methods, on which
+/// results do not depend.
 struct PenaltyLaw {
   double normal;                            ///< ε_N > 0
   double tangential = 0;                    ///< ε_T, used when friction > 0

@@ -18,6 +18,7 @@ public:
   }
   double friction() const override { return law_.friction; }
   double penalty() const override { return law_.normal; }
+  bool augmented() const override { return law_.enforcement == Enforcement::augmented; }
   void augment(History<D>& history) const override;
   double violation(const History<D>& history) const override;
   double stiffness(const History<D>& history, double penalty_factor) const override;

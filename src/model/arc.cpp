@@ -64,6 +64,9 @@ template <int D> solve::NewtonReport solve_arc(Model<D>& model, const StepOption
   Arc arc{model.targets - model.accepted.targets, length};
   require((arc.direction.array() != 0).any(), "model.arc.no_path");
   require(length > 0, "model.arc.length", {{"length", length}});
+  for (std::size_t k = 0; k < model.system.contacts.size(); ++k)
+    require(!model.system.contacts[k]->augmented(), "model.arc.augmented",
+            {{"contact", model.system.scene.contacts[k].name}});
   begin_contacts(model, {}, false);
   model.step = Step{{}, true};
   VectorX rate;

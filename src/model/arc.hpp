@@ -10,7 +10,7 @@ namespace signorini::model {
 /// The constraint is t·(u − u₀) = length in the inner product of path_norm.hpp, t the unit tangent of the solution
 /// curve at the accepted state, in the sense of the last accepted step (pseudo-arclength: E. Riks, J. Appl. Mech. 39,
 /// 1972; H. B. Keller, 1977). Sets the targets to those reached, and Step::fraction to λ. Does not accept. Throws Error
-/// if no target changes or `length` is not positive.
+/// if no target changes, `length` is not positive, or a contact is augmented.
 template <int D> solve::NewtonReport solve_arc(Model<D>& model, const StepOptions& options, double length);
 
 /// Length of the last accepted step in the norm of path_norm.hpp, a scale for increments.

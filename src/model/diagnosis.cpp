@@ -87,13 +87,13 @@ void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<P
       {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
 }
 
-/// The contact points that are not open, those with the largest |gap| first.
+/// The points of augmented contacts that are not open, those with the largest |gap| first.
 template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
   const auto& contacts = model.present.contacts;
   const auto result = [&](const PointIndex& p) { return constraint(contacts[at(p.contact)], p.point); };
   std::vector<PointIndex> points;
   for (int k = 0; k < static_cast<int>(contacts.size()); ++k)
-    for (int i = 0; i < constraints(contacts[at(k)]); ++i)
+    for (int i = 0; model.system.contacts[at(k)]->augmented() && i < constraints(contacts[at(k)]); ++i)
       if (result({k, i}).state != contact::ContactState::open) points.push_back({k, i});
   std::stable_sort(points.begin(), points.end(), [&](const PointIndex& a, const PointIndex& b) {
     return std::abs(result(a).gap) > std::abs(result(b).gap);

@@ -132,7 +132,7 @@ template <int D> solve::Trial retreat(Model<D>& model, double part) {
 }
 
 /// After convergence of the residual: ends landing, frees fixed points, or augments; converged if nothing remains.
-template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOptions& augmented, Message& why) {
+template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOptions& limits, Message& why) {
   if (model.step->landing) {
     end_landing(model);
     return solve::Outcome::iterating;
@@ -147,19 +147,19 @@ template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOpti
     why = Message("model.step.frozen_points");
     return solve::Outcome::cycling;
   }
-  if (augmented.penetration == 0) return solve::Outcome::converged;
   const auto& contacts = model.system.contacts;
   double farthest = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    farthest = std::max(farthest, contacts[k]->violation(model.present.contacts[k]));
-  const double tolerance = augmented.penetration * model.system.extent;
+    if (contacts[k]->augmented()) farthest = std::max(farthest, contacts[k]->violation(model.present.contacts[k]));
+  const double tolerance = limits.penetration * model.system.extent;
   if (farthest <= tolerance) return solve::Outcome::converged;
-  if (model.step->augmentations == augmented.loops) {
-    why = Message("model.step.penetration",
-                  {{"distance", farthest}, {"loops", augmented.loops}, {"tolerance", tolerance}});
+  if (model.step->augmentations == limits.loops) {
+    why =
+        Message("model.step.penetration", {{"distance", farthest}, {"loops", limits.loops}, {"tolerance", tolerance}});
     return solve::Outcome::penetration;
   }
-  for (std::size_t k = 0; k < contacts.size(); ++k) contacts[k]->augment(model.present.contacts[k]);
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (contacts[k]->augmented()) contacts[k]->augment(model.present.contacts[k]);
   ++model.step->augmentations;
   model.step->moved = true;
   return solve::Outcome::iterating;
@@ -177,9 +177,6 @@ template <int D> void classify(const ActiveSet<D>& set, solve::NewtonReport& rep
 } // namespace
 
 template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepOptions& options) {
-  if (options.augmented.penetration > 0)
-    for (const Contact<D>& contact : model.system.scene.contacts)
-      require(contact.other_pass < 0, "model.step.augmented_half_passes", {{"contact", contact.name}});
   if (!model.step) model.step = begin_step(model, options);
   Step& step = *model.step;
   solve::NewtonReport& report = step.report;
@@ -193,7 +190,7 @@ template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepO
       });
   newton.retreat = [&](double part) { return retreat(model, part); };
   newton.slope = [&] { return step.slope; };
-  newton.conclude = [&](Message& why) { return conclude(model, options.augmented, why); };
+  newton.conclude = [&](Message& why) { return conclude(model, options.augmentation, why); };
   solve::NewtonOptions limits = options.newton;
   if (options.pseudo_transient) limits.iterations *= most_moves_per_iteration;
   if (!solve::iterate(newton, limits, step.pending, report)) classify(model.active_set, report);

@@ -24,10 +24,10 @@ struct ActiveSetOptions {
   int changes = 0;
 };
 
-/// Augmented Lagrangian method: Uzawa augmentations until penetrations are below a tolerance.
+/// Augmented Lagrangian method: augmented contacts are augmented (Uzawa) until penetrations are below a tolerance.
 struct AugmentationOptions {
-  double penetration = 0; ///< tolerance relative to the bodies' extent; 0: penalty method
-  int loops = 100;        ///< limit of augmentations in a step
+  double penetration = 1e-6; ///< tolerance relative to the bodies' extent
+  int loops = 100;           ///< limit of augmentations in a step
 };
 
 struct StepOptions {
@@ -35,7 +35,7 @@ struct StepOptions {
   solve::LinearKind linear = solve::LinearKind::automatic;
   Predictor predictor = Predictor::tangent;
   ActiveSetOptions active_set = {};
-  AugmentationOptions augmented = {};
+  AugmentationOptions augmentation = {};
   bool damping = false; ///< of unconstrained bodies, see damping.hpp
   /// Pseudo-transient continuation (solve/pseudo_time.hpp), with up to 40 times newton.iterations moves; not combined
   /// with line search.

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "model/default_penalty.hpp"
 #include "model/path_norm.hpp"
 
 #include <algorithm>
@@ -31,9 +32,9 @@ template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
     const auto* face = std::get_if<FaceReference>(&contact.master);
     contact::Master<D> master = face ? contact::Master<D>(surface(*face))
                                      : contact::Master<D>(scene.obstacles[at(std::get<1>(contact.master).obstacle)]);
-    contacts.push_back(
-        contact::make_formulation<D>(contact.method, {surface(contact.slave), std::move(master), contact.points,
-                                                      scene.kind == solid::Kind::axisymmetric, contact.where}));
+    contacts.push_back(contact::make_formulation<D>(with_default_penalties(scene, contact),
+                                                    {surface(contact.slave), std::move(master), contact.points,
+                                                     scene.kind == solid::Kind::axisymmetric, contact.where}));
   }
   return contacts;
 }

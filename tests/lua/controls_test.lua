@@ -349,11 +349,10 @@ check.case("invalid options are rejected before the first step, at the user's li
     { { newton = { freeze_active_set = "yes" } }, "newton.freeze_active_set must be", "got the string 'yes'" },
     { { newton = { active_set_changes = 1.5 } }, "newton.active_set_changes must be a whole number" },
     { { newton = { active_set_change = 4 } }, "did you mean 'active_set_changes'?" },
-    { { augmented = 1e-6 }, "augmented must be true, false or a table of named arguments" },
-    { { augmented = { penetration = 0 } }, "augmented.penetration must be a number above 0 and at most 1" },
-    { { augmented = { loops = 0 } }, "augmented.loops must be a whole number from 1 to 1000000" },
-    { { augmented = { loop = 3 } }, "options.augmented: unknown argument 'loop'", "did you mean 'loops'?" },
-    { { augmented = true, arc_length = true }, "augmented and arc_length cannot be used together" },
+    { { augmentation = 1e-6 }, "augmentation must be a table of named arguments" },
+    { { augmentation = { penetration = 0 } }, "augmentation.penetration must be a number above 0 and at most 1" },
+    { { augmentation = { loops = 0 } }, "augmentation.loops must be a whole number from 1 to 1000000" },
+    { { augmentation = { loop = 3 } }, "options.augmentation: unknown argument 'loop'", "did you mean 'loops'?" },
     { { damping = 1 }, "damping must be true or false, got the number 1" },
     { { dampin = true }, "did you mean 'damping'?" },
     { { penalty = 100 }, "penalty must be a table of named arguments" },
@@ -384,7 +383,7 @@ check.case("so are those of a real model's methods", function()
   for _, case in ipairs {
     { { predictor = "linaer" }, "predictor" }, { { line_search = 3 }, "line_search" },
     { { freeze_active_set = -1 }, "freeze_active_set" },
-    { { active_set_changes = -1 }, "active_set_changes" }, { { augmented = { loop = 1 } }, "loop" },
+    { { active_set_changes = -1 }, "active_set_changes" }, { { augmentation = { loop = 1 } }, "loop" },
     { { damping = 1 }, "damping" }, { { predict = "linear" }, "did you mean 'predictor'?" },
   } do
     check.fails(function() model:solve_step(case[1]) end, "controls_test.lua:", case[2])

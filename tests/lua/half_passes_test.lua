@@ -318,8 +318,7 @@ check.case("wrong combinations are errors that name the argument", function()
   check.fails(contacts{ floor = { method = "half_pass" } }, here, "method", "half_passes")
   check.fails(contacts{ floor = { method = "half_passes" }, ["floor.master"] = {} }, here, "floor.master",
     "name of a contact")
-  check.fails(function() iron(half):run(path, { augmented = true }) end, here, "augmented", "half passes", "interface",
-    "mortar")
+  check.fails(contact{ enforcement = "augmented" }, here, "contacts.floor", "half_passes", "augmented", "mortar")
 end)
 
 check.done()

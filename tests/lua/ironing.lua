@@ -3,7 +3,7 @@
 local sg = require "signorini"
 
 --- `o`, all with defaults: E of the die, slab_E, mu (0: no friction), order, penalty, points (Gauss points of contact),
---- elements = { die = {…}, slab = {…} }.
+--- enforcement, elements = { die = {…}, slab = {…} }.
 return function(o)
   o = o or {}
   local elements, mu = o.elements or { die = {6, 2}, slab = {8, 3} }, o.mu or 0.2
@@ -18,6 +18,7 @@ return function(o)
     supports = { bed = { on = slab:face "south", fix = "xy" },
                  grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
     contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = o.penalty or 100,
-                               points = o.points, friction = mu > 0 and { mu = mu, penalty = 100 } or nil } },
+                               points = o.points, enforcement = o.enforcement,
+                               friction = mu > 0 and { mu = mu, penalty = 100 } or nil } },
   }
 end

@@ -169,8 +169,9 @@ end)
 
 check.case("Hertz 2D: augmentation removes the weighted penetration at a low penalty", function()
   for _, keys in ipairs { equal, reduced } do
-    local options = { augmented = { penetration = 1e-9, loops = 2000 } }
-    local case = line_contact("N2-N2.2", "m2", 1000, keys, options)
+    local augmented, options = { enforcement = "augmented" }, { augmentation = { penetration = 1e-9, loops = 2000 } }
+    for key, value in pairs(keys) do augmented[key] = value end
+    local case = line_contact("N2-N2.2", "m2", 1000, augmented, options)
     check.at_most("weighted penetration", case.penetration, 3e-9) -- a fraction of the ring's size, about 2
     check.within("peak", case.peak, line_contact("N2-N2.2", "m2", 1e8, keys).peak, 1e-3)
   end

@@ -237,10 +237,10 @@ check.case("penetration: one augmentation is not enough", function()
   local body = block()
   local model = sg.model{
     bodies   = { block = body }, supports = { top = { on = body:face "north", fix = "x", drive = "y" } },
-    contacts = { floor = { slave = body:face "south", penalty = 10,
+    contacts = { floor = { slave = body:face "south", penalty = 10, enforcement = "augmented",
                            master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } },
   }
-  local run = model:run({ { name = "press", steps = 2, top = -0.1 } }, sg.plain{ augmented = { loops = 1 } })
+  local run = model:run({ { name = "press", steps = 2, top = -0.1 } }, sg.plain{ augmentation = { loops = 1 } })
   local place = expect(run, "penetration", 0, "off the master after 1 augmentation; the tolerance is 1.41421",
     "Worst places: contact point in slave element", "raise the penalty; allow more augmentations")
   check.equal({ place.kind, place.contact, place.text }, { "contact point", "floor", ("gap %.6g"):format(place.value) })

@@ -19,6 +19,7 @@ local function block(options)
   return sg.model{
     kind = kind == "axisymmetric" and kind or nil, bodies = { block = body }, supports = more,
     contacts = { touch = { slave = body:face "south", penalty = options.penalty or 20, per = options.per,
+      enforcement = options.enforcement,
       master = sg.rigid.plane{ point = kind == "solid" and { 0, 0, 0 } or { 0, 0 },
                                normal = kind == "solid" and { 0, 1, 0 } or { 0, 1 } } } } }
 end
@@ -164,8 +165,8 @@ end)
 check.case("augmented runs converge to the same state, whichever the area", function()
   local force, pressure = {}, {}
   for i, per in ipairs { "reference", "current" } do
-    local model = block{ kind = "plane", per = per }
-    check.equal(model:run({ { steps = 2, grip = -0.3 } }, { augmented = { penetration = 1e-9 } }).failed, false)
+    local model = block{ kind = "plane", per = per, enforcement = "augmented" }
+    check.equal(model:run({ { steps = 2, grip = -0.3 } }, { augmentation = { penetration = 1e-9 } }).failed, false)
     force[i], pressure[i] = model:reaction("grip")[2], model:profile("touch").pressure[1]
     check.at_most("balance of a state without penetration", model:energy().contact, 1e-12)
   end

@@ -56,8 +56,8 @@ function scenes.augmented_disc(offset, angle)
   return sg.model{
     bodies = { slab = slab },
     supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = disc, drive = "xy" } },
-    contacts = { c = { slave = slab:face "north", master = disc, penalty = 100 } },
-  }, { { steps = 3, grip = turned(angle, 0, -0.1) } }, { augmented = { penetration = 1e-3 } }
+    contacts = { c = { slave = slab:face "north", master = disc, penalty = 100, enforcement = "augmented" } },
+  }, { { steps = 3, grip = turned(angle, 0, -0.1) } }, { augmentation = { penetration = 1e-3 } }
 end
 
 function scenes.arch_by_arc_length(offset, angle)

@@ -13,6 +13,7 @@ local function spring(fails)
   function model:driven_names() return { "edge", "grip", "gas" } end
   function model:body_names() return {} end
   function model:contact_names() return { "interface" } end
+  function model:contact_law() return { enforcement = "penalty" } end
   function model:driven(name) return driven[name] or {} end
   function model:target(name)
     if name == "grip" then return { self.accepted[1], self.accepted[2] } end

@@ -13,13 +13,14 @@ using namespace test;
 
 const solid::NeoHookean material = solid::neo_hookean(2, 0.3);
 
-Scene<2> pressed_block(double penalty) {
+Scene<2> pressed_block(double penalty, contact::Enforcement enforcement = contact::Enforcement::augmented) {
   Scene<2> scene = square({{"walls", "west", {Constraint::fixed, Constraint::free}},
                            {"far", "east", {Constraint::fixed, Constraint::free}},
                            {"top", "north", {Constraint::free, Constraint::driven}}},
                           material);
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
-  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{penalty}, 4}};
+  const contact::PenaltyLaw law{.normal = penalty, .enforcement = enforcement};
+  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, law, 4}};
   return scene;
 }
 
@@ -31,7 +32,7 @@ double exact_pressure(double depth) {
 
 StepOptions augmented(double penetration, int loops = 100) {
   StepOptions options;
-  options.augmented = {penetration, loops};
+  options.augmentation = {penetration, loops};
   return options;
 }
 
@@ -59,7 +60,7 @@ TEST(Augmented, PressureIsExactAtAModeratePenalty) {
       }
     }
   // The penalty method alone has a large error.
-  Model<2> plain(pressed_block(10));
+  Model<2> plain(pressed_block(10, contact::Enforcement::penalty));
   set_target(plain, 0, 0, -0.2);
   ASSERT_EQ(solve_step(plain, {}).outcome, solve::Outcome::converged);
   EXPECT_GT(std::abs(resultant(plain.present.contacts[0]).max_pressure / exact_pressure(0.2) - 1), 0.1);
@@ -110,7 +111,7 @@ TEST(Augmented, RollBackAndRestoreIncludeMultipliers) {
 
 /// The penalty factor is restored with its state.
 TEST(PenaltyFactor, IsRestoredWithTheState) {
-  Model<2> model(pressed_block(40));
+  Model<2> model(pressed_block(40, contact::Enforcement::penalty));
   set_penalty_factor(model, 0.5);
   set_target(model, 0, 0, -0.1);
   ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);

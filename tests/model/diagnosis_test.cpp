@@ -297,11 +297,15 @@ TEST(Diagnosis, PointsThatLeaveTheMasterAreNamed) {
 TEST(Diagnosis, RemainingPenetrationIsNamedWithItsPoints) {
   Scene<2> scene = square({{"top", "north", {fixed, driven}}});
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
-  scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{10}, 4}};
+  scene.contacts = {{"floor",
+                     {0, nurbs::side_of("south", 2)},
+                     ObstacleReference{0},
+                     contact::PenaltyLaw{.normal = 10, .enforcement = contact::Enforcement::augmented},
+                     4}};
   Model<2> model(std::move(scene));
   set_target(model, 0, 0, -0.1);
   StepOptions options;
-  options.augmented = {1e-9, 1};
+  options.augmentation = {1e-9, 1};
   const solve::NewtonReport report = solve_step(model, options);
   ASSERT_EQ(report.outcome, Outcome::penetration);
   const Diagnosis diagnosis = diagnose(model, report);

@@ -78,9 +78,10 @@ Scene<2> pressed_block(const contact::Method<2>& method, bool spreads = false) {
 /// Uniaxial strain on an impenetrable plane: p = −P_yy = −μ f − (λ ln f − μ)/f with f = 1 − depth.
 TEST(MortarModel, AugmentedPressureIsExact) {
   StepOptions options;
-  options.augmented = {1e-10, 100};
+  options.augmentation = {1e-10, 100};
+  const contact::PenaltyLaw law{.normal = 40, .enforcement = contact::Enforcement::augmented};
   for (const MultiplierSpace space : spaces) {
-    Model<2> model(pressed_block(MortarLaw{{40}, space}));
+    Model<2> model(pressed_block(MortarLaw{law, space}));
     set_target(model, 0, 0, -0.2);
     const solve::NewtonReport report = solve_step(model, options);
     ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
@@ -122,14 +123,15 @@ TEST(MortarModel, TheSavedAndTheLoadedModelContinueBitwiseEqual) {
   const signorini::test::ScratchFolder folder;
   const auto iron = [](Model<2>& model, int from, int to) {
     StepOptions options;
-    options.augmented = {1e-3, 100};
+    options.augmentation = {1e-3, 100};
     for (int step = from; step <= to; ++step) {
       const solve::NewtonReport report = ironing_step(model, 6 * step, options);
       ASSERT_EQ(report.outcome, solve::Outcome::converged) << step << ": " << text_of(report.messages);
       accept(model);
     }
   };
-  Model<2> model(mortar_ironing("N4", MultiplierSpace::equal, {100, 100, 0.2}));
+  const contact::PenaltyLaw law{100, 100, 0.2, contact::TractionArea::reference, contact::Enforcement::augmented};
+  Model<2> model(mortar_ironing("N4", MultiplierSpace::equal, law));
   iron(model, 1, 10);
   save(model, folder.file("a.sgn"));
   const auto loaded = std::get<std::shared_ptr<Model<2>>>(load(folder.file("a.sgn")));

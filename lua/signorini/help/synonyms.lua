@@ -31,8 +31,8 @@ return {
     "Contact is Gauss-point-to-surface with a penalty, or mortar: method = \"mortar\". Node-to-surface contact is not "
       .. "available.", "contact" },
   { "lagrange multiplier, augmented lagrangian, uzawa",
-    "Contact uses a penalty; `augmented = true` adds the augmented Lagrangian method (Uzawa). Lagrange multipliers as "
-      .. "unknowns are not available.", "contact", "model:run" },
+    "The key `enforcement` of a contact chooses between a penalty, the augmented Lagrangian method (Uzawa) and, in "
+      .. "mortar contact, Lagrange multipliers.", "contact", "model:run" },
   { "self contact", "Self-contact is not available. A contact is between the faces of two bodies, or with an obstacle.",
     "contact" },
   { "rigid body, rigid wall, analytical rigid surface, indenter, tool", "Rigid bodies are obstacles, the master of a "

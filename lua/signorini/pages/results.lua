@@ -72,6 +72,12 @@ fx, fy, fz, moment.]],
       return table.move(model:load_names(), 1, #model:load_names(), #names + 1, names)
     end), "a support or a load" } },
     example = "model:reaction(\"grip\").fy" },
+  { "model:contact_law", [[Returns the constants of a contact: { method, enforcement, per, points, penalty,
+default_penalty }, as given to sg.model or by default; default_penalty is true where the penalty is from material and
+mesh. With friction also mu, friction_penalty; with method = "mortar" multipliers; with adhesion { method, per, points,
+hamaker, r0 }. print(model) shows them.]],
+    arguments = { a_contact },
+    example = "model:contact_law(\"interface\").penalty" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, per,
 unsettled, crossed }: the force on the slave (fz in 3D), the current area in contact (in mortar contact and with
 adhesion the reference area), extremes, the numbers of contact points that touch and slip, and the area, "current" or

@@ -1,5 +1,7 @@
 -- Pages: a scene and its parts.
 
+local describe = require "signorini.describe"
+local lists = require "signorini.lists"
 local t = require "signorini.types"
 
 local thesis = "V. Agrawal, thesis, IIT Guwahati, 2020"
@@ -22,19 +24,28 @@ mesh, of equal meshes the softer body (the published ironing studies use the sti
   { "master", t.either(face, obstacle), [[face of the other body onto which these points are projected, or an obstacle.
 Beyond its edges (a closed ring has none along its arc) the master is extended by 0.3 of its last element; there the
 traction decreases to zero]] },
-  { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. Required unless adhesion is
-given. 10 to 1000 times E / h of the softer body is usual, h its element size;
-model:contact_resultant(name).max_penetration is the penetration that remains, and augmented = true of model:run reduces
-it to a tolerance on rigid or flat masters]], unit = "pressure per length", optional = true },
+  { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. 10 to 1000 times E / h of the
+softer body is usual, h its element size; model:contact_resultant(name).max_penetration is the penetration that remains.
+With enforcement = "augmented" it determines the number of augmentations, not the result, and with "multipliers" it only
+scales the equations; it is then 10 E / h by default, with h the (harmonic) mean size of the slave's elements in the
+contact, and print(model) shows it]], unit = "pressure per length",
+    otherwise = 'from material and mesh; required with enforcement = "penalty", except with adhesion' },
   { "friction", t.named {
     { "mu", t.non_negative, "Coulomb's coefficient of friction, tan of the angle of friction, not the angle" },
-    { "penalty", t.positive, "tangential penalty, stiffness of elastic slip", unit = "pressure per length" },
+    { "penalty", t.positive, [[tangential penalty, stiffness of elastic slip, which remains with
+method = "gpts" also where pressures are augmented]], unit = "pressure per length",
+      otherwise = 'that of the contact; required with enforcement = "penalty"' },
   }, "Coulomb friction", otherwise = "none" },
   { "method", t.choice { "gpts", "mortar", "half_passes" }, [[gpts: Gauss-point-to-surface, penalty at the contact
 points. mortar: penalty on gaps and slips that are weighted by functions on the slave face (multipliers); a high penalty
 then does not over-constrain. half_passes: as gpts, but each of the two faces is slave once and receives only the force
 of its own pass: no choice of slave biases the result, twice the points, unsymmetric tangents, and action equals
 reaction only up to the discretization error, imbalance in model:contact_resultant]], default = "gpts" },
+  { "enforcement", t.choice { "penalty", "augmented", "multipliers" }, [[penalty: penetrations in proportion to the
+pressure remain. augmented: augmented Lagrangian method (Uzawa), the pressures are corrected until penetrations are
+below a tolerance, augmentation.penetration of model:run; with method = "gpts" every contact point becomes a constraint,
+and friction keeps its penalty. multipliers: Lagrange multipliers as unknowns, no penetration of the weighted gaps. gpts
+has penalty and augmented, mortar all, half_passes penalty]], default = "penalty" },
   { "multipliers", t.choice { "equal", "reduced" }, [[functions of the multipliers if method = "mortar". equal: those of
 the slave face. reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element), proven stable
 (inf-sup); for degree p >= 2]], otherwise = "equal" },
@@ -54,6 +65,21 @@ current area]],
 position of the slave face, with half passes of either face. Called when the model is made]],
     otherwise = "everywhere" },
 }
+contact.hints = { augmented = 'write enforcement = "augmented"' }
+
+--- Enforcements of each method, and a message for one that a method does not have.
+local enforcements = { gpts = { "penalty", "augmented" }, mortar = { "penalty", "augmented", "multipliers" },
+                       half_passes = { "penalty" } }
+local function quoted(names)
+  return describe.alternatives(lists.map(names, function(name) return ('"%s"'):format(name) end))
+end
+local function conflict_of_enforcement(method, enforcement)
+  local function offers(one) return lists.holds(enforcements[one], enforcement) end
+  if offers(method) then return nil end
+  return ('method = "%s" has enforcement = %s, not "%s": change it, or use method = %s'):format(method,
+    quoted(enforcements[method]), enforcement, quoted(lists.filter({ "gpts", "mortar" }, offers)))
+end
+
 contact.conflict = function(values)
   for _, other in ipairs { "penalty", "friction" } do
     if values.adhesion and values[other] then
@@ -79,6 +105,12 @@ contact.conflict = function(values)
         .. 'stretched differently, so that action and reaction would differ: write per = "current", or omit it'
     end
   end
+  if values.adhesion and values.enforcement ~= "penalty" then
+    return ('it has both adhesion and enforcement = "%s", but van der Waals forces need no enforcement: remove one of '
+      .. "the two"):format(values.enforcement)
+  end
+  local unknown = conflict_of_enforcement(values.method, values.enforcement)
+  if unknown then return unknown end
   if values.multipliers and values.method ~= "mortar" then
     return ('multipliers = "%s" is for method = "mortar": add this method, or remove multipliers')
       :format(values.multipliers)
@@ -91,9 +123,15 @@ contact.conflict = function(values)
     return 'it has adhesion and per = "current", but the van der Waals law is a force per reference area: write per = '
       .. '"reference", or omit it'
   end
-  if not (values.adhesion or values.penalty) then
-    return "penalty (normal penalty, pressure per length) is missing: it must be a positive number, or give "
-      .. "adhesion = { hamaker = …, r0 = … }"
+  if values.adhesion or values.enforcement ~= "penalty" then return nil end
+  if not values.penalty then
+    return "penalty (normal penalty, pressure per length) is missing: it must be a positive number"
+      .. (values.method == "half_passes" and "" or ', or give enforcement = "augmented", or adhesion = '
+      .. "{ hamaker = …, r0 = … }")
+  end
+  if values.friction and not values.friction.penalty then
+    return "friction.penalty (tangential penalty, pressure per length) is missing: it must be a positive "
+      .. "number" .. (values.method == "half_passes" and "" or ', or give enforcement = "augmented"')
   end
 end
 
@@ -170,7 +208,7 @@ stage names acts in full from the first step; to increase one from zero, give 0 
 model:reaction(name) is the force; the columns of a run are <name>.fx …, and .tx … or .pressure.]],
     example = [[loads = { push = { on = die:face "east", traction = {0, -1} } }]] },
   { "contact", "Defines contact between the face of a body and another body or an obstacle.",
-    head = "contacts = { <name> = { slave, master, penalty, friction, method, per, … } }, in sg.model{ … }",
+    head = "contacts = { <name> = { slave, master, penalty, friction, method, enforcement, … } }, in sg.model{ … }",
     named = contact,
     more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run (force on the
 slave). Two half passes have two names: <name> is the pass over the slave face, <name>.master that over the master face.

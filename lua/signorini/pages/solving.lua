@@ -65,9 +65,9 @@ run:column "grip.fx" is a list over the steps; print(run) is a short table; run:
 increments, iterations, wall; <support>.fx, .fy, in 3D .fz, .moment if it rotates, .ux, .uy, .uz, .angle if driven;
 <load>.fx …, .tx … or .pressure; <contact>.fx … (force on the slave), .area,
 .max_pressure, .max_penetration.
-Source: Newton's steps (4.33) to (4.35), freeze_active_set 4.5.2 of V. Agrawal, thesis, IIT Guwahati, 2020; augmented:
-J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992); arc_length: E. Riks, J. Appl. Mech. 39 (1972), H. B. Keller, in
-Applications of Bifurcation Theory, Academic Press, 1977.]],
+Source: Newton's steps (4.33) to (4.35), freeze_active_set 4.5.2 of V. Agrawal, thesis, IIT Guwahati, 2020;
+augmentation: J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992); arc_length: E. Riks, J. Appl. Mech. 39 (1972), H. B.
+Keller, in Applications of Bifurcation Theory, Academic Press, 1977.]],
     example = "model:run{ { name = \"press\", steps = 46, grip = {0, -0.23} } }" },
   { "stage", "A part of the load path: leads in equal steps to the values at its end.",
     head = "model:run{ { name, steps, <support or load> = {…} }, … }: stages, a list",

@@ -25,14 +25,21 @@ fraction of its first value; true is 0.01]], default = false },
 in a step is fixed in it (a slipping one as sticking) until the others have converged; 0: never]], default = 0 },
 }
 
-local augmented = { "augmented", t.switch(t.named {
+local augmentation = { "augmentation", t.named {
   { "penetration", t.share, "largest penetration, as a fraction of the largest body's diagonal", default = 1e-6 },
   { "loops", t.integer(1, 1000000), "maximum number of augmentations per step", default = 100 },
-}, {}), [[augmented Lagrangian method (Uzawa): pressures are augmented until penetration and separation of closed points
-are within the tolerance; in mortar contact those of the multipliers, whose friction is augmented as well. On a
-deformable master, curved under the slave, the default tolerance is often not reached, and the step fails (run.cause
-"penetration"). Not with arc_length, nor in contacts with half passes]],
-  default = false }
+}, [[limits of contacts with enforcement = "augmented": their pressures are augmented (Uzawa) until penetration and
+separation of closed points are within the tolerance; in mortar contact those of the multipliers, whose friction is
+augmented as well. With method = "gpts" on a deformable master, curved under the slave, the default tolerance is often
+not reached, and the step fails (run.cause "penetration"). An error if no contact is augmented]],
+  otherwise = "{ penetration = 1e-6, loops = 100 }" }
+
+--- Hints for keys that are not options.
+local hints = {
+  augmented = 'write enforcement = "augmented" in the contact; augmentation = { penetration = …, loops = … } sets its '
+    .. "limits",
+  enforcement = "write it in the contact, in sg.model",
+}
 
 local damping = { "damping", t.flag, [[damps unconstrained bodies until contact holds them; the converged state is in
 equilibrium without damping]], default = false }
@@ -49,9 +56,10 @@ local function conflict_of_moves(newton, values)
 end
 
 --- Of model:solve_step.
-rows.step = joined(loop, { { "predictor", predictors, first_guess, default = "tangent" }, linear, augmented,
-                                 damping, pseudo_transient })
+rows.step = joined(loop, { { "predictor", predictors, first_guess, default = "tangent" }, linear,
+                           augmentation, damping, pseudo_transient })
 rows.step.conflict = function(values) return conflict_of_moves(values, values) end
+rows.step.hints = hints
 
 --- Of model:solve_arc.
 rows.arc = {
@@ -114,7 +122,7 @@ active set. run.fallbacks counts their
 successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions]]),
   control("predictor", predictors, first_guess),
   { "newton", t.named(loop), "Newton's method in each attempt", default = {} },
-  linear, augmented, damping, pseudo_transient,
+  linear, augmentation, damping, pseudo_transient,
   { "penalty", t.named {
     { "start", t.share, "initial factor of all penalties" },
     { "steps", t.count, "steps until it is 1" },
@@ -142,13 +150,11 @@ step), iteration, residual, energy, reason; returns nothing, "stop", or "cut" to
     optional = true },
 }
 rows.run.conflict = function(values)
-  if values.augmented and values.arc_length then
-    return "augmented and arc_length cannot be used together: remove one of the two"
-  end
   if values.resume and not values.checkpoint then
     return "resume = true needs a checkpoint file: add checkpoint = \"run.sgn\""
   end
   return conflict_of_moves(values.newton, values)
 end
+rows.run.hints = hints
 
 return rows

@@ -54,14 +54,28 @@ local function driven_text(model, name)
   end), ", "))
 end
 
+--- 'method = "mortar", multipliers = "equal", enforcement = "augmented", penalty = 40 (from material and mesh)'.
+local function law_text(law)
+  local parts = {}
+  for _, key in ipairs { "method", "multipliers", "enforcement" } do
+    if law[key] then parts[#parts + 1] = ('%s = "%s"'):format(key, law[key]) end
+  end
+  for _, key in ipairs { "penalty", "mu", "friction_penalty", "hamaker", "r0" } do
+    if law[key] then parts[#parts + 1] = ("%s = %.4g"):format(key:gsub("_", "."), law[key]) end
+    if key == "penalty" and law.default_penalty then parts[#parts] = parts[#parts] .. " (from material and mesh)" end
+  end
+  return table.concat(parts, ", ")
+end
+
 local function contact_text(model, name)
-  local now = model:contact_resultant(name)
-  if now.active == 0 then return ("  contact %s: open"):format(name) end
+  local now, law = model:contact_resultant(name), law_text(model:contact_law(name))
+  if now.active == 0 then return ("  contact %s: open\n    %s"):format(name, law) end
   local force = map(axes, function(axis) return now["f" .. axis] and ("%.4g"):format(now["f" .. axis]) end)
   local text = ("  contact %s: %s, %d slipping; force {%s}, largest pressure %.4g; tractions per %s area")
     :format(name, now.active == 1 and "1 active point" or now.active .. " active points", now.slipping,
       table.concat(force, ", "), now.max_pressure, now.per)
-  return now.imbalance and ("%s; half pass, imbalance %.2g"):format(text, now.imbalance) or text
+  if now.imbalance then text = ("%s; half pass, imbalance %.2g"):format(text, now.imbalance) end
+  return ("%s\n    %s"):format(text, law)
 end
 
 function objects.model(model)

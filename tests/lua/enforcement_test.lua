@@ -1,0 +1,172 @@
+-- The contact key `enforcement`, and penalty parameters from material and mesh.
+
+local sg = require "signorini"
+local check = require "check"
+local show = require "signorini.show"
+
+local here = "enforcement_test.lua:"
+local file = os.tmpname()
+
+local function block(y, count, young, contact)
+  return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { 0, y } }, elements = { count, 2 },
+                  order = "N2", contact = contact, material = sg.neo_hookean{ E = young, nu = 0.3 } }
+end
+
+--- A block of 4 elements, E = 20, over one of 8 elements, E = 3, or over a plane; keys of the contact.
+local function scene(keys, on_plane)
+  local upper, lower = block(0, 4, 20, "south"), block(-1, 8, 3, "north")
+  keys.slave = upper:face "south"
+  keys.master = on_plane and sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } } or lower:face "north"
+  return sg.model{
+    bodies   = { upper = upper, lower = not on_plane and lower or nil },
+    supports = { grip = { on = upper:face "north", fix = "x", drive = "y" },
+                 bed = not on_plane and { on = lower:face "south", fix = "xy" } or nil },
+    contacts = { joint = keys },
+  }
+end
+
+local function law(keys, on_plane) return scene(keys, on_plane):contact_law "joint" end
+
+-- ── Wrong input ──────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("combinations that do not exist are errors that name those that do", function()
+  local wrong = {
+    { { method = "gpts", enforcement = "multipliers", penalty = 1 },
+      'method = "gpts" has enforcement = "penalty" or "augmented", not "multipliers"', 'use method = "mortar"' },
+    { { enforcement = "multipliers" }, 'method = "gpts" has enforcement = "penalty" or "augmented"' },
+    { { method = "half_passes", enforcement = "augmented", penalty = 1 },
+      'method = "half_passes" has enforcement = "penalty", not "augmented"', 'use method = "gpts" or "mortar"' },
+    { { method = "half_passes", enforcement = "multipliers" }, 'not "multipliers"', 'use method = "mortar"' },
+    { { method = "half_passes" }, "penalty (normal penalty, pressure per length) is missing" },
+    { {}, "penalty (normal penalty, pressure per length) is missing", 'enforcement = "augmented"' },
+    { { method = "mortar", enforcement = "penalty" }, "penalty (normal penalty, pressure per length) is missing" },
+    { { penalty = 1, friction = { mu = 0.3 } },
+      "friction.penalty (tangential penalty, pressure per length) is missing" },
+    { { enforcement = "uzawa" }, "enforcement must be 'penalty', 'augmented' or 'multipliers'",
+      "got the string 'uzawa'" },
+    { { enforcement = true }, "enforcement must be 'penalty', 'augmented' or 'multipliers', got true" },
+    { { augmented = true, penalty = 1 }, "unknown argument 'augmented'", 'Hint: write enforcement = "augmented"' },
+    { { adhesion = { hamaker = 1, r0 = 1 }, enforcement = "augmented" }, "adhesion", 'enforcement = "augmented"' },
+    { { enforcement = "augmented", penalty = 0 }, "penalty must be a positive number" },
+    { { enforcement = "augmented", friction = { mu = 0.3, penalty = -1 } },
+      "friction.penalty must be a positive number" },
+  }
+  for _, case in ipairs(wrong) do
+    check.fails(function() scene(case[1]) end, here, "sg.model: contacts.joint", table.unpack(case, 2))
+  end
+end)
+
+check.case("options that no contact can use are errors", function()
+  local path = { { steps = 1, grip = -0.01 } }
+  local plain, augmented = scene{ penalty = 10 }, scene{ enforcement = "augmented" }
+  check.fails(function() plain:run(path, { augmentation = { loops = 5 } }) end, here,
+    "model:run: augmentation is for augmented contacts",
+    'Hint: write enforcement = "augmented" in a contact')
+  check.fails(function() plain:run(path, { enforcement = "augmented" }) end, here, "unknown argument 'enforcement'",
+    "Hint: write it in the contact")
+  check.fails(function() plain:solve_step{ augmentation = {} } end, here,
+    "model:solve_step: augmentation is for augmented contacts", 'Hint: write enforcement = "augmented" in a contact')
+  check.fails(function() plain:iterate{ augmented = true } end, here, "unknown argument 'augmented'",
+    'Hint: write enforcement = "augmented" in the contact')
+  check.fails(function() plain:run(path, sg.robust{ augmented = true }) end, here, "unknown argument 'augmented'",
+    'Hint: write enforcement = "augmented" in the contact')
+  check.fails(function() augmented:run(path, { arc_length = true }) end, here, "arc_length", "contacts.joint",
+    'enforcement = "penalty"')
+  check.fails(function()
+    augmented:set_target("grip", { -0.01 })
+    augmented:solve_arc{ length = 0.1 }
+  end, here, "arc length does not work with augmented contacts, such as contacts.joint")
+end)
+
+-- ── Default penalties ────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("by default the penalty is 10 E/h of the softer body and the slave's elements", function()
+  local joint = law{ enforcement = "augmented", friction = { mu = 0.3 } }
+  check.near({ joint.penalty, joint.friction_penalty }, { 10 * 3 * 4, 10 * 3 * 4 }, 1e-9)
+  check.equal({ joint.default_penalty, joint.enforcement, joint.method, joint.mu }, { true, "augmented", "gpts", 0.3 })
+  check.near(law({ enforcement = "augmented" }, true).penalty, 10 * 20 * 4, 1e-9)
+  check.near(law{ enforcement = "augmented", where = function(X) return X[1] < 0.3 end }.penalty, 10 * 3 * 4, 1e-9)
+  local mortar = law{ method = "mortar", enforcement = "augmented" }
+  check.near(mortar.penalty, 10 * 3 * 4, 1e-9)
+  check.equal({ mortar.multipliers, mortar.per }, { "equal", "reference" })
+  local given = law{ enforcement = "augmented", penalty = 50, friction = { mu = 0.3 } }
+  check.equal({ given.penalty, given.friction_penalty, given.default_penalty }, { 50.0, 50.0, false })
+end)
+
+check.case("in 3D h is the square root of an element's area, in an axisymmetric model its length", function()
+  local cube = sg.body{ patch = sg.shapes.block{ size = { 2, 3, 1 } }, elements = { 4, 3, 1 }, order = "N2",
+                        contact = "front", material = sg.linear_elastic{ E = 5, nu = 0.3 } }
+  local solid = sg.model{ bodies = { cube = cube }, contacts = { floor = { slave = cube:face "front",
+    enforcement = "augmented", master = sg.rigid.plane{ point = { 0, 0, -1 }, normal = { 0, 0, 1 } } } } }
+  check.near(solid:contact_law("floor").penalty, 10 * 5 / math.sqrt(0.5 * 1), 1e-9)
+  local puck = block(0, 4, 20, "south")
+  local round = sg.model{ kind = "axisymmetric", bodies = { puck = puck }, contacts = { floor = {
+    slave = puck:face "south", enforcement = "augmented",
+    master = sg.rigid.plane{ point = { 0, -1 }, normal = { 0, 1 } } } } }
+  check.near(round:contact_law("floor").penalty, 10 * 20 * 4, 1e-9)
+end)
+
+check.case("print shows them", function()
+  local default = 'method = "gpts", enforcement = "augmented", penalty = 120 (from material and mesh)'
+  check.holds(show.text(scene{ enforcement = "augmented" }), "contact joint: open\n    " .. default)
+  check.holds(show.text(scene{ enforcement = "augmented", friction = { mu = 0.3 } }), default,
+    ", mu = 0.3, friction.penalty = 120")
+  check.holds(show.text(scene{ method = "mortar", multipliers = "reduced", penalty = 5 }),
+    'method = "mortar", multipliers = "reduced", enforcement = "penalty", penalty = 5')
+  check.holds(show.text(scene{ method = "half_passes", penalty = 5 }),
+    'method = "half_passes", enforcement = "penalty"')
+  check.holds(show.text(scene{ adhesion = { hamaker = 1, r0 = 0.1 } }), "hamaker = 1, r0 = 0.1")
+end)
+
+-- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Presses the upper block into the other by `depth`, with friction; options of the run.
+local function press(keys, options)
+  keys.friction = { mu = 0.2 }
+  keys.enforcement = "augmented"
+  local model = scene(keys)
+  local run = model:run({ { steps = 2, grip = -0.05 } }, options)
+  assert(not run.failed, run.report)
+  return model
+end
+
+check.case("the tolerance of augmentation is 1e-6 by default, also with sg.robust", function()
+  for _, method in ipairs { "gpts", "mortar" } do
+    local default = press{ method = method }
+    local now = default:contact_resultant "joint"
+    check.at_most("penetration", now.weighted_penetration or now.max_penetration, 1e-6 * 2 ^ 0.5)
+    for _, options in ipairs { sg.robust{}, { augmentation = { penetration = 1e-6, loops = 100 } },
+                               sg.robust{ augmentation = {} } } do
+      check.equal(press({ method = method }, options):reaction "grip", default:reaction "grip")
+    end
+  end
+end)
+
+check.case("augmented forces hardly depend on the penalty", function()
+  local forces = {}
+  for i, penalty in ipairs { 40, 120, 400 } do
+    local model = press({ method = "mortar", penalty = penalty },
+      { augmentation = { penetration = 1e-9, loops = 500 } })
+    forces[i] = model:reaction("grip").fy
+  end
+  check.within_share("40", forces[1], forces[2], 1e-7)
+  check.within_share("400", forces[3], forces[2], 1e-7)
+end)
+
+check.case("saved models keep enforcement and defaults, and continue bitwise equal", function()
+  for _, method in ipairs { "gpts", "mortar" } do
+    local options = { augmentation = { penetration = 1e-4 } }
+    local model = press({ method = method, where = function(X) return X[1] < 0.5 end }, options)
+    model:save(file)
+    local loaded = sg.load(file)
+    check.equal(loaded:contact_law "joint", model:contact_law "joint")
+    for _, one in ipairs { model, loaded } do
+      check.equal(one:run({ { steps = 1, grip = -0.06 } }, options).failed, false)
+    end
+    check.equal(loaded:reaction "grip", model:reaction "grip")
+    check.equal(loaded:contact_resultant "joint", model:contact_resultant "joint")
+  end
+end)
+
+os.remove(file)
+check.done()
