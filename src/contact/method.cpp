@@ -22,6 +22,8 @@ template <int D> std::unique_ptr<Formulation<D>> make(const MortarLaw& law, Cont
 }
 
 template <int D> std::unique_ptr<Formulation<D>> make(const HalfPass& pass, ContactSetting<D> setting) {
+  if (pass.multipliers)
+    return std::make_unique<MortarContact<D>>(setting, MortarLaw{pass.penalty, *pass.multipliers}, Pass::half);
   return std::make_unique<PenaltyContact<D>>(std::move(setting), pass.penalty, Pass::half);
 }
 

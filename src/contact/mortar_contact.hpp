@@ -9,21 +9,22 @@
 namespace signorini::contact {
 
 struct MortarLaw {
-  PenaltyLaw penalty; ///< at multipliers; per reference area, whatever its `per`
+  PenaltyLaw penalty; ///< at multipliers; per reference area, in a half pass per current area, whatever its `per`
   MultiplierSpace multipliers = MultiplierSpace::equal;
 };
 
 /// Tractions Σ M_A (z_A n̄ − t_A) per reference area with the pressures z_A and frictions t_A of mortar_law.hpp. Without
-/// friction the virtual work is Σ z_A a_A δḡ_A, which has a potential.
+/// friction the virtual work is Σ z_A a_A δḡ_A, which has a potential. In a half pass tractions act per current area,
+/// with which gaps and slips are weighted as well: a_A and ḡ_A of a face do not depend on its reference shape.
 template <int D> class MortarContact final : public Formulation<D> {
 public:
   /// Throws Error if a constant is invalid, no contact point is left, or the face has no such multipliers.
-  MortarContact(const ContactSetting<D>& setting, const MortarLaw& law);
+  MortarContact(const ContactSetting<D>& setting, const MortarLaw& law, Pass pass = Pass::full);
 
   int multipliers() const override { return functions_.count(); }
   int point_of(int constraint) const override { return std::max(functions_.largest(constraint), 0); }
   /// Except beyond open ends of the master, where the area on which tractions act changes.
-  bool has_potential() const override { return !frictional(); }
+  bool has_potential() const override { return !frictional() && pass_ == Pass::full; }
   double friction() const override { return law_.friction; }
   double penalty() const override { return law_.normal; }
   int parts() const override { return static_cast<int>(parts_.size()); }
@@ -51,6 +52,7 @@ private:
   };
 
   bool frictional() const { return law_.friction > 0; }
+  double measure(std::size_t i, const Vec<D>& position) const;
   bool is_far(int multiplier, const Trial<D>& trial) const;
   void weigh(std::size_t i, const Trial<D>& trial, Part& part, Feet& at);
   void remember_foot(std::size_t i, const Trial<D>& trial) const;
@@ -59,12 +61,13 @@ private:
   void add_point(std::size_t i, const Trial<D>& trial, bool tangent, Part& part, Feet& at,
                  std::vector<double>& weights);
   LocalRows<D> point_rows(const LocalGeometry<D>& geometry, const GapRows<D>& gap, const LocalShift<D>& shift,
-                          const FacePoint<D>* slip_point) const;
+                          double area, const LocalRow<D>& area_row, const FacePoint<D>* slip_point) const;
   void couple_all();
   void commit_points(History<D>& present, double penalty_factor) override;
   void take_back(std::vector<Block>& blocks) override;
 
   PenaltyLaw law_; ///< without penalty factor
+  Pass pass_;
   MultiplierFunctions<D> functions_;
   std::vector<Part> parts_;
   std::vector<std::size_t> first_sum_;          ///< per slave element: offset into element_sums_
