@@ -1,7 +1,7 @@
 -- Warnings about a run although it completed: those of sg.model about the scene, loads that are not ramped, loose
 -- tolerances, contacts without any active point (wrong face, or a body that misses the other), deep penetration, points
--- that passed through the master in one step, failed projections, and those of path_controls.lua, jumps.lua and
--- energy_balance.lua.
+-- that passed through the master in one step, failed projections, half passes with different forces, and those of
+-- path_controls.lua, jumps.lua and energy_balance.lua.
 
 local counted = require "signorini.counted"
 local energy_balance = require "signorini.energy_balance"
@@ -57,6 +57,40 @@ local function penetrated(run, model, contact)
   if most <= deep * size then return nil end
   return ("contact '%s' is penetrated by %.3g in step %s, %.2g %% of the size of body '%s'. Hint: raise "
     .. "the penalty"):format(contact, most, run.values.step[at], 100 * most / size, body)
+end
+
+-- Above this difference of the forces of two half passes, as a fraction of the largest force of the run, neither is
+-- near the force of contact.
+local unbalanced_share = 0.1
+
+--- Magnitude of the sum of the forces of some contacts at a row of a run.
+local function resultant(run, contacts, row)
+  local squares = 0
+  for _, axis in ipairs { ".fx", ".fy", ".fz" } do
+    local sum = 0
+    for _, contact in ipairs(contacts) do
+      local column = run.values[contact .. axis] -- no fz in the plane
+      sum = sum + (column and column[row] or 0)
+    end
+    squares = squares + sum ^ 2
+  end
+  return math.sqrt(squares)
+end
+
+--- A sentence for two half passes whose forces differ at some row of a run; `contact` is the first of them.
+local function unbalanced(run, model, contact)
+  local other = contact .. ".master"
+  if not (model:contact_resultant(contact).imbalance and run.values[other .. ".fx"]) then return nil end
+  local largest, most, at = 0, 0, nil
+  for row = 1, run.rows do
+    largest = math.max(largest, resultant(run, { contact }, row), resultant(run, { other }, row))
+    local difference = resultant(run, { contact, other }, row)
+    if difference > most then most, at = difference, row end
+  end
+  if most <= unbalanced_share * largest then return nil end
+  return ("contact '%s': the forces of its half passes differ by %.2g %% of the largest force, in step %s. Hint: "
+    .. "smaller elements on both faces; with multipliers also a lower penalty"):format(contact, 100 * most / largest,
+    run.values.step[at])
 end
 
 local loose_tolerance = 1e-3 -- relative to the forces of the run
@@ -115,6 +149,7 @@ function run_warnings.of_run(run, model, early)
   for _, contact in ipairs(run.rows > 0 and model:contact_names() or {}) do
     texts[#texts + 1] = crossed(run, contact) or untouched(run, model, contact) or penetrated(run, model, contact)
     texts[#texts + 1] = unsettled(run, contact)
+    texts[#texts + 1] = unbalanced(run, model, contact)
   end
   texts[#texts + 1] = path_controls.warning(run)
   texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length)

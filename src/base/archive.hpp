@@ -13,6 +13,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -102,6 +103,15 @@ template <class T, std::size_t N> std::array<T, N> read(ArchiveReader& from, std
   std::array<T, N> values;
   for (T& value : values) value = from.get<T>();
   return values;
+}
+
+/// Whether there is a value comes first.
+template <class T> void write(ArchiveWriter& to, const std::optional<T>& value) {
+  to.put(value.has_value());
+  if (value) to.put(*value);
+}
+template <class T> std::optional<T> read(ArchiveReader& from, std::type_identity<std::optional<T>>) {
+  return from.get<bool>() ? std::optional<T>(from.get<T>()) : std::nullopt;
 }
 
 /// The numbers of rows and columns come first.

@@ -47,12 +47,15 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
                     : enforcement == "augmented" ? contact::Enforcement::augmented
                                                  : contact::Enforcement::multipliers;
   const auto method = a.get<std::string>("method");
-  if (method == "half_passes") return contact::HalfPass{law};
+  std::optional<contact::MultiplierSpace> multipliers;
+  if (a.has("multipliers"))
+    multipliers = a.get<std::string>("multipliers") == "reduced" ? contact::MultiplierSpace::reduced
+                                                                 : contact::MultiplierSpace::equal;
+  if (method == "half_passes") return contact::HalfPass{law, multipliers};
   const bool mortar = method == "mortar";
   if (mortar || (a.has("per") && a.get<std::string>("per") == "reference")) law.per = contact::TractionArea::reference;
   if (!mortar) return law;
-  const bool reduced = a.has("multipliers") && a.get<std::string>("multipliers") == "reduced";
-  return contact::MortarLaw{law, reduced ? contact::MultiplierSpace::reduced : contact::MultiplierSpace::equal};
+  return contact::MortarLaw{law, multipliers.value_or(contact::MultiplierSpace::equal)};
 }
 
 /// The user's function of the reference position. It is called only while the model is created, when sg.model's

@@ -35,8 +35,8 @@ auto members(MortarLaw& law) {
 }
 
 auto members(HalfPass& pass) {
-  auto& [penalty] = pass;
-  return std::tie(penalty);
+  auto& [penalty, multipliers] = pass;
+  return std::tie(penalty, multipliers);
 }
 
 /// The position follows from the displacements; a point that acts is not beyond the master.

@@ -11,6 +11,11 @@ namespace signorini::contact {
 
 /// Where forces act: on both faces, or in a half pass on the slave alone.
 enum class Pass : unsigned char { full, half };
+/// Both half passes compute the whole energy of the springs and the whole work of friction between the faces: each
+/// counts half.
+constexpr double energy_share(Pass pass) {
+  return pass == Pass::half ? 0.5 : 1;
+}
 
 /// Sums the contributions of all points that share a slave, a master and a slip-point element. Points must be added
 /// slave element by slave element, with close_element() after each.

@@ -58,8 +58,8 @@ inline constexpr int crossing_pieces = 256;
 // ── Multipliers that are unknowns ────────────────────────────────────────────────────────────────────────────────────
 
 /// Proximal term on a multiplier's diagonal, as a fraction of scale times area. It is of the order of the compliance of
-/// a penalty by 1e8 times the bodies' stiffness: Newton's method leaves less than that fraction of the error to the next
-/// iteration, while pivots remain far above rounding error.
+/// a penalty by 1e8 times the bodies' stiffness: Newton's method leaves less than that fraction of the error to the
+/// next iteration, while pivots remain far above rounding error.
 inline constexpr double proximal = 1e-8;
 
 // ── Threads and caches ───────────────────────────────────────────────────────────────────────────────────────────────

@@ -75,6 +75,8 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
     if (!present.results[i].settled) unsettled_ = {unsettled_.count + 1, points_.reference[i]};
     if (has_crossed(i, present, accepted)) crossed_ = {crossed_.count + 1, points_.reference[i]};
   }
+  for (std::size_t a = 0; a < present.multipliers.size(); ++a)
+    present.growth += growth(accepted.multiplier_results[a], present.multiplier_results[a]);
   return_to_accepted();
 }
 

@@ -62,7 +62,7 @@ void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const Lo
   result.force = weight * force.force;
   result.law_area = weight * force.measure;
   result.area = result.law_area * force.stretch;
-  result.potential = energy_share() * result.law_area * force.potential;
+  result.potential = energy_share(pass_) * result.law_area * force.potential;
   part.sums.add(this->points_, i, at.foot, geometry.slip_point ? &at.slip_point : nullptr, force, part.tangent);
 }
 

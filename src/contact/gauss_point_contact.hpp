@@ -19,9 +19,6 @@ public:
 
 protected:
   Pass pass() const { return pass_; }
-  /// Both half passes compute the whole energy density of the springs and the whole work of friction between the faces:
-  /// each counts half.
-  double energy_share() const { return pass_ == Pass::half ? 0.5 : 1; }
 
   /// A piece of the slave face: whole elements.
   struct Part {

@@ -45,6 +45,11 @@ template <int D> double growth(const PointResult<D>& before, const PointResult<D
   return first == 0 || last == 0 ? 0 : 0.5 * (before.potential / first + after.potential / last) * (last - first);
 }
 
+template <int D> double growth(const MultiplierResult<D>& before, const MultiplierResult<D>& after) {
+  if (before.state == ContactState::open || after.state == ContactState::open) return 0;
+  return 0.5 * (before.potential / before.area + after.potential / after.area) * (after.area - before.area);
+}
+
 template <int D> double memory(const History<D>& history) {
   return static_cast<double>(history.points.capacity() * sizeof(PointHistory<D>) +
                              history.results.capacity() * sizeof(PointResult<D>) +
@@ -64,6 +69,7 @@ template <int D> void look_again(History<D>& history) {
   template Constraint constraint(const History<D>&, int);                                                              \
   template double potential(const History<D>&);                                                                        \
   template double growth(const PointResult<D>&, const PointResult<D>&);                                                \
+  template double growth(const MultiplierResult<D>&, const MultiplierResult<D>&);                                      \
   template double memory(const History<D>&);                                                                           \
   template void look_again(History<D>&);
 SIGNORINI_INSTANTIATE(2)

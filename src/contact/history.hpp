@@ -42,7 +42,7 @@ template <int D> struct PointHistory {
 template <int D> struct MultiplierResult {
   ContactState state = ContactState::open;
   bool beyond = false;              ///< none of its points has a projection
-  double area = 0;                  ///< a_A, reference
+  double area = 0;                  ///< a_A, reference, in a half pass current
   double gap = 0;                   ///< ḡ_A
   double pressure = 0;              ///< z_A
   double potential = 0;             ///< energy of its springs
@@ -74,8 +74,9 @@ template <int D> struct History {
   double dissipated = 0, growth = 0;
 };
 
-/// ½ (φ₀ + φ₁) (A₁ − A₀) of a point over a step, zero if it is open before or after.
+/// ½ (φ₀ + φ₁) (A₁ − A₀) of a point or a multiplier over a step, zero if it is open before or after.
 template <int D> double growth(const PointResult<D>& before, const PointResult<D>& after);
+template <int D> double growth(const MultiplierResult<D>& before, const MultiplierResult<D>& after);
 
 /// Sums over a contact. Area, largest pressure and penetration are over the points that are not open.
 template <int D> struct Resultant {

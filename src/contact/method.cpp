@@ -26,6 +26,8 @@ template <int D> std::unique_ptr<Formulation<D>> make(const MortarLaw& law, Cont
 template <int D> std::unique_ptr<Formulation<D>> make(const HalfPass& pass, ContactSetting<D> setting) {
   // Where penetrations vanish, nothing makes the pressures of the two faces equal.
   require(pass.penalty.enforcement == Enforcement::penalty, "contact.enforcement.half_passes");
+  if (pass.multipliers)
+    return std::make_unique<MortarContact<D>>(setting, MortarLaw{pass.penalty, *pass.multipliers}, Pass::half);
   return std::make_unique<PenaltyContact<D>>(std::move(setting), pass.penalty, Pass::half);
 }
 

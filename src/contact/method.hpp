@@ -4,9 +4,17 @@
 #include "contact/adhesion.hpp"
 #include "contact/mortar_contact.hpp"
 
+#include <optional>
 #include <variant>
 
 namespace signorini::contact {
+
+/// One of two half passes between two faces: its forces act on the slave alone, those on the other face come from the
+/// other pass. Tractions act per current area, since reference areas of the two faces are stretched differently.
+struct HalfPass {
+  PenaltyLaw penalty;
+  std::optional<MultiplierSpace> multipliers = {}; ///< of mortar contact; none: at contact points
+};
 
 /// Makes a user-defined formulation. Scenes with one can be solved, but not saved.
 template <int D> using FormulationFactory = std::function<std::unique_ptr<Formulation<D>>(ContactSetting<D>)>;

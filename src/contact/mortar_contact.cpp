@@ -11,15 +11,15 @@
 namespace signorini::contact {
 
 template <int D>
-MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLaw& law)
+MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLaw& law, Pass pass)
     : Formulation<D>(setting), law_(checked(law.penalty)), scale_(law.scale > 0 ? law.scale : law.penalty.normal),
-      functions_(this->slave_, this->points_, setting.points, law.multipliers),
+      pass_(pass), functions_(this->slave_, this->points_, setting.points, law.multipliers),
       is_skipped_(at(this->slave_.elements()), false), cleared_(at(this->slave_.elements()), 0.0),
       sums_(at(functions_.count())), tangents_(at(functions_.count())), strips_(at(this->slave_.elements())) {
   for (const auto& [first, last] : pieces(this->points_))
     parts_.push_back({first,
                       last,
-                      BlockSums<D>(this->slave(), this->master()),
+                      BlockSums<D>(this->slave(), this->master(), pass),
                       MultiplierRows<D>(this->slave(), this->master(), functions_),
                       {}});
   std::size_t sums = 0;
@@ -30,12 +30,11 @@ MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLa
   element_sums_.resize(sums);
   if (!solves_multipliers()) return;
   conditions_.resize(at(functions_.count()));
-  whole_.assign(at(functions_.count()), 0.0);
-  for (std::size_t i = 0; i < this->points_.size(); ++i) {
-    const ContactPoint& own = this->points_.list[i];
-    const double* values = functions_.at_point(i);
-    for (const int a : functions_.on(own.element)) whole_[at(a)] += *values++ * own.weight * own.reference_area;
-  }
+  whole_ = functions_.areas(this->points_);
+  // Any area scales the conditions of a multiplier without contact points, which is always open.
+  const double largest = *std::max_element(whole_.begin(), whole_.end());
+  for (double& area : whole_)
+    if (area == 0) area = largest;
 }
 
 template <int D> std::vector<std::string> MortarContact<D>::extra_unknowns() const {
@@ -56,8 +55,9 @@ template <int D> bool MortarContact<D>::is_far(int multiplier, const Trial<D>& t
   if (state != FixedContactState::free) return state == FixedContactState::open;
   const MultiplierHistory<D>& history = trial.present.multipliers[at(multiplier)];
   // A multiplier with a pressure remains closed up to the gap pressure/ε.
-  const double closed = solves_multipliers() ? scale_ * unknowns_of<D>(trial.extra, multiplier, frictional()).normal / law_.normal
-                                             : history.pressure / (law_.normal * trial.penalty_factor);
+  const double closed = solves_multipliers()
+                            ? scale_ * unknowns_of<D>(trial.extra, multiplier, frictional()).normal / law_.normal
+                            : history.pressure / (law_.normal * trial.penalty_factor);
   return this->travel_ + trial.controls.guessed + std::max(closed, 0.0) < history.cleared;
 }
 
@@ -82,6 +82,17 @@ template <int D> void MortarContact<D>::evaluate_part(int index, const Trial<D>&
   }
 }
 
+/// Area per parametric area on which tractions act: reference, in a half pass current.
+template <int D> double MortarContact<D>::measure(std::size_t i, const Vec<D>& position) const {
+  if (pass_ == Pass::full) return this->points_.list[i].reference_area;
+  LocalGeometry<D> geometry;
+  geometry.slave = position;
+  geometry.slave_tangent = tangents(this->points_, this->slave(), i);
+  geometry.revolved = this->points_.revolved;
+  LocalRow<D> derivative;
+  return slave_measure(geometry, derivative);
+}
+
 /// Projects point i and adds its gap and slip to the sums of the slave element's multipliers.
 template <int D> void MortarContact<D>::weigh(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) {
   PointResult<D>& result = trial.present.results[i];
@@ -102,7 +113,7 @@ template <int D> void MortarContact<D>::weigh(std::size_t i, const Trial<D>& tri
 
   const ContactPoint& own = this->points_.list[i];
   MultiplierSums<D> one;
-  one.area = own.weight * own.reference_area * fade;
+  one.area = own.weight * measure(i, result.position) * fade;
   one.gap = one.area * gap;
   if (frictional()) {
     one.normal = one.area *
@@ -178,12 +189,12 @@ template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
     const bool open = far || result.beyond;
     if (!solves_multipliers()) {
       if (!open) tangents_[at(a)] = mortar_law(law, sum, history, control, result);
+      result.potential *= energy_share(pass_);
       continue;
     }
     const auto unknowns = unknowns_of<D>(trial.extra, a, frictional());
-    conditions_[at(a)] =
-        open ? open_multiplier(law_.normal, whole_[at(a)], unknowns)
-             : multiplier_law(law_.normal, law_.friction, sum, whole_[at(a)], unknowns, control, result);
+    conditions_[at(a)] = open ? open_multiplier(scale_, whole_[at(a)], unknowns)
+                              : multiplier_law(law_, scale_, sum, whole_[at(a)], unknowns, control, result);
   }
 }
 
@@ -243,7 +254,7 @@ void MortarContact<D>::add_point(std::size_t i, const Trial<D>& trial, bool tang
   const GapRows<D> gap = gap_rows(geometry, force.shift);
   const Vec<D> traction = pressure * geometry.normal - friction;
   LocalRow<D> measure_row = LocalRow<D>::Zero();
-  force.measure = geometry.reference_measure;
+  force.measure = pass_ == Pass::full ? geometry.reference_measure : slave_measure(geometry, measure_row);
   fade_area(geometry, force.shift, force.measure, measure_row);
   force.force = force.measure * traction;
   force.tangent = (force.measure * pressure) * gap.normal;
@@ -262,38 +273,12 @@ void MortarContact<D>::add_point(std::size_t i, const Trial<D>& trial, bool tang
     master.locate(point.slip, at.slip_point);
     slip_point = &at.slip_point;
   }
-  part.rows.add(this->points_, i, at.foot, slip_point, point_rows(geometry, gap, force.shift, slip_point),
-                PointRows<D>::count(frictional()), geometry.fade, weights.data());
-}
-
-template <int D>
-LocalRows<D> MortarContact<D>::point_rows(const LocalGeometry<D>& geometry, const GapRows<D>& gap,
-                                          const LocalShift<D>& shift, const FacePoint<D>* slip_point) const {
-  using Rows = PointRows<D>;
-  using Force = LocalForce<D>;
-  const double fade = geometry.fade;
-  const LocalRow<D> rate = geometry.fade_rate.transpose() * shift; // δω
-  LocalRows<D> rows = LocalRows<D>::Zero();
-  rows.row(Rows::gap) = fade * gap.gap;
-  rows.row(Rows::gap_fade) = geometry.gap * rate;
-  rows.row(Rows::area) = rate;
-  if (!frictional()) return rows;
-  rows.template middleRows<D>(Rows::normal) = fade * gap.normal + geometry.normal * rate;
-  if (slip_point) {
-    // v = x̄ᵐ − xᵐ(ξ̄ of the accepted state),  δv = δx̄ᵐ + τ_α δξ̄^α − δxᵐ
-    LocalBlock<D> slip = LocalBlock<D>::Zero();
-    slip.template middleCols<D>(Force::master_column).setIdentity();
-    slip.template middleCols<D>(Force::slip_column).diagonal().setConstant(-1);
-    for (int a = 0; a < D - 1; ++a) slip.noalias() += geometry.master->tangent[at(a)] * shift.row(a);
-    rows.template middleRows<D>(Rows::slip) = fade * slip;
-    rows.template middleRows<D>(Rows::slip).noalias() += (geometry.master->position - slip_point->position) * rate;
-  }
-  if constexpr (D == 3) {
-    auto along = rows.template middleRows<D>(Rows::along);
-    along.template middleCols<D>(Force::slave_tangent_column).diagonal().setConstant(fade);
-    along.noalias() += geometry.slave_tangent[0] * rate;
-  }
-  return rows;
+  // J = measure/reference measure
+  const double ratio = force.measure / geometry.reference_measure;
+  measure_row /= geometry.reference_measure;
+  part.rows.add(this->points_, i, at.foot, slip_point,
+                point_rows(geometry, gap, force.shift, ratio, measure_row, slip_point, frictional()),
+                PointRows<D>::count(frictional()), ratio, weights.data());
 }
 
 // ── Coupling of a multiplier's unknowns ──────────────────────────────────────────────────────────────────────────────
@@ -312,8 +297,7 @@ template <int D> void MortarContact<D>::add_conditions(bool tangent) {
   if (!tangent) return;
   for (const Part& part : parts_)
     for (const Strip& strip : part.rows.strips())
-      fill_coupling(strip, this->slave(), this->master(), functions_, conditions_, scale_, frictional(),
-                    new_block());
+      fill_coupling(strip, this->slave(), this->master(), functions_, conditions_, scale_, frictional(), new_block());
 }
 
 /// Appends a block for each group with a multiplier that is not open.
@@ -336,7 +320,7 @@ template <int D> void MortarContact<D>::couple_all() {
     for (std::size_t k = own * count / chunks; k < (own + 1) * count / chunks; ++k) {
       Block& block = this->blocks_[first + k];
       couple<D>(groups[at(block.group)], functions_, sums_, tangents_, this->slave(), this->master(), strips_,
-                PointRows<D>::count(frictional()), parts_[own].space, block);
+                PointRows<D>::count(frictional()), pass_, parts_[own].space, block);
     }
   });
 }
@@ -372,7 +356,7 @@ template <int D> void MortarContact<D>::commit_points(History<D>& present, doubl
     const bool open = result.state == ContactState::open;
     const double limit = open ? 0 : law_.friction * result.pressure * result.area;
     // ∫ μ z dγ a by the trapezoidal rule
-    present.dissipated += 0.5 * (history.limit + limit) * result.slipped;
+    present.dissipated += energy_share(pass_) * 0.5 * (history.limit + limit) * result.slipped;
     history.limit = limit;
     history.elastic = result.elastic;
     if (open) history.friction.setZero();

@@ -10,26 +10,27 @@
 namespace signorini::contact {
 
 struct MortarLaw {
-  PenaltyLaw penalty; ///< at multipliers; per reference area, whatever its `per`
+  PenaltyLaw penalty; ///< at multipliers; per reference area, in a half pass per current area, whatever its `per`
   MultiplierSpace multipliers = MultiplierSpace::equal;
   double scale = 0; ///< of multipliers that are unknowns, pressure per length; 0: that of `penalty`
 };
 
 /// Tractions Σ M_A (z_A n̄ − t_A) per reference area with the pressures z_A and frictions t_A of mortar_law.hpp. Without
-/// friction the virtual work is Σ z_A a_A δḡ_A, which has a potential. With Enforcement::multipliers z_A and t_A are
-/// unknowns with the equations of multiplier_law.hpp.
+/// friction the virtual work is Σ z_A a_A δḡ_A, which has a potential. In a half pass tractions act per current area,
+/// with which gaps and slips are weighted as well: a_A and ḡ_A of a face do not depend on its reference shape.
+/// With Enforcement::multipliers z_A and t_A are unknowns with the equations of multiplier_law.hpp.
 template <int D> class MortarContact final : public Formulation<D> {
 public:
   /// Throws Error if a constant is invalid, no contact point is left, or the face has no such multipliers.
-  MortarContact(const ContactSetting<D>& setting, const MortarLaw& law);
+  MortarContact(const ContactSetting<D>& setting, const MortarLaw& law, Pass pass = Pass::full);
 
   int multipliers() const override { return functions_.count(); }
   int point_of(int constraint) const override { return std::max(functions_.largest(constraint), 0); }
   std::vector<std::string> extra_unknowns() const override;
   /// Except beyond open ends of the master, where the area on which tractions act changes.
-  bool has_potential() const override { return !frictional() && !solves_multipliers(); }
+  bool has_potential() const override { return !frictional() && !solves_multipliers() && pass_ == Pass::full; }
   double friction() const override { return law_.friction; }
-  double penalty() const override { return solves_multipliers() ? 0 : law_.normal; }
+  double penalty() const override { return law_.normal; }
   bool augmented() const override { return law_.enforcement == Enforcement::augmented; }
   int parts() const override { return static_cast<int>(parts_.size()); }
   void evaluate_part(int part, const Trial<D>& trial, bool tangent) override;
@@ -57,6 +58,7 @@ private:
 
   bool frictional() const { return law_.friction > 0; }
   bool solves_multipliers() const { return law_.enforcement == Enforcement::multipliers; }
+  double measure(std::size_t i, const Vec<D>& position) const;
   bool is_far(int multiplier, const Trial<D>& trial) const;
   void weigh(std::size_t i, const Trial<D>& trial, Part& part, Feet& at);
   void remember_foot(std::size_t i, const Trial<D>& trial) const;
@@ -65,8 +67,6 @@ private:
   void distribute(Part& part, const Trial<D>& trial, bool tangent);
   void add_point(std::size_t i, const Trial<D>& trial, bool tangent, Part& part, Feet& at,
                  std::vector<double>& weights);
-  LocalRows<D> point_rows(const LocalGeometry<D>& geometry, const GapRows<D>& gap, const LocalShift<D>& shift,
-                          const FacePoint<D>* slip_point) const;
   Block& new_block();
   void couple_all();
   void add_conditions(bool tangent);
@@ -75,6 +75,7 @@ private:
 
   PenaltyLaw law_; ///< without penalty factor
   double scale_;   ///< of unknown multipliers
+  Pass pass_;
   MultiplierFunctions<D> functions_;
   std::vector<Part> parts_;
   std::vector<std::size_t> first_sum_;            ///< per slave element: offset into element_sums_

@@ -6,7 +6,8 @@
 
 namespace signorini::contact {
 
-/// Sums over the points k with a projection, with w_k their reference areas times M_A(k) of one multiplier.
+/// Sums over the points k with a projection, with w_k their areas times M_A(k) of one multiplier. Areas
+/// are those on which tractions act, see MortarContact.
 template <int D> struct MultiplierSums {
   double area = 0;                ///< a_A = Σ w_k
   double gap = 0;                 ///< Σ w_k g_k

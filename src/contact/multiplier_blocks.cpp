@@ -65,7 +65,7 @@ void fill_coupling(const Strip& strip, const Surface<D>& slave, const Master<D>&
     matrix.col(first).head(width) = -scale * x.row(Rows::gap).head(width).transpose();
     for (int b = 0; b < nodes && frictional; ++b)
       for (int c = 0; c < D; ++c) matrix(D * b + c, first + 1 + c) = -scale * shares[b];
-    const Row gap = x.row(Rows::gap) + x.row(Rows::gap_fade);
+    const Row gap = x.row(Rows::gap) + x.row(Rows::gap_area);
     const auto add = [&](int i, const Row& row) {
       matrix.row(first + i).head(width) += row.head(width);
       matrix.row(first + i).tail(behind) += row.tail(behind);

@@ -87,6 +87,16 @@ template <int D> void MultiplierFunctions<D>::make_groups(const Surface<D>& slav
   }
 }
 
+template <int D> std::vector<double> MultiplierFunctions<D>::areas(const ContactPoints<D>& points) const {
+  std::vector<double> sums(at(count()), 0.0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ContactPoint& own = points.list[i];
+    const double* values = at_point(i);
+    for (const int a : on(own.element)) sums[at(a)] += *values++ * own.weight * own.reference_area;
+  }
+  return sums;
+}
+
 template <int D> double MultiplierFunctions<D>::memory() const {
   const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
   double sum = bytes(offsets_) + bytes(values_);

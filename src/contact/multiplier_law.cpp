@@ -18,7 +18,8 @@ void add_friction(const PenaltyLaw& law, double s, const MultiplierSums<D>& sums
   // y = T x,  δy = T δx − (n·x) δn − n (x·δn),   x = s χ_T + ε_T V,   δn = T δ(Σ w n̄)/‖·‖
   const Vec<D> x = s * unknowns.tangential + law.tangential * slip, y = plane * x;
   const Mat<D> by_normal = -(n.dot(x) * Mat<D>::Identity() + n * x.transpose()) * plane / length;
-  const double magnitude = y.norm(), limit = law.friction * std::max(0.0, s * unknowns.normal - law.normal * result.gap);
+  const double magnitude = y.norm(),
+               limit = law.friction * std::max(0.0, s * unknowns.normal - law.normal * result.gap);
   const double tie = (law.tangential + law.friction * law.normal) * control.tie;
   Vec<D> traction = y;
   Mat<D> part = Mat<D>::Identity(); // ∂P/∂y
@@ -89,7 +90,7 @@ ConditionRows<D> multiplier_law(const PenaltyLaw& law, double s, const Multiplie
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template ConditionRows<D> open_multiplier(double, double, const MultiplierUnknowns<D>&);                             \
-  template ConditionRows<D> multiplier_law(const PenaltyLaw&, double, const MultiplierSums<D>&, double,                           \
+  template ConditionRows<D> multiplier_law(const PenaltyLaw&, double, const MultiplierSums<D>&, double,                \
                                            const MultiplierUnknowns<D>&, const MultiplierControl&,                     \
                                            MultiplierResult<D>&);
 SIGNORINI_INSTANTIATE(2)

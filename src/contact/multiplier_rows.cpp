@@ -6,6 +6,34 @@
 namespace signorini::contact {
 
 template <int D>
+LocalRows<D> point_rows(const LocalGeometry<D>& geometry, const GapRows<D>& gap, const LocalShift<D>& shift,
+                        double area, const LocalRow<D>& area_row, const FacePoint<D>* slip_point, bool frictional) {
+  using Rows = PointRows<D>;
+  using Force = LocalForce<D>;
+  LocalRows<D> rows = LocalRows<D>::Zero();
+  rows.row(Rows::gap) = area * gap.gap;
+  rows.row(Rows::gap_area) = geometry.gap * area_row;
+  rows.row(Rows::area) = area_row;
+  if (!frictional) return rows;
+  rows.template middleRows<D>(Rows::normal) = area * gap.normal + geometry.normal * area_row;
+  if (slip_point) {
+    // v = x̄ᵐ − xᵐ(ξ̄ of the accepted state),  δv = δx̄ᵐ + τ_α δξ̄^α − δxᵐ
+    LocalBlock<D> slip = LocalBlock<D>::Zero();
+    slip.template middleCols<D>(Force::master_column).setIdentity();
+    slip.template middleCols<D>(Force::slip_column).diagonal().setConstant(-1);
+    for (int a = 0; a < D - 1; ++a) slip.noalias() += geometry.master->tangent[at(a)] * shift.row(a);
+    rows.template middleRows<D>(Rows::slip) = area * slip;
+    rows.template middleRows<D>(Rows::slip).noalias() += (geometry.master->position - slip_point->position) * area_row;
+  }
+  if constexpr (D == 3) {
+    auto along = rows.template middleRows<D>(Rows::along);
+    along.template middleCols<D>(Force::slave_tangent_column).diagonal().setConstant(area);
+    along.noalias() += geometry.slave_tangent[0] * area_row;
+  }
+  return rows;
+}
+
+template <int D>
 MultiplierRows<D>::MultiplierRows(const Surface<D>& slave, const Master<D>& master,
                                   const MultiplierFunctions<D>& functions)
     : slave_(slave), master_(master), functions_(functions),
@@ -68,7 +96,7 @@ void MultiplierRows<D>::expand(const Strip& strip, const double* r, const FacePo
 
 template <int D>
 void MultiplierRows<D>::add(const ContactPoints<D>& points, std::size_t i, const FacePoint<D>& master,
-                            const FacePoint<D>* slip_point, const LocalRows<D>& local, int count, double fade,
+                            const FacePoint<D>* slip_point, const LocalRows<D>& local, int count, double area,
                             const double* weights) {
   const bool rigid = master_.rigid(); // one node for all elements
   const bool own_columns = slip_point && !rigid && slip_point->element != master.element;
@@ -84,8 +112,8 @@ void MultiplierRows<D>::add(const ContactPoints<D>& points, std::size_t i, const
     double* __restrict rows = strip.rows.data() + a * size;
     for (int c = 0; c < size; ++c) rows[c] += weights[a] * base[c];
     double* shares = strip.shares.data() + a * (ns + nm);
-    for (int b = 0; b < ns; ++b) shares[b] -= fade * weights[a] * r[b];
-    for (int b = 0; b < nm; ++b) shares[ns + b] += fade * weights[a] * master.value[at(b)];
+    for (int b = 0; b < ns; ++b) shares[b] -= area * weights[a] * r[b];
+    for (int b = 0; b < nm; ++b) shares[ns + b] += area * weights[a] * master.value[at(b)];
   }
 }
 
@@ -153,9 +181,9 @@ void add_factors(const MultiplierSums<D>& sums, const MultiplierTangent<D>& tang
   // ḡ = G/a, V = S/a:  δḡ = (δG − ḡ δa)/a,  δV = (δS − V δa)/a
   const double gap = sums.gap / sums.area;
   using Row = Eigen::Matrix<double, 1, Eigen::Dynamic>;
-  const Row gap_row = (x.row(Rows::gap) + x.row(Rows::gap_fade) - gap * x.row(Rows::area)) / sums.area;
-  // ∂f/∂z_A = −Σ w M_A ω δg
-  space.left.row(row) = -x.row(Rows::gap);
+  const Row gap_row = (x.row(Rows::gap) + x.row(Rows::gap_area) - gap * x.row(Rows::area)) / sums.area;
+  // ∂f/∂z_A = −Σ w M_A J δg
+  space.left.row(row) = -x.row(Rows::gap).head(space.left.cols());
   space.right.row(row) = tangent.pressure * gap_row;
   if (!frictional) return;
   const Vec<D> slip = sums.slip / sums.area;
@@ -165,10 +193,10 @@ void add_factors(const MultiplierSums<D>& sums, const MultiplierTangent<D>& tang
   directions.noalias() +=
       (tangent.of_slip / sums.area) * (x.template middleRows<D>(Rows::slip) - slip * x.row(Rows::area));
   if constexpr (D == 3) directions.noalias() += tangent.of_along * x.template middleRows<D>(Rows::along);
-  // f contains −t_A Σ w M_A ω (−R, R̄)
+  // f contains −t_A Σ w M_A J (−R, R̄)
   auto shares = space.left.template middleRows<D>(row + 1);
   shares.setZero();
-  for (Eigen::Index b = 0; b < space.shares.size(); ++b)
+  for (Eigen::Index b = 0; b < space.left.cols() / D; ++b)
     for (int c = 0; c < D; ++c) shares(c, D * b + c) = -space.shares(b);
 }
 
@@ -178,19 +206,20 @@ template <int D>
 void couple(const MultiplierGroup& group, const MultiplierFunctions<D>& functions,
             const std::vector<MultiplierSums<D>>& sums, const std::vector<MultiplierTangent<D>>& tangents,
             const Surface<D>& slave, const Master<D>& master, const std::vector<std::vector<const Strip*>>& strips,
-            int count, CouplingSpace& space, Block& block) {
+            int count, Pass pass, CouplingSpace& space, Block& block) {
   collect_nodes(group, master, strips, block);
   const int ns = static_cast<int>(block.slave_nodes.size()), nm = static_cast<int>(block.master_nodes.size());
   number(block.slave_nodes, 0, slave.functions(), space.slave_column);
   number(block.master_nodes, ns, master.rigid() ? 1 : master.surface()->functions(), space.master_column);
-  const int size = block.rows = block.columns = D * (ns + nm);
+  const int size = block.columns = D * (ns + nm);
+  block.rows = pass == Pass::half ? D * ns : size;
   const bool frictional = count > PointRows<D>::count(false);
   const int factors = frictional ? 1 + D : 1; // per multiplier
   space.active.clear();
   for (const int a : group.members)
     if (tangents[at(a)].pressure != 0) space.active.push_back(a);
   const int all = factors * static_cast<int>(space.active.size());
-  space.left.resize(all, size);
+  space.left.resize(all, block.rows);
   space.right.resize(all, size);
   int row = 0;
   for (const int a : space.active) {
@@ -204,18 +233,20 @@ void couple(const MultiplierGroup& group, const MultiplierFunctions<D>& function
     add_factors(sums[at(a)], tangents[at(a)], frictional, row, space);
     row += factors;
   }
-  block.force.assign(at(size), 0.0);
-  block.matrix.resize(at(size * size));
-  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> matrix(block.matrix.data(), size,
-                                                                                            size);
+  block.force.assign(at(block.rows), 0.0);
+  block.matrix.resize(at(block.rows * size));
+  Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> matrix(block.matrix.data(),
+                                                                                            block.rows, size);
   matrix.noalias() = space.left.transpose() * space.right;
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template LocalRows<D> point_rows(const LocalGeometry<D>&, const GapRows<D>&, const LocalShift<D>&, double,           \
+                                   const LocalRow<D>&, const FacePoint<D>*, bool);                                     \
   template class MultiplierRows<D>;                                                                                    \
   template void couple(const MultiplierGroup&, const MultiplierFunctions<D>&, const std::vector<MultiplierSums<D>>&,   \
                        const std::vector<MultiplierTangent<D>>&, const Surface<D>&, const Master<D>&,                  \
-                       const std::vector<std::vector<const Strip*>>&, int, CouplingSpace&, Block&);
+                       const std::vector<std::vector<const Strip*>>&, int, Pass, CouplingSpace&, Block&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -23,12 +23,6 @@ struct PenaltyLaw {
   Enforcement enforcement = Enforcement::penalty;
 };
 
-/// One of two half passes between two faces: its forces act on the slave alone, those on the other face come from the
-/// other pass. Tractions must act per current area, since reference areas of the two faces are stretched differently.
-struct HalfPass {
-  PenaltyLaw penalty;
-};
-
 /// Throws Error if a constant is invalid.
 const PenaltyLaw& checked(const PenaltyLaw& law);
 /// The law with its penalty parameters times a factor.

@@ -82,7 +82,7 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
     // |x̄ᵐ − xᵐ(ξ_sl)| decreases to μ t_N/ε_T; the difference is the slip Δγ.
     const double length = law.friction * result.pressure * stretch(result) / law.tangential;
     const double before = (slip_point.position - foot.position).norm(), slipped = std::max(before - length, 0.0);
-    history.dissipated += this->energy_share() * 0.5 * (limit_before + limit) * slipped;
+    history.dissipated += energy_share(this->pass()) * 0.5 * (limit_before + limit) * slipped;
     point.slip = master.advance(point.slip, foot, length);
     master.locate(point.slip, slip_point);
     const double after = (slip_point.position - foot.position).norm();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace signorini::model {
 
@@ -45,8 +44,6 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
   frictions_.assign(contacts.size(), {});
   rounds_ = 0;
   held_ = false;
-  fewest_ = std::numeric_limits<int>::max();
-  tries_ = most_tries;
   frozen_ = options.freeze > 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     first_.push_back(first_.back() + constraints(histories[k]));
@@ -127,12 +124,10 @@ template <int D> bool ActiveSet<D>::hold_back(const Histories& histories, Contro
       ++changed;
     }
   }
-  if (changed < fewest_) {
-    fewest_ = std::max(changed, 1);
-    tries_ = most_tries;
-    return false;
-  }
-  if (changed <= 1 || tries_-- > 0) return false;
+  // The same states for the third time would be a cycle; for the second time they may be those of the accepted state.
+  const auto before_now = std::count_if(entries_.begin(), entries_.end() - 1,
+                                        [&](const Entry& entry) { return entry.states == now; });
+  if (changed <= 1 || before_now < 2) return false;
   for (std::size_t k = 0; k < histories.size(); ++k) {
     if (histories[k].multipliers.empty()) continue;
     for (int i = first_[k]; i < first_[k + 1]; ++i) {

@@ -74,7 +74,6 @@ private:
   bool frozen_ = false;
   int rounds_ = 0;
   bool held_ = false;          ///< states are held in the present evaluation
-  int fewest_ = 0, tries_ = 0; ///< changes of states: the fewest in this step, and tries that are left to reduce them
 };
 
 } // namespace signorini::model

@@ -44,9 +44,6 @@ inline constexpr double same_residual = 1e-9;
 inline constexpr std::size_t remembered_evaluations = 24, recent_evaluations = 8;
 /// Limit of rounds in which points that change too often are fixed and freed.
 inline constexpr int most_rounds = 5;
-/// Iterations in which the number of multipliers that change their state need not fall before they change one by one
-/// (Júdice and Pires use 10 on linear problems, where an iteration costs less).
-inline constexpr int most_tries = 3;
 
 // ── Bodies that overlap at the start ─────────────────────────────────────────────────────────────────────────────────
 

@@ -15,7 +15,7 @@ inline MortarLaw mortar(MultiplierSpace space, double mu = 0) {
 
 /// A half annulus of radius 0.5 with small elements whose lowest point is (x, y).
 template <class AnyMaster>
-Couple pressed_disc(const std::string& label, AnyMaster master, const MortarLaw& own, double x, double y,
+Couple pressed_disc(const std::string& label, AnyMaster master, const Law& own, double x, double y,
                     bool revolved = false) {
   return {discretize(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(x, y + 0.5)), {14, 2}, label, "south"),
           "south",

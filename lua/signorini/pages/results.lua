@@ -44,7 +44,8 @@ adhesion the reference area), pressure, traction (of friction, along the chord f
 tangential on a straight master; in the plane positive along the slave face's xi; on the slave it acts in the opposite
 direction), gap, state ("open", "stick", also of a closed point without friction, "slip", "adhesion"). At a slipping
 point |traction| = mu pressure (mortar: at each multiplier). Pressure and traction are forces per current area, whatever
-`per` of the contact is; in mortar contact and with adhesion `area`, pressure and traction refer to the reference area.
+`per` of the contact is; with method = "mortar" and with adhesion `area`, pressure and traction refer to the reference
+area.
 In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is `traction`; -t_T acts
 on the slave. Reading any other field is an error.]],
     arguments = { a_contact },
@@ -79,13 +80,13 @@ hamaker, r0 }. print(model) shows them.]],
     arguments = { a_contact },
     example = "model:contact_law(\"interface\").penalty" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, per,
-unsettled, crossed }: the force on the slave (fz in 3D), the current area in contact (in mortar contact and with
+unsettled, crossed }: the force on the slave (fz in 3D), the current area in contact (with method = "mortar" and with
 adhesion the reference area), extremes, the numbers of contact points that touch and slip, and the area, "current" or
-"reference", on which tractions act; with method = "mortar" also weighted_penetration, the largest of the multipliers;
-with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how much action and
-reaction differ, 0 without forces. unsettled: how often, in all
-accepted states so far, the search for a closest point or slip point ended at the limit of iterations; unsettled_at is
-the reference position of the latest such point. crossed, crossed_at: the same for points that passed through the master
+"reference", on which tractions act; with multipliers also weighted_penetration, the largest of the multipliers; with
+"half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how much action and
+reaction differ, 0 without forces. unsettled: how often, in all accepted states so far, the search for a closest point
+or slip point ended at the limit of iterations; unsettled_at is the reference position of the latest such point.
+crossed, crossed_at: the same for points that passed through the master
 since the previous state without contact.]],
     arguments = { a_contact },
     example = "model:contact_resultant(\"interface\").area" },

@@ -38,21 +38,23 @@ method = "gpts" also where pressures are augmented]], unit = "pressure per lengt
   }, "Coulomb friction", otherwise = "none" },
   { "method", t.choice { "gpts", "mortar", "half_passes" }, [[gpts: Gauss-point-to-surface, penalty at the contact
 points. mortar: penalty on gaps and slips that are weighted by functions on the slave face (multipliers); a high penalty
-then does not over-constrain. half_passes: as gpts, but each of the two faces is slave once and receives only the force
-of its own pass: no choice of slave biases the result, twice the points, unsymmetric tangents, and action equals
-reaction only up to the discretization error, imbalance in model:contact_resultant]], default = "gpts" },
+then does not over-constrain. half_passes: as gpts, with `multipliers` as mortar, but each of the two faces is slave
+once and receives only the force of its own pass: no choice of slave biases the result, twice the points, unsymmetric
+tangents, and action equals reaction only up to the discretization error, imbalance in model:contact_resultant]],
+    default = "gpts" },
   { "enforcement", t.choice { "penalty", "augmented", "multipliers" }, [[penalty: penetrations in proportion to the
 pressure remain. augmented: augmented Lagrangian method (Uzawa), the pressures are corrected until penetrations are
 below a tolerance, augmentation.penetration of model:run; with method = "gpts" every contact point becomes a constraint,
 and friction keeps its penalty. multipliers: Lagrange multipliers as unknowns, no penetration of the weighted gaps. gpts
 has penalty and augmented, mortar all, half_passes penalty]], default = "penalty" },
-  { "multipliers", t.choice { "equal", "reduced" }, [[functions of the multipliers if method = "mortar". equal: those of
-the slave face. reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element), proven stable
-(inf-sup); for degree p >= 2]], otherwise = "equal" },
+  { "multipliers", t.choice { "equal", "reduced" }, [[functions of the multipliers of mortar contact, in half
+passes of either face. equal: those of the slave face. reduced: of degree p - 2 on its elements, continuity two less
+(N2: constant per element), proven stable (inf-sup); for degree p >= 2]],
+    otherwise = '"equal" with method = "mortar"; without it half passes act at contact points' },
   { "per", t.choice { "current", "reference" }, [[area of the slave face on which tractions act, and to which penalty
 and friction.penalty refer. "current" is that of the published studies; with "reference" and without friction the forces
-derive from an energy, and the tangent is symmetric. Mortar contact and adhesion act per reference area, half passes per
-current area]],
+derive from an energy, and the tangent is symmetric. method = "mortar" and adhesion act per reference area, half passes
+per current area, also with multipliers]],
     otherwise = '"current", with method = "mortar" or adhesion "reference"' },
   { "points", t.integer(1, 100), "Gauss points per slave element and direction",
     otherwise = "3 (p + 1), p the degree along the slave face, that of its layer if it has one, in 3D the higher one" },
@@ -111,8 +113,8 @@ contact.conflict = function(values)
   end
   local unknown = conflict_of_enforcement(values.method, values.enforcement)
   if unknown then return unknown end
-  if values.multipliers and values.method ~= "mortar" then
-    return ('multipliers = "%s" is for method = "mortar": add this method, or remove multipliers')
+  if values.multipliers and values.method ~= "mortar" and values.method ~= "half_passes" then
+    return ('multipliers = "%s" is for method = "mortar" or "half_passes": add one of these, or remove multipliers')
       :format(values.multipliers)
   end
   if values.method == "mortar" and values.per == "current" then

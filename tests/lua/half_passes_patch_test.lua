@@ -1,0 +1,132 @@
+-- Contact patch test of two half passes, at contact points and with multipliers: uniform to rounding error on either
+-- face, straight, skewed and stretched.
+
+local check = require "check"
+local sg = require "signorini"
+
+local function solved(model, stages, options)
+  local run = model:run(stages, options)
+  assert(not run.failed, run.report)
+  return run
+end
+
+local kinds = { { name = "points" }, { name = "equal", multipliers = "equal" },
+                { name = "reduced", multipliers = "reduced" } }
+
+--- A block on x, y = 0 … 2 with its contact face at z = 0 (plane: on x, at y = 0), as one patch whose inner lines of
+--- elements are slanted by `skew`.
+local function patch(flat, from, to, skew)
+  local points, knots = {}, { 0, 0, 1, 2, 2 }
+  for k = 0, 2 do
+    local z = from + (to - from) * k / 2
+    for j = 0, flat and 0 or 2 do
+      for i = 0, 2 do
+        local shift = i == 1 and skew * (0.3 + k / 4 + j / 3) or 0
+        local other = j == 1 and skew * (0.5 - i / 4 - k / 5) or 0
+        points[#points + 1] = flat and { i + shift, z } or { i + shift, j + other, z }
+      end
+    end
+  end
+  if flat then return sg.nurbs.surface{ degrees = { 1, 1 }, knots = { knots, knots }, points = points } end
+  return sg.nurbs.volume{ degrees = { 1, 1, 1 }, knots = { knots, knots, knots }, points = points }
+end
+
+--- Two blocks under uniform pressure, sides guided; the largest error of the pressures of both passes.
+local function press(o)
+  local flat = o.dimension == 2
+  local function block(count, is_lower)
+    local skew = is_lower and o.skew or -o.skew
+    local from, to = is_lower and -1 or -5e-4, is_lower and 0 or 1
+    return sg.body{
+      patch = patch(flat, from, to, skew),
+      elements = flat and { count, 2 } or { count, count, 2 }, order = o.order, thickness_degree = 1,
+      contact = flat and (is_lower and "north" or "south") or (is_lower and "back" or "front"),
+      material = sg.linear_elastic{ E = is_lower and 1 or 2, nu = 0.3 },
+    }
+  end
+  local lower, upper = block(o.counts[1], true), block(o.counts[2], false)
+  local bottom, top = flat and "south" or "front", flat and "north" or "back"
+  local function both(...)
+    local faces = {}
+    for _, name in ipairs { ... } do faces[#faces + 1], faces[#faces + 2] = lower:face(name), upper:face(name) end
+    return faces
+  end
+  local slave, master = upper:face(bottom), lower:face(top)
+  if o.slave == "lower" then slave, master = master, slave end
+  local model = sg.model{
+    bodies = { lower = lower, upper = upper },
+    supports = { bed = { on = lower:face(bottom), fix = flat and "y" or "z" },
+                 ends = { on = both("west", "east"), fix = "x" },
+                 sides = not flat and { on = both("south", "north"), fix = "y" } or nil },
+    loads = { push = { on = upper:face(top), pressure = 0 } },
+    contacts = { joint = { slave = slave, master = master, penalty = 100, method = "half_passes",
+                           multipliers = o.multipliers, friction = { mu = 0.3, penalty = 100 } } },
+  }
+  solved(model, { { name = "press", steps = 2, push = 0.1 } })
+  local largest = 0
+  for _, name in ipairs { "joint", "joint.master" } do
+    for _, pressure in ipairs(model:profile(name).pressure) do
+      largest = math.max(largest, math.abs(pressure / 0.1 - 1))
+    end
+    check.at_most("imbalance", model:contact_resultant(name).imbalance, 1e-12)
+  end
+  return largest
+end
+
+check.case("patch test, 3 on 5 elements, straight and skewed: uniform to rounding error on either face", function()
+  local function expect_uniform(order, keys)
+    for _, skew in ipairs { 0, 0.2 } do
+      for _, slave in ipairs { "lower", "upper" } do
+        for dimension = 2, order == "N2" and 3 or 2 do
+          local error = press{ dimension = dimension, order = order, skew = skew, slave = slave, counts = { 3, 5 },
+                               multipliers = keys.multipliers }
+          check.at_most(("%dD %s %s, skew %g, slave %s"):format(dimension, order, keys.name, skew, slave), error,
+            1e-12)
+        end
+      end
+    end
+  end
+  for _, order in ipairs { "N1", "N2", "N3", "N2-N2.2" } do
+    for _, keys in ipairs(kinds) do
+      if order ~= "N1" or keys.multipliers ~= "reduced" then expect_uniform(order, keys) end
+    end
+  end
+end)
+
+--- A block that is stretched to 1.5 times its width and then pressed on another one of this width.
+local function stretch_and_press(keys)
+  local function block(width, height, count, face)
+    return sg.body{ patch = sg.shapes.rectangle{ width = width, height = 1, corner = { 0, height } },
+                    elements = { count, 2 }, order = "N2", contact = face, thickness_degree = 1,
+                    material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  end
+  local lower, upper = block(3, -1, 5, "north"), block(2, 0, 3, "south")
+  local model = sg.model{
+    bodies = { lower = lower, upper = upper },
+    supports = { bed = { on = lower:face "south", fix = "y" },
+                 ends = { on = { lower:face "west", lower:face "east", upper:face "west" }, fix = "x" },
+                 pull = { on = upper:face "east", drive = "x" }, grip = { on = upper:face "north", drive = "y" } },
+    contacts = { joint = { slave = upper:face "south", master = lower:face "north", penalty = 100, points = 4,
+                           method = "half_passes", multipliers = keys.multipliers } } }
+  solved(model, { { steps = 4, pull = 1, grip = 0.1 }, { steps = 4, pull = 1, grip = -0.3 } },
+    { newton = { tolerance = 1e-13 } })
+  return model
+end
+
+check.case("patch test with a face stretched by half: uniform to rounding error on both, action equals reaction",
+  function()
+    for _, keys in ipairs(kinds) do
+      local model = stretch_and_press(keys)
+      local mean = math.abs(model:reaction("grip").fy) / 3
+      check.equal(mean > 0.05, true)
+      for _, name in ipairs { "joint", "joint.master" } do
+        for _, pressure in ipairs(model:profile(name).pressure) do
+          check.within_share(keys.name .. " " .. name, pressure, mean, 1e-11)
+        end
+        check.at_most("imbalance", model:contact_resultant(name).imbalance, 1e-12)
+        check.within_share("area", model:contact_resultant(name).area, 3, 1e-12)
+      end
+    end
+  end)
+
+check.done()

@@ -1,0 +1,178 @@
+-- Contacts with enforcement = "multipliers": Hertz's contact without a parameter, friction, and what else a run offers.
+
+local sg = require "signorini"
+local check = require "check"
+local problem = require "hertz2d.problem"
+
+local spaces = { "equal", "reduced" }
+
+--- Keys of a contact with multipliers; `more` overrides.
+local function keys(space, more)
+  local all = { method = "mortar", multipliers = space, enforcement = "multipliers" }
+  for key, value in pairs(more or {}) do all[key] = value end
+  return all
+end
+
+local function solved(model, stages, options)
+  local run = model:run(stages, sg.plain(options or {}))
+  assert(not run.failed, run.report)
+  return run
+end
+
+-- ── Without friction ─────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Hertz's line contact (scripts/hertz2d) with other keys in its contact.
+local function ring(own, order, mesh)
+  local make = sg.model
+  sg.model = function(scene)
+    scene.contacts.ground.penalty = nil
+    for key, value in pairs(own) do scene.contacts.ground[key] = value end
+    return make(scene)
+  end
+  local ok, model, stage = pcall(problem.scene, { order = order, mesh = mesh, load = "displacement" })
+  sg.model = make
+  assert(ok, model)
+  stage.steps = 2
+  return model, stage
+end
+
+check.case("Hertz's line contact: no weighted penetration, the same force for any penalty", function()
+  for _, space in ipairs(spaces) do
+    for _, order in ipairs { "N2", "N2-N2.2" } do
+      local name, forces = space .. " " .. order, {}
+      for i, penalty in ipairs { 1, 100, 1e4 } do
+        local model, stage = ring(keys(space, { penalty = penalty }), order, "m2")
+        solved(model, { stage })
+        local resultant = model:contact_resultant "ground"
+        check.at_most(name .. ": weighted penetration", resultant.weighted_penetration, 1e-12)
+        forces[i] = resultant.fy
+      end
+      for i = 2, 3 do check.within_share(name .. ": force", forces[i], forces[1], 1e-8) end
+    end
+  end
+end)
+
+check.case("Hertz's line contact: the force of Gauss points as their penalty grows", function()
+  local function force(own, mesh)
+    local model, stage = ring(own, "N2-N2.2", mesh)
+    solved(model, { stage })
+    return model:contact_resultant "ground".fy
+  end
+  for _, space in ipairs(spaces) do
+    check.within_share(space, force(keys(space), "m3"), force({ penalty = 2e4 }, "m3"), 2e-3)
+  end
+end)
+
+check.case("any linear solver finds the same state", function()
+  for _, space in ipairs(spaces) do
+    local forces = {}
+    for i, linear in ipairs { "auto", "klu", "umfpack", "condensed", "reuse" } do
+      local model, stage = ring(keys(space), "N2", "m1")
+      solved(model, { stage }, { linear = linear })
+      forces[i] = model:contact_resultant "ground".fy
+      check.within_share(linear, forces[i], forces[1], 1e-9)
+    end
+  end
+end)
+
+-- ── Friction ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- A die with a half ring as face on a slab, which is the softer body and so the slave.
+local function iron(own, order, mu)
+  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } },
+                       elements = { 6, 2 }, order = order, contact = "south", thickness_degree = 1,
+                       material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 16, 4 }, order = order,
+                        contact = "north", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  own.slave, own.master, own.friction = slab:face "north", die:face "south", mu > 0 and { mu = mu } or nil
+  return sg.model{
+    bodies   = { die = die, slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" },
+                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
+    contacts = { interface = own },
+  }
+end
+
+local press = { name = "press", steps = 20, grip = { 0, -0.1 } }
+local slide = { name = "slide", steps = 40, grip = { 0.4, -0.1 } }
+
+check.case("ironing with friction: the energy balances, and nothing is stored in the contact", function()
+  for _, space in ipairs(spaces) do
+    for _, order in ipairs { "N2", "N2-N2.2" } do
+      local model, name = iron(keys(space), order, 0.2), space .. " " .. order
+      solved(model, { press, slide })
+      local energy = model:energy()
+      check.equal({ energy.contact }, { 0 })
+      check.at_most(name .. ": energy",
+        math.abs(energy.stored + energy.friction + energy.area_growth - energy.work), 0.01 * energy.work)
+    end
+  end
+end)
+
+check.case("load and hold: no creep over 50 steps, and sticking multipliers do not slip", function()
+  for _, space in ipairs(spaces) do
+    local model = iron(keys(space), "N2-N2.2", 0.3)
+    local hold = { name = "hold", steps = 50, grip = { 0.004, -0.1 } }
+    local run = solved(model, { press, { name = "nudge", steps = 2, grip = { 0.004, -0.1 } }, hold })
+    local fx, fy = run:column "grip.fx", run:column "grip.fy"
+    check.within("creep of the drag", fx[#fx], fx[22], 1e-10)
+    check.within("creep of the force", fy[#fy], fy[22], 1e-10)
+  end
+end)
+
+-- ── What else a run offers ───────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("a contact that acts on a part of its face", function()
+  local own = keys("equal", { where = function(X) return X[1] < 1 end })
+  local run = solved(iron(own, "N2", 0.2), { { name = "press", steps = 5, grip = { 0, -0.05 } } })
+  assert(run:column "grip.fy"[5] < 0)
+end)
+
+check.case("a saved model continues with the same bits", function()
+  local model = iron(keys "reduced", "N2", 0.2)
+  solved(model, { press })
+  local file = check.folder() .. "/multipliers.sgn"
+  model:save(file)
+  local other = sg.load(file)
+  local nudge = { { name = "slide", steps = 5, grip = { 0.05, -0.1 } } }
+  local first, second = solved(model, nudge), solved(other, nudge)
+  check.equal(first:column "grip.fx", second:column "grip.fx")
+end)
+
+check.case("robust runs, arc length, growing penalties, an axisymmetric model, a body that falls", function()
+  local function force(options)
+    local model = iron(keys "equal", "N2", 0.2)
+    local run = model:run({ { name = "press", steps = 5, grip = { 0, -0.1 } } }, options)
+    assert(not run.failed, run.report)
+    return run:column "grip.fy"[#run:column "grip.fy"]
+  end
+  local expected = force(sg.plain())
+  check.within_share("robust", force(sg.robust{}), expected, 1e-3)
+  check.within_share("arc length", force(sg.robust{ arc_length = true }), expected, 1e-3)
+  check.within_share("growing penalty", force(sg.robust{ penalty = { start = 0.1, steps = 2 } }), expected, 1e-3)
+end)
+
+check.case("a block on a rigid plane in 3D: uniform pressure, pressed and dragged", function()
+  for _, space in ipairs(spaces) do
+    for _, mu in ipairs { 0, 0.3 } do
+      local block = sg.body{ patch = sg.shapes.block{ size = { 2, 2, 1 } }, elements = { 3, 3, 2 }, order = "N2-N2.1",
+                             contact = "front", material = sg.neo_hookean{ E = 1, nu = 0 } }
+      local model = sg.model{
+        bodies   = { block = block },
+        supports = { grip = { on = block:face "back", drive = "xyz" } },
+        contacts = { floor = keys(space, { slave = block:face "front", friction = mu > 0 and { mu = mu } or nil,
+                                           master = sg.rigid.plane{ point = { 0, 0, 0 }, normal = { 0, 0, 1 } } }) },
+      }
+      solved(model, { { name = "press", steps = 2, grip = { 0, 0, -0.1 } } })
+      local profile, resultant = model:profile "floor", model:contact_resultant "floor"
+      -- Uniaxial strain with nu = 0: the nominal stress of the block's material law is uniform.
+      local low, high = math.huge, -math.huge
+      for _, pressure in ipairs(profile.pressure) do low, high = math.min(low, pressure), math.max(high, pressure) end
+      check.at_most("spread", high - low, 1e-9 * high)
+      check.within_share("pressure", high * 4, math.abs(resultant.fz), 1e-9)
+      check.at_most("weighted penetration", resultant.weighted_penetration, 2e-12)
+    end
+  end
+end)
+
+check.done()
