@@ -62,13 +62,12 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
     return 1;
   }
   const auto* mortar = std::get_if<contact::MortarLaw>(&named.method);
-  set_field(L, "method", mortar ? "mortar" : named.other_pass >= 0 ? "half_passes" : "gpts");
+  set_field(L, "method", named.other_pass >= 0 ? "half_passes" : mortar ? "mortar" : "gpts");
   if (mortar) set_field(L, "multipliers", mortar->multipliers == contact::MultiplierSpace::equal ? "equal" : "reduced");
   const contact::PenaltyLaw& law = *contact::penalty_law(named.method);
-  const double penalty = model.system.contacts[contact]->penalty();
-  set_fields(L, "enforcement", name_of(law.enforcement), "penalty", penalty, "default_penalty", law.normal == 0);
-  if (law.friction > 0)
-    set_fields(L, "mu", law.friction, "friction_penalty", law.tangential > 0 ? law.tangential : penalty);
+  set_fields(L, "enforcement", name_of(law.enforcement), "penalty", law.normal, "default_penalty",
+             named.default_penalty);
+  if (law.friction > 0) set_fields(L, "mu", law.friction, "friction_penalty", law.tangential);
   return 1;
 }
 

@@ -50,18 +50,21 @@ template <int D> double default_penalty(const Scene<D>& scene, const Contact<D>&
 
 } // namespace
 
-template <int D> contact::Method<D> with_default_penalties(const Scene<D>& scene, const Contact<D>& contact) {
-  contact::Method<D> method = contact.method;
-  contact::PenaltyLaw* law = contact::penalty_law(method);
-  if (!law || law->enforcement == contact::Enforcement::penalty) return method;
-  const double usual = default_penalty(scene, contact);
-  if (auto* mortar = std::get_if<contact::MortarLaw>(&method)) mortar->scale = usual;
-  if (law->normal == 0) law->normal = usual;
-  if (law->tangential == 0) law->tangential = law->normal;
-  return method;
+template <int D> void set_default_penalties(Scene<D>& scene) {
+  for (Contact<D>& contact : scene.contacts) {
+    contact::PenaltyLaw* law = contact::penalty_law(contact.method);
+    if (!law || law->enforcement == contact::Enforcement::penalty) continue;
+    const double usual = default_penalty(scene, contact);
+    if (auto* mortar = std::get_if<contact::MortarLaw>(&contact.method)) mortar->scale = usual;
+    if (law->normal == 0) {
+      law->normal = usual;
+      contact.default_penalty = true;
+    }
+    if (law->tangential == 0) law->tangential = law->normal;
+  }
 }
 
-template contact::Method<2> with_default_penalties(const Scene<2>&, const Contact<2>&);
-template contact::Method<3> with_default_penalties(const Scene<3>&, const Contact<3>&);
+template void set_default_penalties(Scene<2>&);
+template void set_default_penalties(Scene<3>&);
 
 } // namespace signorini::model

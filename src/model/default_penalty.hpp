@@ -5,7 +5,7 @@
 
 namespace signorini::model {
 
-/// The method of a contact with values in place of penalty parameters that are 0; unchanged if enforced by penalty.
-template <int D> contact::Method<D> with_default_penalties(const Scene<D>& scene, const Contact<D>& contact);
+/// Sets the penalty parameters that are 0, of contacts that are not enforced by penalty, and the scales of multipliers.
+template <int D> void set_default_penalties(Scene<D>& scene);
 
 } // namespace signorini::model

@@ -69,7 +69,8 @@ template <int D> struct Contact {
   contact::Method<D> method;
   int points; ///< Gauss points per slave element and direction
   contact::Region<D> where = {};
-  int other_pass = -1; ///< of a half pass: index of the contact with slave and master swapped
+  int other_pass = -1;          ///< of a half pass: index of the contact with slave and master swapped
+  bool default_penalty = false; ///< its penalty is from material and mesh
 };
 
 template <int D> struct Scene {

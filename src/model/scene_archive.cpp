@@ -67,16 +67,16 @@ template <int D> contact::Region<D> region_of(const Places<D>& points) {
 
 template <int D>
 void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Formulation<D>& formulation) {
-  const auto& [name, slave, master, method, points, where, other_pass] = contact;
+  const auto& [name, slave, master, method, points, where, other_pass, default_penalty] = contact;
   const auto* face = std::get_if<FaceReference>(&master);
   to.put(name, slave, face != nullptr, face ? *face : FaceReference{},
          face ? -1 : std::get<ObstacleReference>(master).obstacle, method, points,
-         points_of_region(contact, formulation), other_pass);
+         points_of_region(contact, formulation), other_pass, default_penalty);
 }
 
 template <int D> Contact<D> read_contact(ArchiveReader& from) {
   Contact<D> contact{};
-  auto& [name, slave, master, method, points, where, other_pass] = contact;
+  auto& [name, slave, master, method, points, where, other_pass, default_penalty] = contact;
   from.into(name, slave);
   const bool is_face = from.get<bool>();
   const auto face = from.get<FaceReference>();
@@ -88,7 +88,7 @@ template <int D> Contact<D> read_contact(ArchiveReader& from) {
   method = contact::read_method<D>(from);
   points = from.get<int>();
   where = region_of<D>(from.get<Places<D>>());
-  other_pass = from.get<int>();
+  from.into(other_pass, default_penalty);
   return contact;
 }
 

@@ -12,7 +12,8 @@ namespace signorini::model {
 
 namespace {
 
-template <int D> const Scene<D>& checked(const Scene<D>& scene) {
+/// The scene, with default penalties. Throws Error if it has no body, or parts that do not fit.
+template <int D> const Scene<D>& completed(Scene<D>& scene) {
   require(!scene.bodies.empty(), "model.scene.no_body");
   for (const Contact<D>& contact : scene.contacts) {
     const auto* face = std::get_if<FaceReference>(&contact.master);
@@ -20,6 +21,7 @@ template <int D> const Scene<D>& checked(const Scene<D>& scene) {
   }
   for (const auto& named : scene.bodies)
     require(named.body->kind() == scene.kind, "model.scene.kind", {{"body", named.name}});
+  set_default_penalties(scene);
   return scene;
 }
 
@@ -32,9 +34,9 @@ template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
     const auto* face = std::get_if<FaceReference>(&contact.master);
     contact::Master<D> master = face ? contact::Master<D>(surface(*face))
                                      : contact::Master<D>(scene.obstacles[at(std::get<1>(contact.master).obstacle)]);
-    contacts.push_back(contact::make_formulation<D>(with_default_penalties(scene, contact),
-                                                    {surface(contact.slave), std::move(master), contact.points,
-                                                     scene.kind == solid::Kind::axisymmetric, contact.where}));
+    contacts.push_back(
+        contact::make_formulation<D>(contact.method, {surface(contact.slave), std::move(master), contact.points,
+                                                      scene.kind == solid::Kind::axisymmetric, contact.where}));
   }
   return contacts;
 }
@@ -49,7 +51,7 @@ template <int D> Scene<D> without_regions(Scene<D> scene) {
 
 template <int D>
 System<D>::System(Scene<D> given)
-    : contacts(make_contacts(checked(given))), scene(without_regions(std::move(given))), unknowns(scene, contacts),
+    : contacts(make_contacts(completed(given))), scene(without_regions(std::move(given))), unknowns(scene, contacts),
       drives(scene, unknowns), assembly(scene, unknowns, contacts) {
   for (const auto& obstacle : scene.obstacles) size = std::max(size, contact::largest_coordinate<D>(obstacle));
   for (const auto& named : scene.bodies) {

@@ -120,10 +120,10 @@ end)
 
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Presses the upper block into the other by `depth`, with friction; options of the run.
+--- Presses the upper block into the other by 0.05, with friction, augmented if the keys say nothing else.
 local function press(keys, options)
   keys.friction = { mu = 0.2 }
-  keys.enforcement = "augmented"
+  keys.enforcement = keys.enforcement or "augmented"
   local model = scene(keys)
   local run = model:run({ { steps = 2, grip = -0.05 } }, options)
   assert(not run.failed, run.report)
@@ -153,10 +153,22 @@ check.case("augmented forces hardly depend on the penalty", function()
   check.within_share("400", forces[3], forces[2], 1e-7)
 end)
 
+check.case("with multipliers they do not depend on it", function()
+  local forces = {}
+  for i, penalty in ipairs { 0.1, 120, 1e4 } do
+    forces[i] = press{ method = "mortar", enforcement = "multipliers", penalty = penalty }:reaction("grip").fy
+  end
+  local default = press{ method = "mortar", enforcement = "multipliers" }
+  for _, force in ipairs(forces) do check.within_share("force", force, default:reaction("grip").fy, 1e-9) end
+  check.holds(show.text(default), 'enforcement = "multipliers", penalty = 120 (from material and mesh)')
+end)
+
 check.case("saved models keep enforcement and defaults, and continue bitwise equal", function()
-  for _, method in ipairs { "gpts", "mortar" } do
-    local options = { augmentation = { penetration = 1e-4 } }
-    local model = press({ method = method, where = function(X) return X[1] < 0.5 end }, options)
+  local half, most = function(X) return X[1] < 0.5 end, function(X) return X[1] < 0.8 end
+  for _, keys in ipairs { { method = "gpts", where = half }, { method = "mortar", where = half },
+                          { method = "mortar", enforcement = "multipliers", where = most } } do
+    local options = not keys.enforcement and { augmentation = { penetration = 1e-4 } } or nil
+    local model = press(keys, options)
     model:save(file)
     local loaded = sg.load(file)
     check.equal(loaded:contact_law "joint", model:contact_law "joint")
