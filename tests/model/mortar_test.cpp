@@ -119,6 +119,26 @@ TEST(MortarModel, EnergyBalancesInTheLimitOfSmallSteps) {
   EXPECT_GT(std::abs(missing(contact::PenaltyLaw{4}, 40)), 5e-3);
 }
 
+/// Per current area the springs' energy grows with the area, which no force does; a half pass counts half of both.
+TEST(MortarModel, EnergyOfAHalfPassBalancesWithTheGrowthOfItsArea) {
+  const auto missing = [](MultiplierSpace space, int steps, double growth_counts) {
+    Model<2> model(pressed_block(contact::HalfPass{{4}, space}, true));
+    for (int step = 1; step <= steps; ++step) {
+      set_target(model, 0, 0, -0.3 * step / steps);
+      EXPECT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
+      accept(model);
+    }
+    const Energies energy = energies(model);
+    return (energy.stored + 2 * (energy.contact - growth_counts * energy.growth) - energy.work) / energy.work;
+  };
+  for (const MultiplierSpace space : spaces) {
+    const double coarse = missing(space, 20, 1), fine = missing(space, 40, 1);
+    EXPECT_LT(std::abs(fine), 1e-4);
+    EXPECT_NEAR(coarse / fine, 4, 0.1);
+    EXPECT_GT(std::abs(missing(space, 40, 0)), 5e-3);
+  }
+}
+
 TEST(MortarModel, TheSavedAndTheLoadedModelContinueBitwiseEqual) {
   const signorini::test::ScratchFolder folder;
   const auto iron = [](Model<2>& model, int from, int to) {
