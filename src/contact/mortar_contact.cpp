@@ -31,19 +31,10 @@ MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLa
   if (!solves_multipliers()) return;
   conditions_.resize(at(functions_.count()));
   whole_ = functions_.areas(this->points_);
-  // Any area scales the conditions of a multiplier without contact points, which is always open.
-  const double largest = *std::max_element(whole_.begin(), whole_.end());
-  for (double& area : whole_)
-    if (area == 0) area = largest;
 }
 
 template <int D> std::vector<std::string> MortarContact<D>::extra_unknowns() const {
-  std::vector<std::string> names;
-  if (!solves_multipliers()) return names;
-  for (int a = 0; a < functions_.count(); ++a)
-    for (int i = 0; i < unknowns_per_multiplier<D>(frictional()); ++i)
-      names.push_back((i == 0 ? "pressure " : "friction ") + std::to_string(a + 1));
-  return names;
+  return solves_multipliers() ? unknown_names<D>(functions_.count(), frictional()) : std::vector<std::string>{};
 }
 
 // ── Gaps and slips weighted by multiplier ────────────────────────────────────────────────────────────────────────────
@@ -370,7 +361,6 @@ template <int D> void MortarContact<D>::commit_points(History<D>& present, doubl
 
 /// λ_A and λ_TA become the pressure and friction of the last evaluation.
 template <int D> void MortarContact<D>::augment(History<D>& history) const {
-  if (solves_multipliers()) return;
   for (std::size_t a = 0; a < history.multipliers.size(); ++a) {
     history.multipliers[a].pressure = history.multiplier_results[a].pressure;
     history.multipliers[a].friction = history.multiplier_results[a].components;
@@ -379,7 +369,6 @@ template <int D> void MortarContact<D>::augment(History<D>& history) const {
 
 /// Includes positive gaps, and elastic slip where a multiplier sticks.
 template <int D> double MortarContact<D>::violation(const History<D>& history) const {
-  if (solves_multipliers()) return 0;
   double farthest = 0;
   for (const MultiplierResult<D>& result : history.multiplier_results) {
     if (result.state == ContactState::open) continue;

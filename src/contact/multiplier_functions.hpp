@@ -32,7 +32,7 @@ public:
   const double* at_point(std::size_t i) const { return values_.data() + offsets_[i]; }
   /// The contact point at which a multiplier is largest; −1 if it has none.
   int largest(int multiplier) const { return largest_[at(multiplier)]; }
-  /// Reference areas of the multipliers, Σ w_k M_A over all points.
+  /// Reference areas of the multipliers, Σ w_k M_A over all points; the largest for those without points.
   std::vector<double> areas(const ContactPoints<D>& points) const;
   double memory() const;
 

@@ -124,10 +124,10 @@ template <int D> bool ActiveSet<D>::hold_back(const Histories& histories, Contro
       ++changed;
     }
   }
-  // The same states for the third time would be a cycle; for the second time they may be those of the accepted state.
-  const auto before_now = std::count_if(entries_.begin(), entries_.end() - 1,
-                                        [&](const Entry& entry) { return entry.states == now; });
-  if (changed <= 1 || before_now < 2) return false;
+  // The same states twice are the beginning of a cycle, unless they are those of the accepted state, at the front.
+  const bool again =
+      std::any_of(entries_.begin() + 1, entries_.end() - 1, [&](const Entry& entry) { return entry.states == now; });
+  if (changed <= 1 || !again) return false;
   for (std::size_t k = 0; k < histories.size(); ++k) {
     if (histories[k].multipliers.empty()) continue;
     for (int i = first_[k]; i < first_[k + 1]; ++i) {

@@ -73,7 +73,7 @@ private:
   std::vector<std::vector<contact::FaceCoordinates<D>>> frictions_; ///< per contact and multiplier, before
   bool frozen_ = false;
   int rounds_ = 0;
-  bool held_ = false;          ///< states are held in the present evaluation
+  bool held_ = false; ///< states are held in the present evaluation
 };
 
 } // namespace signorini::model

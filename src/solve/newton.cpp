@@ -4,6 +4,7 @@
 #include "base/interrupt.hpp"
 #include "solve/constants.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -78,7 +79,9 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
     report.begun = report.iterations;
     return true;
   }
-  if (residual > divergence_growth * (system.scale() + report.residuals.front()))
+  // The first residual is zero if the first solution only moves an obstacle.
+  const double first = pending && report.iterations > 0 ? report.residuals[1] : report.residuals.front();
+  if (residual > divergence_growth * (system.scale() + std::max(first, report.residuals.front())))
     return stop(Outcome::diverged, Message("solve.newton.diverged", {{"residual", residual}}));
   if (report.iterations - report.begun >= options.iterations)
     return stop(Outcome::iteration_limit,

@@ -77,18 +77,15 @@ end)
 
 -- ── Friction ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- A die with a half ring as face on a slab, which is the softer body and so the slave.
+--- A rigid cylinder on a slab.
 local function iron(own, order, mu)
-  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } },
-                       elements = { 6, 2 }, order = order, contact = "south", thickness_degree = 1,
-                       material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
+  local roller = sg.rigid.cylinder{ center = { 0.75, 1.5 }, radius = 0.5 }
   local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 16, 4 }, order = order,
                         contact = "north", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  own.slave, own.master, own.friction = slab:face "north", die:face "south", mu > 0 and { mu = mu } or nil
+  own.slave, own.master, own.friction = slab:face "north", roller, mu > 0 and { mu = mu } or nil
   return sg.model{
-    bodies   = { die = die, slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" },
-                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
+    bodies   = { slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = roller, drive = "xy" } },
     contacts = { interface = own },
   }
 end
