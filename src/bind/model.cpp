@@ -52,7 +52,8 @@ template <int D> std::string model_text(const model::Model<D>& model) {
   const char* kind = D == 3 ? "solid" : scene.kind == solid::Kind::axisymmetric ? "axisymmetric" : "plane-strain";
   return text(kind, " model of ", listed(names_of(scene.bodies)), ": ", model.system.unknowns.dofs(),
               " degrees of freedom, ", model.system.unknowns.size(), " of them free, ",
-              counted(scene.supports.size(), "support"), ", ", counted(scene.contacts.size(), "contact"));
+              counted(scene.supports.size(), "support"), ", ", counted(scene.contacts.size(), "contact"),
+              scene.ties.empty() ? "" : ", " + counted(scene.ties.size(), "tie"));
 }
 
 template <int D>
@@ -62,6 +63,7 @@ constexpr Function model_entries[] = {
     {"support_names", call<scene_names<D, &model::Scene<D>::supports>>},
     {"load_names", call<scene_names<D, &model::Scene<D>::loads>>},
     {"contact_names", call<scene_names<D, &model::Scene<D>::contacts>>},
+    {"tie_names", call<scene_names<D, &model::Scene<D>::ties>>},
     {"driven_names", call<driven_names<D>>},
     {"body", call<body_of<D>>},
     {"warnings", call<warnings<D>>},

@@ -4,6 +4,7 @@
 #include "model/linear_choice.hpp"
 #include "model/profile.hpp"
 #include "model/sample.hpp"
+#include "model/tie_results.hpp"
 #include "solve/factor_estimate.hpp"
 
 #include <set>
@@ -101,6 +102,24 @@ template <int D> int profile(const model::Model<D>& model, const std::string& na
               all.pressure, "traction", all.traction, "gap", all.gap, "state", all.state);
   if (D == 3)
     set_fields(L, "z", all.z, "Z", all.reference_z, "tx", all.traction_x, "ty", all.traction_y, "tz", all.traction_z);
+  return 1;
+}
+
+template <int D> int tie_resultant(const model::Model<D>& model, const std::string& name, lua_State* L) {
+  const auto now = model::tie_resultant(model, find(model.system.scene.ties, name, "tie"));
+  push_fields(L, "area", now.area, "part", now.part, "distance", now.distance);
+  set_force<D>(L, now.force);
+  return 1;
+}
+
+template <int D> int tie_profile(const model::Model<D>& model, const std::string& name, lua_State* L) {
+  const auto all = model::tie_profile(model, find(model.system.scene.ties, name, "tie"));
+  const auto& [x, y, z] = all.position;
+  const auto& [reference_x, reference_y, reference_z] = all.reference;
+  const auto& [tx, ty, tz] = all.traction;
+  push_fields(L, "x", x, "y", y, "X", reference_x, "Y", reference_y, "area", all.area, "pressure", all.pressure,
+              "traction", all.shear, "tx", tx, "ty", ty, "jump", all.jump);
+  if (D == 3) set_fields(L, "z", z, "Z", reference_z, "tz", tz);
   return 1;
 }
 
@@ -210,6 +229,8 @@ constexpr Function model_results_entries[] = {
     {"contact_law", call<contact_law<D>>},
     {"contact_resultant", call<contact_resultant<D>>},
     {"profile", call<profile<D>>},
+    {"tie_resultant", call<tie_resultant<D>>},
+    {"tie_profile", call<tie_profile<D>>},
     {"sample", call<sample<D>>},
     {"energy", call<energy<D>>},
     {"cost", call<cost<D>>},

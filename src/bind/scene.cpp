@@ -105,6 +105,15 @@ template <int D> model::Contact<D> swapped(const SceneBuilder<D>& builder, const
   return pass;
 }
 
+/// An entry of `ties`.
+template <int D> model::Tie read_tie(const SceneBuilder<D>& builder, const Arguments& a) {
+  lua_State* L = a.state();
+  model::Tie tie{{}, builder.face(L, a.push("slave"), a.name("slave")), {}, contact::MultiplierSpace::equal};
+  tie.master = builder.face(L, a.push("master"), a.name("master"));
+  if (a.get<std::string>("multipliers") == "reduced") tie.multipliers = contact::MultiplierSpace::reduced;
+  return tie;
+}
+
 template <int D> std::vector<model::NamedBody<D>> read_bodies(const Arguments& a) {
   std::vector<model::NamedBody<D>> bodies;
   a.each("bodies", [&](const std::string& name, int index, const std::string& path) {
@@ -127,6 +136,7 @@ void check_name(const Arguments& a, const model::Scene<D>& scene, const std::str
   clash(scene.supports, "support");
   clash(scene.loads, "load");
   clash(scene.contacts, "contact"); // the second one of two half passes
+  clash(scene.ties, "tie");
   if (name == "name" || name == "steps")
     a.fail(path, " cannot be called '", name, "', which is a key of stages: choose another name");
 }
@@ -181,6 +191,9 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
       scene.contacts[first + 1].other_pass = static_cast<int>(first);
     }
     return scene.contacts[first].name;
+  });
+  each("ties", [&](const Arguments& part, const std::string&) -> std::string& {
+    return scene.ties.emplace_back(read_tie(builder, part)).name;
   });
   if constexpr (D == 2)
     if (scene.kind == solid::Kind::axisymmetric) revolve(scene);

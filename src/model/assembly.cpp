@@ -10,8 +10,10 @@
 namespace signorini::model {
 
 template <int D>
-Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts)
-    : scene_(scene), unknowns_(unknowns), contacts_(contacts), placements_(contacts.size()),
+Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts,
+                      const contact::Ties<D>& ties)
+    : scene_(scene), unknowns_(unknowns), contacts_(contacts), ties_(tie_terms(scene, unknowns, ties)),
+      tie_border_(tie_border(scene, unknowns, ties)), placements_(contacts.size()),
       is_contact_unknown_(at(unknowns.size()), false), product_(unknowns.dofs()) {
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const solid::Body<D>& body = *scene_.bodies[b].body;
@@ -21,6 +23,7 @@ Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const 
   }
   build_bulk();
   cover(false);
+  if (!tie_border_.empty()) list_contact_unknowns();
 }
 
 template <int D> void Assembly<D>::build_bulk() {
@@ -41,6 +44,8 @@ template <int D> void Assembly<D>::build_bulk() {
       groups.push_back(std::move(group));
     }
   }
+  for (const auto& [multiplier, displacement, value] : ties_.couplings)
+    groups.push_back({unknowns_.unknown(multiplier), unknowns_.unknown(displacement)});
   bulk_pattern_ = solve::couple(unknowns_.size(), groups);
 
   // Positions in the order in which scatter() reads ElementArrays::blocks
@@ -92,13 +97,26 @@ template <int D> void Assembly<D>::cover(bool contacts) {
   for (std::size_t i = 0; i < positions_.size(); ++i) positions_[i] = moved[at(bulk_positions_[i])];
   diagonal_.clear();
   for (int i = 0; i < pattern_.size; ++i) diagonal_.push_back(pattern_.find(i, i));
+  tie_positions_.clear();
+  for (const auto& [multiplier, displacement, value] : ties_.couplings) {
+    const int i = unknowns_.unknown(multiplier), j = unknowns_.unknown(displacement);
+    tie_positions_.push_back(j < 0 ? -1 : pattern_.find(i, j));
+    tie_positions_.push_back(j < 0 ? -1 : pattern_.find(j, i));
+  }
   values_.resize(at(pattern_.entries()) + arrays_.size());
   for (auto& placements : placements_) placements.clear();
   if (linear_) build_constant();
   ++version_;
 }
 
-/// Computes the tangent of linear bodies.
+/// Adds the ties' constant tangent.
+template <int D> void Assembly<D>::add_ties(double* values) const {
+  for (std::size_t k = 0; k < tie_positions_.size(); ++k)
+    if (tie_positions_[k] >= 0) values[tie_positions_[k]] += ties_.couplings[k / 2].value;
+  for (const auto& [multiplier, value] : ties_.proximal) values[diagonal_[at(unknowns_.unknown(multiplier))]] += value;
+}
+
+/// Computes the tangent of linear bodies, with ties.
 template <int D> void Assembly<D>::build_constant() {
   constant_.assign(at(pattern_.entries()) + arrays_.size(), 0.0);
   const VectorX rest = VectorX::Zero(unknowns_.dofs());
@@ -110,77 +128,7 @@ template <int D> void Assembly<D>::build_constant() {
       scatter(static_cast<int>(b), e, arrays, constant_.data());
     }
   }
-}
-
-/// Extends contact_unknowns() if a contact acts on others: to the unknowns of all current blocks and of the slave
-/// elements around them, a quarter of the contact's width.
-template <int D> void Assembly<D>::watch_contacts() {
-  const auto all_known = [&](std::size_t k, const contact::Block& block) {
-    const Nodes& list = placements_[k].find(block.key())->second.columns;
-    return std::all_of(list.begin(), list.end(), [&](int dof) {
-      const int i = unknowns_.unknown(dof);
-      return i < 0 || is_contact_unknown_[at(i)];
-    });
-  };
-  bool known = true;
-  for (std::size_t k = 0; k < contacts_.size() && known; ++k)
-    for (const contact::Block& block : contacts_[k]->blocks()) known = known && all_known(k, block);
-  if (known) return;
-
-  std::fill(is_contact_unknown_.begin(), is_contact_unknown_.end(), false);
-  for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    const contact::Formulation<D>& contact = *contacts_[k];
-    const double blocks = static_cast<double>(contact.blocks().size());
-    const int margin = 2 + static_cast<int>((D == 2 ? blocks : std::sqrt(blocks)) / 4);
-    Nodes dofs;
-    for (const contact::Block& block : contact.blocks()) {
-      const Nodes& own = placements_[k].find(block.key())->second.columns;
-      dofs.insert(dofs.end(), own.begin(), own.end());
-      for (int alpha = 0; alpha < D - 1; ++alpha)
-        for (bool at_end : {false, true})
-          for (int i = 0, e = block.slave_element; e >= 0 && i < margin; ++i) {
-            e = contact.slave().neighbor(e, alpha, at_end);
-            if (e < 0) break;
-            contact.append_slave(e, unknowns_.of_contact(k), dofs);
-          }
-    }
-    for (int dof : dofs)
-      if (const int i = unknowns_.unknown(dof); i >= 0) is_contact_unknown_[at(i)] = true;
-  }
-  contact_unknowns_.clear();
-  for (int i = 0; i < unknowns_.size(); ++i)
-    if (is_contact_unknown_[at(i)]) contact_unknowns_.push_back(i);
-  ++contact_version_;
-}
-
-/// Determines the positions of all current blocks; returns false if the pattern does not contain them.
-template <int D> bool Assembly<D>::locate() {
-  for (std::size_t k = 0; k < contacts_.size(); ++k)
-    for (const contact::Block& block : contacts_[k]->blocks()) {
-      Placement& placement = placements_[k][block.key()];
-      if (!placement.positions.empty() && block.group < 0) continue;
-      Nodes dofs;
-      contacts_[k]->append_dofs(block, unknowns_.of_contact(k), dofs);
-      if (!placement.positions.empty() && dofs == placement.columns) continue;
-      placement.columns = std::move(dofs);
-      placement.rows.assign(placement.columns.begin(), placement.columns.begin() + block.rows);
-      std::vector<int> positions;
-      for (int row : placement.rows)
-        for (int column : placement.columns) {
-          const int i = unknowns_.unknown(row), j = unknowns_.unknown(column);
-          positions.push_back(i < 0 || j < 0 ? pattern_.entries() : pattern_.find(i, j));
-          if (positions.back() < 0) return false;
-        }
-      placement.positions = std::move(positions);
-    }
-  return true;
-}
-
-template <int D> void Assembly<D>::forget_contacts() {
-  cover(false);
-  std::fill(is_contact_unknown_.begin(), is_contact_unknown_.end(), false);
-  contact_unknowns_.clear();
-  ++contact_version_;
+  add_ties(constant_.data());
 }
 
 template <int D>
@@ -190,8 +138,10 @@ std::optional<BodyInversion> Assembly<D>::assemble(const States<D>& states, cons
   const std::optional<BodyInversion> inverted = add_bulk(request, timings);
   if (inverted) return inverted;
   ScopedTimer timer(timings.contact);
-  if (linear_ || D == 3) watch_contacts();
+  if (linear_ || D == 3 || !tie_border_.empty()) watch_contacts();
   add_contacts(request);
+  ties_.multiply(states.present.displacement, states.present.force);
+  if (direction) ties_.multiply(*direction, product_);
   if (tangent) find_diagonal_norm();
   return std::nullopt;
 }
@@ -273,10 +223,12 @@ template <int D> void Assembly<D>::clear(const Request& request) {
   request.states.present.force.setZero();
   if (request.direction) product_.setZero();
   if (!request.tangent) return;
-  if (linear_)
+  if (linear_) {
     std::copy(constant_.begin(), constant_.end(), values_.begin());
-  else
+  } else {
     std::fill(values_.begin(), values_.end(), 0.0);
+    add_ties(values_.data());
+  }
 }
 
 template <int D> void Assembly<D>::add_elements(const std::vector<int>& elements, const Request& request, Task& task) {
@@ -370,7 +322,8 @@ template <int D> void Assembly<D>::add_diagonal(const VectorX& shift) {
 
 template <int D> double Assembly<D>::memory() const {
   const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
-  double sum = bytes(values_) + bytes(constant_) + bytes(positions_) + bytes(bulk_positions_);
+  double sum = bytes(values_) + bytes(constant_) + bytes(positions_) + bytes(bulk_positions_) + bytes(ties_.couplings) +
+               bytes(tie_positions_);
   for (const solve::Pattern* pattern : {&bulk_pattern_, &pattern_})
     sum += bytes(pattern->starts) + bytes(pattern->rows);
   for (const auto& placements : placements_)

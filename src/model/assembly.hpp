@@ -3,6 +3,7 @@
 
 #include "model/partition.hpp"
 #include "model/state.hpp"
+#include "model/tie_terms.hpp"
 #include "solid/internal.hpp"
 #include "solve/pattern.hpp"
 
@@ -32,7 +33,8 @@ template <int D> struct States {
 
 template <int D> class Assembly {
 public:
-  Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts);
+  Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts,
+           const contact::Ties<D>& ties);
 
   /// Assembles the force f_int + f_c of all degrees of freedom, into the present state, and the tangent of the
   /// unknowns. Contacts write foot points and results into the present state. product() becomes the full tangent times
@@ -45,7 +47,7 @@ public:
 
   /// Moves the contacts' faces to the positions of bodies and obstacles at `displacement`.
   void move(const VectorX& displacement) const;
-  /// Resets the pattern to that of the bodies, without contact unknowns, as after construction.
+  /// Resets the pattern to that of bodies and ties, without contact unknowns, as after construction.
   void forget_contacts();
 
   const VectorX& product() const { return product_; }
@@ -54,10 +56,10 @@ public:
   const solve::Pattern& pattern() const { return pattern_; }
   /// Incremented whenever the pattern changes.
   int pattern_version() const { return version_; }
-  /// The constant tangent of the bodies if all are linear elastic; otherwise empty.
+  /// The constant tangent of bodies and ties if all bodies are linear elastic; otherwise empty.
   const std::vector<double>& constant_values() const { return constant_; }
   /// The unknowns on which contacts act or may soon act, sorted. The list is extended in large pieces, each with a new
-  /// contact_version(). Maintained for linear bodies and in 3D.
+  /// contact_version(). Maintained for linear bodies, in 3D and with ties, whose tie_border() it contains.
   const std::vector<int>& contact_unknowns() const { return contact_unknowns_; }
   int contact_version() const { return contact_version_; }
   /// 2-norm of the last tangent's diagonal; 0 before the first.
@@ -73,6 +75,8 @@ private:
   using Nodes = std::vector<int>;
   void build_bulk();
   void build_constant();
+  void list_contact_unknowns();
+  void add_ties(double* values) const;
   void cover(bool contacts);
   bool locate();
   void watch_contacts();
@@ -101,6 +105,8 @@ private:
   const Scene<D>& scene_;
   const Unknowns<D>& unknowns_;
   const contact::Formulations<D>& contacts_;
+  TieTerms ties_;
+  std::vector<int> tie_border_;
   solve::Pattern bulk_pattern_, pattern_;
   std::vector<int> bulk_positions_, positions_;          ///< per element and block entry: in bulk_pattern_, in pattern_
   std::vector<std::vector<std::size_t>> first_position_; ///< [body][element]
@@ -108,6 +114,7 @@ private:
   std::vector<std::unordered_map<std::uint64_t, Placement>> placements_; ///< per contact, by Block::key()
   std::vector<Partition> partitions_;                                    ///< per body
   std::vector<solid::ElementArrays<D>> arrays_;                          ///< per body and share of its partition
+  std::vector<int> tie_positions_; ///< in values_, of each coupling and its transpose; −1 without unknown
   std::vector<int> diagonal_;
   std::vector<double> values_;   ///< after the entries one per share, for those of prescribed degrees of freedom
   std::vector<double> constant_; ///< bulk values of linear bodies, in the order of pattern_

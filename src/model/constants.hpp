@@ -55,6 +55,18 @@ inline constexpr double whole_depth = 0.9;
 /// Overlap with a rigid obstacle relative to the body's size that is due to rounding error and inexact geometry.
 inline constexpr double obstacle_overlap = 0.01;
 
+// ── Ties ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Multipliers of ties are divided by this multiple of E/h, and the proximal term η on their diagonal, see TieTerms.
+inline constexpr double tie_scale = 10, tie_proximal = 1e-8;
+/// Largest distance of tied faces relative to an element's length: chords of arcs of 45° are 0.1 of their length away
+/// from them.
+inline constexpr double most_seam_distance = 0.1;
+/// Fraction from which a face counts as tied as a whole.
+inline constexpr double least_whole = 1 - 1e-6;
+/// Relative residual up to which rigid-body modes depend on each other at prescribed control points.
+inline constexpr double dependent_modes = 1e-8;
+
 // ── Diagnosis ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Limit of places in a diagnosis.

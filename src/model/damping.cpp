@@ -10,16 +10,50 @@
 
 namespace signorini::model {
 
+namespace {
+
+/// The bodies of a scene, those together that ties join.
+template <int D> std::vector<std::vector<int>> tied_groups(const Scene<D>& scene) {
+  std::vector<std::vector<int>> groups;
+  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) groups.push_back({b});
+  const auto group_of = [&](int body) {
+    return std::find_if(groups.begin(), groups.end(),
+                        [&](const auto& group) { return std::find(group.begin(), group.end(), body) != group.end(); });
+  };
+  for (const Tie& tie : scene.ties) {
+    const auto first = group_of(tie.slave.body), second = group_of(tie.master.body);
+    if (first == second) continue;
+    first->insert(first->end(), second->begin(), second->end());
+    groups.erase(second);
+  }
+  return groups;
+}
+
+} // namespace
+
 template <int D>
 std::vector<UnconstrainedMotion> unconstrained_motions(const Scene<D>& scene, const Unknowns<D>& unknowns) {
   std::vector<UnconstrainedMotion> unconstrained;
-  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
-    for (VectorX& motion : rigid_motions<D>(scene.bodies[at(b)].body->space().points(), scene.kind)) {
-      bool free = true;
-      for (Eigen::Index i = 0; i < motion.size() && free; ++i)
-        free = std::abs(motion(i)) < 1e-12 || unknowns.unknown(unknowns.offset(b) + static_cast<int>(i)) >= 0;
-      if (free) unconstrained.push_back({b, std::move(motion)});
+  for (const std::vector<int>& group : tied_groups(scene)) {
+    MatrixX points(D, 0);
+    for (const int b : group) {
+      const MatrixX own = scene.bodies[at(b)].body->space().points();
+      points.conservativeResize(D, points.cols() + own.cols());
+      points.rightCols(own.cols()) = own;
     }
+    for (const VectorX& motion : rigid_motions<D>(points, scene.kind)) {
+      std::vector<UnconstrainedMotion> parts;
+      bool free = true;
+      for (Eigen::Index first = 0; const int b : group) {
+        const VectorX own = motion.segment(first, D * scene.bodies[at(b)].body->functions());
+        for (Eigen::Index i = 0; i < own.size() && free; ++i)
+          free = std::abs(own(i)) < 1e-12 || unknowns.unknown(unknowns.offset(b) + static_cast<int>(i)) >= 0;
+        first += own.size();
+        parts.push_back({b, own});
+      }
+      if (free) unconstrained.insert(unconstrained.end(), parts.begin(), parts.end());
+    }
+  }
   return unconstrained;
 }
 
@@ -58,6 +92,11 @@ std::vector<double> strides(const Scene<D>& scene, const contact::Formulations<D
       for (const double gap : contacts[k]->gaps(state.contacts[k])) distance = std::min(distance, std::abs(gap));
     note(scene.contacts[k].slave.body, distance);
     if (const auto* face = std::get_if<FaceReference>(&scene.contacts[k].master)) note(face->body, distance);
+  }
+  for (const std::vector<int>& group : tied_groups(scene)) {
+    double least = infinity;
+    for (const int b : group) least = std::min(least, nearest[at(b)]);
+    for (const int b : group) nearest[at(b)] = least;
   }
   for (double& distance : nearest) distance = distance == infinity ? small : std::max(distance, small);
   return nearest;

@@ -10,7 +10,7 @@ namespace signorini::model {
 
 /// A rigid-body mode that no support prevents: a translation or rotation of the reference configuration (of a body of
 /// revolution the translation along the axis) without prescribed degrees of freedom; the largest component is at
-/// most 1.
+/// most 1. Tied bodies move as one, and each has its part of the motion.
 struct UnconstrainedMotion {
   int body;
   VectorX motion; ///< of the body's degrees of freedom
@@ -28,8 +28,8 @@ template <int D>
 VectorX damping(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::vector<UnconstrainedMotion>& motions,
                 const VectorX& diagonal, const VectorX& force, const std::vector<double>& stride);
 
-/// Largest motion of each body in one iteration: the smallest gap of its contacts, at least `small`; `small` if any of
-/// them is closed.
+/// Largest motion of each body in one iteration: the smallest gap of the contacts of its tied bodies, at least `small`;
+/// `small` if any of them is closed.
 template <int D>
 std::vector<double> strides(const Scene<D>& scene, const contact::Formulations<D>& contacts, const State<D>& state,
                             double small);

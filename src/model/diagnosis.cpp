@@ -291,14 +291,16 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
                      {{"gap", constraint(model.present.contacts[at(point.contact)], point.point).gap}});
     });
   if (report.outcome == Outcome::singular_tangent && has_tangent) {
-    const WeakDirection weak = null_direction(assembly.pattern(), assembly.values());
+    const WeakDirection weak =
+        null_direction(assembly.pattern(), assembly.values(), model.system.unknowns.free_displacements());
     add_direction(diagnosis, model, weak);
     if (weak.direction.norm() > 0) diagnosis.remedies = cure_of_sliding(model, weak.direction);
   }
   const bool stalls = report.outcome == Outcome::iteration_limit || report.outcome == Outcome::diverged ||
                       report.outcome == Outcome::line_search;
   if (stalls && has_tangent) {
-    const WeakDirection softest = softest_direction(assembly.pattern(), assembly.values());
+    const WeakDirection softest =
+        softest_direction(assembly.pattern(), assembly.values(), model.system.unknowns.free_displacements());
     if (softest.stiffness < 0) {
       diagnosis.outcome = Outcome::indefinite;
       diagnosis.messages.emplace_back("model.diagnosis.indefinite");

@@ -8,7 +8,7 @@ template <int D> LinearFacts linear_facts(const System<D>& system) {
       std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& named) { return named.body->linear(); });
   const bool potential = std::all_of(system.contacts.begin(), system.contacts.end(),
                                      [](const auto& contact) { return contact->has_potential(); });
-  return {linear && !scene.contacts.empty(), potential};
+  return {linear && !(scene.contacts.empty() && scene.ties.empty()), potential};
 }
 
 bool can_condense(const LinearFacts& facts, bool damps) {

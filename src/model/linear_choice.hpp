@@ -8,7 +8,7 @@ namespace signorini::model {
 
 /// Properties of a scene that decide the choice.
 struct LinearFacts {
-  bool constant_bulk; ///< all bodies are linear elastic and there is contact: only the contacts' part changes
+  bool constant_bulk; ///< all bodies are linear elastic and there are contacts or ties: only the contacts' part changes
   bool potential;     ///< the tangent is symmetric: all contacts have a potential
 };
 

@@ -23,7 +23,7 @@ Model<D>::Model(Scene<D> scene)
   system.commit(present, accepted);
   accepted = present;
   scene_warnings = check_clearance(system.scene, accepted.contacts);
-  for (Message& warning : model::scene_warnings(system.scene, system.contacts))
+  for (Message& warning : model::scene_warnings(system.scene, system.contacts, system.ties))
     scene_warnings.push_back(std::move(warning));
 }
 

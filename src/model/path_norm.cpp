@@ -7,11 +7,9 @@ namespace signorini::model {
 template <int D> VectorX path_weights(const Scene<D>& scene, const Unknowns<D>& unknowns) {
   VectorX weights = VectorX::Zero(unknowns.dofs());
   double volume = 0;
-  Eigen::Index bodies_end = 0;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const solid::Body<D>& body = *scene.bodies[b].body;
     const int offset = unknowns.offset(static_cast<int>(b));
-    bodies_end = std::max<Eigen::Index>(bodies_end, offset + D * body.functions());
     for (int e = 0; e < body.elements(); ++e) {
       const MatrixX points = solid::element_quadrature(body.space(), e).points;
       for (int q = 0; q < points.cols(); ++q) {
@@ -25,7 +23,7 @@ template <int D> VectorX path_weights(const Scene<D>& scene, const Unknowns<D>& 
     }
   }
   weights /= volume;
-  weights.tail(weights.size() - bodies_end).setOnes(); // the obstacles'
+  for (int i = 0; i < D * static_cast<int>(scene.obstacles.size()); ++i) weights(unknowns.obstacle_offset(0) + i) = 1;
   return weights;
 }
 

@@ -76,6 +76,7 @@ template <int D> double search_seconds(const Model<D>& model) {
 template <int D> double memory(const Model<D>& model) {
   double bytes = model.system.assembly.memory();
   for (const auto& named : model.system.scene.bodies) bytes += static_cast<double>(named.body->memory());
+  for (const contact::Tie<D>& tie : model.system.ties) bytes += tie.memory();
   return bytes;
 }
 

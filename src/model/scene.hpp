@@ -1,8 +1,9 @@
 #pragma once
-// Scene of a model: named bodies, supports, loads, obstacles and contacts, as plain values.
+// Scene of a model: named bodies, supports, loads, obstacles, contacts and ties, as plain values.
 
 #include "base/message.hpp"
 #include "contact/method.hpp"
+#include "contact/tie.hpp"
 #include "solid/body.hpp"
 
 #include <array>
@@ -73,12 +74,20 @@ template <int D> struct Contact {
   bool default_penalty = false; ///< its penalty is from material and mesh
 };
 
+/// Two faces that move as one, see contact/tie.hpp.
+struct Tie {
+  std::string name;
+  FaceReference slave, master;
+  contact::MultiplierSpace multipliers;
+};
+
 template <int D> struct Scene {
   std::vector<NamedBody<D>> bodies;
   std::vector<contact::Obstacle<D>> obstacles = {}; ///< fixed unless a support drives them
   std::vector<Support<D>> supports;
   std::vector<Load> loads = {};
   std::vector<Contact<D>> contacts;
+  std::vector<Tie> ties = {};
   solid::Kind kind = solid::Kind::plane_strain; ///< of all bodies
 };
 

@@ -29,6 +29,11 @@ auto members(Load& load) {
   return std::tie(name, on, pressure, start);
 }
 
+auto members(Tie& tie) {
+  auto& [name, slave, master, multipliers] = tie;
+  return std::tie(name, slave, master, multipliers);
+}
+
 template <int D> void write(ArchiveWriter& to, const NamedBody<D>& named) {
   const auto& [name, body] = named;
   to.put(name, *body);
@@ -92,15 +97,15 @@ template <int D> Contact<D> read_contact(ArchiveReader& from) {
   return contact;
 }
 
-/// The parts in order: kind and numbers, bodies, obstacles, supports, loads, contacts.
+/// The parts in order: kind and numbers, bodies, obstacles, supports, loads, contacts, ties.
 struct Counts {
   solid::Kind kind;
-  int bodies, obstacles, supports, loads, contacts;
+  int bodies, obstacles, supports, loads, contacts, ties;
 };
 
 auto members(Counts& counts) {
-  auto& [kind, bodies, obstacles, supports, loads, contacts] = counts;
-  return std::tie(kind, bodies, obstacles, supports, loads, contacts);
+  auto& [kind, bodies, obstacles, supports, loads, contacts, ties] = counts;
+  return std::tie(kind, bodies, obstacles, supports, loads, contacts, ties);
 }
 
 template <class Part> ScenePart named(const char* kind, const std::string& name, const Part& part) {
@@ -113,10 +118,10 @@ template <class Part> ScenePart named(const char* kind, const std::string& name,
 
 template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
   const Scene<D>& scene = model.system.scene;
-  const auto& [bodies, obstacles, supports, loads, contacts, kind] = scene;
+  const auto& [bodies, obstacles, supports, loads, contacts, ties, kind] = scene;
   const auto size = [](const auto& list) { return static_cast<int>(list.size()); };
   ArchiveWriter counts;
-  counts.put(Counts{kind, size(bodies), size(obstacles), size(supports), size(loads), size(contacts)});
+  counts.put(Counts{kind, size(bodies), size(obstacles), size(supports), size(loads), size(contacts), size(ties)});
   std::vector<ScenePart> parts{{"the kind of scene or the number of its parts", counts.bytes()}};
   const auto add = [&](const char* what, const auto& list) {
     for (const auto& item : list) parts.push_back(named(what, item.name, [&](ArchiveWriter& to) { to.put(item); }));
@@ -129,6 +134,7 @@ template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
   for (std::size_t k = 0; k < contacts.size(); ++k)
     parts.push_back(named("contact", contacts[k].name,
                           [&](ArchiveWriter& to) { write_contact(to, contacts[k], *model.system.contacts[k]); }));
+  add("tie", ties);
   return parts;
 }
 
@@ -152,6 +158,7 @@ template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts) {
     ArchiveReader from = part();
     scene.contacts.push_back(read_contact<D>(from));
   }
+  fill(scene.ties, counts.ties);
   return scene;
 }
 

@@ -4,6 +4,7 @@
 #include "base/index.hpp"
 #include "model/constants.hpp"
 #include "model/thickness.hpp"
+#include "model/ties.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +15,8 @@ namespace signorini::model {
 
 namespace {
 
-/// E/h behind a face.
-template <int D> PenaltyRatio element_stiffness(const Scene<D>& scene, const FaceReference& face) {
-  const NamedBody<D>& named = scene.bodies[at(face.body)];
-  const nurbs::Discretization& space = named.body->space();
-  const double height = thickness(scene, face) / space.elements(face.side.direction);
-  return {0, named.body->material().constants().youngs_modulus / height, named.name};
+template <int D> PenaltyRatio ratio_behind(const Scene<D>& scene, const FaceReference& face) {
+  return {0, element_stiffness(scene, face), scene.bodies[at(face.body)].name};
 }
 
 /// The lowest degree of a body's functions, and a direction with this degree.
@@ -109,16 +106,18 @@ void warn_of_twins(const Scene<D>& scene, const contact::Formulations<D>& contac
 template <int D>
 PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact,
                            const contact::Formulation<D>& formulation) {
-  PenaltyRatio softest = element_stiffness(scene, contact.slave);
+  PenaltyRatio softest = ratio_behind(scene, contact.slave);
   if (const auto* face = std::get_if<FaceReference>(&contact.master)) {
-    const PenaltyRatio other = element_stiffness(scene, *face);
+    const PenaltyRatio other = ratio_behind(scene, *face);
     if (other.stiffness < softest.stiffness) softest = other;
   }
   softest.ratio = formulation.penalty() / softest.stiffness;
   return softest;
 }
 
-template <int D> std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts) {
+template <int D>
+std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts,
+                                    const contact::Ties<D>& ties) {
   std::vector<Message> warnings;
   warn_of_locking(scene, warnings);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -126,12 +125,13 @@ template <int D> std::vector<Message> scene_warnings(const Scene<D>& scene, cons
     warn_of_stiffness(scene, scene.contacts[k], *contacts[k], warnings);
   }
   warn_of_twins(scene, contacts, warnings);
+  warn_of_ties(scene, ties, warnings);
   return warnings;
 }
 
 template PenaltyRatio penalty_ratio(const Scene<2>&, const Contact<2>&, const contact::Formulation<2>&);
 template PenaltyRatio penalty_ratio(const Scene<3>&, const Contact<3>&, const contact::Formulation<3>&);
-template std::vector<Message> scene_warnings<2>(const Scene<2>&, const contact::Formulations<2>&);
-template std::vector<Message> scene_warnings<3>(const Scene<3>&, const contact::Formulations<3>&);
+template std::vector<Message> scene_warnings(const Scene<2>&, const contact::Formulations<2>&, const contact::Ties<2>&);
+template std::vector<Message> scene_warnings(const Scene<3>&, const contact::Formulations<3>&, const contact::Ties<3>&);
 
 } // namespace signorini::model

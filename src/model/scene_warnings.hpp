@@ -16,7 +16,10 @@ PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact,
                            const contact::Formulation<D>& formulation);
 
 /// Warnings about Poisson's ratios that cause locking, coefficients of friction that look like angles, penalty
-/// parameters out of range, and duplicate contacts between the same points. `contacts` are those of the scene.
-template <int D> std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts);
+/// parameters out of range, duplicate contacts between the same points, and ties (ties.hpp). `contacts` and `ties` are
+/// those of the scene.
+template <int D>
+std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts,
+                                    const contact::Ties<D>& ties);
 
 } // namespace signorini::model

@@ -4,6 +4,7 @@
 #include "base/index.hpp"
 #include "model/default_penalty.hpp"
 #include "model/path_norm.hpp"
+#include "model/ties.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -51,8 +52,8 @@ template <int D> Scene<D> without_regions(Scene<D> scene) {
 
 template <int D>
 System<D>::System(Scene<D> given)
-    : contacts(make_contacts(completed(given))), scene(without_regions(std::move(given))), unknowns(scene, contacts),
-      drives(scene, unknowns), assembly(scene, unknowns, contacts) {
+    : contacts(make_contacts(completed(given))), ties(make_ties(given)), scene(without_regions(std::move(given))),
+      unknowns(scene, contacts, ties), drives(scene, unknowns), assembly(scene, unknowns, contacts, ties) {
   for (const auto& obstacle : scene.obstacles) size = std::max(size, contact::largest_coordinate<D>(obstacle));
   for (const auto& named : scene.bodies) {
     const MatrixX points = named.body->space().points();

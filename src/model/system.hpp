@@ -8,13 +8,14 @@
 namespace signorini::model {
 
 template <int D> struct System {
-  /// Throws Error for a scene without bodies, a contact of a face with itself, faces other than tensor-product faces,
-  /// or contradictory supports.
+  /// Throws Error for a scene without bodies, a contact of a face with itself, ties as make_ties(), faces other than
+  /// tensor-product faces, or contradictory supports.
   explicit System(Scene<D> given);
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
   contact::Formulations<D> contacts; ///< in the scene's order, with the current positions of their faces
+  const contact::Ties<D> ties;       ///< in the scene's order
   const Scene<D> scene;
   const Unknowns<D> unknowns;
   const Drives<D> drives;

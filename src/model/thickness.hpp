@@ -12,4 +12,11 @@ template <int D> double thickness(const Scene<D>& scene, const FaceReference& fa
   return thickness(scene.bodies[at(face.body)].body->space(), face.side);
 }
 
+/// E/h behind a face, h the thickness of the elements there.
+template <int D> double element_stiffness(const Scene<D>& scene, const FaceReference& face) {
+  const solid::Body<D>& body = *scene.bodies[at(face.body)].body;
+  return body.material().constants().youngs_modulus /
+         (thickness(scene, face) / body.space().elements(face.side.direction));
+}
+
 } // namespace signorini::model

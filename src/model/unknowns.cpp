@@ -22,7 +22,8 @@ std::string component_name(int component) {
   return std::string(1, static_cast<char>('x' + component));
 }
 
-template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& contacts) {
+template <int D>
+Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& contacts, const contact::Ties<D>& ties) {
   int count = 0;
   for (const auto& body : scene.bodies) {
     offsets_.push_back(count);
@@ -94,16 +95,24 @@ template <int D> Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::For
     }
   }
   displacements_ = count;
+  free_displacements_ = size_;
+  const auto add = [&](int further) {
+    for (int i = 0; i < further; ++i) {
+      constrained_.push_back(false);
+      unknown_.push_back(size_++);
+    }
+  };
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<D>& contact = scene.contacts[k];
     const auto* face = std::get_if<FaceReference>(&contact.master);
     const int master =
         face ? offset(face->body) : obstacle_offset(std::get<ObstacleReference>(contact.master).obstacle);
     of_contacts_.push_back({offset(contact.slave.body), master, dofs()});
-    for (std::size_t i = contacts[k]->extra_unknowns().size(); i > 0; --i) {
-      constrained_.push_back(false);
-      unknown_.push_back(size_++);
-    }
+    add(static_cast<int>(contacts[k]->extra_unknowns().size()));
+  }
+  for (const contact::Tie<D>& tie : ties) {
+    of_ties_.push_back(dofs());
+    add(tie.multipliers());
   }
 }
 

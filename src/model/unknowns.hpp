@@ -9,24 +9,29 @@
 namespace signorini::model {
 
 /// Degrees of freedom are numbered by body, control point and component, then by obstacle, D translations each, then by
-/// contact, the additional unknowns of its formulation, which are all free. The free ones are numbered consecutively as
-/// unknowns. The control points of a rotating support share one unknown for each free component of its translation.
-/// Coincident control points of a body, such as the pole of a sphere, share their unknowns; a support of one of them
-/// acts on all.
+/// contact, the additional unknowns of its formulation, and by tie, its multipliers, which are all free. The free ones
+/// are numbered consecutively as unknowns. The control points of a rotating support share one unknown for each free
+/// component of its translation. Coincident control points of a body, such as the pole of a sphere, share their
+/// unknowns; a support of one of them acts on all.
 template <int D> class Unknowns {
 public:
   /// Throws Error if two supports constrain the same component in contradictory ways.
-  explicit Unknowns(const Scene<D>& scene, const contact::Formulations<D>& contacts = {});
+  explicit Unknowns(const Scene<D>& scene, const contact::Formulations<D>& contacts = {},
+                    const contact::Ties<D>& ties = {});
 
   int dofs() const { return static_cast<int>(unknown_.size()); }
-  /// Number of degrees of freedom that are displacements; those of contacts follow.
+  /// Number of degrees of freedom that are displacements; those of contacts and ties follow.
   int displacements() const { return displacements_; }
   int size() const { return size_; }
+  /// Number of unknowns that are displacements; those of contacts and ties follow.
+  int free_displacements() const { return free_displacements_; }
   /// First degree of freedom of a body, and of an obstacle.
   int offset(int body) const { return offsets_[at(body)]; }
   int obstacle_offset(int obstacle) const { return obstacles_ + D * obstacle; }
   /// First degrees of freedom of a contact's faces and additional unknowns.
   const contact::Offsets& of_contact(std::size_t contact) const { return of_contacts_[contact]; }
+  /// First degree of freedom of a tie's multipliers.
+  int of_tie(std::size_t tie) const { return of_ties_[tie]; }
   /// Unknown of a degree of freedom; −1 if it is prescribed.
   int unknown(int dof) const { return unknown_[at(dof)]; }
   /// Whether a support constrains this degree of freedom: it is prescribed, or rotates with others.
@@ -44,8 +49,8 @@ public:
   double constrained_norm(const VectorX& values) const;
 
 private:
-  int size_ = 0, obstacles_ = 0, displacements_ = 0;
-  std::vector<int> offsets_, unknown_;
+  int size_ = 0, obstacles_ = 0, displacements_ = 0, free_displacements_ = 0;
+  std::vector<int> offsets_, unknown_, of_ties_;
   std::vector<contact::Offsets> of_contacts_;
   std::vector<char> constrained_;
   std::vector<std::vector<int>> of_support_;

@@ -6,6 +6,7 @@
 #include "solve/values.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace signorini::model {
 
@@ -40,17 +41,24 @@ MatrixX start_vectors(int size, int count) {
 }
 
 /// Ritz pair with the lowest value in the space obtained by inverse iteration of `matrix`.
-WeakDirection iterate(const solve::Pattern& pattern, const std::vector<double>& matrix, int count, int rounds) {
+WeakDirection iterate(const solve::Pattern& pattern, const std::vector<double>& matrix, int displacements, int count,
+                      int rounds) {
   constexpr double relative_shift = 1e-12; // makes a singular matrix regular
   const std::vector<double> regular = shifted(pattern, matrix, relative_shift * largest_entry(pattern, matrix));
   const auto solver = solve::make_solver(solve::LinearKind::umfpack, pattern);
-  count = std::min(count, pattern.size);
-  MatrixX x = orthonormal(start_vectors(pattern.size, count));
+  count = std::min(count, displacements);
+  // Multipliers have no inertia: where they follow the displacements, inverse iteration of diag(K, 0) converges to the
+  // eigenvectors of the constrained displacements.
+  const auto without_multipliers = [&](MatrixX y) {
+    y.bottomRows(pattern.size - displacements).setZero();
+    return orthonormal(std::move(y));
+  };
+  MatrixX x = without_multipliers(start_vectors(pattern.size, count));
   if (!solver->factor(regular.data())) return {VectorX::Zero(pattern.size), 0};
   for (int round = 0; round < rounds; ++round) {
     for (int j = 0; j < count; ++j)
       if (!solver->solve(x.col(j).data())) return {VectorX::Zero(pattern.size), 0};
-    x = orthonormal(x);
+    x = without_multipliers(std::move(x));
   }
   const MatrixX small = x.transpose().lazyProduct(times(pattern, matrix, x));
   const auto [value, vector] = solve::least_eigenpair(0.5 * (small + small.transpose()));
@@ -59,15 +67,15 @@ WeakDirection iterate(const solve::Pattern& pattern, const std::vector<double>& 
 
 } // namespace
 
-WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values) {
-  return iterate(pattern, values, 1, 6);
+WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements) {
+  return iterate(pattern, values, displacements, 1, 6);
 }
 
-WeakDirection softest_direction(const solve::Pattern& pattern, const std::vector<double>& values) {
+WeakDirection softest_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements) {
   std::vector<double> symmetric;
   solve::Symmetry(pattern).transpose(values.data(), symmetric);
   for (std::size_t i = 0; i < symmetric.size(); ++i) symmetric[i] = 0.5 * (symmetric[i] + values[i]);
-  return iterate(pattern, symmetric, 8, 12);
+  return iterate(pattern, symmetric, displacements, 8, 12);
 }
 
 } // namespace signorini::model

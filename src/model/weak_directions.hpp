@@ -14,11 +14,12 @@ struct WeakDirection {
 };
 
 /// Approximate null vector of a singular or nearly singular K, by inverse iteration with K + σI. `values` in the order
-/// of the pattern.
-WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values);
+/// of the pattern. The unknowns from number `displacements` on are multipliers, and zero in the direction.
+WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements);
 
 /// The eigenvector with the lowest eigenvalue among those of the symmetric part of K with smallest magnitude, by
-/// inverse subspace iteration (K.-J. Bathe, Finite Element Procedures, 1996, 11.6).
-WeakDirection softest_direction(const solve::Pattern& pattern, const std::vector<double>& values);
+/// inverse subspace iteration (K.-J. Bathe, Finite Element Procedures, 1996, 11.6); with multipliers of the
+/// displacements that they admit.
+WeakDirection softest_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements);
 
 } // namespace signorini::model

@@ -57,6 +57,12 @@ inline constexpr double near_floor = 10, least_fall = 0.5;
 /// Growth of the residual, relative to forces and first residual, from which Newton's method does not recover.
 inline constexpr double divergence_growth = 1e12;
 
+// ── Schur complements with multipliers ───────────────────────────────────────────────────────────────────────────────
+
+/// Factors by which the shift of a row of multipliers is raised, relative to the largest entry of the matrix, until the
+/// shifted matrix is positive definite; soft bodies need large ones. The largest leaves half of the digits.
+inline constexpr double raise_step = 100, most_raise = 1e8;
+
 // ── Line search ──────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Shortest fraction of a move: seven halvings.

@@ -56,6 +56,7 @@ private:
   void analyze_in_order(cholmod_sparse& matrix, const std::vector<int>& order, bool postorder);
   bool order_by_degree(cholmod_sparse& matrix);
   void dissect(cholmod_sparse& matrix);
+  bool factor_shifted(const double* values);
   void read_factor();
 
   double dissect_above_;
@@ -66,6 +67,8 @@ private:
   std::vector<char> last_;      ///< marks the border
   std::vector<int> dissection_; ///< METIS' ordering of all unknowns
   double best_ = 0;             ///< operations with it, for the pattern it was made for
+  double raise_ = 1;            ///< factor on the shifts of rows without a positive diagonal
+  bool raises_ = false;         ///< whether the last matrix has such rows
   std::vector<int> order_;      ///< unknown at each row of L
   std::vector<int> border_;     ///< its last part
   MatrixX corner_, complement_; ///< L_cc, S
@@ -136,13 +139,29 @@ void SchurCholesky::analyze(const Pattern& pattern, const std::vector<int>& bord
 }
 
 bool SchurCholesky::factor(const double* values) {
+  bool factored = factor_shifted(values);
+  // If the factorization ends in the border, the shift of a row without a positive diagonal was too small.
+  while (!factored && raises_ && common_.status == CHOLMOD_NOT_POSDEF && raise_ < most_raise &&
+         static_cast<int>(lower_.factor->minor) >= interior()) {
+    raise_ *= raise_step;
+    factored = factor_shifted(values);
+  }
+  if (!factored) raise_ = 1;
+  return factored && pivots_.regular();
+}
+
+/// Factors the matrix with shifts on the border's diagonal, which makes it positive definite, and removes them from the
+/// complement. The rows of multipliers have no positive entry to derive a shift from.
+bool SchurCholesky::factor_shifted(const double* values) {
   std::vector<double> shifted(values, values + pattern_.entries());
   VectorX shift = VectorX::Zero(border_.size());
   double largest = 0;
+  raises_ = false;
   for (double value : shifted) largest = std::max(largest, std::abs(value));
   for (int k = 0; k < shift.size(); ++k) {
     double& value = shifted[at(pattern_.find(border_[at(k)], border_[at(k)]))];
-    shift(k) = value > 0 ? value : largest;
+    raises_ = raises_ || value <= 0;
+    shift(k) = value > 0 ? value : raise_ * largest;
     value += shift(k);
   }
   cholmod_sparse matrix = lower_triangle(pattern_, shifted.data());
@@ -161,7 +180,7 @@ bool SchurCholesky::factor(const double* values) {
   if (rows > 0) dsyrk_("L", "N", &rows, &rows, &one, corner_.data(), &rows, &zero, complement_.data(), &rows);
   complement_.diagonal() -= shift;
   complement_.triangularView<Eigen::StrictlyUpper>() = complement_.transpose();
-  return pivots_.regular();
+  return true;
 }
 
 /// Reads L_cc and the pivots of A_ii from L.

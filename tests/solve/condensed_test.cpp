@@ -75,6 +75,41 @@ TEST(SchurSolvers, ReturnTheComplementAndSolve) {
       }
 }
 
+/// Soft springs in a chain whose ends are tied by a multiplier of any scale in the border: its row has no positive
+/// diagonal, and the shift that makes the whole positive definite depends on the compliance.
+TEST(SchurSolvers, BorderMayContainMultipliers) {
+  for (const double scale : {1e-3, 1.0, 30.0, 1e3})
+    for (const double softness : {1.0, 1e-4}) {
+      const int size = 40, multiplier = size;
+      std::vector<std::vector<int>> groups{{0, multiplier}, {size - 1, multiplier}};
+      for (int i = 0; i + 1 < size; ++i) groups.push_back({i, i + 1});
+      const Pattern pattern = couple(size + 1, groups);
+      Values values(pattern.rows.size(), 0.0);
+      for_entries(pattern, [&](int i, int j, int k) {
+        const bool row = i == multiplier, column = j == multiplier;
+        if (row || column)
+          values[at(k)] = row && column ? -1e-8 * scale : (std::min(i, j) == 0 ? scale : -scale);
+        else
+          values[at(k)] = i == j ? 2 + softness : -1;
+      });
+      const auto solver = make_schur_cholesky(500);
+      solver->analyze(pattern, {multiplier});
+      ASSERT_TRUE(solver->factor(values.data())) << scale << " " << softness;
+      const Eigen::MatrixXd a = dense(pattern, values);
+      const Eigen::MatrixXd interior = a.topLeftCorner(size, size);
+      const Eigen::VectorXd column = a.col(size).head(size);
+      const double complement = a(size, size) - column.dot(interior.llt().solve(column));
+      EXPECT_NEAR(solver->complement()(0, 0), complement, 1e-8 * std::abs(complement)) << scale << " " << softness;
+    }
+  // An interior that is not positive definite fails, whatever the shifts are.
+  const Pattern pattern = chain(3);
+  Values values(pattern.rows.size(), 0.0);
+  for_entries(pattern, [&](int i, int j, int k) { values[at(k)] = i == j ? -1 : 0.1; });
+  const auto solver = make_schur_cholesky(500);
+  solver->analyze(pattern, {2});
+  EXPECT_FALSE(solver->factor(values.data()));
+}
+
 TEST(Condensed, SolvesChangingContactBlocks) {
   std::mt19937 random(11);
   for (const auto& [size, contacts] : {std::pair{1, 1}, {2, 1}, {13, 0}, {13, 5}, {13, 13}, {120, 40}, {400, 399}}) {

@@ -19,6 +19,18 @@ function press(order, mesh)
   return model, { { name = "press", steps = 4, grip = {0, -0.1} } }
 end
 
+-- A coating is tied to a block.
+block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = {4, 2}, order = "N2",
+                 material = sg.linear_elastic{ E = 1, nu = 0.3 } }
+coating = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 0.1, corner = {0, 1} }, elements = {6, 1},
+                   order = "N2", material = sg.linear_elastic{ E = 10, nu = 0.3 } }
+coated = sg.model{
+  bodies = { block = block, coating = coating },
+  supports = { bed = { on = block:face "south", fix = "xy" }, grip = { on = coating:face "north", drive = "xy" } },
+  ties = { seam = { slave = coating:face "south", master = block:face "north" } },
+}
+coated:run{ { name = "shear", steps = 1, grip = {0.01, 0} } }
+
 model, stages = press("N2-N2.2", 1)
 die, slab = model:body "die", model:body "slab"
 patch = sg.shapes.rectangle{ width = 3, height = 1 }

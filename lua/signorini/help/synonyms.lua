@@ -24,9 +24,9 @@ return {
     "Initial stresses and temperatures are not available. Models start from the stress-free reference shape.",
     "sg.model" },
   -- Contact
-  { "tied, tie, bonded, glue, mesh tying, multipatch, multi patch",
-    "Tied contact and bodies of several patches are not available. Model the part as one patch.", "sg.body",
-    "sg.nurbs.coons" },
+  { "tied, bonded, glue, mesh tying, multipatch, multi patch",
+    "`ties` of sg.model make faces move as one, also with meshes that do not match: one body per patch.", "tie",
+    "sg.model" },
   { "mortar, segment to segment, node to surface, nts, gpts, contact formulation",
     "Contact is Gauss-point-to-surface with a penalty, or mortar: method = \"mortar\". Node-to-surface contact is not "
       .. "available.", "contact" },

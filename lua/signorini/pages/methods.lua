@@ -18,6 +18,7 @@ return {
   names("support", "supports", '{"bed", "grip"}'),
   names("load", "loads", "{}"),
   names("contact", "contacts", '{"interface"}'),
+  names("tie", "ties", "{}"),
   { "model:body", "Returns a body of the model.",
     arguments = { { "name", t.name(function(model) return model:body_names() end), "name of a body" } },
     example = "model:body \"slab\"" },

@@ -4,6 +4,7 @@ local core = require "signorini.core"
 local t = require "signorini.types"
 
 local a_contact = { "contact", t.name(function(model) return model:contact_names() end), "name of a contact" }
+local a_tie = { "tie", t.name(function(model) return model:tie_names() end), "name of a tie" }
 local profile = t.table("a contact profile", "use the result of model:profile")
 local coordinate = { "coordinate", t.worded(t.either(t.text, t.callback),
   "the name of a column such as \"x\", or a function of a point"), [[a column such as "x" (deformed) or "X" (reference),
@@ -90,6 +91,19 @@ crossed, crossed_at: the same for points that passed through the master
 since the previous state without contact.]],
     arguments = { a_contact },
     example = "model:contact_resultant(\"interface\").area" },
+  { "model:tie_profile", [[Returns lists along the slave face of a tie, one entry per quadrature point opposite the
+master: x, y (current), X, Y (reference), area (reference area with the point's weight), tx, ty (traction of the master
+on the slave per reference area), pressure (its part against the slave's current normal, negative in tension), traction
+(its tangential part: in the plane positive along the slave face's xi, in 3D its magnitude), jump (distance by which the
+two faces have moved apart, which vanishes in the weighted mean only). In 3D also z, Z, tz. Points are ordered by
+elements of the slave face, which are divided at the borders of the master's elements.]],
+    arguments = { a_tie },
+    example = "coated:tie_profile(\"seam\").pressure" },
+  { "model:tie_resultant", [[Returns { fx, fy, fz, area, part, distance }: the force of the master on the slave (fz in
+3D), the tied reference area, its fraction of the slave face, and the largest distance of the two faces in the reference
+shape (relative to the elements there).]],
+    arguments = { a_tie },
+    example = "coated:tie_resultant(\"seam\").fy" },
   { "sg.profile_error", [[Returns the L2 error sqrt(integral of ((p - p_ref)/N)^2 ds) of a contact profile against a
 reference, and { from, to, points, scale, covered }: the range and the number of points of the integral, N, and the
 fraction of the zone (where either one touches) that the range covers. Ranges that do not overlap are an error.]],

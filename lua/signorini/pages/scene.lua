@@ -137,6 +137,15 @@ contact.conflict = function(values)
   end
 end
 
+local tie = {
+  { "slave", t.object "face", [[face with the multipliers, over which the coupling is integrated; in general the finer
+mesh]] },
+  { "master", t.object "face", "face of the other body that coincides with it, as a whole or in part" },
+  { "multipliers", t.choice { "equal", "reduced" }, [[functions of the tractions. equal: those of the slave face, with
+optimal rates of convergence. reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element),
+proven stable (inf-sup), less accurate; for degree p >= 2]], default = "equal" },
+}
+
 local load = {
   { "on", faces, "loaded faces" },
   { "traction", t.point, "dead load {tx, ty}, in 3D {tx, ty, tz}", unit = "force per reference area", optional = true },
@@ -162,6 +171,7 @@ circle.]],
         optional = true },
       { "loads", t.map(t.named "load"), "external forces", optional = true },
       { "contacts", t.map(t.named "contact"), "pairs of faces that may touch", optional = true },
+      { "ties", t.map(t.named "tie"), "pairs of faces that move as one", optional = true },
       { "kind", t.choice { "plane_strain", "axisymmetric" }, "plane strain, or a section of bodies of revolution",
         otherwise = '"plane_strain" for plane bodies' },
     },
@@ -219,4 +229,17 @@ Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), fricti
     example = [[
 contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
                            friction = { mu = 0.2, penalty = 100 } } }]] },
+  { "tie", "Ties two faces whose meshes need not match: they neither open nor slip.",
+    head = "ties = { <name> = { slave, master, multipliers } }, in sg.model{ … }",
+    named = tie,
+    more = [[The tractions across the seam are unknowns (Lagrange multipliers); there is no penalty to choose. The tie
+holds in the mean: for each multiplier function M the integral of M (u_master - u_slave) over the slave face is zero,
+with closest points of the reference shape. Faces of curved meshes may lie up to 10 % of an element's length apart:
+since displacements are tied, they start without stress, but a distance d resists large rotations, so refine until d is
+small (model:tie_resultant(name).distance). The part of the slave face that is not opposite the master remains free,
+with a warning.
+Results: model:tie_profile(name), model:tie_resultant(name). Source: E. Brivadis, A. Buffa, B. Wohlmuth, L. Wunderlich,
+Comput. Methods Appl. Mech. Engrg. 284 (2015), arXiv:1407.8313. More in share/doc/theory.md.]],
+    example = [[
+ties = { seam = { slave = coating:face "south", master = block:face "north" } }]] },
 }

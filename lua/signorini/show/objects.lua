@@ -78,12 +78,21 @@ local function contact_text(model, name)
   return ("%s\n    %s"):format(text, law)
 end
 
+local function tie_text(model, name)
+  local now = model:tie_resultant(name)
+  local force = map(axes, function(axis) return now["f" .. axis] and ("%.4g"):format(now["f" .. axis]) end)
+  return ("  tie %s: %s of the slave face, at most %.2g apart; force {%s}")
+    :format(name, now.part > 0.9995 and "all" or ("%.3g %%"):format(100 * now.part), now.distance,
+      table.concat(force, ", "))
+end
+
 function objects.model(model)
   local driven = map(model:driven_names(), function(name) return driven_text(model, name) end)
   return table.concat(lists.joined({ tostring(model) },
     map(model:body_names(), function(name) return ("  %s: %s"):format(name, model:body(name)) end),
     #driven > 0 and { "  moved by stages: " .. table.concat(driven, "; ") } or {},
-    map(model:contact_names(), function(name) return contact_text(model, name) end)), "\n")
+    map(model:contact_names(), function(name) return contact_text(model, name) end),
+    map(model:tie_names(), function(name) return tie_text(model, name) end)), "\n")
 end
 
 --- Whether a table is a result of model:profile, or has its lists.

@@ -1,0 +1,105 @@
+#include "model/ties.hpp"
+
+#include "base/error.hpp"
+#include "model/constants.hpp"
+#include "model/thickness.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::model {
+
+namespace {
+
+/// Whether two pairs of faces are the same, in either order.
+bool same_faces(const Tie& tie, const FaceReference& slave, const FaceReference& master) {
+  return (tie.slave == slave && tie.master == master) || (tie.slave == master && tie.master == slave);
+}
+
+template <int D> void check_faces(const Scene<D>& scene, const Tie& tie) {
+  const Message slave = face_message(scene, tie.slave), master = face_message(scene, tie.master);
+  require(!(tie.slave == tie.master), "model.tie.own_face", {{"tie", tie.name}});
+  for (const Tie& other : scene.ties) {
+    if (&other == &tie) break;
+    require(!same_faces(other, tie.slave, tie.master), "model.tie.twice",
+            {{"tie", tie.name}, {"other", other.name}, {"slave", slave}, {"master", master}});
+  }
+  for (const Contact<D>& contact : scene.contacts) {
+    const auto* face = std::get_if<FaceReference>(&contact.master);
+    require(!face || !same_faces(tie, contact.slave, *face), "model.tie.in_contact",
+            {{"tie", tie.name}, {"contact", contact.name}, {"slave", slave}, {"master", master}});
+  }
+}
+
+/// In percent, with two digits.
+double rounded_percent(double part) {
+  return part < 0.1 ? std::round(1000 * part) / 10 : std::round(100 * part);
+}
+
+template <int D> void check_seam(const Scene<D>& scene, const Tie& named, const contact::Seam<D>& seam) {
+  const Message slave = face_message(scene, named.slave), master = face_message(scene, named.master);
+  require(!seam.points.empty(), "model.tie.apart", {{"tie", named.name}, {"slave", slave}, {"master", master}});
+  const auto& [distance, place] = seam.distance;
+  require(distance <= most_seam_distance * seam.length, "model.tie.distance",
+          {{"tie", named.name},
+           {"slave", slave},
+           {"master", master},
+           {"distance", distance},
+           {"at", place},
+           {"percent", rounded_percent(distance / seam.length)},
+           {"most", rounded_percent(most_seam_distance)}});
+  require(seam.facing.value <= 0, "model.tie.facing",
+          {{"tie", named.name}, {"slave", slave}, {"master", master}, {"at", seam.facing.place}});
+}
+
+} // namespace
+
+template <int D> contact::Ties<D> make_ties(const Scene<D>& scene) {
+  contact::Ties<D> ties;
+  for (const Tie& tie : scene.ties) {
+    check_faces(scene, tie);
+    const auto surface = [&](const FaceReference& face) {
+      return contact::Surface<D>(scene.bodies[at(face.body)].body->space(), face.side);
+    };
+    const contact::Surface<D> slave = surface(tie.slave), master = surface(tie.master);
+    contact::Seam<D> seam = contact::find_seam(slave, master, scene.kind == solid::Kind::axisymmetric);
+    check_seam(scene, tie, seam);
+    ties.emplace_back(slave, master, std::move(seam), tie.multipliers);
+  }
+  return ties;
+}
+
+template <int D>
+void warn_of_ties(const Scene<D>& scene, const contact::Ties<D>& ties, std::vector<Message>& warnings) {
+  for (std::size_t k = 0; k < ties.size(); ++k) {
+    const Tie& tie = scene.ties[k];
+    const contact::Seam<D>& seam = ties[k].seam();
+    const bool whole = seam.area >= least_whole * seam.whole;
+    if (!whole)
+      warnings.push_back(Message("model.warning.tied_part", {{"tie", tie.name},
+                                                             {"slave", face_message(scene, tie.slave)},
+                                                             {"percent", rounded_percent(seam.area / seam.whole)},
+                                                             {"master", face_message(scene, tie.master)}}));
+    for (const Contact<D>& contact : scene.contacts) {
+      const auto* face = std::get_if<FaceReference>(&contact.master);
+      if (whole && (contact.slave == tie.slave || (face && *face == tie.slave)))
+        warnings.push_back(
+            Message("model.warning.tied_in_contact",
+                    {{"contact", contact.name}, {"face", face_message(scene, tie.slave)}, {"tie", tie.name}}));
+    }
+  }
+}
+
+template <int D> double tied_stiffness(const Scene<D>& scene, const Tie& tie) {
+  return std::min(element_stiffness(scene, tie.slave), element_stiffness(scene, tie.master));
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template contact::Ties<D> make_ties(const Scene<D>&);                                                                \
+  template void warn_of_ties(const Scene<D>&, const contact::Ties<D>&, std::vector<Message>&);                         \
+  template double tied_stiffness(const Scene<D>&, const Tie&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::model
