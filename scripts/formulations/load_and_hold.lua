@@ -13,23 +13,25 @@
 --          the drag at the end of the slide with twice as many steps, relative difference, and the order of convergence
 --          from three numbers of steps.
 -- Source: J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992) for augmented friction; the scene: V. Agrawal, An
---         Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of Contact Problems, PhD
---         thesis, IIT Guwahati, 2020, section 7.1.
+--         Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of Contact
+--         Problems, PhD thesis, IIT Guwahati, 2020, section 7.1.
 -- Units: mm, N, N/mm².
 -- Expected: no creep with mortar (below 1e-8), and the same drag for any step. With Gauss points the first step of the
 --           hold changes the forces by 4e-5, the residual that slip on a curved master leaves (share/doc/theory.md,
 --           Coulomb friction), of first order in the step; the others nothing. Two half passes change by 5e-3 in the
 --           first step and creep by 8e-5 in the others.
--- Run: signorini -q scripts/formulations/hold.lua [orders=N2,N2-N2.2] [formulations=…] [mesh=m1] [steps=25,50,100]
---      [hold=50] [out=out/formulations/hold]; steps: of the slide, the press takes half as many.
+-- Run: signorini -q scripts/formulations/load_and_hold.lua [orders=N2,N2-N2.2] [formulations=…] [mesh=m1]
+--      [steps=25,50,100] [hold=50] [out=out/formulations/load_and_hold]; steps: of the slide, the press takes half as
+--      many.
 
 local sg = require "signorini"
+local chart = require "formulations.chart"
 local formulations = require "formulations.rows"
 local ironing = require "ironing2d.problem"
 
 local options = sg.arguments{
   orders = { "N2", "N2-N2.2" }, formulations = formulations.argument(formulations.names), mesh = ironing.meshes "m1",
-  steps = { { 25, 50, 100 }, at_least = 2 }, hold = { 50, at_least = 2 }, out = "out/formulations/hold",
+  steps = { { 25, 50, 100 }, at_least = 2 }, hold = { 50, at_least = 2 }, out = "out/formulations/load_and_hold",
 }
 local set_up, distance = ironing.variants.standard, 0.3
 
@@ -127,17 +129,10 @@ print(sg.table{
 local files = sg.files(options.out)
 sg.csv.write(files "hold.csv", data)
 for _, order in ipairs(options.orders) do
-  local chart = { file = files(order .. "_steps.png"), log = "xy", xlabel = "steps of the slide",
-                  ylabel = "change of the drag by halved steps",
-                  title = ("Ironing with friction, %s at %s: halved steps"):format(order, options.mesh) }
-  for _, formulation in ipairs(formulations.of(options.formulations)) do
-    local line = { x = {}, y = {}, label = formulation.label, markers = true }
-    for _, case in ipairs(series[order .. " " .. formulation.name]) do
-      if case.change then line.x[#line.x + 1], line.y[#line.y + 1] = case.steps, case.change end
-    end
-    if #line.x > 0 then chart[#chart + 1] = line end
-  end
-  if #chart > 0 then sg.chart(chart) end
+  chart(files, order .. "_steps.png", formulations.of(options.formulations), options.steps,
+    function(formulation, i) return series[order .. " " .. formulation.name][i].change end,
+    { log = "xy", xlabel = "steps of the slide", ylabel = "change of the drag by halved steps",
+      title = ("Ironing with friction, %s at %s: halved steps"):format(order, options.mesh) })
 end
 files:report()
 

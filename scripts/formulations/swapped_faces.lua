@@ -9,24 +9,24 @@
 --       |  slab: 3 × 1, E = 1, bottom clamped; plane strain, neo-Hooke, nu = 0.3, mu = 0.2, both penalties 100
 --
 --          Difference: the root mean square over the slide of the difference of a force, relative to that of the force.
--- Source: R. A. Sauer and L. De Lorenzis, CMAME 253 (2013) and IJNME 101 (2015) on unbiased contact; the scene:
---         V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
+-- Source: R. A. Sauer and L. De Lorenzis, CMAME 253 (2013) and IJNME 101 (2015) on unbiased contact; the scene: V.
+--         Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.1.
 -- Units: mm, N, N/mm².
 -- Expected: no difference for two half passes. Otherwise the difference falls with the mesh, to a rest that is due to
--- the
---           penalty. With the slab as slave its elements are as long as the contact (m1) or half as long (m2), which
---           mortar, with as few multipliers, resolves less than Gauss points.
--- Run: signorini -q scripts/formulations/swap.lua [orders=N2,N2-N2.2] [meshes=m1,m2,m3] [formulations=…]
---      [out=out/formulations/swap]
+--           the penalty. With the slab as slave its elements are as long as the contact (m1) or half as long (m2),
+--           which mortar, with as few multipliers, resolves less than Gauss points.
+-- Run: signorini -q scripts/formulations/swapped_faces.lua [orders=N2,N2-N2.2] [meshes=m1,m2,m3] [formulations=…]
+--      [out=out/formulations/swapped_faces]
 
 local sg = require "signorini"
+local chart = require "formulations.chart"
 local formulations = require "formulations.rows"
 local ironing = require "ironing2d.problem"
 
 local options = sg.arguments{
   orders = { "N2", "N2-N2.2" }, meshes = ironing.meshes{ "m1", "m2", "m3" },
-  formulations = formulations.argument(formulations.names), out = "out/formulations/swap",
+  formulations = formulations.argument(formulations.names), out = "out/formulations/swapped_faces",
 }
 local set_up = ironing.variants.standard
 local press = { name = "press", steps = 23, grip = { 0, -set_up.depth } }
@@ -68,23 +68,15 @@ print "Slave and master swapped in ironing with friction: relative difference of
 print(sg.table{ columns = { "order", "formulation", "mesh", "drag", "press", "iterations", "failed" }, rows = rows,
                 formats = { drag = "%.1e", press = "%.1e" } })
 
-local files, ticks = sg.files(options.out), {}
-sg.csv.write(files "swap.csv", { columns = { "order", "formulation", "mesh", "drag", "press", "iterations", "failed" },
-                                 rows = rows })
-for i, mesh in ipairs(options.meshes) do ticks[i] = { i, mesh } end
+local files, ticks, numbers = sg.files(options.out), {}, {}
+sg.csv.write(files "swapped.csv", { columns = { "order", "formulation", "mesh", "drag", "press", "iterations",
+                                                "failed" }, rows = rows })
+for i, mesh in ipairs(options.meshes) do ticks[i], numbers[i] = { i, mesh }, i end
 for _, order in ipairs(options.orders) do
-  local chart = { file = files(order .. ".png"), log = "y", xlabel = "mesh", xticks = ticks,
-                  ylabel = "relative difference of the drag",
-                  title = ("Ironing with friction, %s: slave and master swapped"):format(order) }
-  for _, formulation in ipairs(formulations.of(options.formulations)) do
-    local line = { x = {}, y = {}, label = formulation.label, markers = true }
-    for i, mesh in ipairs(options.meshes) do
-      local case = cases[("%s %s %s"):format(order, mesh, formulation.name)]
-      if (case.drag or 0) > 0 then line.x[#line.x + 1], line.y[#line.y + 1] = i, case.drag end
-    end
-    if #line.x > 0 then chart[#chart + 1] = line end
-  end
-  if #chart > 0 then sg.chart(chart) end
+  chart(files, order .. ".png", formulations.of(options.formulations), numbers,
+    function(formulation, i) return cases[("%s %s %s"):format(order, options.meshes[i], formulation.name)].drag end,
+    { log = "y", xlabel = "mesh", xticks = ticks, ylabel = "relative difference of the drag",
+      title = ("Ironing with friction, %s: slave and master swapped"):format(order) })
 end
 files:report()
 

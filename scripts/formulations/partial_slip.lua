@@ -20,18 +20,19 @@
 -- Units: any consistent units; lengths relative to the radius R, tractions to Young's modulus.
 -- Expected: c/a = √(1 − Q/(mu P)) within the length of a span; the L2 error of the traction over x/a falls with the
 --           mesh; sticking points slip by the traction over the tangential penalty.
--- Run: signorini -q scripts/formulations/mindlin.lua [orders=N2,N2-N2.2] [counts=4,8,16] [formulations=…] [penalty=10]
---      [steps=10] [out=out/formulations/mindlin]; steps: of each shear.
+-- Run: signorini -q scripts/formulations/partial_slip.lua [orders=N2,N2-N2.2] [counts=4,8,16] [formulations=…]
+--      [penalty=10] [steps=10] [out=out/formulations/partial_slip]; steps: of each shear.
 
 local sg = require "signorini"
+local chart = require "formulations.chart"
 local deviation = require "formulations.deviation"
 local formulations = require "formulations.rows"
-local problem = require "formulations.mindlin.problem"
+local problem = require "formulations.partial_slip.problem"
 
 local options = sg.arguments{
   orders = { "N2", "N2-N2.2" }, counts = { { 4, 8, 16 }, at_least = 2 },
   formulations = formulations.argument(formulations.names), penalty = { 10.0, above = 0 },
-  steps = { 10, at_least = 1 }, out = "out/formulations/mindlin",
+  steps = { 10, at_least = 1 }, out = "out/formulations/partial_slip",
 }
 local augmented = { penetration = 1e-8, loops = 200 }
 local along = { 5.2e-5, 1.255e-4, 1.75e-4 }
@@ -156,44 +157,35 @@ end
 sg.csv.write(files "states.csv", data)
 
 --- The traction of all formulations after the second shear, with the closed form.
-local function draw_tractions(order, count)
-  local chart = { file = files(("%s_traction.png"):format(order)), xlabel = "x / a", ylabel = "q / (mu p_0)",
-                  title = ("Partial slip, %s, %d spans per half-width"):format(order, count), xrange = { -1.2, 1.2 } }
-  local ratio
+local function draw_tractions(order, count, file)
+  local drawing, ratio = { file = file, xlabel = "x / a", ylabel = "q / (mu p_0)", xrange = { -1.2, 1.2 },
+                           title = ("Partial slip, %s, %d spans per half-width"):format(order, count) }, nil
   for _, formulation in ipairs(formulations.of(options.formulations)) do
     local state = cases[("%s %d %s"):format(order, count, formulation.name)].states[2]
     if state then
       ratio = ratio or state.ratio
-      chart[#chart + 1] = { x = state.s, y = state.traction, label = formulation.label, marker = "none" }
+      drawing[#drawing + 1] = { x = state.s, y = state.traction, label = formulation.label, marker = "none" }
     end
   end
-  if not ratio then return end
+  if not ratio then return false end
   local _, traction = problem.mindlin(ratio)
   local exact = { x = {}, y = {}, label = "closed form", dashed = true, marker = "none" }
   for i = 0, 400 do exact.x[i + 1], exact.y[i + 1] = i / 200 - 1, traction(i / 200 - 1) end
-  chart[#chart + 1] = exact
-  sg.chart(chart)
-end
-
---- The error after the second shear over the mesh.
-local function draw_errors(order)
-  local chart = { file = files(("%s_error.png"):format(order)), log = "xy", xlabel = "spans per half-width",
-                  ylabel = "L2 error of q / (mu p_0)",
-                  title = ("Partial slip, %s: error of the traction"):format(order) }
-  for _, formulation in ipairs(formulations.of(options.formulations)) do
-    local line = { x = {}, y = {}, label = formulation.label, markers = true }
-    for _, count in ipairs(options.counts) do
-      local state = cases[("%s %d %s"):format(order, count, formulation.name)].states[2]
-      if state then line.x[#line.x + 1], line.y[#line.y + 1] = count, state.error end
-    end
-    if #line.x > 0 then chart[#chart + 1] = line end
-  end
-  if #chart > 0 then sg.chart(chart) end
+  drawing[#drawing + 1] = exact
+  sg.chart(drawing)
+  return true
 end
 
 for _, order in ipairs(options.orders) do
-  draw_tractions(order, options.counts[#options.counts])
-  draw_errors(order)
+  files:draw(order .. "_traction.png", "a case that converged", function(file)
+    return draw_tractions(order, options.counts[#options.counts], file)
+  end)
+  chart(files, order .. "_error.png", formulations.of(options.formulations), options.counts,
+    function(formulation, i)
+      return (cases[("%s %d %s"):format(order, options.counts[i], formulation.name)].states[2] or {}).error
+    end,
+    { log = "xy", xlabel = "spans per half-width", ylabel = "L2 error of q / (mu p_0)",
+      title = ("Partial slip, %s: error of the traction"):format(order) })
 end
 files:report()
 

@@ -1,11 +1,11 @@
--- scripts/formulations/hertz.lua, coarse: error over mesh and penalty of mortar and Gauss points, forces over
+-- scripts/formulations/hertz_pressure.lua, coarse: error over mesh and penalty of mortar and Gauss points, forces over
 -- penalties.
 
 local core = require "signorini.core"
 local check = require "check"
 
 core.quiet = true
-local script = core.home .. "/scripts/formulations/hertz.lua"
+local script = core.home .. "/scripts/formulations/hertz_pressure.lua"
 local folder = check.folder()
 local study = assert(loadfile(script))("meshes=m1,m2,m3", "reference=m4", "formulations=gpts,equal,reduced",
   "penalties=500,1e4,1e5,1e6", "drift=m2", "out=" .. folder)

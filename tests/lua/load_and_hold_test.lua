@@ -1,5 +1,5 @@
--- scripts/formulations/hold.lua and swap.lua, coarse: forces while nothing moves, halved steps, slave and master
--- swapped.
+-- scripts/formulations/load_and_hold.lua and swapped_faces.lua, coarse: forces while nothing moves, halved steps, slave
+-- and master swapped.
 
 local core = require "signorini.core"
 local check = require "check"
@@ -10,8 +10,8 @@ local function study(name, ...)
   return assert(loadfile(("%s/scripts/formulations/%s.lua"):format(core.home, name)))("out=" .. folder, ...)
 end
 
-local hold = study("hold", "orders=N2-N2.2", "formulations=gpts,equal,reduced", "steps=20,40", "hold=50")
-local swap = study("swap", "orders=N2-N2.2", "meshes=m1,m2", "formulations=gpts,reduced,half-passes")
+local hold = study("load_and_hold", "orders=N2-N2.2", "formulations=gpts,equal,reduced", "steps=20,40", "hold=50")
+local swap = study("swapped_faces", "orders=N2-N2.2", "meshes=m1,m2", "formulations=gpts,reduced,half-passes")
 
 check.case("mortar: no creep in 50 steps, and the same drag with half as many steps", function()
   for _, name in ipairs { "equal", "reduced" } do
@@ -47,8 +47,10 @@ end)
 
 check.case("files and wrong arguments", function()
   check.pictures(folder, { "N2-N2.2_steps", "N2-N2.2" })
-  check.refused(core.home .. "/scripts/formulations/hold.lua", { ["steps=1"] = "steps must be" }, "out=" .. folder)
-  check.refused(core.home .. "/scripts/formulations/swap.lua", { ["meshes=m9"] = "meshes must be" }, "out=" .. folder)
+  for name, wrong in pairs { load_and_hold = { ["steps=1"] = "steps must be" },
+                             swapped_faces = { ["meshes=m9"] = "meshes must be" } } do
+    check.refused(("%s/scripts/formulations/%s.lua"):format(core.home, name), wrong, "out=" .. folder)
+  end
 end)
 
 check.done()

@@ -19,16 +19,17 @@
 -- Units: any consistent units; lengths relative to the outer radius, pressures to Young's modulus.
 -- Expected: mortar with equal multipliers has its smallest error at high penalties, except with N2 on m1 to m3. Line
 --           contact at m4: N2 1.7e-4 against 7.9e-4 of Gauss points at their best penalty, in 15 against 39 iterations;
---           N2-N2.2 8e-5 against 1.0e-4, in 37 against 80. At 1e6 plain Newton fails with Gauss points and N2-N2.2. With
---           N2 reduced multipliers are constant per element: their error is that of a staircase, 1.6e-2 at m3. Forces
---           under a given displacement approach their limit as 1/penalty. On the coarsest mesh of the sphere no element
---           of N2 overlaps the plane on average: reduced multipliers start from a singular tangent.
--- Run: signorini -q scripts/formulations/hertz.lua [problems=line,sphere] [meshes=m1,m2,m3,m4,m5] [orders=N2,N2-N2.2]
---      [formulations=…] [penalties=2e2,5e2,1e3,2e3,5e3,1e4,1e5,1e6] [reference=m6] [steps=4] [drift=m3]
---      [out=out/formulations/hertz]; drift: mesh on which forces under a given displacement are compared over the
---      penalties.
+--           N2-N2.2 8e-5 against 1.0e-4, in 37 against 80. At 1e6 plain Newton fails with Gauss points and N2-N2.2.
+--           With N2 reduced multipliers are constant per element: their error is that of a staircase, 1.6e-2 at m3.
+--           Forces under a given displacement approach their limit as 1/penalty. On the coarsest mesh of the sphere no
+--           element of N2 overlaps the plane on average: reduced multipliers start from a singular tangent.
+-- Run: signorini -q scripts/formulations/hertz_pressure.lua [problems=line,sphere] [meshes=m1,m2,m3,m4,m5]
+--      [orders=N2,N2-N2.2] [formulations=…] [penalties=2e2,5e2,1e3,2e3,5e3,1e4,1e5,1e6] [reference=m6] [steps=4]
+--      [drift=m3] [out=out/formulations/hertz_pressure]; drift: mesh on which forces under a given displacement are
+--      compared over the penalties.
 
 local sg = require "signorini"
+local chart = require "formulations.chart"
 local deviation = require "formulations.deviation"
 local formulations = require "formulations.rows"
 
@@ -41,7 +42,7 @@ local options = sg.arguments{
   formulations = { on_obstacles, choices = on_obstacles },
   penalties = { { 2e2, 5e2, 1e3, 2e3, 5e3, 1e4, 1e5, 1e6 }, above = 0 },
   reference = { "m6", choices = levels }, steps = 4, drift = { "m3", choices = levels },
-  out = "out/formulations/hertz",
+  out = "out/formulations/hertz_pressure",
 }
 local part = 0.8 -- of the half-width
 local augmented = { penetration = 1e-8, loops = 500 }
@@ -175,35 +176,23 @@ for i, case in ipairs(cases) do
 end
 sg.csv.write(files "cases.csv", data)
 
---- Draws a measure of all formulations; point(formulation, i) returns the case at abscissa i.
-local function draw(chart, abscissae, measured, point)
-  for _, formulation in ipairs(formulations.of(options.formulations)) do
-    local line = { x = {}, y = {}, label = formulation.label, markers = true }
-    for i, x in ipairs(abscissae) do
-      local case = point(formulation, i)
-      if case and case[measured] then line.x[#line.x + 1], line.y[#line.y + 1] = x, case[measured] end
-    end
-    if #line.x > 0 then chart[#chart + 1] = line end
-  end
-  if #chart > 0 then sg.chart(chart) end
-end
-
 local ticks, numbers = {}, {}
 for i, mesh in ipairs(options.meshes) do ticks[i], numbers[i] = { i, mesh }, i end
 local titles = { line = "Hertz, line contact", sphere = "Hertz, sphere" }
 local middle = options.meshes[(#options.meshes + 1) // 2]
 for _, name in ipairs(options.problems) do
   for _, order in ipairs(options.orders) do
-    draw({ file = files(("%s_%s_mesh.png"):format(name, order)), log = "y", xlabel = "mesh", xticks = ticks,
-           ylabel = "L2 error of p / p_0 inside 0.8 a",
-           title = ("%s, %s: error at the best penalty"):format(titles[name], order) },
-      numbers, "l2", function(formulation, i) return best[key(name, order, options.meshes[i], formulation.name)] end)
-    draw({ file = files(("%s_%s_penalty.png"):format(name, order)), log = "xy", xlabel = "penalty (E / R)",
-           ylabel = "L2 error of p / p_0 inside 0.8 a",
-           title = ("%s, %s at %s: error over the penalty"):format(titles[name], order, middle) },
-      options.penalties, "l2", function(formulation, i)
-        return cases[key(name, order, middle, formulation.name, options.penalties[i])]
-      end)
+    local shown = formulations.of(options.formulations)
+    chart(files, ("%s_%s_mesh.png"):format(name, order), shown, numbers,
+      function(formulation, i) return best[key(name, order, options.meshes[i], formulation.name)].l2 end,
+      { log = "y", xlabel = "mesh", xticks = ticks, ylabel = "L2 error of p / p_0 inside 0.8 a",
+        title = ("%s, %s: error at the best penalty"):format(titles[name], order) })
+    chart(files, ("%s_%s_penalty.png"):format(name, order), shown, options.penalties,
+      function(formulation, i)
+        return cases[key(name, order, middle, formulation.name, options.penalties[i])].l2
+      end,
+      { log = "xy", xlabel = "penalty (E / R)", ylabel = "L2 error of p / p_0 inside 0.8 a",
+        title = ("%s, %s at %s: error over the penalty"):format(titles[name], order, middle) })
   end
 end
 files:report()

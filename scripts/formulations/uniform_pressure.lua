@@ -18,18 +18,19 @@
 --           N2-N2.2) on straight meshes and as n^-2 on skewed ones. With the coarser block as slave mortar has at most
 --           a third of the error of Gauss points. Augmented Gauss points are over-constrained: their error is larger
 --           than with a penalty, or the augmentation does not end ("penetration").
--- Run: signorini -q scripts/formulations/patch.lua [dimensions=2,3] [orders=N2,N2-N2.2] [formulations=…]
---      [skews=0,0.2] [points=20] [points_3d=8] [out=out/formulations/patch]; points, points_3d: largest number of
---      points per element and direction, from p + 1 on, p the degree on the face; in 3D the first order only.
+-- Run: signorini -q scripts/formulations/uniform_pressure.lua [dimensions=2,3] [orders=N2,N2-N2.2] [formulations=…]
+--      [skews=0,0.2] [points=20] [points_3d=8] [out=out/formulations/uniform_pressure]; points, points_3d: largest
+--      number of points per element and direction, from p + 1 on, p the degree on the face; in 3D the first order only.
 
 local sg = require "signorini"
+local chart = require "formulations.chart"
 local formulations = require "formulations.rows"
 local problem = require "patch_test.problem"
 
 local options = sg.arguments{
   dimensions = { { 2, 3 }, choices = { 2, 3 } }, orders = { "N2", "N2-N2.2" },
   formulations = formulations.argument(formulations.names), skews = { { 0.0, 0.2 }, at_least = 0, below = 0.5 },
-  points = 20, points_3d = 8, out = "out/formulations/patch",
+  points = 20, points_3d = 8, out = "out/formulations/uniform_pressure",
 }
 local augmented = { penetration = 1e-12, loops = 1000 }
 
@@ -102,26 +103,27 @@ print(sg.table{ columns = { "", "order", "skew", "slave", "formulation", "p+1", 
 local files = sg.files(options.out)
 sg.csv.write(files "errors.csv", data)
 
---- Error over the number of points of all formulations, for one dimension, order and slave; unskewed if possible.
-local function draw(dimension, order, slave)
-  local chart = { file = files(("%dd_%s_%s.png"):format(dimension, order, slave)), log = "xy",
-                  title = ("Patch test in %dD, %s: 3 elements under 5, slave %s"):format(dimension, order, slave),
-                  xlabel = "points per element and direction", ylabel = "largest error of p / p_0" }
+--- The series of a formulation for one dimension, order and slave, and the first skew.
+local function series_of(formulation, dimension, order, slave)
   for _, one in ipairs(series) do
-    if one.dimension == dimension and one.order == order and one.slave == slave and one.skew == options.skews[1] then
-      local line = { x = {}, y = {}, label = one.formulation.label, markers = true }
-      for _, case in ipairs(one) do
-        if case.error then line.x[#line.x + 1], line.y[#line.y + 1] = case.points, case.error end
-      end
-      if #line.x > 0 then chart[#chart + 1] = line end
+    if one.formulation == formulation and one.dimension == dimension and one.order == order and one.slave == slave and
+       one.skew == options.skews[1] then
+      return one
     end
   end
-  if #chart > 0 then sg.chart(chart) end
 end
 
 for _, dimension in ipairs(options.dimensions) do
   for k, order in ipairs(options.orders) do
-    for _, slave in ipairs(dimension == 3 and k > 1 and {} or { "lower", "upper" }) do draw(dimension, order, slave) end
+    for _, slave in ipairs(dimension == 3 and k > 1 and {} or { "lower", "upper" }) do
+      local degree, points = degree_of(order), {}
+      local most = math.max(dimension == 2 and options.points or options.points_3d, degree + 2)
+      for count = degree + 1, most do points[#points + 1] = count end
+      chart(files, ("%dd_%s_%s.png"):format(dimension, order, slave), formulations.of(options.formulations), points,
+        function(formulation, i) return series_of(formulation, dimension, order, slave)[i].error end,
+        { log = "xy", xlabel = "points per element and direction", ylabel = "largest error of p / p_0",
+          title = ("Patch test in %dD, %s: 3 elements under 5, slave %s"):format(dimension, order, slave) })
+    end
   end
 end
 files:report()

@@ -1,13 +1,13 @@
--- scripts/formulations/mindlin.lua, coarse: stick zone and traction against Cattaneo and Mindlin's solution, elastic
--- slip.
+-- scripts/formulations/partial_slip.lua, coarse: stick zone and traction against Cattaneo and Mindlin's solution,
+-- elastic slip.
 
 local core = require "signorini.core"
 local check = require "check"
 
 core.quiet = true
 package.path = core.home .. "/scripts/?.lua;" .. package.path
-local problem = require "formulations.mindlin.problem"
-local script = core.home .. "/scripts/formulations/mindlin.lua"
+local problem = require "formulations.partial_slip.problem"
+local script = core.home .. "/scripts/formulations/partial_slip.lua"
 local folder = check.folder()
 local study = assert(loadfile(script))("orders=N2-N2.2", "counts=4,8", "formulations=gpts,equal,reduced,half-passes",
   "out=" .. folder)

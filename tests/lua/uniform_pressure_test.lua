@@ -1,11 +1,11 @@
--- scripts/formulations/patch.lua, coarse: half passes are uniform to rounding error on all meshes, mortar is more
--- uniform than Gauss points, the error of one pass falls as that of Gauss' rule.
+-- scripts/formulations/uniform_pressure.lua, coarse: half passes are uniform to rounding error on all meshes, mortar is
+-- more uniform than Gauss points, the error of one pass falls as that of Gauss' rule.
 
 local core = require "signorini.core"
 local check = require "check"
 
 core.quiet = true
-local script = core.home .. "/scripts/formulations/patch.lua"
+local script = core.home .. "/scripts/formulations/uniform_pressure.lua"
 local folder = check.folder()
 
 local plane = assert(loadfile(script))("dimensions=2", "orders=N2", "points=12", "out=" .. folder)
