@@ -165,7 +165,8 @@ check.case("formulation=: mortar converges with penalties that over-constrain Ga
   local ironing = study("friction_steps", "formulation=reduced", "orders=N2", "coarser=4", "friction=0.4").maps.N2
   check.within_share("drag", ironing.plain:cell(4, 0.4).results["drag forward"], 0.43, 0.05) -- Gauss points: 0.43
   study("deep_ironing", "formulation=half-passes", "points=p+1", "orders=N2", "coarser=8", "places=none")
-  local touch = study("first_touch", "formulation=half-passes", "under=slab", "friction=0.3", "gaps=-1e-3", "loads=1e-3")
+  local touch = study("first_touch", "formulation=half-passes", "under=slab", "friction=0.3", "gaps=-1e-3",
+    "loads=1e-3")
   check.near(touch.maps["slab_mu0.3"].plain:cell(-1e-3, 1e-3).results.carried, 1e-3, 1e-5)
 end)
 
