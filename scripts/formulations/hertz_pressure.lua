@@ -8,7 +8,8 @@
 --                 \    /   quarter ring, linear elastic, E = 1, nu = 0.3
 --          _______|\__/____   rigid plane
 --
---          Each formulation is solved with all penalties; the best one is that of the smallest error. The error is that
+--          Each formulation is solved with all penalties, those with multipliers without any; the best one is that of
+--          the smallest error. The error is that
 --          of the pressure inside 0.8 of the half-width a against mortar with reduced multipliers, N2-N2.2 and the
 --          penalty 1e6 on the finest mesh, in units of Hertz's peak pressure: L2 over x/a, largest, and oscillation
 --          (its root mean square minus the best fit by an ellipse and a parabola); all pressures per current area.
@@ -53,9 +54,11 @@ local augmented = { penetration = 1e-8, loops = 500 }
 local function solve(case)
   local problem = problems[case.problem]
   local model, stage = problem.scene{ order = case.order, mesh = case.mesh, load = case.load or "force",
-                                      penalty = case.penalty, formulation = case.formulation }
+                                      penalty = case.penalty ~= "none" and case.penalty or nil,
+                                      formulation = case.formulation }
   stage.steps = options.steps
-  local run = model:run({ stage }, sg.plain(formulations.options(case.formulation, {}, augmented)))
+  local run = model:run({ stage }, sg.plain(formulations.options(case.formulation,
+    { step = { adaptive = true } }, augmented)))
   case.run, case.outcome = run, run.cause or run.reason
   if run.failed then return case end
   case.profile, case.force = model:profile "ground", run:column "ground.fy"[run.steps]
@@ -88,6 +91,11 @@ end
 
 local function key(...) return table.concat({ ... }, " ") end
 
+--- The penalties with which a formulation is solved; none for multipliers, whose results do not depend on them.
+local function penalties_of(formulation)
+  return formulation.keys.enforcement == "multipliers" and { "none" } or options.penalties
+end
+
 --- All cases, also by problem, order, mesh, formulation and penalty.
 local cases, references = {}, {}
 for _, name in ipairs(options.problems) do
@@ -95,7 +103,7 @@ for _, name in ipairs(options.problems) do
   for _, mesh in ipairs(options.meshes) do
     for _, order in ipairs(options.orders) do
       for _, formulation in ipairs(formulations.of(options.formulations)) do
-        for _, penalty in ipairs(options.penalties) do
+        for _, penalty in ipairs(penalties_of(formulation)) do
           local case = solve{ problem = name, order = order, mesh = mesh, formulation = formulation,
                               penalty = penalty }
           measure(case, references[name])
@@ -143,19 +151,21 @@ end
 
 -- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
+local function text_of(penalty) return penalty == "none" and penalty or ("%g"):format(penalty) end
+
 local rows = {}
 for i, name in ipairs(best) do
   local case = best[name]
-  rows[i] = { case.problem, case.order, case.mesh, case.formulation.label, case.l2 and case.penalty, case.l2,
+  rows[i] = { case.problem, case.order, case.mesh, case.formulation.label, case.l2 and text_of(case.penalty), case.l2,
               case.largest, case.oscillation, case.penetration, case.run.iterations,
-              not case.l2 and case.outcome or nil }
+              case.run.cutbacks, not case.l2 and case.outcome or nil }
 end
 print "Pressure inside 0.8 a against the finest mesh, at the penalty of the smallest L2 error of each formulation"
 print(sg.table{
   columns = { "", "order", "mesh", "formulation", "penalty", "L2 error", "largest", "oscillation", "penetration",
-              "iterations", "failed" },
-  units = { "", "", "", "", "", "of p_0", "of p_0", "of p_0", "R", "", "" }, rows = rows,
-  formats = { penalty = "%g", ["L2 error"] = "%.1e", largest = "%.1e", oscillation = "%.1e", penetration = "%.1e" } })
+              "iterations", "cuts", "failed" },
+  units = { "", "", "", "", "", "of p_0", "of p_0", "of p_0", "R", "", "", "" }, rows = rows,
+  formats = { ["L2 error"] = "%.1e", largest = "%.1e", oscillation = "%.1e", penetration = "%.1e" } })
 
 local drift = drift_of_forces()
 local drift_columns, drift_formats = { "order", "formulation" }, {}
@@ -171,8 +181,8 @@ local files = sg.files(options.out)
 local data = { columns = { "problem", "order", "mesh", "formulation", "penalty", "l2", "largest", "oscillation",
                            "penetration", "iterations" }, rows = {}, comments = { "inside 0.8 a, of p0" } }
 for i, case in ipairs(cases) do
-  data.rows[i] = { case.problem, case.order, case.mesh, case.formulation.name, case.penalty, case.l2, case.largest,
-                   case.oscillation, case.penetration, case.run.iterations }
+  data.rows[i] = { case.problem, case.order, case.mesh, case.formulation.name, text_of(case.penalty), case.l2,
+                   case.largest, case.oscillation, case.penetration, case.run.iterations }
 end
 sg.csv.write(files "cases.csv", data)
 
@@ -189,7 +199,8 @@ for _, name in ipairs(options.problems) do
         title = ("%s, %s: error at the best penalty"):format(titles[name], order) })
     chart(files, ("%s_%s_penalty.png"):format(name, order), shown, options.penalties,
       function(formulation, i)
-        return cases[key(name, order, middle, formulation.name, options.penalties[i])].l2
+        local penalties = penalties_of(formulation)
+        return cases[key(name, order, middle, formulation.name, penalties[math.min(i, #penalties)])].l2
       end,
       { log = "xy", xlabel = "penalty (E / R)", ylabel = "L2 error of p / p_0 inside 0.8 a",
         title = ("%s, %s at %s: error over the penalty"):format(titles[name], order, middle) })

@@ -2,8 +2,8 @@
 
 local rows = {}
 
---- name: on the command line; label: in tables and charts; keys: of the contact; two_faces: the master must be a face of
---- a body.
+--- name: on the command line; label: in tables and charts; keys: of the contact; two_faces: the master must be a face
+--- of a body.
 local list = {
   { name = "gpts", label = "GPTS", keys = {} },
   { name = "gpts-augmented", label = "GPTS, augmented", keys = { enforcement = "augmented" } },

@@ -35,7 +35,7 @@ function problem.scene(o)
     loads    = { push = force and { on = cut, traction = {0, 0} } or nil },
     contacts = { ground = formulations.contact(o.formulation, {
       slave = ring:face "south", master = sg.rigid.plane{ point = {0, height}, normal = {0, 1} },
-      penalty = (o.penalty or problem.penalties[o.load]) * size * (o.stiffer or 1) }) },
+      penalty = (o.penalty or problem.penalties[o.load]) * size * (o.stiffer or 1) }, o.penalty) },
   }
   local stage = { name = "press" }
   if force then

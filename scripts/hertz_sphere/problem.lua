@@ -31,7 +31,7 @@ function problem.scene(o)
     loads    = { push = { on = ball:face "east", traction = {0, 0} } },
     contacts = { ground = formulations.contact(o.formulation, {
       slave = ball:face "south", master = sg.rigid.plane{ point = {0, height}, normal = {0, 1} },
-      penalty = (o.penalty or problem.penalty) * size * (o.stiffer or 1) }) },
+      penalty = (o.penalty or problem.penalty) * size * (o.stiffer or 1) }, o.penalty) },
   }
   local traction = -problem.load / (math.pi * (problem.outer ^ 2 - problem.inner ^ 2)) / size ^ 3
   return model, { name = "press", push = { 0, traction } }, ball

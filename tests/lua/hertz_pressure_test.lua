@@ -7,8 +7,8 @@ local check = require "check"
 core.quiet = true
 local script = core.home .. "/scripts/formulations/hertz_pressure.lua"
 local folder = check.folder()
-local study = assert(loadfile(script))("meshes=m1,m2,m3", "reference=m4", "formulations=gpts,equal,reduced",
-  "penalties=500,1e4,1e5,1e6", "drift=m2", "out=" .. folder)
+local study = assert(loadfile(script))("meshes=m1,m2,m3", "reference=m4", "drift=m2", "out=" .. folder,
+  "formulations=gpts,equal,equal-multipliers,reduced,reduced-multipliers", "penalties=500,1e4,1e5,1e6,5e6")
 
 local function case(problem, order, mesh, formulation, penalty)
   return study.cases[table.concat({ problem, order, mesh, formulation, penalty }, " ")]
@@ -43,11 +43,28 @@ check.case("the reference agrees with Hertz's solution up to the finite size", f
   end
 end)
 
-check.case("forces under a given displacement converge as 1/penalty", function()
+check.case("multipliers: no parameter, no weighted penetration, the limit of high penalties", function()
+  for _, problem in ipairs { "line", "sphere" } do
+    for _, name in ipairs { "equal", "reduced" } do
+      for _, mesh in ipairs { "m1", "m2", "m3" } do
+        local one, limit = case(problem, "N2-N2.2", mesh, name .. "-multipliers", "none"),
+          case(problem, "N2-N2.2", mesh, name, 5e6)
+        local what = ("%s %s %s"):format(problem, mesh, name)
+        check.at_most(what .. ": penetration", one.penetration, 1e-12)
+        check.within_share(what .. ": error", one.l2, limit.l2, 0.05)
+      end
+    end
+  end
+end)
+
+check.case("forces under a given displacement: no effect of c over four decades, 1/penalty otherwise", function()
   for _, row in ipairs(study.drift) do
-    if row[2]:find "mortar" then
-      check.at_most(row[1] .. " " .. row[2], row[5], 0.2 * row[4])
-      check.at_most(row[1] .. " " .. row[2], row[5], 1e-4)
+    local what = row[1] .. " " .. row[2]
+    if row[2]:find "multipliers" then
+      for i = 3, 7 do check.at_most(what, row[i], 1e-8) end
+    elseif row[2]:find "mortar" then
+      check.at_most(what, row[5], 0.2 * row[4])
+      check.at_most(what, row[5], 1e-4)
     end
   end
 end)

@@ -10,11 +10,12 @@ local function study(name, ...)
   return assert(loadfile(("%s/scripts/formulations/%s.lua"):format(core.home, name)))("out=" .. folder, ...)
 end
 
-local hold = study("load_and_hold", "orders=N2-N2.2", "formulations=gpts,equal,reduced", "steps=20,40", "hold=50")
+local hold = study("load_and_hold", "orders=N2-N2.2", "steps=20,40",
+  "formulations=gpts,equal,equal-multipliers,reduced,reduced-multipliers", "hold=50")
 local swap = study("swapped_faces", "orders=N2-N2.2", "meshes=m1,m2", "formulations=gpts,reduced,half-passes")
 
 check.case("mortar: no creep in 50 steps, and the same drag with half as many steps", function()
-  for _, name in ipairs { "equal", "reduced" } do
+  for _, name in ipairs { "equal", "equal-multipliers", "reduced", "reduced-multipliers" } do
     local one = hold.series["N2-N2.2 " .. name]
     for _, case in ipairs(one) do
       check.at_most(name .. ": first step", case.first, 1e-8)
