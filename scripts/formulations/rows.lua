@@ -18,6 +18,10 @@ local list = {
   { name = "reduced-multipliers", label = "mortar reduced, multipliers",
     keys = { method = "mortar", multipliers = "reduced", enforcement = "multipliers" } },
   { name = "half-passes", label = "half passes", keys = { method = "half_passes" }, two_faces = true },
+  { name = "half-passes-equal", label = "half passes, mortar equal", two_faces = true,
+    keys = { method = "half_passes", multipliers = "equal" } },
+  { name = "half-passes-reduced", label = "half passes, mortar reduced", two_faces = true,
+    keys = { method = "half_passes", multipliers = "reduced" } },
 }
 
 --- Names of all formulations.
