@@ -82,8 +82,8 @@ function problem.scene(set_up, order, elements, points, thickness_degree, contac
 end
 
 --- Runs one case { set_up, order, mesh }, also with `points`, `thickness_degree`, `formulation`, `swap`, `coarser`
---- (steps that many times as long), `stages` (instead of the variant's), and `step`, `linear` and `on_step(model,
---- info)` as model:run takes them. Returns { order, mesh, run, model, die_dofs, slab_dofs }.
+--- (steps that many times as long), `stages` (instead of the variant's), `controls` (sg.plain), and `step`, `linear`
+--- and `on_step(model, info)` as model:run takes them. Returns { order, mesh, run, model, die_dofs, slab_dofs }.
 function problem.solve(case)
   local set_up = case.set_up
   local model, die, slab = problem.scene(set_up, case.order, problem.elements(case.mesh), case.points,
@@ -91,7 +91,7 @@ function problem.solve(case)
   local options = { linear = case.linear, step = case.step,
                     on_step = case.on_step and function(info) return case.on_step(model, info) end }
   local run = model:run(case.stages or problem.path(set_up, case.coarser or 1),
-    sg.plain(formulations.options(case.formulation, options)))
+    (case.controls or sg.plain)(formulations.options(case.formulation, options)))
   return { order = case.order, mesh = case.mesh, run = run, model = model,
            die_dofs = die:dofs(), slab_dofs = slab:dofs() }
 end

@@ -5,7 +5,6 @@ local core = require "signorini.core"
 local check = require "check"
 
 core.quiet = true
-package.path = core.home .. "/scripts/?.lua;" .. package.path
 local problem = require "formulations.partial_slip.problem"
 local script = core.home .. "/scripts/formulations/partial_slip.lua"
 local folder = check.folder()
