@@ -23,56 +23,20 @@
 --      [linear=auto] [out=out/hertz_sphere]; sizes: multiples of R/a for the study of the finite size (1: none).
 
 local sg = require "signorini"
+local problem = require "hertz_sphere.problem"
 
-local inner, outer, young, poisson = 0.2, 1, 1, 0.3
-local load, penalty = math.pi * outer ^ 2 * 1e-4, 1000
-
--- ── Scene and path ───────────────────────────────────────────────────────────────────────────────────────────────────
-
---- The sphere on its plane, and the traction on its cut. `o`: order, mesh; for the study of the size also size, the
---- multiple of R/a (the load falls with its cube; there are as many elements per half-width near the contact and
---- beyond), stiffer, the multiple of the penalty, and thickness_degree.
-local function scene(o)
-  local size = o.size or 1
-  -- 0.75 n elements in the part 0.1/size of the length, 0.25 n size in the rest: twice the size, twice as many there
-  local growth = 0.75 + 0.25 * size
-  local count = math.floor(8 * (1 << (math.tointeger(o.mesh:sub(2)) - 1)) * growth + 0.5)
-  local graded = { elements = 0.75 / growth, length = 0.1 / size, at = "start" }
-  local ball = sg.body{
-    patch    = sg.shapes.quarter_annulus{ inner = inner, outer = outer, start = 270 },
-    elements = { count, count }, grading = { graded, graded }, order = o.order, contact = "south",
-    thickness_degree = o.thickness_degree or 1,
-    material = sg.linear_elastic{ E = young, nu = poisson },
-  }
-  -- Under a given force the body is unconstrained until it is in contact. The height of the plane does not affect the
-  -- result, so the plane is slightly higher and the first iteration finds points in contact.
-  local height = -outer + 1e-4 / size ^ 2
-  local model = sg.model{
-    kind     = "axisymmetric",
-    bodies   = { ball = ball },
-    supports = { axis = { on = ball:face "west", fix = "x" } },
-    loads    = { push = { on = ball:face "east", traction = {0, 0} } },
-    contacts = { ground = { slave = ball:face "south", master = sg.rigid.plane{ point = {0, height}, normal = {0, 1} },
-                            penalty = penalty * size * (o.stiffer or 1) } },
-  }
-  return model, -load / (math.pi * (outer ^ 2 - inner ^ 2)) / size ^ 3, ball:dofs()
-end
-
---- Radius of contact and peak pressure of Hertz's point contact under a load p.
-local function hertz(p)
-  local a = (3 * p * outer * (1 - poisson ^ 2) / (4 * young)) ^ (1 / 3)
-  return a, 3 * p / (2 * math.pi * a ^ 2)
-end
+-- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Solves a scene and compares its contact with Hertz's.
 local function solve(o, steps, linear)
-  local model, traction, dofs = scene(o)
-  local run = model:run({ { name = "press", steps = steps, push = { 0, traction } } }, sg.plain{ linear = linear })
+  local model, stage, ball = problem.scene(o)
+  stage.steps = steps
+  local run = model:run({ stage }, sg.plain{ linear = linear })
   if run.failed then error(("%s at %s: %s"):format(o.order, o.mesh, run.report), 0) end
-  local case = { order = o.order, mesh = o.mesh, size = o.size or 1, stiffer = o.stiffer or 1, run = run, dofs = dofs,
-                 model = model, profile = model:profile "ground" }
-  local expected = load / case.size ^ 3
-  case.a, case.p0 = hertz(expected)
+  local case = { order = o.order, mesh = o.mesh, size = o.size or 1, stiffer = o.stiffer or 1, run = run,
+                 dofs = ball:dofs(), model = model, profile = model:profile "ground" }
+  local expected = problem.load / case.size ^ 3
+  case.a, case.p0 = problem.hertz(expected)
   case.edges = sg.profile_edges{ profile = case.profile }
   case.force_percent = 100 * (run:column "ground.fy"[steps] / expected - 1)
   case.peak_percent = 100 * (run:column "ground.max_pressure"[steps] / case.p0 - 1)
@@ -89,9 +53,9 @@ end
 local function case_table(cases)
   local rows = {}
   for i, case in ipairs(cases) do
-    rows[i] = { case.order, case.mesh, case.stiffer, case.size, outer / case.a, case.dofs.total, case.peak_percent,
-                case.width_percent, case.spacing_percent, case.force_percent, case.error, case.run.iterations,
-                case.run.wall }
+    rows[i] = { case.order, case.mesh, case.stiffer, case.size, problem.outer / case.a, case.dofs.total,
+                case.peak_percent, case.width_percent, case.spacing_percent, case.force_percent, case.error,
+                case.run.iterations, case.run.wall }
   end
   return sg.table{
     columns = { "order", "mesh", "penalty", "size", "R/a", "DOFs", "peak", "a", "points", "force", "L2 error",

@@ -28,9 +28,9 @@
 --      per direction, from p + 1 on, p the degree on the face.
 
 local sg = require "signorini"
+local problem = require "patch_test.problem"
 
-local load, penalty, overlap = 0.1, 100, 5e-4
-local materials = { linear = sg.linear_elastic, neo_hooke = sg.neo_hookean }
+local load = problem.load
 --- Elements of the lower and the upper block along the face, and which of them is the slave.
 local exact_pairs = { { "matching", 4, 4, "lower" }, { "matching", 4, 4, "upper" }, { "slave finer", 2, 6, "upper" } }
 local pairs_with_kinks = { { "master finer", 2, 6, "lower" }, { "non-matching", 3, 5, "lower" },
@@ -43,42 +43,7 @@ local function smoothness(order)
   return degree + elevations, kind == "L" and 1 or degree
 end
 
--- ── Scene ────────────────────────────────────────────────────────────────────────────────────────────────────────────
-
---- A block whose contact face is at the height 0, or `overlap` below it.
-local function block(o, side, young)
-  local flat, count, lower = o.dimension == 2, o[side], side == "lower"
-  local height = lower and -1 or -overlap
-  return sg.body{
-    patch    = flat and sg.shapes.rectangle{ width = 2, height = 1, corner = { 0, height } } or
-               sg.shapes.block{ size = { 2, 2, 1 }, corner = { 0, 0, height } },
-    elements = flat and { count, 2 } or { count, count, 2 }, order = o.order,
-    contact  = flat and (lower and "north" or "south") or (lower and "back" or "front"), thickness_degree = 1,
-    material = materials[o.material]{ E = young, nu = o.sides == "free" and 0 or 0.3 },
-  }
-end
-
---- The two blocks. Under a given force the upper block is unconstrained until it is in contact. Its initial height does
---- not affect the result, so it is slightly lower and the first iteration finds points in contact.
-local function scene(o)
-  local flat = o.dimension == 2
-  local lower, upper = block(o, "lower", 1), block(o, "upper", 2)
-  local bottom, top = flat and "south" or "front", flat and "north" or "back"
-  local function sides(first, second)
-    if o.sides == "free" then return { lower:face(first), upper:face(first) } end
-    return { lower:face(first), upper:face(first), lower:face(second), upper:face(second) }
-  end
-  local slave, master = upper:face(bottom), lower:face(top)
-  if o.slave == "lower" then slave, master = master, slave end
-  return sg.model{
-    bodies   = { lower = lower, upper = upper },
-    supports = { bed   = { on = lower:face(bottom), fix = flat and "y" or "z" },
-                 ends  = { on = sides("west", "east"), fix = "x" },
-                 sides = not flat and { on = sides("south", "north"), fix = "y" } or nil },
-    loads    = { push = { on = upper:face(top), pressure = 0 } },
-    contacts = { joint = { slave = slave, master = master, penalty = o.penalty or penalty, points = o.points } },
-  }
-end
+-- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The largest difference of the vertical stress from −p0 relative to p0, over 8 points per direction along the face
 --- and 4 through each block; none of them on a border of elements.
@@ -97,18 +62,16 @@ local function stress_error(model, dimension)
   return largest
 end
 
---- Solves a scene in two steps, so that linear elasticity meets its own tangent twice, and measures it.
+--- Solves a scene and measures it.
 local function solve(o)
-  local model = scene(o)
-  local run = model:run({ { name = "press", steps = 2, push = load } }, sg.plain{})
+  local model = problem.scene(o)
+  local run = model:run({ problem.stage }, sg.plain{})
   if run.failed then
     error(("%s, %d|%d elements, %dD: %s"):format(o.order, o.lower, o.upper, o.dimension, run.report), 0)
   end
-  local case = { profile = model:profile "joint", pressure_error = 0 }
+  local case = { profile = model:profile "joint" }
   for key, value in pairs(o) do case[key] = value end
-  for _, pressure in ipairs(case.profile.pressure) do
-    case.pressure_error = math.max(case.pressure_error, math.abs(pressure / load - 1))
-  end
+  case.pressure_error = problem.pressure_error(case.profile)
   case.stress_error = stress_error(model, o.dimension)
   local area = o.dimension == 2 and 2 or 4
   case.force_error = math.abs(run:column(o.dimension == 2 and "bed.fy" or "bed.fz")[2] / (load * area) - 1)

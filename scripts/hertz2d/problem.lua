@@ -1,6 +1,7 @@
 -- A hollow cylinder on a rigid plane: scene, path, and Hertz's closed form.
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 
 local problem = {
   inner = 0.1, outer = 1, young = 1, poisson = 0.3,
@@ -10,8 +11,8 @@ local problem = {
 
 --- The ring on its plane. `o`: order, mesh, load; for the study of the size also size, the multiple of R/a (the load
 --- falls with its square; there are as many elements per half-width near the contact and beyond), stiffer, the multiple
---- of the penalty, and thickness_degree; penalty, if not the published one; enforcement of the contact. Returns the
---- model, the stage (without steps) that presses it, and the ring.
+--- of the penalty, and thickness_degree; penalty, if not the published one; formulation, a row of
+--- formulations/rows.lua. Returns the model, the stage (without steps) that presses it, and the ring.
 function problem.scene(o)
   local refined, size = 1 << (math.tointeger(o.mesh:sub(2)) - 1), o.size or 1
   -- 0.8 N elements in the part 0.1/size of the length, 0.2 N size in the rest: twice the size, twice the elements there
@@ -32,9 +33,9 @@ function problem.scene(o)
     supports = { symmetry = { on = ring:face "west", fix = "x" },
                  grip     = not force and { on = cut, drive = "y" } or nil },
     loads    = { push = force and { on = cut, traction = {0, 0} } or nil },
-    contacts = { ground = { slave = ring:face "south", master = sg.rigid.plane{ point = {0, height}, normal = {0, 1} },
-                            enforcement = o.enforcement,
-                            penalty = (o.penalty or problem.penalties[o.load]) * size * (o.stiffer or 1) } },
+    contacts = { ground = formulations.contact(o.formulation, {
+      slave = ring:face "south", master = sg.rigid.plane{ point = {0, height}, normal = {0, 1} },
+      penalty = (o.penalty or problem.penalties[o.load]) * size * (o.stiffer or 1) }, o.penalty) },
   }
   local stage = { name = "press" }
   if force then

@@ -1,6 +1,7 @@
 -- The variants of 2D frictional ironing: parameters, meshes, scene, path.
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 
 local problem = {}
 
@@ -54,8 +55,9 @@ function problem.path(set_up, coarser)
 end
 
 --- Model, die and slab of a variant; `points` are the Gauss points per contact element, 3(p + 1) by default; through:
---- the degree in the thickness direction, 1 by default, as published.
-function problem.scene(set_up, order, elements, points, thickness_degree)
+--- the degree in the thickness direction, 1 by default, as published; `contact`: { formulation (a row of
+--- formulations/rows.lua), swap (the slab is the slave) }.
+function problem.scene(set_up, order, elements, points, thickness_degree, contact)
   local die = sg.body{
     patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { set_up.start, 1.5 } },
     elements = elements.die, order = order, contact = "south", thickness_degree = thickness_degree or 1,
@@ -66,25 +68,30 @@ function problem.scene(set_up, order, elements, points, thickness_degree)
     elements = elements.slab, order = order, contact = "north", thickness_degree = thickness_degree or 1,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
+  local slave, master = die:face "south", slab:face "north"
+  if contact and contact.swap then slave, master = master, slave end
   local model = sg.model{
     bodies   = { die = die, slab = slab },
     supports = { bed  = { on = slab:face "south", fix = "xy" },
                  grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
-    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
-                               friction = { mu = set_up.mu, penalty = 100 }, points = points } },
+    contacts = { interface = formulations.contact(contact and contact.formulation, {
+      slave = slave, master = master, penalty = 100, friction = { mu = set_up.mu, penalty = 100 },
+      points = points }) },
   }
   return model, die, slab
 end
 
---- Runs one case { set_up, order, mesh }, also with `points`, `thickness_degree`, `coarser` (steps that many times as
---- long), and `step`, `linear` and `on_step(model, info)` as model:run takes them. Returns { order, mesh, run, model,
---- die_dofs, slab_dofs }.
+--- Runs one case { set_up, order, mesh }, also with `points`, `thickness_degree`, `formulation`, `swap`, `coarser`
+--- (steps that many times as long), `stages` (instead of the variant's), `controls` (sg.plain), and `step`, `linear`
+--- and `on_step(model, info)` as model:run takes them. Returns { order, mesh, run, model, die_dofs, slab_dofs }.
 function problem.solve(case)
   local set_up = case.set_up
   local model, die, slab = problem.scene(set_up, case.order, problem.elements(case.mesh), case.points,
-    case.thickness_degree)
-  local run = model:run(problem.path(set_up, case.coarser or 1), sg.plain{ linear = case.linear, step = case.step,
-     on_step = case.on_step and function(info) return case.on_step(model, info) end })
+    case.thickness_degree, case)
+  local options = { linear = case.linear, step = case.step,
+                    on_step = case.on_step and function(info) return case.on_step(model, info) end }
+  local run = model:run(case.stages or problem.path(set_up, case.coarser or 1),
+    (case.controls or sg.plain)(formulations.options(case.formulation, options)))
   return { order = case.order, mesh = case.mesh, run = run, model = model,
            die_dofs = die:dofs(), slab_dofs = slab:dofs() }
 end

@@ -1,6 +1,7 @@
 -- 3D ironing with a spherical indenter: meshes, bodies, scene, path.
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 
 local problem = {}
 
@@ -35,8 +36,8 @@ function problem.bodies(case, center)
   return indenter, slab
 end
 
---- Model of a case { order, mesh, radius }, also with `mu`, `penalty` (both penalties, 100) and `points` (per direction
---- of a contact element, 3(p + 1)), and its two bodies.
+--- Model of a case { order, mesh, radius }, also with `mu`, `penalty` (both penalties, 100), `points` (per direction of
+--- a contact element, 3(p + 1)) and `formulation` (a row of formulations/rows.lua), and its two bodies.
 function problem.scene(case, center)
   local indenter, slab = problem.bodies(case, center)
   local penalty = case.penalty or 100
@@ -45,8 +46,9 @@ function problem.scene(case, center)
     bodies   = { indenter = indenter, slab = slab },
     supports = { bed  = { on = slab:face "front", fix = "xyz" },
                  grip = { on = indenter:face "back", drive = "xyz" } },
-    contacts = { interface = { slave = indenter:face "front", master = slab:face "back", penalty = penalty,
-                               friction = friction, points = case.points } },
+    contacts = { interface = formulations.contact(case.formulation, {
+      slave = indenter:face "front", master = slab:face "back", penalty = penalty, friction = friction,
+      points = case.points }) },
   }
   return model, indenter, slab
 end
@@ -63,17 +65,18 @@ function problem.stages(case)
   return stages
 end
 
---- Runs a case { order, mesh, radius, depth, from, distance }, also with what problem.scene takes, `down`, `along`, and
---- `step`, `linear` and `on_step(model, info)` as model:run takes them. `from` is the x of the indenter's center while
---- it is pressed. Adds to the case: model, run, dofs of indenter and slab, x (the center's x after every step of
---- the sliding), Px and Pz there (forces of the indenter on the slab), pressed (Pz at full depth).
+--- Runs a case { order, mesh, radius, depth, from, distance }, also with what problem.scene takes, `down`, `along`,
+--- `controls` (sg.plain), and `step`, `linear` and `on_step(model, info)` as model:run takes them. `from` is the x of
+--- the indenter's center while it is pressed. Adds to the case: model, run, dofs of indenter and slab, x (the center's
+--- x after every step of the sliding), Px and Pz there (forces of the indenter on the slab), pressed (Pz at full
+--- depth).
 function problem.solve(case)
   local model, indenter, slab = problem.scene(case, case.from)
   local stages = problem.stages(case)
-  local run = model:run(stages, sg.plain{
+  local run = model:run(stages, (case.controls or sg.plain)(formulations.options(case.formulation, {
     linear = case.linear, step = case.step or { adaptive = true },
     on_step = case.on_step and function(info) return case.on_step(model, info) end,
-  })
+  })))
   case.model, case.run = model, run
   case.dofs = { indenter = indenter:dofs(), slab = slab:dofs() }
   local fx, fz, ux = run:column "grip.fx", run:column "grip.fz", run:column "grip.ux"

@@ -17,6 +17,7 @@
 --      [penetration=1e-6] [loops=500] [steps=4] [reference=m5] [out=out/stability/augmented]
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 local hertz = require "hertz2d.problem"
 
 local levels = { "m1", "m2", "m3", "m4", "m5", "m6" }
@@ -32,7 +33,7 @@ local reference_penalty = 1e4
 
 local function solve(order, mesh, penalty, enforcement)
   local model, stage = hertz.scene{ order = order, mesh = mesh, load = "displacement", penalty = penalty,
-                                    enforcement = enforcement }
+                                    formulation = enforcement == "augmented" and formulations["gpts-augmented"] or nil }
   stage.steps = options.steps
   local run = model:run({ stage },
     { augmentation = enforcement == "augmented" and { penetration = penetration, loops = loops } or nil })

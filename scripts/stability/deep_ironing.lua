@@ -20,13 +20,15 @@
 --           take 0.81 times as many iterations and give the same forces to 3e-9.
 -- Run: signorini scripts/stability/deep_ironing.lua [points=p+1,2(p+1),3(p+1)]
 --      [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [coarser=1,2,4,8,16] [mesh=m1] [places=N6] [jobs=2]
---      [limit=600] [keep=no] [with=robust] [out=out/stability/deep_ironing]; points: contact points per element, p the
---      degree on the contact face, one map for each; coarser: factors on the step size; places: a discretization whose
---      failures of plain Newton are shown in a picture, at the first of points and of coarser, or none; keep=yes reuses
---      the cells that an earlier call left in the folder; with=cutting, fallback or prediction turns on only one of the
---      controls.
+--      [limit=600] [keep=no] [with=robust] [formulation=gpts] [out=out/stability/deep_ironing]; points: contact points
+--      per element, p the degree on the contact face, one map for each; coarser: factors on the step size; places: a
+--      discretization whose failures of plain Newton are shown in a picture, at the first of points and of coarser, or
+--      none; keep=yes reuses the cells that an earlier call left in the folder; with=cutting, fallback or prediction
+--      turns on only one of the controls; formulation: a row of formulations/rows.lua, such as equal, reduced or
+--      half-passes.
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 local ironing = require "ironing2d.problem"
 local study = require "stability.study"
 
@@ -36,12 +38,15 @@ local options = study.arguments{
   points = { all_points, choices = all_points },
   orders = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
   coarser = { { 1.0, 2.0, 4.0, 8.0, 16.0 }, above = 0 }, mesh = ironing.meshes "m1", places = "N6",
+  formulation = formulations.argument "gpts",
   out = "out/stability/deep_ironing",
 }
 local set_up, elements = ironing.variants.deep, ironing.elements(options.mesh)
+local formulation = formulations[options.formulation]
 
 local function scene(order, multiple)
-  return (ironing.scene(set_up, order, elements, multiple * (ironing.layer_degree(order) + 1)))
+  return (ironing.scene(set_up, order, elements, multiple * (ironing.layer_degree(order) + 1), nil,
+    { formulation = formulation }))
 end
 
 --- The forces on the die at the end of the path.
@@ -59,7 +64,7 @@ for _, name in ipairs(points) do
     y = { name = "length of a step (published: 1)", values = coarser },
     scene = function(order) return scene(order, multiple) end,
     path = function(_, _, times) return ironing.path(set_up, times) end,
-    results = forces,
+    results = forces, formulation = formulation,
   }, options, files)
 end
 
@@ -68,7 +73,7 @@ end
 --- Draws the last state of plain Newton with an order, and the places in its report. Returns the run.
 local function draw_places(order)
   local model = scene(order, multiples[points[1]])
-  local run = model:run(ironing.path(set_up, coarser[1]), sg.plain{})
+  local run = model:run(ironing.path(set_up, coarser[1]), sg.plain(formulations.options(formulation, {})))
   if not run.failed then
     print(("\n%s with %s contact points completes the path: nothing to mark"):format(order, points[1]))
     return run

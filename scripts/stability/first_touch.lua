@@ -20,17 +20,23 @@
 --           equals the load.
 -- Run: signorini scripts/stability/first_touch.lua [under=plane,slab] [friction=0,0.3] [order=N2]
 --      [gaps=-1e-2,-1e-3,0,1e-3,1e-2,1e-1] [loads=1e-4,1e-3,1e-2,0.05] [steps=5] [jobs=2] [limit=600] [keep=no]
---      [with=robust] [out=out/stability/first_touch]; one map for each of under and friction; keep=yes reuses the cells
---      that an earlier call left in the folder; with=cutting, fallback or prediction turns on only one of the controls.
+--      [with=robust] [formulation=gpts] [out=out/stability/first_touch]; one map for each of under and friction;
+--      keep=yes reuses the cells that an earlier call left in the folder; with=cutting, fallback or prediction turns on
+--      only one of the controls; formulation: a row of formulations/rows.lua (half-passes with under=slab only).
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 local study = require "stability.study"
 
 local options = study.arguments{
   under = { { "plane", "slab" }, choices = { "plane", "slab" } }, friction = { 0, 0.3 }, order = "N2",
   gaps = { -1e-2, -1e-3, 0, 1e-3, 1e-2, 1e-1 }, loads = { { 1e-4, 1e-3, 1e-2, 0.05 }, above = 0 }, steps = 5,
-  out = "out/stability/first_touch",
+  formulation = formulations.argument "gpts", out = "out/stability/first_touch",
 }
+local formulation = formulations[options.formulation]
+if formulation.two_faces and options.under[1] .. (options.under[2] or "") ~= "slab" then
+  error(("formulation=%s needs under=slab, since a plane is never the slave"):format(formulation.name), 0)
+end
 local order, steps = options.order, options.steps
 local inner, outer, penalty = 0.5, 1, 100
 
@@ -54,8 +60,9 @@ local function scene(under, mu, gap)
   return sg.model{
     bodies = bodies, supports = supports,
     loads = { push = { on = ring:face "east", traction = { 0, 0 } } },
-    contacts = { ground = { slave = ring:face "south", master = master, penalty = penalty,
-                            friction = mu > 0 and { mu = mu, penalty = penalty } or nil } },
+    contacts = { ground = formulations.contact(formulation, {
+      slave = ring:face "south", master = master, penalty = penalty,
+      friction = mu > 0 and { mu = mu, penalty = penalty } or nil }) },
   }
 end
 
@@ -70,6 +77,7 @@ for _, under in ipairs(options.under) do
       path = function(_, _, load)
         return { { name = "press", steps = steps, push = { 0, -load / (outer - inner) } } }
       end,
+      formulation = formulation,
       results = function(_, run) return { carried = run:column "ground.fy"[run.steps] } end,
     }, options, files)
   end

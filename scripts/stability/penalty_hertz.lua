@@ -26,11 +26,13 @@
 --           decreases with the penalty.
 -- Run: signorini scripts/stability/penalty_hertz.lua [orders=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
 --      [penalties=1,10,1e2,1e3,1e4,1e5,1e6] [mesh=m3] [load=displacement] [steps=10] [jobs=2] [limit=600] [keep=no]
---      [with=robust] [out=out/stability/penalty_hertz]; mesh: m1 to m6 as in hertz2d.lua; load: displacement or force;
---      keep=yes reuses the cells that an earlier call left in the folder; with=cutting, fallback or prediction turns on
---      only one of the controls.
+--      [with=robust] [formulation=gpts] [out=out/stability/penalty_hertz]; mesh: m1 to m6 as in hertz2d.lua; load:
+--      displacement or force; keep=yes reuses the cells that an earlier call left in the folder; with=cutting, fallback
+--      or prediction turns on only one of the controls; formulation: a row of formulations/rows.lua, such as equal or
+--      reduced.
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 local hertz = require "hertz2d.problem"
 local smooth = require "stability.smooth"
 local study = require "stability.study"
@@ -39,8 +41,11 @@ local options = study.arguments{
   orders = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2" },
   penalties = { { 1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6 }, above = 0 },
   mesh = { "m3", choices = { "m1", "m2", "m3", "m4", "m5", "m6" } },
-  load = { "displacement", choices = { "displacement", "force" } }, steps = 10, out = "out/stability/penalty_hertz",
+  load = { "displacement", choices = { "displacement", "force" } }, steps = 10,
+  formulation = { "gpts", choices = formulations.where(function(row) return not row.two_faces end) },
+  out = "out/stability/penalty_hertz",
 }
+local formulation = formulations[options.formulation]
 local mesh, load, steps = options.mesh, options.load, options.steps
 local part = 0.8 -- of the half-width; excludes the edge, where the number of active points changes
 
@@ -64,14 +69,15 @@ local maps = study.solve({
   x = { name = "order", values = options.orders },
   y = { name = "penalty", values = options.penalties },
   scene = function(order, penalty)
-    return (hertz.scene{ order = order, mesh = mesh, load = load, penalty = penalty })
+    return (hertz.scene{ order = order, mesh = mesh, load = load, penalty = penalty, formulation = formulation })
   end,
   path = function(_, order, penalty)
-    local _, stage = hertz.scene{ order = order, mesh = mesh, load = load, penalty = penalty }
+    local _, stage = hertz.scene{ order = order, mesh = mesh, load = load, penalty = penalty,
+                                  formulation = formulation }
     stage.steps = steps
     return { stage }
   end,
-  results = pressure_results,
+  results = pressure_results, formulation = formulation,
   charts = {
     { key = "oscillation", name = "oscillation", log = true, label = "oscillation of the pressure / peak" },
     { key = "penetration", name = "penetration", log = true, label = "largest penetration" },

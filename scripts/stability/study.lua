@@ -2,6 +2,7 @@
 -- controls), their comparison, and files.
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 local controls = require "stability.controls"
 
 local study = {}
@@ -55,30 +56,34 @@ end
 
 --- Solves a problem's map with both options. `problem`: name, x, y, scene, results as sg.convergence_map takes them,
 --- path(model, x, y) with the overrides of model:run's options that both ways need, charts (further pictures:
---- map:heatmap's name, log and label, and `key`, their file's name), and `key`, part of the files' names when a script
---- has several problems. Returns { plain, robust, comparison }; `files` is the result of sg.files.
+--- map:heatmap's name, log and label, and `key`, their file's name), `key`, part of the files' names when a script has
+--- several problems, and `formulation`, a row of formulations/rows.lua that the scenes use. Returns { plain, robust,
+--- comparison }; `files` is the result of sg.files.
 function study.solve(problem, options, files)
   local function file(name) return files((problem.key and problem.key .. "_" or "") .. name) end
   local path, titles = problem.path, { controls.titles.plain, controls.titles[options.with] }
+  local formulation = problem.formulation
+  local other = formulation and formulation ~= formulations.gpts
+  local name_of_map = problem.name .. (other and ", " .. formulation.label or "")
   local function solve(kind)
     local name = file(kind .. ".csv")
     if not options.keep then os.remove(name) end
     return sg.convergence_map{
-      name = problem.name, x = problem.x, y = problem.y, scene = problem.scene, results = problem.results,
+      name = name_of_map, x = problem.x, y = problem.y, scene = problem.scene, results = problem.results,
       jobs = options.jobs, limit = options.limit, file = name,
       path = function(model, x, y)
         local stages, overrides = path(model, x, y)
-        return stages, controls[kind](overrides)
+        return stages, controls[kind](formulations.options(formulation, overrides or {}))
       end,
     }
   end
   local plain, robust = solve "plain", solve(options.with)
   local comparison = report(plain, robust, titles)
-  plain:picture{ file = file "outcomes.png", title = problem.name .. ": outcome and Newton iterations",
+  plain:picture{ file = file "outcomes.png", title = name_of_map .. ": outcome and Newton iterations",
                  other = robust, titles = titles }
   for _, chart in ipairs(problem.charts or {}) do
     plain:heatmap{ file = file(chart.key .. ".png"), name = chart.name, log = chart.log, label = chart.label,
-                  title = problem.name .. ": " .. chart.label, other = robust, titles = titles }
+                  title = name_of_map .. ": " .. chart.label, other = robust, titles = titles }
   end
   return { plain = plain, robust = robust, comparison = comparison }
 end

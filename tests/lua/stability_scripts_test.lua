@@ -156,6 +156,20 @@ check.case("single controls: for an unconstrained body cutting alone fails, fall
   check.equal({ outcome "cutting", outcome "fallback" }, { "minimum_step", "completed" })
 end)
 
+check.case("formulation=: mortar converges with penalties that over-constrain Gauss points, in all scenes", function()
+  local maps = study("penalty_hertz", "formulation=equal", "orders=N2,N2-N2.2", "penalties=1e4,1e6", "mesh=m2").maps
+  check.equal({ maps.plain:converged() }, { 4, 4 })
+  check_controls(maps, 4)
+  -- With Gauss points 0.0144 at 1e4, and N2-N2.2 cycles at 1e6 (above).
+  check.at_most("oscillation", maps.plain:cell("N2-N2.2", 1e6).results.oscillation, 0.03)
+  local ironing = study("friction_steps", "formulation=reduced", "orders=N2", "coarser=4", "friction=0.4").maps.N2
+  check.within_share("drag", ironing.plain:cell(4, 0.4).results["drag forward"], 0.43, 0.05) -- Gauss points: 0.43
+  study("deep_ironing", "formulation=half-passes", "points=p+1", "orders=N2", "coarser=8", "places=none")
+  local touch = study("first_touch", "formulation=half-passes", "under=slab", "friction=0.3", "gaps=-1e-3",
+    "loads=1e-3")
+  check.near(touch.maps["slab_mu0.3"].plain:cell(-1e-3, 1e-3).results.carried, 1e-3, 1e-5)
+end)
+
 check.case("a second call continues with the cells on request", function()
   local words = { "orders=N2", "penalties=1e2", "mesh=m1" }
   local first = study("penalty_hertz", table.unpack(words))
@@ -173,6 +187,8 @@ check.case("wrong arguments", function()
   check.fails(function() study("deep_ironing", "points=p+1", "orders=N2", "coarser=16", "places=M2") end, "M2")
   check.fails(function() study("locking", "with=luck") end,
     "with must be 'robust', 'cutting', 'fallback' or 'prediction'")
+  check.fails(function() study("first_touch", "formulation=half-passes") end, "needs under=slab")
+  check.fails(function() study("penalty_hertz", "formulation=mortar") end, "formulation must be 'gpts'")
   check.fails(function() study("peeling", "keep=maybe") end, "keep must be yes or no")
 end)
 

@@ -1,0 +1,192 @@
+-- Cattaneo and Mindlin's problem by formulation: partial slip of two bodies that are pressed together and sheared.
+--
+-- Problem: two equal elastic blocks with parabolic faces are pressed together and then sheared, with friction. A stick
+--          zone |x| < c remains inside the contact |x| < a, between two zones that slip.
+--
+--         ┌────────────────┐  both displacement components of the top are prescribed: down by 4e-4 in 16 steps,
+--         │                │  then along by 5.2e-5, 1.255e-4, 1.75e-4 (Q about 0.3, 0.7, 0.95 of mu P)
+--         │____        ____│
+--          ____‾‾‾‾‾‾‾‾____   faces y = ± x²/(2 R), R = 1
+--         │    ‾‾‾‾‾‾‾‾    │  blocks 0.6 wide (61 a) and 0.3 high, linear elastic, E = 1, nu = 0.3, plane strain
+--         └────────────────┘  mu = 0.3; bottom clamped
+--
+--          Spans: `counts` per half-width a at the slave (upper) face and 0.77 times as many at the master, uniform up
+--          to 1.4 a. Both penalties are `penalty` times E over the length of a span. Q/(mu P) is the quotient of the
+--          integrals of both tractions over the contact, which turns slightly. Slip of the sticking points: their
+--          displacement relative to the point of the master opposite to them since the end of the pressing, over |x| <
+--          0.8 c, mean and largest, in units of a.
+-- Source: C. Cattaneo, 1938; R. D. Mindlin, 1949; K. L. Johnson, Contact Mechanics, Cambridge, 1985, sections 4.2(c)
+--         and 7.2(d).
+-- Units: any consistent units; lengths relative to the radius R, tractions to Young's modulus.
+-- Expected: c/a = √(1 − Q/(mu P)) within the length of a span; the L2 error of the traction over x/a falls with the
+--           mesh; sticking points slip by the traction over the tangential penalty.
+-- Run: signorini -q scripts/formulations/partial_slip.lua [orders=N2,N2-N2.2] [counts=4,8,16] [formulations=…]
+--      [penalty=10] [steps=10] [out=out/formulations/partial_slip]; steps: of each shear.
+
+local sg = require "signorini"
+local chart = require "formulations.chart"
+local deviation = require "formulations.deviation"
+local formulations = require "formulations.rows"
+local problem = require "formulations.partial_slip.problem"
+
+local options = sg.arguments{
+  orders = { "N2", "N2-N2.2" }, counts = { { 4, 8, 16 }, at_least = 2 },
+  formulations = formulations.argument(formulations.names), penalty = { 10.0, above = 0 },
+  steps = { 10, at_least = 1 }, out = "out/formulations/partial_slip",
+}
+local augmented = { penetration = 1e-8, loops = 200 }
+local along = { 5.2e-5, 1.255e-4, 1.75e-4 }
+
+-- ── Measures ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The parameters of the points of the master's face that are opposite to a profile's points near the center; x of the
+--- face increases with the parameter.
+local function opposite(model, profile, part)
+  local function x_at(xi) return problem.width * (2 * xi - 1) + model:sample("lower", "ux", { xi, 1 }) end
+  local list = {}
+  for i, x in ipairs(profile.x) do
+    if math.abs(x) <= part then
+      local low, high = 0, 1
+      for _ = 1, 50 do
+        local middle = (low + high) / 2
+        if x_at(middle) < x then low = middle else high = middle end
+      end
+      list[#list + 1] = { point = i, xi = low, x = x, ux = model:sample("lower", "ux", { low, 1 }) }
+    end
+  end
+  return list
+end
+
+--- Mean and largest slip of the points of `opposites` within |x| < part, since the state in which they were opposite.
+local function slips(model, profile, opposites, part)
+  local sum, count, largest = 0, 0, 0
+  for _, one in ipairs(opposites) do
+    if math.abs(one.x) < part then
+      local slip = profile.x[one.point] - one.x - (model:sample("lower", "ux", { one.xi, 1 }) - one.ux)
+      sum, count, largest = sum + slip, count + 1, math.max(largest, math.abs(slip))
+    end
+  end
+  return math.abs(sum) / count, largest
+end
+
+--- Compares a sheared state with the closed form.
+local function compare(model, opposites)
+  local profile = model:profile "joint"
+  local p, q, from, to = 0, 0, math.huge, -math.huge
+  for i, area in ipairs(profile.area) do
+    p, q = p + profile.pressure[i] * area, q + profile.traction[i] * area
+    if profile.state[i] == "stick" then from, to = math.min(from, profile.x[i]), math.max(to, profile.x[i]) end
+  end
+  local a, p0 = problem.hertz(p)
+  local ratio = math.abs(q) / (problem.mu * p)
+  local c, traction = problem.mindlin(math.min(ratio, 1))
+  local state = { ratio = ratio, c = to > from and (to - from) / (2 * a) or 0, expected = c, s = {}, traction = {} }
+  local sign = q < 0 and -1 or 1
+  for i, x in ipairs(profile.x) do
+    state.s[i], state.traction[i] = x / a, sign * profile.traction[i] / (problem.mu * p0)
+  end
+  state.error = deviation.inside(state.s, state.traction, traction, 1.3).l2
+  state.mean_slip, state.largest_slip = slips(model, profile, opposites, 0.8 * c * a)
+  state.mean_slip, state.largest_slip = state.mean_slip / a, state.largest_slip / a
+  return state
+end
+
+-- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Solves a case { order, count, formulation }; adds states (after each shear), iterations, and reason if it failed.
+local function solve(case)
+  case.states, case.iterations = {}, 0
+  local model = problem.scene{ order = case.order, count = case.count, penalty = options.penalty,
+                               formulation = case.formulation }
+  local function run(stage)
+    local done = model:run({ stage }, sg.plain(formulations.options(case.formulation, { step = { adaptive = true } },
+      augmented)))
+    case.iterations = case.iterations + done.iterations
+    if done.failed then case.reason = done.cause or done.reason end
+    return not done.failed
+  end
+  if not run(problem.press) then return case end
+  local opposites = opposite(model, model:profile "joint", problem.half_width)
+  for i, length in ipairs(along) do
+    if not run(problem.shear(options.steps, length)) then return case end
+    case.states[i] = compare(model, opposites)
+  end
+  return case
+end
+
+local cases = {}
+for _, order in ipairs(options.orders) do
+  for _, count in ipairs(options.counts) do
+    for _, formulation in ipairs(formulations.of(options.formulations)) do
+      local case = solve{ order = order, count = count, formulation = formulation }
+      cases[#cases + 1] = case
+      cases[("%s %d %s"):format(order, count, formulation.name)] = case
+      collectgarbage() -- Lua does not count the memory of models
+    end
+  end
+end
+
+-- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local rows, formats = {}, { ["Q/(mu P)"] = "%.3f", ["c/a"] = "%.3f", expected = "%.3f", ["span"] = "%.3f",
+                            ["L2 error"] = "%.1e", mean = "%.1e", largest = "%.1e" }
+for _, case in ipairs(cases) do
+  for i = 1, #along do
+    local state = case.states[i] or {}
+    rows[#rows + 1] = { case.order, case.formulation.label, case.count, state.ratio, state.c, state.expected,
+                        1 / case.count, state.error, state.mean_slip, state.largest_slip,
+                        i == 1 and case.iterations or nil, not case.states[i] and case.reason or nil }
+  end
+end
+print "Partial slip against Cattaneo and Mindlin: stick zone, L2 error of the traction, slip of the sticking points"
+print(sg.table{
+  columns = { "order", "formulation", "spans", "Q/(mu P)", "c/a", "expected", "span", "L2 error", "mean", "largest",
+              "iterations", "failed" },
+  units = { "", "", "per a", "", "", "", "a", "of mu p_0", "slip / a", "slip / a", "", "" }, rows = rows,
+  formats = formats })
+
+local files = sg.files(options.out)
+local data = { columns = { "order", "formulation", "spans", "ratio", "c", "expected", "error", "mean_slip",
+                           "largest_slip", "iterations" }, rows = {} }
+for _, case in ipairs(cases) do
+  for _, state in ipairs(case.states) do
+    data.rows[#data.rows + 1] = { case.order, case.formulation.name, case.count, state.ratio, state.c, state.expected,
+                                  state.error, state.mean_slip, state.largest_slip, case.iterations }
+  end
+end
+sg.csv.write(files "states.csv", data)
+
+--- The traction of all formulations after the second shear, with the closed form.
+local function draw_tractions(order, count, file)
+  local drawing, ratio = { file = file, xlabel = "x / a", ylabel = "q / (mu p_0)", xrange = { -1.2, 1.2 },
+                           title = ("Partial slip, %s, %d spans per half-width"):format(order, count) }, nil
+  for _, formulation in ipairs(formulations.of(options.formulations)) do
+    local state = cases[("%s %d %s"):format(order, count, formulation.name)].states[2]
+    if state then
+      ratio = ratio or state.ratio
+      drawing[#drawing + 1] = { x = state.s, y = state.traction, label = formulation.label, marker = "none" }
+    end
+  end
+  if not ratio then return false end
+  local _, traction = problem.mindlin(ratio)
+  local exact = { x = {}, y = {}, label = "closed form", dashed = true, marker = "none" }
+  for i = 0, 400 do exact.x[i + 1], exact.y[i + 1] = i / 200 - 1, traction(i / 200 - 1) end
+  drawing[#drawing + 1] = exact
+  sg.chart(drawing)
+  return true
+end
+
+for _, order in ipairs(options.orders) do
+  files:draw(order .. "_traction.png", "a case that converged", function(file)
+    return draw_tractions(order, options.counts[#options.counts], file)
+  end)
+  chart(files, order .. "_error.png", formulations.of(options.formulations), options.counts,
+    function(formulation, i)
+      return (cases[("%s %d %s"):format(order, options.counts[i], formulation.name)].states[2] or {}).error
+    end,
+    { log = "xy", xlabel = "spans per half-width", ylabel = "L2 error of q / (mu p_0)",
+      title = ("Partial slip, %s: error of the traction"):format(order) })
+end
+files:report()
+
+return { cases = cases, files = files }

@@ -1,0 +1,67 @@
+-- Contact formulations that the studies compare: one row each. A new formulation is a new row.
+
+local rows = {}
+
+--- name: on the command line; label: in tables and charts; keys: of the contact; two_faces: the master must be a face
+--- of a body.
+local list = {
+  { name = "gpts", label = "GPTS", keys = {} },
+  { name = "gpts-augmented", label = "GPTS, augmented", keys = { enforcement = "augmented" } },
+  { name = "equal", label = "mortar equal", keys = { method = "mortar", multipliers = "equal" } },
+  { name = "equal-augmented", label = "mortar equal, augmented",
+    keys = { method = "mortar", multipliers = "equal", enforcement = "augmented" } },
+  { name = "equal-multipliers", label = "mortar equal, multipliers",
+    keys = { method = "mortar", multipliers = "equal", enforcement = "multipliers" } },
+  { name = "reduced", label = "mortar reduced", keys = { method = "mortar", multipliers = "reduced" } },
+  { name = "reduced-augmented", label = "mortar reduced, augmented",
+    keys = { method = "mortar", multipliers = "reduced", enforcement = "augmented" } },
+  { name = "reduced-multipliers", label = "mortar reduced, multipliers",
+    keys = { method = "mortar", multipliers = "reduced", enforcement = "multipliers" } },
+  { name = "half-passes", label = "half passes", keys = { method = "half_passes" }, two_faces = true },
+  { name = "half-passes-equal", label = "half passes, mortar equal", two_faces = true,
+    keys = { method = "half_passes", multipliers = "equal" } },
+  { name = "half-passes-reduced", label = "half passes, mortar reduced", two_faces = true,
+    keys = { method = "half_passes", multipliers = "reduced" } },
+}
+
+--- Names of all formulations.
+rows.names = {}
+for i, row in ipairs(list) do rows.names[i], rows[row.name] = row.name, row end
+
+--- The rows with these names.
+function rows.of(names)
+  local chosen = {}
+  for i, name in ipairs(names) do chosen[i] = rows[name] end
+  return chosen
+end
+
+--- The names of the rows that a condition keeps.
+function rows.where(condition)
+  local names = {}
+  for _, row in ipairs(list) do
+    if condition(row) then names[#names + 1] = row.name end
+  end
+  return names
+end
+
+--- A script's argument for one formulation (a name) or several (a list), as sg.arguments takes it.
+function rows.argument(default) return { default, choices = rows.names } end
+
+--- A contact with the keys of a formulation; unchanged without one. With multipliers penalties only scale equations:
+--- they are left to the program unless `chosen`.
+function rows.contact(row, contact, chosen)
+  for key, value in pairs(row and row.keys or {}) do contact[key] = value end
+  if contact.enforcement == "multipliers" and not chosen then
+    contact.penalty = nil
+    contact.friction = contact.friction and { mu = contact.friction.mu }
+  end
+  return contact
+end
+
+--- The options of model:run; `augmentation`: tolerance and loops of augmented formulations, if not the default ones.
+function rows.options(row, options, augmentation)
+  if row and row.keys.enforcement == "augmented" then options.augmentation = augmentation end
+  return options
+end
+
+return rows

@@ -1,0 +1,32 @@
+-- scripts/formulations/ironing_cost.lua, coarse: iterations and oscillation of mortar next to Gauss points.
+
+local core = require "signorini.core"
+local check = require "check"
+
+core.quiet = true
+local script, folder = core.home .. "/scripts/formulations/ironing_cost.lua", check.folder()
+local words = { "problems=plane", "meshes=m1", "orders=N2-N2.2", "formulations=gpts,equal,reduced", "out=" .. folder }
+local plane = assert(loadfile(script))(table.unpack(words)).studies.plane
+
+local function row(formulation) return plane:row{ formulation = formulation } end
+
+check.case("mortar with equal multipliers: iterations of Gauss points, half the oscillation", function()
+  check.at_most("iterations", row("equal").per_step, 1.1 * row("gpts").per_step)
+  for _, error in ipairs { "ddrag", "dpress" } do
+    check.at_most(error, row("equal")[error], 0.6 * row("gpts")[error])
+  end
+  check.at_most("iterations, reduced", row("reduced").per_step, 1.15 * row("gpts").per_step)
+end)
+
+check.case("a second call reuses the finished cases", function()
+  local before = row("gpts").cpu
+  check.equal(assert(loadfile(script))(table.unpack(words)).studies.plane:row{ formulation = "gpts" }.cpu, before)
+end)
+
+check.case("files and wrong arguments", function()
+  check.pictures(folder, { "plane_N2-N2.2_ddrag", "plane_N2-N2.2_dpress" })
+  check.refused(script, { ["solids=m1"] = "solids must be", ["mu=-1"] = "mu must be", ["rounds=0"] = "rounds must be" },
+    "out=" .. folder)
+end)
+
+check.done()
