@@ -159,7 +159,6 @@ template <int D> MultiplierSums<D> MortarContact<D>::sum_up(int multiplier) cons
   return sum;
 }
 
-/// Sums and law of each multiplier.
 template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
   const PenaltyLaw law = scaled(law_, trial.penalty_factor);
   const Controls& controls = trial.controls;

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "model/constants.hpp"
+#include "model/element_size.hpp"
 #include "model/thickness.hpp"
 #include "model/ties.hpp"
 
@@ -64,6 +65,22 @@ void warn_of_stiffness(const Scene<D>& scene, const Contact<D>& contact, const c
                                                          {"stiffness", penalty.stiffness}}));
 }
 
+/// Multipliers on a stiff face with small elements require more of the soft master than its functions can follow: they
+/// oscillate, and Newton's method cycles.
+template <int D>
+void warn_of_stiff_slave(const Scene<D>& scene, const Contact<D>& contact, std::vector<Message>& warnings) {
+  const contact::PenaltyLaw* law = contact::penalty_law(contact.method);
+  const auto* face = std::get_if<FaceReference>(&contact.master);
+  if (!face || !law || law->enforcement != contact::Enforcement::multipliers) return;
+  const double ratio = youngs_modulus(scene, contact.slave) / youngs_modulus(scene, *face);
+  if (ratio < stiff_slave || element_size(scene, contact.slave, 2) > coarse_slave * element_size(scene, *face, 2))
+    return;
+  warnings.push_back(Message("model.warning.stiff_slave", {{"contact", contact.name},
+                                                           {"slave", scene.bodies[at(contact.slave.body)].name},
+                                                           {"master", scene.bodies[at(face->body)].name},
+                                                           {"ratio", ratio}}));
+}
+
 /// Contact points as pairs of element and index; without `points` only elements, with index 0.
 template <int D> std::set<std::pair<int, int>> places(const contact::Formulation<D>& contact, bool points) {
   std::set<std::pair<int, int>> result;
@@ -123,6 +140,7 @@ std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formul
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     warn_of_friction(scene.contacts[k].name, contacts[k]->friction(), warnings);
     warn_of_stiffness(scene, scene.contacts[k], *contacts[k], warnings);
+    warn_of_stiff_slave(scene, scene.contacts[k], warnings);
   }
   warn_of_twins(scene, contacts, warnings);
   warn_of_ties(scene, ties, warnings);

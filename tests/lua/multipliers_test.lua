@@ -119,6 +119,23 @@ end)
 
 -- ── What else a run offers ───────────────────────────────────────────────────────────────────────────────────────────
 
+check.case("multipliers on the stiffer of two bodies are warned of", function()
+  local function scene(first, second)
+    local function block(y, young, face)
+      return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { 0, y } }, elements = { 4, 2 },
+                      order = "N2", contact = face, material = sg.neo_hookean{ E = young, nu = 0.3 } }
+    end
+    local upper, lower = block(0, first, "south"), block(-1, second, "north")
+    return sg.model{ bodies = { upper = upper, lower = lower },
+                     supports = { bed = { on = lower:face "south", fix = "xy" },
+                                  grip = { on = upper:face "north", drive = "xy" } },
+                     contacts = { joint = keys("equal", { slave = upper:face "south", master = lower:face "north" }) } }
+  end
+  check.holds(table.concat(scene(100, 1):warnings(), "\n"), "contacts.joint", "body 'upper'", "100 times as stiff",
+    "exchange slave and master")
+  check.equal({ #scene(1, 100):warnings(), #scene(2, 1):warnings() }, { 0, 0 })
+end)
+
 check.case("a contact that acts on a part of its face", function()
   local own = keys("equal", { where = function(X) return X[1] < 1 end })
   local run = solved(iron(own, "N2", 0.2), { { name = "press", steps = 5, grip = { 0, -0.05 } } })

@@ -1,0 +1,46 @@
+#include "model/element_size.hpp"
+
+#include "base/index.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::model {
+
+template <int D>
+double element_size(const Scene<D>& scene, const FaceReference& face, int points, const contact::Region<D>& where) {
+  const contact::Surface<D> surface(scene.bodies[at(face.body)].body->space(), face.side);
+  constexpr bool revolved = false; // sizes in the meridian plane
+  const auto list = contact::ContactPoints<D>(surface, points, revolved, where).list;
+  double elements = 0, inverse = 0;
+  for (auto first = list.begin(), last = first; first != list.end(); first = last) {
+    last = std::find_if(first, list.end(), [&](const auto& point) { return point.element != first->element; });
+    double parametric = 1, area = 0, weight = 0;
+    for (int d = 0; d < D - 1; ++d) {
+      const auto [from, to] = surface.interval(first->element, d);
+      parametric *= to - from;
+    }
+    for (auto point = first; point != last; ++point) {
+      area += point->weight * point->reference_area;
+      weight += point->weight;
+    }
+    // Share of an element e inside the contact, s = Σ w/|e|, its size, h^(D−1) = ∫ dA/s, and Σ s/h
+    const double share = weight / parametric;
+    elements += share;
+    inverse += share / std::pow(area / share, 1.0 / (D - 1));
+  }
+  return elements / inverse;
+}
+
+template <int D> double youngs_modulus(const Scene<D>& scene, const FaceReference& face) {
+  return scene.bodies[at(face.body)].body->material().constants().youngs_modulus;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template double element_size(const Scene<D>&, const FaceReference&, int, const contact::Region<D>&);                 \
+  template double youngs_modulus(const Scene<D>&, const FaceReference&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::model
