@@ -14,9 +14,10 @@
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1 and 7.4; mortar ironing: L. De Lorenzis and
 --         others, IJNME 87 (2011); two half passes: R. A. Sauer and L. De Lorenzis, IJNME 101 (2015).
 -- Units: mm, N, N/mm² (plane), any consistent units (solid); times in s.
--- Expected: plane, N2-N2.2 at m1 and m2: mortar with equal multipliers takes as many iterations per step as Gauss
---           points and 1.3 to 1.6 times the time, with half the oscillation; two half passes have 1.6 to 6 times the
---           oscillation.
+-- Expected: plane, N2-N2.2 on m1 to m3: mortar with a penalty and equal multipliers takes at most as many iterations
+--           per step as Gauss points, 0.7 to 1.7 times the time, and has 0.4 to 0.6 of the oscillation; two half passes
+--           have 1.6 to 6 times the oscillation. Multipliers as unknowns take up to three times the iterations, and
+--           fail on m3.
 -- Run: signorini -q scripts/formulations/ironing_cost.lua [problems=plane,solid] [orders=N2,N2-N2.2]
 --      [meshes=m1,m2,m3,m4] [solids=sparse,coarse] [formulations=…] [mu=0.3] [rounds=1] [controls=robust]
 --      [out=out/formulations/ironing_cost]; meshes: of the plane problem; solids: of the solid one, whose friction is

@@ -170,6 +170,17 @@ check.case("formulation=: mortar converges with penalties that over-constrain Ga
   check.near(touch.maps["slab_mu0.3"].plain:cell(-1e-3, 1e-3).results.carried, 1e-3, 1e-5)
 end)
 
+check.case("recovered cells: mortar converges with a penalty that makes Gauss points cycle", function()
+  local print_to_terminal = print
+  print = function() end
+  local result = assert(loadfile(core.home .. "/scripts/formulations/recovered_cells.lua"))("coarse=yes",
+    "maps=penalty_hertz", "formulations=equal,half-passes", "out=" .. folder .. "/recovered_cells")
+  print = print_to_terminal
+  check.equal(#result.rows, 1) -- half passes need a face as master
+  local row = result.rows["penalty_hertz equal"]
+  check.equal({ row.cells, row.gpts, row.converged, row.recovered, row.lost, row.controls }, { 2, 1, 2, 1, 0, 2 })
+end)
+
 check.case("a second call continues with the cells on request", function()
   local words = { "orders=N2", "penalties=1e2", "mesh=m1" }
   local first = study("penalty_hertz", table.unpack(words))
