@@ -83,9 +83,9 @@ inline constexpr double across_part = 0.1;
 /// mortar, N2 and N2-N2.2) takes 37, 41, 20 and 25 iterations, 1.0 to 1.3 times the least of any penalty; with 2, 1.2
 /// to 1.4 times as many, with 20 to 200, 0.8 to 1.8 times as many.
 inline constexpr double default_penalty_ratio = 10;
-/// Ratio of Young's moduli above which a slave is stiff compared with its master, and of element sizes up to which it is
-/// not coarse, for a warning about multipliers. In 2D ironing (E = 1000 on 1, elements 0.7 times as large) multipliers
-/// on the die fail from m2 on, and those on the slab converge at all meshes.
+/// Ratio of Young's moduli above which a slave is stiff compared with its master, and of element sizes up to which it
+/// is not coarse, for a warning about multipliers. In 2D ironing (E = 1000 on 1, elements 0.7 times as large)
+/// multipliers on the die fail from m2 on, and those on the slab converge at all meshes.
 inline constexpr double stiff_slave = 3, coarse_slave = 1.5;
 
 // ── Threads ──────────────────────────────────────────────────────────────────────────────────────────────────────────
