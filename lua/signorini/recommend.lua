@@ -1,5 +1,5 @@
--- sg.recommend: the cheapest model whose error is within a tolerance. Discretizations and meshes are tried from coarse
--- to fine; the error of a coarse case is estimated from the next level, and the search ends as soon as one estimate is
+-- sg.recommend: the cheapest model whose error is within a tolerance. Candidates (discretizations, with each contact
+-- formulation if there are several) and meshes are tried from coarse to fine; the error of a coarse case is estimated from the next level, and the search ends as soon as one estimate is
 -- within the tolerance.
 
 local check = require "signorini.check"
@@ -20,6 +20,20 @@ local usual_ratio, worst_ratio = 1 / 2, 0.9
 -- Work that counts as equal.
 local about = 1.1
 
+-- ── Candidates ───────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Every order with every formulation, cheapest first: { order, keys, name }.
+local function candidates(search)
+  local all = {}
+  for _, keys in ipairs(search.formulations or { {} }) do
+    for _, order in ipairs(search.orders) do
+      all[#all + 1] = { order = order, keys = search.formulations and keys or nil,
+                        name = search.formulations and ("%s, %s"):format(order, values.text(keys)) or order }
+    end
+  end
+  return all
+end
+
 -- ── One case ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The result of `quantity` as a list of finite numbers.
@@ -37,34 +51,35 @@ local function measure(search, model, run)
 end
 
 --- Raises an error if the second of two levels is not finer, because the error cannot be estimated from them.
-local function check_finer(search, order, level, unknowns)
-  local coarser = search.by_level[level - 1][order]
+local function check_finer(search, candidate, level, unknowns)
+  local coarser = search.by_level[level - 1][candidate]
   if coarser and unknowns <= coarser.unknowns then
     core.fail(("%s: %s has %d unknowns on mesh %s and %d on mesh %s. Hint: order meshes from coarse to fine, and "
-      .. "use them in scene"):format(where, order, coarser.unknowns, values.text(coarser.mesh), unknowns,
+      .. "use them in scene"):format(where, candidate.name, coarser.unknowns, values.text(coarser.mesh), unknowns,
         values.text(search.meshes[level])))
   end
 end
 
 --- Solves a case; adds it to the list of tries.
-local function try(search, order, level)
+local function try(search, candidate, level)
   local mesh, began = search.meshes[level], core.now()
-  local model, stages, options = search.scene(order, mesh)
+  local model, stages, options = search.scene(candidate.order, mesh, candidate.keys)
   if type(model) ~= "userdata" then
     core.fail(("%s: scene must return a model and its stages, got %s"):format(where, core.describe(model)))
   end
   local unknowns = #model:unknowns()
-  check_finer(search, order, level, unknowns)
+  check_finer(search, candidate, level, unknowns)
   local run = model:run(stages, options)
-  local case = { order = order, mesh = mesh, level = level, wall = core.now() - began, unknowns = unknowns }
+  local case = { candidate = candidate, order = candidate.order, formulation = candidate.keys, mesh = mesh,
+                 level = level, wall = core.now() - began, unknowns = unknowns }
   -- Unlike seconds it is the same in every search, so that the result is reproducible.
   case.work = case.unknowns * run.iterations
   if run.failed then case.failed = run.reason else case.value = measure(search, model, run) end
   search.interrupted = run.reason == "interrupted"
   search.tries[#search.tries + 1] = case
-  search.by_level[level][order] = case
+  search.by_level[level][candidate] = case
   search.spent = search.spent + case.wall
-  search.display:line(("recommend: %s, mesh %s: %s, %.2f s%s"):format(order, values.text(mesh),
+  search.display:line(("recommend: %s, mesh %s: %s, %.2f s%s"):format(candidate.name, values.text(mesh),
     counted(case.unknowns, "unknown"), case.wall, case.failed and ", " .. case.failed or ""))
   return case
 end
@@ -90,15 +105,15 @@ local function distance(a, b)
   return norm(difference) / scale
 end
 
-local function solved(search, level, order)
-  local case = (search.by_level[level] or {})[order]
+local function solved(search, level, candidate)
+  local case = (search.by_level[level] or {})[candidate]
   return case and case.value and case
 end
 
 --- The convergence factor of a level: the ratio of errors that the last three levels of the discretization show.
-local function ratio(search, order, level)
-  local older, old = solved(search, level - 2, order), solved(search, level - 1, order)
-  local new = solved(search, level, order)
+local function ratio(search, candidate, level)
+  local older, old = solved(search, level - 2, candidate), solved(search, level - 1, candidate)
+  local new = solved(search, level, candidate)
   if not older then return usual_ratio end
   local before, now = distance(older.value, old.value), distance(old.value, new.value)
   if before == 0 then return now == 0 and usual_ratio or worst_ratio end
@@ -110,8 +125,8 @@ end
 --- r/(1 − r); that of a coarser case is larger by its distance from the reference.
 local function estimate(search, reference)
   local level = reference.level
-  local r = ratio(search, reference.order, level)
-  local own = distance(solved(search, level - 1, reference.order).value, reference.value) * r / (1 - r)
+  local r = ratio(search, reference.candidate, level)
+  local own = distance(solved(search, level - 1, reference.candidate).value, reference.value) * r / (1 - r)
   reference.error = own
   for _, case in pairs(search.by_level[level - 1]) do
     if case.value then case.error = distance(case.value, reference.value) + own end
@@ -127,8 +142,8 @@ end
 
 --- Whether another discretization is twice as accurate on a level for about the same work: then this one is not tried
 --- again.
-local function dominated(search, order, level)
-  local case = solved(search, level, order)
+local function dominated(search, candidate, level)
+  local case = solved(search, level, candidate)
   for _, other in pairs(search.by_level[level]) do
     if case and case.error and other.error and other.error < case.error / 2 and other.work < about * case.work then
       return true
@@ -141,11 +156,11 @@ end
 
 --- The last discretization, with the most functions, that was solved on a level and on the one below.
 local function reference_on(search, level)
-  for i = #search.orders, 1, -1 do
-    local order = search.orders[i]
-    if not solved(search, level, order) then try(search, order, level) end
+  for i = #search.candidates, 1, -1 do
+    local last = search.candidates[i]
+    if not solved(search, level, last) then try(search, last, level) end
     if search.interrupted then return end
-    if solved(search, level, order) and solved(search, level - 1, order) then return solved(search, level, order) end
+    if solved(search, level, last) and solved(search, level - 1, last) then return solved(search, level, last) end
   end
 end
 
@@ -155,9 +170,10 @@ local function explore(search)
     if reference then estimate(search, reference) end
     local best = cheapest(search)
     if best or search.interrupted or (search.limit and search.spent > search.limit) then return best end
-    for _, order in ipairs(search.orders) do
-      if not search.by_level[level][order] and level < #search.meshes and not dominated(search, order, level - 1) then
-        try(search, order, level)
+    for _, candidate in ipairs(search.candidates) do
+      if not search.by_level[level][candidate] and level < #search.meshes
+         and not dominated(search, candidate, level - 1) then
+        try(search, candidate, level)
         if search.interrupted then return end
       end
     end
@@ -176,11 +192,11 @@ local function verdict(search, best)
   if best then
     return ("%s on mesh %s meets the tolerance: its error is about %.3g, estimated from the next level; allowed %.3g. "
       .. "%s.")
-      :format(best.order, values.text(best.mesh), best.error, search.at_most, total)
+      :format(best.candidate.name, values.text(best.mesh), best.error, search.at_most, total)
   end
   local nearest = lists.least(search.tries, function(case) return case.error end)
   return ("None of these is known to be within %.3g%s. %s. Hint: try finer meshes.")
-    :format(search.at_most, nearest and ("; %s on mesh %s comes nearest with %.3g"):format(nearest.order,
+    :format(search.at_most, nearest and ("; %s on mesh %s comes nearest with %.3g"):format(nearest.candidate.name,
       values.text(nearest.mesh), nearest.error) or "", total)
 end
 
@@ -188,20 +204,22 @@ end
 function Recommendation:__tostring()
   local rows = lists.map(self.tries, function(case)
     local value = case.value and (#case.value == 1 and case.value[1] or ("%d numbers"):format(#case.value))
-    return { case.order, values.text(case.mesh), case.unknowns, case.wall, case.failed or value, case.error,
-             case.order == self.order and case.mesh == self.mesh and "chosen" or "" }
+    return { case.candidate.name, values.text(case.mesh), case.unknowns, case.wall, case.failed or value, case.error,
+             case == self.best and "chosen" or "" }
   end)
   return format_table{ columns = { "order", "mesh", "unknowns", "wall", "value", "estimated error", "" },
     units = { [4] = "s" }, rows = rows, formats = { [4] = "%.3f", [6] = "%.2e" } } .. "\n" .. self.report
 end
 
 return function(search)
+  search.candidates = candidates(search)
   search.tries, search.by_level, search.spent, search.display = {}, { [0] = {} }, 0, progress(1)
   for level = 1, #search.meshes do search.by_level[level] = {} end
-  local best = explore(search) or {}
-  local result = setmetatable({ order = best.order, mesh = best.mesh, error = best.error, wall = best.wall,
-    unknowns = best.unknowns, tries = search.tries, spent = search.spent,
-    report = verdict(search, best.order and best) }, Recommendation)
+  local best = explore(search)
+  local found = best or {}
+  local result = setmetatable({ order = found.order, formulation = found.formulation, mesh = found.mesh,
+    error = found.error, wall = found.wall, unknowns = found.unknowns, best = best, tries = search.tries,
+    spent = search.spent, report = verdict(search, best) }, Recommendation)
   print(result)
   return result
 end

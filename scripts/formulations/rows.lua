@@ -3,7 +3,7 @@
 local rows = {}
 
 --- name: on the command line; label: in tables and charts; keys: of the contact; two_faces: the master must be a face
---- of a body.
+--- of a body; swapped: exchanges slave and master (multipliers should be on the softer body).
 local list = {
   { name = "gpts", label = "GPTS", keys = {} },
   { name = "gpts-augmented", label = "GPTS, augmented", keys = { enforcement = "augmented" } },
@@ -17,6 +17,10 @@ local list = {
     keys = { method = "mortar", multipliers = "reduced", enforcement = "augmented" } },
   { name = "reduced-multipliers", label = "mortar reduced, multipliers",
     keys = { method = "mortar", multipliers = "reduced", enforcement = "multipliers" } },
+  { name = "equal-multipliers-swapped", label = "mortar equal, multipliers, swapped", two_faces = true, swapped = true,
+    keys = { method = "mortar", multipliers = "equal", enforcement = "multipliers" } },
+  { name = "reduced-multipliers-swapped", label = "mortar reduced, multipliers, swapped", two_faces = true,
+    swapped = true, keys = { method = "mortar", multipliers = "reduced", enforcement = "multipliers" } },
   { name = "half-passes", label = "half passes", keys = { method = "half_passes" }, two_faces = true },
   { name = "half-passes-equal", label = "half passes, mortar equal", two_faces = true,
     keys = { method = "half_passes", multipliers = "equal" } },
@@ -51,6 +55,7 @@ function rows.argument(default) return { default, choices = rows.names } end
 --- they are left to the program unless `chosen`.
 function rows.contact(row, contact, chosen)
   for key, value in pairs(row and row.keys or {}) do contact[key] = value end
+  if row and row.swapped then contact.slave, contact.master = contact.master, contact.slave end
   if contact.enforcement == "multipliers" and not chosen then
     contact.penalty = nil
     contact.friction = contact.friction and { mu = contact.friction.mu }

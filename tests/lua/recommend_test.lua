@@ -69,6 +69,22 @@ check.case("lists of numbers; no case within the tolerance; dominated orders; a 
   check.equal(short.tries[#short.tries].mesh, "m2")
 end)
 
+check.case("formulations are candidates, too", function()
+  local seen = {}
+  local keys = { { penalty = 100 }, { method = "mortar", enforcement = "multipliers" } }
+  local found = recommend{ formulations = keys, at_most = 0.05, orders = { "N2-N2.2" },
+    scene = function(order, mesh, own)
+      seen[own] = (seen[own] or 0) + 1
+      local model, stage = problem.scene{ order = order, mesh = mesh, load = "force", formulation = { keys = own } }
+      stage.steps = steps
+      return model, { stage }
+    end }
+  check.equal({ seen[keys[1]] >= 1, seen[keys[2]] >= 2, found.order }, { true, true, "N2-N2.2" })
+  assert(found.formulation == keys[1] or found.formulation == keys[2])
+  check.holds(tostring(found), "N2-N2.2, penalty=100", "N2-N2.2, enforcement=multipliers method=mortar", "chosen")
+  check.fails(function() recommend{ formulations = {} } end, "recommend_test.lua", "formulations")
+end)
+
 check.case("failed runs are reported and skipped", function()
   local found = recommend{ orders = { "N2", "N2-N2.1", "N4" }, scene = function(order, mesh)
     local model, stages = scene(order, mesh)

@@ -215,11 +215,12 @@ there is none, nil and a text about the closest case. Failed rows and rows witho
         error_column, { "at_most", t.positive, "tolerance of the error" },
         { "cost", column_or_function, "cost, a column or a function of a row", default = "wall" }, only_rows }, "" } },
     example = [[best, next_best = sg.cheapest(study, { error = "error", at_most = 0.1 })]] },
-  { "sg.recommend", [[Returns the cheapest discretization and mesh that meet a tolerance: solves with discretizations
-and meshes from coarse to fine, estimates the error of each from the next level, and stops as soon as an estimate is
+  { "sg.recommend", [[Returns the cheapest discretization and mesh, and if wanted contact formulation, that meet a
+tolerance: solves with discretizations and meshes from coarse to fine, estimates the error of each from the next level, and stops as soon as an estimate is
 within the tolerance. Prints the attempts and their times.]],
     named = {
-      { "scene", t.callback, "function of order and mesh that returns a model, and what model:run takes" },
+      { "scene", t.callback, [[function of order and mesh, and with formulations of keys for its contacts, that returns
+a model, and what model:run takes]] },
       { "quantity", t.either(t.text, t.callback), [[what is computed, whose error is estimated: a column of the run such
 as "ground.max_pressure" (its last value), or a function of model and run that returns a number, or a list of numbers at
 places independent of the mesh]] },
@@ -227,9 +228,12 @@ places independent of the mesh]] },
       { "orders", t.list(t.text, nil, 1), "order labels, cheapest first", default = { "N2", "N2-N2.2" } },
       { "meshes", t.list(t.data, nil, 1), [[from coarse to fine, each with about half the element size of the one
 before, in any form that scene accepts]], default = { 1, 2, 4, 8, 16, 32 } },
+      { "formulations", t.list(t.data, nil, 1), [[contact formulations to compare, cheapest first: tables of keys that
+scene gives to its contacts, such as { { penalty = 100 }, { method = "mortar", enforcement = "multipliers" } }]],
+        otherwise = "that of the scene" },
       { "limit", t.positive, "time after which no further level is started", unit = "seconds", otherwise = "none" } },
     more = [[
-The result has order, mesh, error (the estimate), wall (s) and unknowns of the case of least work within the tolerance
+The result has order, formulation (its keys), mesh, error (the estimate), wall (s) and unknowns of the case of least work within the tolerance
 (nil if there is none), tries, spent (s) and report. Work is unknowns times iterations, which is reproducible. With d
 the relative difference of the quantity on two levels, both with the order that comes last in the list among those
 solved on both, and r the fraction of the error that remains after one level (1/2; from three levels on as observed, if
