@@ -1,6 +1,6 @@
 -- sg.recommend: the cheapest model whose error is within a tolerance. Candidates (discretizations, with each contact
--- formulation if there are several) and meshes are tried from coarse to fine; the error of a coarse case is estimated from the next level, and the search ends as soon as one estimate is
--- within the tolerance.
+-- formulation if there are several) and meshes are tried from coarse to fine; the error of a coarse case is estimated
+-- from the next level, and the search ends as soon as one estimate is within the tolerance.
 
 local check = require "signorini.check"
 local core = require "signorini.core"

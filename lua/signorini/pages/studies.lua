@@ -216,8 +216,8 @@ there is none, nil and a text about the closest case. Failed rows and rows witho
         { "cost", column_or_function, "cost, a column or a function of a row", default = "wall" }, only_rows }, "" } },
     example = [[best, next_best = sg.cheapest(study, { error = "error", at_most = 0.1 })]] },
   { "sg.recommend", [[Returns the cheapest discretization and mesh, and if wanted contact formulation, that meet a
-tolerance: solves with discretizations and meshes from coarse to fine, estimates the error of each from the next level, and stops as soon as an estimate is
-within the tolerance. Prints the attempts and their times.]],
+tolerance: solves with discretizations and meshes from coarse to fine, estimates the error of each from the next level,
+and stops as soon as an estimate is within the tolerance. Prints the attempts and their times.]],
     named = {
       { "scene", t.callback, [[function of order and mesh, and with formulations of keys for its contacts, that returns
 a model, and what model:run takes]] },
@@ -233,13 +233,13 @@ scene gives to its contacts, such as { { penalty = 100 }, { method = "mortar", e
         otherwise = "that of the scene" },
       { "limit", t.positive, "time after which no further level is started", unit = "seconds", otherwise = "none" } },
     more = [[
-The result has order, formulation (its keys), mesh, error (the estimate), wall (s) and unknowns of the case of least work within the tolerance
-(nil if there is none), tries, spent (s) and report. Work is unknowns times iterations, which is reproducible. With d
-the relative difference of the quantity on two levels, both with the order that comes last in the list among those
-solved on both, and r the fraction of the error that remains after one level (1/2; from three levels on as observed, if
-larger), the error of the finer level is about d r/(1 - r); that of coarser cases is larger by their difference from it.
-This is the discretization error only; errors of penalty, steps or the scene are not included. Orders that take about
-the work of another one and have twice its error are not tried again.]],
+The result has order, formulation (its keys), mesh, error (the estimate), wall (s) and unknowns of the case of least
+work within the tolerance (nil if there is none), tries, spent (s) and report. Work is unknowns times iterations, which
+is reproducible. With d the relative difference of the quantity on two levels, both with the order that comes last in
+the list among those solved on both, and r the fraction of the error that remains after one level (1/2; from three
+levels on as observed, if larger), the error of the finer level is about d r/(1 - r); that of coarser cases is larger by
+their difference from it. This is the discretization error only; errors of penalty, steps or the scene are not included.
+Orders that take about the work of another one and have twice its error are not tried again.]],
     example = [[sg.recommend{ scene = press, quantity = "grip.fy", at_most = 0.1, meshes = {1, 2, 4} }]] },
   { "sg.convergence_map", [[Returns a convergence map: where the solve converges over two parameters, and where and why
 it fails. It is a study with a case for each pair of values: a separate process calls scene and path. Errors, crashes
