@@ -106,6 +106,19 @@ check.case("ironing with friction: the energy balances, and nothing is stored in
   end
 end)
 
+check.case("Newton's method converges quadratically where no state changes", function()
+  for _, space in ipairs(spaces) do
+    for _, mu in ipairs { 0, 0.2 } do
+      local run = solved(iron(keys(space), "N2", mu), { press })
+      for _, step in ipairs { 12, 15, 19 } do
+        local residuals = run:residuals(step)
+        check.equal(#residuals, 4)
+        check.at_most(("%s, mu = %g, step %d"):format(space, mu, step), residuals[3], 10 * residuals[2] ^ 2)
+      end
+    end
+  end
+end)
+
 check.case("load and hold: no creep over 50 steps, and sticking multipliers do not slip", function()
   for _, space in ipairs(spaces) do
     local model = iron(keys(space), "N2-N2.2", 0.3)
