@@ -28,9 +28,12 @@ local list = {
     keys = { method = "half_passes", multipliers = "reduced" } },
 }
 
---- Names of all formulations.
-rows.names = {}
-for i, row in ipairs(list) do rows.names[i], rows[row.name] = row.name, row end
+--- Names of all formulations, and of those that are not swapped: most studies choose the slave themselves.
+rows.choices, rows.names = {}, {}
+for i, row in ipairs(list) do
+  rows.choices[i], rows[row.name] = row.name, row
+  if not row.swapped then rows.names[#rows.names + 1] = row.name end
+end
 
 --- The rows with these names.
 function rows.of(names)
@@ -39,17 +42,17 @@ function rows.of(names)
   return chosen
 end
 
---- The names of the rows that a condition keeps.
+--- The names of those that a condition keeps.
 function rows.where(condition)
   local names = {}
-  for _, row in ipairs(list) do
-    if condition(row) then names[#names + 1] = row.name end
+  for _, name in ipairs(rows.names) do
+    if condition(rows[name]) then names[#names + 1] = name end
   end
   return names
 end
 
 --- A script's argument for one formulation (a name) or several (a list), as sg.arguments takes it.
-function rows.argument(default) return { default, choices = rows.names } end
+function rows.argument(default) return { default, choices = rows.choices } end
 
 --- A contact with the keys of a formulation; unchanged without one. With multipliers penalties only scale equations:
 --- they are left to the program unless `chosen`.
