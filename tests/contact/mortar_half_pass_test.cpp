@@ -31,20 +31,19 @@ TEST(MortarHalfPass, TangentIsTheForcesDerivativeInEveryState) {
     for (double mu : {0.0, 0.3})
       for (const char* label : {"N2", "N2-N2.2"}) {
         // Small drags stick, longer ones slip; after one longer than an element former foot points lie in others.
-        for (bool revolved : {false, true}) {
-          Couple couple = pressed_disc(label, slab("N2"), half(space, mu), 0.8, 1.0, revolved);
-          stretch(couple, 0.2);
-          sum.add(press_and_drag(std::move(couple), ++seed, 0.06, {3e-4, 0.02, 0.5}));
-        }
+        const bool revolved = label[2] == '\0'; // N2
+        Couple couple = pressed_disc(label, slab("N2"), half(space, mu), 0.8, 1.0, revolved);
+        stretch(couple, 0.2);
+        sum.add(press_and_drag(std::move(couple), ++seed, 0.06, {3e-4, 0.02, 0.5}));
         sum.add(press_and_drag(pressed_disc(label, wavy(random, 3, 0.1, 3, 6), half(space, mu), 1.3, 0.1), ++seed, 0.07,
                                {1e-3, 0.1, -0.4}));
         // Beyond the open end of the master, where the area fades
         sum.add(press_and_drag(pressed_disc(label, slab("N2"), half(space, mu), 2.9, 1.0), ++seed, 0.06, {3e-4, 0.02}));
       }
-  EXPECT_GE(sum.states, 60) << sum.stepped_over << " states lay on a change of state";
-  EXPECT_GT(sum.open, 1000);
-  EXPECT_GT(sum.stick, 500);
-  EXPECT_GT(sum.slip, 200);
+  EXPECT_GE(sum.states, 45) << sum.stepped_over << " states lay on a change of state";
+  EXPECT_GT(sum.open, 800);
+  EXPECT_GT(sum.stick, 400);
+  EXPECT_GT(sum.slip, 150);
 }
 
 /// The slave is wider than the master, so that its outer points have no projection.

@@ -50,15 +50,14 @@ TEST(MultiplierContact, TangentIsTheResidualsDerivativeInEveryState) {
     for (double mu : {0.0, 0.3}) {
       const MortarLaw law = multipliers(space, mu);
       sum.add(press_and_slide(pressed_disc("N2", slab("N2"), law, 0.8, 1.0), ++seed, 0.06, mu, {3e-4, 0.02, 0.5}));
-      for (int trial = 0; trial < 3; ++trial)
-        sum.add(press_and_slide(pressed_disc("N2-N2.1", wavy(random, 3, 0.1, 3, 6), law, 1.3, 0.1), ++seed, 0.07, mu,
-                                {1e-3, 0.1, -0.4}));
+      sum.add(press_and_slide(pressed_disc("N2-N2.1", wavy(random, 3, 0.1, 3, 6), law, 1.3, 0.1), ++seed, 0.07, mu,
+                              {1e-3, 0.1, -0.4}));
       sum.add(
           press_and_slide(pressed_disc("N2", make_ball<2>({1, -2}, 2), law, 1.3, 0.1), ++seed, 0.06, mu, {3e-4, -0.1}));
       sum.add(press_and_slide(pressed_disc("N3", make_plane<2>({0, 0}, {0.2, 2}), law, 1.3, 0.1, true), ++seed, 0.06,
                               mu, {3e-4, 0.1}));
     }
-  EXPECT_GE(sum.states, 50) << sum.stepped_over << " states lay on a change of state";
+  EXPECT_GE(sum.states, 30) << sum.stepped_over << " states lay on a change of state";
   EXPECT_GT(sum.open, 500);
   EXPECT_GT(sum.stick, 300);
   EXPECT_GT(sum.slip, 300);
@@ -102,14 +101,14 @@ TEST(MultiplierContact, TangentIsTheResidualsDerivativeIn3D) {
         set_multipliers(couple, random, each, mu);
         compare_with_differences(couple, random, census);
         couple.pair.accept();
-        for (const Vec<3>& drag : {Vec<3>(3e-4, 1e-4, 0), Vec<3>(0.02, 0.03, 0), Vec<3>(-0.3, 0.2, 0)}) {
+        for (const Vec<3>& drag : {Vec<3>(0.02, 0.03, 0), Vec<3>(-0.3, 0.2, 0)}) {
           couple.move_die(drag);
           set_multipliers(couple, random, each, mu);
           compare_with_differences(couple, random, census);
           couple.pair.accept();
         }
       }
-  EXPECT_GE(census.compared, 30) << census.stepped_over << " states lay on a change of state";
+  EXPECT_GE(census.compared, 24) << census.stepped_over << " states lay on a change of state";
   EXPECT_GT(census.stick, 100);
   EXPECT_GT(census.slip, 100);
 }
