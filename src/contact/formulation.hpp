@@ -71,7 +71,7 @@ public:
   /// Whether steps augment it until its violation() is small.
   virtual bool augmented() const { return false; }
 
-  /// Number of multipliers that are eliminated; their histories are then the constraints of history.hpp.
+  /// Number of multipliers, eliminated or unknowns; their histories are then the constraints of history.hpp.
   virtual int multipliers() const { return 0; }
   /// The contact point where a constraint is, for messages.
   virtual int point_of(int constraint) const { return constraint; }

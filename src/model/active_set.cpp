@@ -124,10 +124,11 @@ template <int D> bool ActiveSet<D>::hold_back(const Histories& histories, Contro
       ++changed;
     }
   }
+  if (changed <= 1) return false;
   // The same states twice are the beginning of a cycle, unless they are those of the accepted state, at the front.
   const bool again =
       std::any_of(entries_.begin() + 1, entries_.end() - 1, [&](const Entry& entry) { return entry.states == now; });
-  if (changed <= 1 || !again) return false;
+  if (!again) return false;
   for (std::size_t k = 0; k < histories.size(); ++k) {
     if (histories[k].multipliers.empty()) continue;
     for (int i = first_[k]; i < first_[k + 1]; ++i) {

@@ -80,8 +80,9 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
     return true;
   }
   // The first residual is zero if the first solution only moves an obstacle.
-  const double first = pending && report.iterations > 0 ? report.residuals[1] : report.residuals.front();
-  if (residual > divergence_growth * (system.scale() + std::max(first, report.residuals.front())))
+  double first = report.residuals.front();
+  if (pending && report.iterations > 0) first = std::max(first, report.residuals[1]);
+  if (residual > divergence_growth * (system.scale() + first))
     return stop(Outcome::diverged, Message("solve.newton.diverged", {{"residual", residual}}));
   if (report.iterations - report.begun >= options.iterations)
     return stop(Outcome::iteration_limit,

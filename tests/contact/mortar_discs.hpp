@@ -25,6 +25,21 @@ Couple pressed_disc(const std::string& label, AnyMaster master, const Law& own, 
           revolved};
 }
 
+/// A block that was accepted near a narrower master, so that its outer points have no projection or a faded area.
+inline Couple block_beyond_ends(Random& random, const Law& law) {
+  Couple couple(discretize(nurbs::rectangle(1, 0.5, Eigen::Vector2d(1, 1)), {6, 1}, "N2", "south"), "south",
+                discretize(nurbs::rectangle(0.55, 1, Eigen::Vector2d(1.2, 0)), {4, 1}, "N2", "north"), law, 5);
+  couple.shake(random, 0.005);
+  couple.evaluate();
+  couple.pair.accept();
+  return couple;
+}
+
+/// Number of points without a projection.
+inline std::ptrdiff_t beyond(const Pair<2>& pair) {
+  return std::count_if(pair.results().begin(), pair.results().end(), [](const auto& one) { return one.beyond; });
+}
+
 template <int D> int count(const Pair<D>& pair, ContactState state) {
   return static_cast<int>(std::count_if(pair.multipliers().begin(), pair.multipliers().end(),
                                         [&](const auto& one) { return one.state == state; }));

@@ -2,6 +2,7 @@
 -- face, straight, skewed and stretched.
 
 local check = require "check"
+local patch_test = require "patch_test.problem"
 local sg = require "signorini"
 
 local function solved(model, stages, options)
@@ -13,55 +14,11 @@ end
 local kinds = { { name = "points" }, { name = "equal", multipliers = "equal" },
                 { name = "reduced", multipliers = "reduced" } }
 
---- A block on x, y = 0 … 2 with its contact face at z = 0 (plane: on x, at y = 0), as one patch whose inner lines of
---- elements are slanted by `skew`.
-local function patch(flat, from, to, skew)
-  local points, knots = {}, { 0, 0, 1, 2, 2 }
-  for k = 0, 2 do
-    local z = from + (to - from) * k / 2
-    for j = 0, flat and 0 or 2 do
-      for i = 0, 2 do
-        local shift = i == 1 and skew * (0.3 + k / 4 + j / 3) or 0
-        local other = j == 1 and skew * (0.5 - i / 4 - k / 5) or 0
-        points[#points + 1] = flat and { i + shift, z } or { i + shift, j + other, z }
-      end
-    end
-  end
-  if flat then return sg.nurbs.surface{ degrees = { 1, 1 }, knots = { knots, knots }, points = points } end
-  return sg.nurbs.volume{ degrees = { 1, 1, 1 }, knots = { knots, knots, knots }, points = points }
-end
-
 --- Two blocks under uniform pressure, sides guided; the largest error of the pressures of both passes.
 local function press(o)
-  local flat = o.dimension == 2
-  local function block(count, is_lower)
-    local skew = is_lower and o.skew or -o.skew
-    local from, to = is_lower and -1 or -5e-4, is_lower and 0 or 1
-    return sg.body{
-      patch = patch(flat, from, to, skew),
-      elements = flat and { count, 2 } or { count, count, 2 }, order = o.order, thickness_degree = 1,
-      contact = flat and (is_lower and "north" or "south") or (is_lower and "back" or "front"),
-      material = sg.linear_elastic{ E = is_lower and 1 or 2, nu = 0.3 },
-    }
-  end
-  local lower, upper = block(o.counts[1], true), block(o.counts[2], false)
-  local bottom, top = flat and "south" or "front", flat and "north" or "back"
-  local function both(...)
-    local faces = {}
-    for _, name in ipairs { ... } do faces[#faces + 1], faces[#faces + 2] = lower:face(name), upper:face(name) end
-    return faces
-  end
-  local slave, master = upper:face(bottom), lower:face(top)
-  if o.slave == "lower" then slave, master = master, slave end
-  local model = sg.model{
-    bodies = { lower = lower, upper = upper },
-    supports = { bed = { on = lower:face(bottom), fix = flat and "y" or "z" },
-                 ends = { on = both("west", "east"), fix = "x" },
-                 sides = not flat and { on = both("south", "north"), fix = "y" } or nil },
-    loads = { push = { on = upper:face(top), pressure = 0 } },
-    contacts = { joint = { slave = slave, master = master, penalty = 100, method = "half_passes",
-                           multipliers = o.multipliers, friction = { mu = 0.3, penalty = 100 } } },
-  }
+  local model = patch_test.scene{ dimension = o.dimension, order = o.order, lower = o.counts[1], upper = o.counts[2],
+    slave = o.slave, skew = o.skew, sides = "guided", formulation = { keys = {
+      method = "half_passes", multipliers = o.multipliers, friction = { mu = 0.3, penalty = 100 } } } }
   solved(model, { { name = "press", steps = 2, push = 0.1 } })
   local largest = 0
   for _, name in ipairs { "joint", "joint.master" } do

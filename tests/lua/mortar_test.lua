@@ -5,6 +5,7 @@ local sg = require "signorini"
 local check = require "check"
 local problem = require "hertz2d.problem"
 local ironing = require "ironing"
+local patch_test = require "patch_test.problem"
 
 local equal, reduced = { method = "mortar", multipliers = "equal" }, { method = "mortar", multipliers = "reduced" }
 local gpts = { method = "gpts" }
@@ -38,38 +39,12 @@ end
 
 --- The largest error of the pressure between two blocks under uniform pressure; scripts/patch_test.lua, sides guided.
 local function patch_error(o)
-  local flat, load = o.dimension == 2, 0.1
-  local function block(count, is_lower, young)
-    local height = is_lower and -1 or -5e-4
-    return sg.body{
-      patch = flat and sg.shapes.rectangle{ width = 2, height = 1, corner = { 0, height } } or
-              sg.shapes.block{ size = { 2, 2, 1 }, corner = { 0, 0, height } },
-      elements = flat and { count, 2 } or { count, count, 2 }, order = o.order, thickness_degree = 1,
-      contact = flat and (is_lower and "north" or "south") or (is_lower and "back" or "front"),
-      material = sg.linear_elastic{ E = young, nu = 0.3 },
-    }
-  end
-  local lower, upper = block(o.lower, true, 1), block(o.upper, false, 2)
-  local bottom, top = flat and "south" or "front", flat and "north" or "back"
-  local function both(...)
-    local faces = {}
-    for _, name in ipairs { ... } do faces[#faces + 1], faces[#faces + 2] = lower:face(name), upper:face(name) end
-    return faces
-  end
-  local slave, master = upper:face(bottom), lower:face(top)
-  if o.slave == "lower" then slave, master = master, slave end
-  local model = make(o.keys, {
-    bodies = { lower = lower, upper = upper },
-    supports = { bed = { on = lower:face(bottom), fix = flat and "y" or "z" },
-                 ends = { on = both("west", "east"), fix = "x" },
-                 sides = not flat and { on = both("south", "north"), fix = "y" } or nil },
-    loads = { push = { on = upper:face(top), pressure = 0 } },
-    contacts = { joint = { slave = slave, master = master, penalty = 100, points = o.points } },
-  })
-  solved(model, { { name = "press", steps = 2, push = load } })
+  local model = patch_test.scene{ dimension = o.dimension, order = o.order, lower = o.lower, upper = o.upper,
+    slave = o.slave, points = o.points, penalty = 100, sides = "guided", formulation = { keys = o.keys } }
+  solved(model, { { name = "press", steps = 2, push = 0.1 } })
   local largest = 0
   for _, pressure in ipairs(model:profile "joint".pressure) do
-    largest = math.max(largest, math.abs(pressure / load - 1))
+    largest = math.max(largest, math.abs(pressure / 0.1 - 1))
   end
   return largest
 end
