@@ -21,7 +21,7 @@ inline constexpr double refactored_residual = 1e-8;
 
 /// Ratio of a factorization's operations to the entries that a solution reads, above which it is reused: GMRES needs
 /// about ten solutions per system, and its matrix products cost as much again.
-inline constexpr double reuse_above = 70;
+inline constexpr double reuse_above = 35;
 
 // ── Reuse of a factorization ─────────────────────────────────────────────────────────────────────────────────────────
 

@@ -49,7 +49,7 @@ TEST(FactorEstimate, AgreesWithTheSolvers) {
 }
 
 TEST(FactorEstimate, PredictsTheAutomaticChoice) {
-  EXPECT_EQ(compare(LinearKind::automatic, sheet(20, 20)).kind, LinearKind::klu);
+  EXPECT_EQ(compare(LinearKind::automatic, sheet(12, 12)).kind, LinearKind::klu);
   EXPECT_EQ(compare(LinearKind::automatic, sheet(100, 90)).kind, LinearKind::reuse);
   const Counted solid = compare(LinearKind::automatic, cube(11));
   EXPECT_EQ(solid.kind, LinearKind::reuse);

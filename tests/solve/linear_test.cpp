@@ -116,7 +116,7 @@ TEST(LinearKinds, ReuseExpensiveFactorizations) {
     EXPECT_EQ(solver->statistics().solutions, 6);
     return solver->kind();
   };
-  EXPECT_EQ(choice(chain(400)), LinearKind::klu);
+  EXPECT_EQ(choice(chain(100)), LinearKind::klu);
   EXPECT_EQ(choice(grid(200, 8)), LinearKind::klu); // long and narrow
   EXPECT_EQ(choice(grid(120, 120)), LinearKind::reuse);
   EXPECT_EQ(choice(cube(9)), LinearKind::reuse);
