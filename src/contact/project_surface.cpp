@@ -172,30 +172,33 @@ double signed_gap(const Surface<3>& surface, const Vec<3>& x, Foot foot, const F
 }
 
 /// Calls search(ξ) at the points of a grid on an element that are nearer to x than their neighbors, because the squared
-/// distance to one polynomial piece can have several minima.
-template <class Search> void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, Search search) {
-  constexpr int most = 3 * (nurbs::max_degree + 1);
-  const int n0 = 3 * surface.degree(element, 0) + 3, n1 = 3 * surface.degree(element, 1) + 3;
+/// distance to one polynomial piece can have several minima. Points from which all neighbors are too near to find a
+/// distance below √distance2() between them are left out.
+template <class Distance2, class Search>
+void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, const Distance2& distance2,
+              const Search& search) {
+  constexpr int most = Surface<3>::grid_points;
+  const int n0 = 3 * surface.degree(element, 0) + 3, n1 = 3 * surface.degree(element, 1) + 3, size = n0 * n1;
   const auto [a, b] = surface.interval(element, 0);
   const auto [c, d] = surface.interval(element, 1);
-  double distances[most * most];
-  FacePoint<3> sample;
-  const auto place = [&](int i, int j) { return Coordinates(a + (b - a) * i / (n0 - 1), c + (d - c) * j / (n1 - 1)); };
+  double coordinates[3 * most * most], distances[most * most];
+  surface.sample(element, {n0, n1}, coordinates);
+  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>> positions(coordinates, size, 3);
+  Eigen::Map<VectorX>(distances, size) = (positions.rowwise() - x.transpose()).rowwise().squaredNorm();
   for (int j = 0; j < n1; ++j)
     for (int i = 0; i < n0; ++i) {
-      surface.locate(element, place(i, j), 0, sample);
-      distances[i + n0 * j] = (x - sample.position).squaredNorm();
-    }
-  for (int j = 0; j < n1; ++j)
-    for (int i = 0; i < n0; ++i) {
+      const int here = i + n0 * j;
       bool least = true;
-      for (int k = std::max(j - 1, 0); k <= std::min(j + 1, n1 - 1); ++k)
-        for (int l = std::max(i - 1, 0); l <= std::min(i + 1, n0 - 1); ++l) {
+      double reach2 = 0; // squared distance to the farthest neighbor
+      for (int k = std::max(j - 1, 0); least && k <= std::min(j + 1, n1 - 1); ++k)
+        for (int l = std::max(i - 1, 0); least && l <= std::min(i + 1, n0 - 1); ++l) {
+          const int there = l + n0 * k;
           // Of equal distances the first is taken.
-          const double here = distances[i + n0 * j], there = distances[l + n0 * k];
-          least = least && (here < there || (here == there && i + n0 * j <= l + n0 * k));
+          least = distances[here] < distances[there] || (distances[here] == distances[there] && here <= there);
+          reach2 = std::max(reach2, (positions.row(here) - positions.row(there)).squaredNorm());
         }
-      if (least) search(place(i, j));
+      if (!least || std::sqrt(distances[here]) - std::sqrt(reach2) > std::sqrt(distance2())) continue;
+      search(Coordinates(a + (b - a) * i / (n0 - 1), c + (d - c) * j / (n1 - 1)));
     }
 }
 
@@ -279,21 +282,20 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
 
   FacePoint<3> candidate;
   // A minimum on a border is reached from both sides; the factor keeps rounding error from choosing one.
-  boxes.near(
-      x, [&] { return nearest * (1 - same_distance); },
-      [&](int e) {
-        if (settled && smoothly_adjacent(surface, home, e) && nearest < boxes.diagonal2(e) * near_foot) return;
-        each_dip(surface, x, e, [&](const Coordinates& start) {
-          int along = 0;
-          const Foot foot = walk(surface, x, e, start, candidate, along);
-          const double distance2 = (x - candidate.position).squaredNorm();
-          if (distance2 >= nearest * (1 - same_distance)) return;
-          nearest = distance2;
-          best.foot = foot;
-          best.along = along;
-          point = candidate;
-        });
-      });
+  const auto within = [&] { return nearest * (1 - same_distance); };
+  boxes.near(x, within, [&](int e) {
+    if (settled && smoothly_adjacent(surface, home, e) && nearest < boxes.diagonal2(e) * near_foot) return;
+    each_dip(surface, x, e, within, [&](const Coordinates& start) {
+      int along = 0;
+      const Foot foot = walk(surface, x, e, start, candidate, along);
+      const double distance2 = (x - candidate.position).squaredNorm();
+      if (distance2 >= nearest * (1 - same_distance)) return;
+      nearest = distance2;
+      best.foot = foot;
+      best.along = along;
+      point = candidate;
+    });
+  });
 
   best.element = point.element;
   best.xi = point.xi;

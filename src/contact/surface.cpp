@@ -278,6 +278,37 @@ void Surface<D>::locate(int element, const FaceCoordinates<D>& xi, int order, Fa
   with_degree(element, [&]<int P>() { locate_with<P>(element, xi, order, point); });
 }
 
+template <int D> void Surface<D>::sample(int element, const std::array<int, D - 1>& counts, double* positions) const {
+  constexpr int most = nurbs::max_degree + 1;
+  using Values = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, grid_points, most>;
+  std::array<Values, 2> b; // of each direction, a row per point of the grid
+  b[1].setOnes(1, 1);
+  for (int d = 0; d < D - 1; ++d) {
+    const int p = degree(element, d), n = counts[at(d)];
+    b[at(d)].resize(n, p + 1);
+    double values[most];
+    for (int i = 0; i < n; ++i) {
+      nurbs::bernstein<0>(p, static_cast<double>(i) / (n - 1), 1, 0, values);
+      b[at(d)].row(i) = Eigen::Map<const Eigen::RowVectorXd>(values, p + 1);
+    }
+  }
+  // W x = Σ B_a(ξ¹) Q_ab B_b(ξ²)
+  const Eigen::Index nu = b[0].cols(), nv = b[1].cols(), size = b[0].rows() * b[1].rows();
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, grid_points, D == 2 ? 1 : grid_points> weight;
+  const double* q = bezier_.data() + elements_[at(element)].bezier;
+  for (int i = rows_ - 1; i >= 0; --i) {
+    const Eigen::Map<const MatrixX> bezier(q + i * nu * nv, nu, nv);
+    const Values along = b[0].lazyProduct(bezier);
+    if (i == D) {
+      weight = along.lazyProduct(b[1].transpose());
+      continue;
+    }
+    Eigen::Map<MatrixX> out(positions + i * size, b[0].rows(), b[1].rows());
+    out.noalias() = along.lazyProduct(b[1].transpose());
+    if (!polynomial_) out.array() /= weight.array();
+  }
+}
+
 /// w N_a and its first derivatives: value, then one direction after the other.
 template <int D> template <int P> void Surface<D>::weighted_functions(FacePoint<D>& point, int order) const {
   const int* local = nodes(point.element);

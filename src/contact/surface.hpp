@@ -90,6 +90,10 @@ public:
   /// Evaluates the face's geometry at xi with the polynomial pieces of an element. `order` 0: position, 1: also
   /// tangents, 2: also second derivatives. The functions of `point` are unchanged.
   void locate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
+  /// Positions on a grid of an element, `counts` points per direction, evenly spaced from border to border: coordinate
+  /// i of all points from positions[i · product of counts] on, ξ¹ fastest. At most grid_points per direction.
+  void sample(int element, const std::array<int, D - 1>& counts, double* positions) const;
+  static constexpr int grid_points = 3 * (nurbs::max_degree + 1);
   /// Evaluates the functions at point.element, point.xi, with first derivatives if `order` is 1.
   void functions(FacePoint<D>& point, int order) const;
 
