@@ -32,8 +32,8 @@
 --           thickness direction and 4 points gives 5.846 on average on 2x2x1/8x4x2 (part=whole), and 5.826 with
 --           part=half.
 -- Run: signorini scripts/block_ironing3d.lua [orders=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]
---      [press=10] [slide=125] [linear=auto] [out=out/block_ironing3d]; mesh: elements of block/slab; press, slide:
---      number of steps.
+--      [press=10] [slide=125] [formulation=gpts] [linear=auto] [out=out/block_ironing3d]; mesh: elements of block/slab;
+--      press, slide: number of steps; formulation: a row of formulations/rows.lua.
 --      signorini scripts/block_ironing3d.lua variant=sixty [orders=N2,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]
 --      [thickness_degree=1] [points=auto] [part=half] [line_search=energy] [linear=auto]
 --      [out=out/block_ironing3d_sixty]; all but the last three can be lists; through: degree in the thickness direction
@@ -41,6 +41,7 @@
 --      to the plane of symmetry, or whole.
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 local orders = require "solid_ironing.orders"
 local mesh = require "solid_ironing.mesh"
 local sixty = require "block_ironing3d.sixty"
@@ -71,8 +72,8 @@ function problem.scene(case)
   if case.half then supports.mirror = { on = { slab:face "north", block:face "north" }, fix = "y" } end
   local model = sg.model{
     bodies = { block = block, slab = slab }, supports = supports,
-    contacts = { interface = { slave = block:face "front", master = slab:face "back", penalty = 100,
-                               points = case.points } },
+    contacts = { interface = formulations.contact(case.formulation, {
+      slave = block:face "front", master = slab:face "back", penalty = 100, points = case.points }) },
   }
   return model, block, slab
 end
@@ -81,7 +82,8 @@ local function is_count(text) return text == "auto" or (math.tointeger(tonumber(
 local options = sg.arguments{
   linear = "auto", variant = { "standard", variants = {
     standard = { orders = { "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2" },
-                 mesh = mesh.argument "4x4x4/8x4x4", press = 10, slide = 125, out = "out/block_ironing3d" },
+                 mesh = mesh.argument "4x4x4/8x4x4", press = 10, slide = 125,
+                 formulation = formulations.argument "gpts", out = "out/block_ironing3d" },
     sixty = { orders = { "N2", "N2-N2.1", "N2-N2.2" }, mesh = mesh.argument{ "4x4x4/8x4x4" }, thickness_degree = { 1 },
               points = { { "auto" }, check = is_count, expected = "whole numbers of at least 1, or auto" },
               part = { { "half" }, choices = { "half", "whole" } },

@@ -25,10 +25,11 @@
 --           Curves are symmetric about the middle of the path, since without friction a state does not depend on the
 --           path.
 -- Run: signorini scripts/cylinder_ironing3d.lua [orders=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2]
---      [mesh=12x6x2/18x12x4] [press=10] [slide=108] [linear=auto] [out=out/cylinder_ironing3d]; mesh: elements of
---      die/slab; press, slide: number of steps.
+--      [mesh=12x6x2/18x12x4] [press=10] [slide=108] [formulation=gpts] [linear=auto] [out=out/cylinder_ironing3d];
+--      mesh: elements of die/slab; press, slide: number of steps; formulation: a row of formulations/rows.lua.
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 local orders = require "solid_ironing.orders"
 local mesh = require "solid_ironing.mesh"
 
@@ -50,14 +51,15 @@ function problem.scene(case)
     bodies   = { die = die, slab = slab },
     supports = { bed  = { on = slab:face "front", fix = "xyz" },
                  grip = { on = { die:face "west", die:face "east" }, drive = "xz", fix = "y" } },
-    contacts = { interface = { slave = die:face "front", master = slab:face "back", penalty = 100 } },
+    contacts = { interface = formulations.contact(case.formulation, {
+      slave = die:face "front", master = slab:face "back", penalty = 100 }) },
   }
   return model, die, slab
 end
 
 local options = sg.arguments{
   orders = { "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2" }, mesh = mesh.argument "12x6x2/18x12x4",
-  press = 10, slide = 108, linear = "auto", out = "out/cylinder_ironing3d",
+  press = 10, slide = 108, formulation = formulations.argument "gpts", linear = "auto", out = "out/cylinder_ironing3d",
 }
 local files = sg.files(options.out)
 local result = orders.run(problem, options, files)

@@ -29,9 +29,10 @@
 --           at R = 7.5, N2-N3 57.9/53.6, N2-N2.1 10.8/32.1. Friction: Px/Pz = 0.306 on average for mu = 0.3. Depth: N2
 --           at R = 25.5 has a turning point at 8.43 (see share/doc/problems/ironing3d.md).
 -- Run: signorini scripts/ironing3d.lua [orders=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [fine=N2] [radius=25.5] [gap=5]
---      [slide=window] [down=0.2] [cap=1] [linear=auto] [out=out/ironing3d]; radius and gap can be lists; fine:
---      discretizations on the doubled mesh, or none; slide=full: the whole path; down: step length of pressing; cap:
---      biquadratic spans per direction that represent the sphere.
+--      [slide=window] [down=0.2] [cap=1] [formulation=gpts] [linear=auto] [out=out/ironing3d]; radius and gap can be
+--      lists; fine: discretizations on the doubled mesh, or none; slide=full: the whole path; down: step length of
+--      pressing; cap: biquadratic spans per direction that represent the sphere; formulation: a row of
+--      formulations/rows.lua, such as equal or reduced-multipliers.
 --      signorini scripts/ironing3d.lua variant=friction [orders=N2] [radius=7.5] [gap=5] [mu=0,0.3] [distance=30]
 --      [finer=1] [penalty=100]; distance: of sliding through the middle of the slab; finer: divides the steps; penalty:
 --      normal and tangential.
@@ -41,6 +42,7 @@
 --      Threads: signorini --threads 2 scripts/ironing3d.lua …
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 local problem = require "ironing3d.problem"
 local variants = {
   standard = require "ironing3d.oscillation", friction = require "ironing3d.friction",
@@ -58,7 +60,8 @@ local options = sg.arguments{
   orders = { "N2" }, linear = "auto", variant = { "standard", variants = {
     standard = { orders = { "N2", "N3", "N4", "N2-N3", "N2-N4", "N2-N2.1", "N2-N2.2" },
                  fine = { { "N2" }, none = true }, radius = radii{ 25.5 }, gap = gaps{ 5.0 }, cap = 1,
-                 slide = { "window", choices = { "window", "full" } }, down = down, out = "out/ironing3d" },
+                 slide = { "window", choices = { "window", "full" } }, down = down,
+                 formulation = formulations.argument "gpts", out = "out/ironing3d" },
     friction = { radius = radii{ 7.5 }, gap = gaps{ 5.0 }, mu = { { 0, 0.3 }, at_least = 0 }, cap = 1,
                  distance = { 30.0, at_least = 0.3, below = 76 }, finer = { 1.0, at_least = 0.25 },
                  penalty = { 100.0, above = 0 }, out = "out/ironing3d_friction" },

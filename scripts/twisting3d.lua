@@ -24,10 +24,12 @@
 --           uniform pressure: mu N (√2 + ln(1 + √2))/3 for the square, mu N 2/3 (Ro³ − Ri³)/(Ro² − Ri²) for the tube.
 --           The difference in energy, work − stored − contact − friction, decreases with the step size.
 -- Run: signorini scripts/twisting3d.lua [parts=twist,punch,balance] [orders=N2,N4,N2-N4,N2-N2.2] [meshes=m1]
---      [press=10] [twist=90] [angle=180] [slave=hemisphere] [poles=ends] [linear=auto] [out=out/twisting3d]; slave:
---      hemisphere or cube; poles: ends or bottom, see help(sg.shapes.hollow_hemisphere).
+--      [press=10] [twist=90] [angle=180] [slave=hemisphere] [poles=ends] [formulation=gpts] [linear=auto]
+--      [out=out/twisting3d]; slave: hemisphere or cube; poles: ends or bottom, see help(sg.shapes.hollow_hemisphere);
+--      formulation: a row of formulations/rows.lua, such as equal or reduced-multipliers (not of the punches).
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 
 local mu, penalty, depth = 0.5, 100, 1
 local meshes = { m1 = { {4, 4, 1}, {4, 4, 2} }, m2 = { {6, 6, 2}, {6, 6, 3} }, m3 = { {8, 8, 2}, {8, 8, 4} } }
@@ -52,8 +54,8 @@ local function scene(o, options)
     bodies   = { cube = cube, hemisphere = hemisphere },
     supports = { bed  = { on = cube:face "front", fix = "xyz" },
                  ring = { on = ring, drive = "z", fix = "xy", rotate = "z" } },
-    contacts = { joint = { slave = slave, master = master, penalty = penalty,
-                           friction = { mu = mu, penalty = penalty } } },
+    contacts = { joint = formulations.contact(formulations[options.formulation], {
+      slave = slave, master = master, penalty = penalty, friction = { mu = mu, penalty = penalty } }) },
   }, cube:dofs().total + hemisphere:dofs().total
 end
 
@@ -120,7 +122,8 @@ local function twist(o, options)
   end
   case.run = model:run({ { name = "press", steps = o.press, ring = { -depth, 0 } },
                          { name = "twist", steps = o.twist, ring = { -depth, options.angle } } },
-                       sg.plain{ linear = options.linear, step = { adaptive = true }, on_step = keep })
+                       sg.plain(formulations.options(formulations[options.formulation], {
+                         linear = options.linear, step = { adaptive = true }, on_step = keep })))
   local least, most, sum, torque, off, count = math.huge, 0, 0, 0, 0, 0
   for _, row in ipairs(case.rows) do
     if row.angle > 0 and row.stick == 0 and not case.slips_from then case.slips_from = row.angle end
@@ -245,7 +248,8 @@ local options = sg.arguments{
   parts = { { "twist", "punch", "balance" }, choices = { "twist", "punch", "balance" } },
   orders = { "N2", "N4", "N2-N4", "N2-N2.2" }, meshes = { { "m1" }, choices = { "m1", "m2", "m3" } }, press = 10,
   twist = 90, angle = { 180.0, above = 0 }, slave = { "hemisphere", choices = { "hemisphere", "cube" } },
-  poles = { "ends", choices = { "ends", "bottom" } }, linear = "auto", out = "out/twisting3d",
+  poles = { "ends", choices = { "ends", "bottom" } }, formulation = formulations.argument "gpts", linear = "auto",
+  out = "out/twisting3d",
 }
 local files, punches, cases, balance = sg.files(options.out), {}, {}, {}
 local wanted = {}

@@ -1,6 +1,7 @@
 -- The standard variant: comparison with Tables 7.10 and 7.11 for several radii of the cap and initial gaps.
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 local measure = require "ironing3d.measure"
 local output = require "ironing3d.output"
 local problem = require "ironing3d.problem"
@@ -61,7 +62,8 @@ local function solve_set(options, radius, gap, files)
   local function solve(order, mesh)
     local case = measure.oscillations(problem.solve{
       order = order, mesh = mesh, radius = radius, depth = depth, cap = options.cap, from = from, distance = distance,
-      down = options.down, linear = options.linear, on_step = #set.cases == 0 and keep or nil,
+      down = options.down, linear = options.linear, formulation = formulations[options.formulation],
+      on_step = #set.cases == 0 and keep or nil,
     })
     case.model = nil
     print(("%s %s, R = %g, gap %g"):format(order, mesh, radius, gap))

@@ -1,6 +1,7 @@
 -- The study of discretizations: the whole path on one mesh; forces, oscillations, work, pictures.
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 local meshes = require "solid_ironing.mesh"
 local output = require "solid_ironing.output"
 local study = require "solid_ironing.study"
@@ -9,12 +10,14 @@ local orders = {}
 
 local reference_order = "N2"
 
---- `options`: orders, mesh (its name), press, slide, linear. Returns { mesh, cases }; cases also by order.
+--- `options`: orders, mesh and formulation (their names), press, slide, linear. Returns { mesh, cases }; cases also by
+--- order.
 function orders.run(problem, options, files)
   local mesh, press, slide = meshes.read(options.mesh), options.press, options.slide
   local cases, states = {}, {}
   for i, order in ipairs(options.orders) do
-    local case = { order = order, mesh = mesh, press = press, slide = slide, linear = options.linear }
+    local case = { order = order, mesh = mesh, press = press, slide = slide, linear = options.linear,
+                   formulation = formulations[options.formulation] }
     if i == 1 then case.on_step, states = study.record_states(case, "uz", "displacement u_z") end
     study.solve(problem, case)
     print(("%s at %s, %.1f s of processor time"):format(order, mesh.name, case.user))

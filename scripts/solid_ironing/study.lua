@@ -3,9 +3,11 @@
 -- A problem is { title, die (its name), length (the slab's), start (x of the die's center), depth, distance (of
 -- sliding), scene(case) }; scene returns the model with the supports `grip` (drives x and z) and `bed` and the contact
 -- `interface`, the die and the slab. A case is { order, mesh, press, slide (steps), thickness_degree, points, half (the
--- scene is cut at its plane of symmetry, y = const.), line_search, linear }; see study.solve.
+-- scene is cut at its plane of symmetry, y = const.), formulation (a row of formulations/rows.lua), line_search,
+-- linear }; see study.solve.
 
 local sg = require "signorini"
+local formulations = require "formulations.rows"
 local plane = require "ironing2d.measure"
 
 local study = {}
@@ -66,8 +68,9 @@ function study.solve(problem, case)
   case.run = model:run({
     { name = "press", steps = case.press, grip = { 0, -problem.depth } },
     { name = "slide", steps = case.slide, grip = { problem.distance, -problem.depth } },
-  }, sg.plain{ linear = case.linear, step = { adaptive = true }, newton = { line_search = case.line_search },
-               on_step = case.on_step and function(info) return case.on_step(model, info) end })
+  }, sg.plain(formulations.options(case.formulation, {
+    linear = case.linear, step = { adaptive = true }, newton = { line_search = case.line_search },
+    on_step = case.on_step and function(info) return case.on_step(model, info) end })))
   case.user = os.clock() - began
   case.dofs = { die = die:dofs().total, slab = slab:dofs().total }
   case.dofs.total = case.dofs.die + case.dofs.slab
