@@ -55,7 +55,7 @@ check.case("wrong arguments", function()
   check.refused(script, {
     ["mesh=12x6x2"] = "mesh must be elements of die and slab per direction", ["orders=Q7"] = "Q7",
     ["slide=ten"] = "slide must be a whole number, 1 or more, got 'ten'",
-    ["points=4"] = "unknown argument 'points=4'; known: linear=auto, ",
+    ["points=4"] = "unknown argument 'points=4'; known: formulation=gpts, linear=auto, ",
     ["variant=sixty"] = "unknown argument 'variant=sixty'",
   }, "out=" .. folder)
 end)
