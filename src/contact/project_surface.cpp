@@ -99,8 +99,10 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
         for (int b = 0; b < 2; ++b) point.tangent[at(a)] += step(b) * point.second[at(a + b)];
       return active;
     }
-    // Backtracking until Armijo's condition holds
+    // Backtracking until Armijo's condition holds, up to rounding error: the last steps towards a far point, whose
+    // effect on the distance it exceeds, must not be shortened.
     const double before = difference.squaredNorm() / 2, slope = gradient.dot(step);
+    const double most = before * (1 + distance_rounding);
     double scale = fraction;
     for (int halving = 0;; ++halving, scale /= 2) {
       Coordinates next = xi + scale * step;
@@ -110,7 +112,7 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
         next(a) = next(a) < from + slack ? from : next(a) > to - slack ? to : next(a);
       }
       surface.locate(element, next, 2, point);
-      if ((point.position - x).squaredNorm() / 2 <= before + sufficient_decrease * scale * slope ||
+      if ((point.position - x).squaredNorm() / 2 <= most + sufficient_decrease * scale * slope ||
           halving == most_halvings) {
         xi = next;
         break;
@@ -285,6 +287,9 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
   const auto within = [&] { return nearest * (1 - same_distance); };
   boxes.near(x, within, [&](int e) {
     if (settled && smoothly_adjacent(surface, home, e) && nearest < boxes.diagonal2(e) * near_foot) return;
+    // The plane through the point found, normal to the line to it, separates x from an element that lies behind it.
+    const Vec<3> line = point.position - x;
+    if (surface.least_along(e, line) - line.dot(x) >= std::sqrt(nearest * within())) return;
     each_dip(surface, x, e, within, [&](const Coordinates& start) {
       int along = 0;
       const Foot foot = walk(surface, x, e, start, candidate, along);

@@ -254,6 +254,18 @@ void Surface<D>::locate_with(int element, const FaceCoordinates<D>& xi, int orde
   }
 }
 
+template <int D> double Surface<D>::least_along(int element, const Vec<D>& direction) const {
+  const int n = elements_[at(element)].points;
+  const double* q = bezier_.data() + elements_[at(element)].bezier;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < n; ++k) {
+    double x = 0;
+    for (int i = 0; i < D; ++i) x += direction(i) * q[i * n + k];
+    least = std::min(least, polynomial_ ? x : x / q[D * n + k]);
+  }
+  return least;
+}
+
 /// Calls run<P>(), P the degree in every direction if the code is specialized for it, otherwise 0.
 template <int D> template <class Run> void Surface<D>::with_degree(int element, const Run& run) const {
   if (const int p = degree(element, 0); p == degree(element, D - 2)) switch (p) {

@@ -87,6 +87,9 @@ public:
   /// Bounding box of an element's Bézier points, which contains the element (convex hull property).
   void bounds(int element, Vec<D>& lower, Vec<D>& upper) const;
 
+  /// Least n·x of an element's Bézier points, a lower bound for all points of the element.
+  double least_along(int element, const Vec<D>& direction) const;
+
   /// Evaluates the face's geometry at xi with the polynomial pieces of an element. `order` 0: position, 1: also
   /// tangents, 2: also second derivatives. The functions of `point` are unchanged.
   void locate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
