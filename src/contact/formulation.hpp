@@ -60,8 +60,8 @@ public:
   const Surface<D>& slave() const { return slave_; }
   const Master<D>& master() const { return master_; }
   const ContactPoints<D>& points() const { return points_; }
-  /// Names of the unknowns added to the displacements. Their rows of the residual must be forces.
-  virtual std::vector<std::string> extra_unknowns() const { return {}; }
+  /// Number of unknowns added to the displacements. Their rows of the residual must be forces.
+  virtual int extra_unknowns() const { return 0; }
   /// Whether the contribution to the tangent is symmetric, up to points beyond an open end of the master, where the
   /// area fades.
   virtual bool has_potential() const = 0;

@@ -33,8 +33,8 @@ MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLa
   whole_ = functions_.areas(this->points_);
 }
 
-template <int D> std::vector<std::string> MortarContact<D>::extra_unknowns() const {
-  return solves_multipliers() ? unknown_names<D>(functions_.count(), frictional()) : std::vector<std::string>{};
+template <int D> int MortarContact<D>::extra_unknowns() const {
+  return solves_multipliers() ? functions_.count() * unknowns_per_multiplier<D>(frictional()) : 0;
 }
 
 // ── Gaps and slips weighted by multiplier ────────────────────────────────────────────────────────────────────────────

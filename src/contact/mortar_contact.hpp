@@ -26,7 +26,7 @@ public:
 
   int multipliers() const override { return functions_.count(); }
   int point_of(int constraint) const override { return std::max(functions_.largest(constraint), 0); }
-  std::vector<std::string> extra_unknowns() const override;
+  int extra_unknowns() const override;
   /// Except beyond open ends of the master, where the area on which tractions act changes.
   bool has_potential() const override { return !frictional() && !solves_multipliers() && pass_ == Pass::full; }
   double friction() const override { return law_.friction; }

@@ -12,14 +12,6 @@ void number_unknowns(int multiplier, int each, std::vector<int>& numbers) {
 
 } // namespace
 
-template <int D> std::vector<std::string> unknown_names(int multipliers, bool frictional) {
-  std::vector<std::string> names;
-  for (int a = 0; a < multipliers; ++a)
-    for (int i = 0; i < unknowns_per_multiplier<D>(frictional); ++i)
-      names.push_back((i == 0 ? "pressure " : "friction ") + std::to_string(a + 1));
-  return names;
-}
-
 template <int D> MultiplierUnknowns<D> unknowns_of(const double* all, int multiplier, bool frictional) {
   const double* own = all + multiplier * unknowns_per_multiplier<D>(frictional);
   MultiplierUnknowns<D> unknowns{own[0]};
@@ -89,7 +81,6 @@ void fill_coupling(const Strip& strip, const Surface<D>& slave, const Master<D>&
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template std::vector<std::string> unknown_names<D>(int, bool);                                                       \
   template MultiplierUnknowns<D> unknowns_of(const double*, int, bool);                                                \
   template void fill_conditions(const ConditionRows<D>&, int, bool, bool, Block&);                                     \
   template void fill_coupling(const Strip&, const Surface<D>&, const Master<D>&, const MultiplierFunctions<D>&,        \

@@ -4,16 +4,12 @@
 #include "contact/multiplier_law.hpp"
 #include "contact/multiplier_rows.hpp"
 
-#include <string>
-
 namespace signorini::contact {
 
 /// Number of unknowns of a multiplier: pressure, and with friction a vector.
 template <int D> constexpr int unknowns_per_multiplier(bool frictional) {
   return frictional ? 1 + D : 1;
 }
-/// "pressure 1", "friction 1" … by multiplier.
-template <int D> std::vector<std::string> unknown_names(int multipliers, bool frictional);
 /// The unknowns of a multiplier from those of all.
 template <int D> MultiplierUnknowns<D> unknowns_of(const double* all, int multiplier, bool frictional);
 

@@ -40,6 +40,7 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
   entries_.clear();
   first_.assign(1, 0);
   frictional_.clear();
+  solved_.clear();
   reversed_.clear();
   frictions_.assign(contacts.size(), {});
   rounds_ = 0;
@@ -48,6 +49,7 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     first_.push_back(first_.back() + constraints(histories[k]));
     frictional_.push_back(contacts[k]->friction() > 0);
+    solved_.push_back(contacts[k]->multipliers() > 0 && contacts[k]->extra_unknowns() > 0);
     controls[k].fixed_states.clear();
     if (!frozen_) continue;
     for (int i = 0; i < constraints(histories[k]); ++i)
@@ -116,7 +118,7 @@ template <int D> bool ActiveSet<D>::hold_back(const Histories& histories, Contro
   };
   int changed = 0, first = -1;
   for (std::size_t k = 0; k < histories.size(); ++k) {
-    if (histories[k].multipliers.empty()) continue;
+    if (!solved_[k]) continue;
     if (!controls[k].fixed_states.empty()) return false;
     for (int i = first_[k]; i < first_[k + 1]; ++i) {
       if (!changes(i)) continue;
@@ -130,7 +132,7 @@ template <int D> bool ActiveSet<D>::hold_back(const Histories& histories, Contro
       std::any_of(entries_.begin() + 1, entries_.end() - 1, [&](const Entry& entry) { return entry.states == now; });
   if (!again) return false;
   for (std::size_t k = 0; k < histories.size(); ++k) {
-    if (histories[k].multipliers.empty()) continue;
+    if (!solved_[k]) continue;
     for (int i = first_[k]; i < first_[k + 1]; ++i) {
       if (i != first && changes(i)) now[at(i)] = before[at(i)];
       controls[k].fixed_states.push_back(held_state(now[at(i)]));

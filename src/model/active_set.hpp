@@ -30,9 +30,10 @@ public:
   /// multiplier whose slip reverses sticks in the next evaluation: Newton's method has passed over a state of stick,
   /// and would return, because the tangent of slip has no stiffness that stops it.
   void note(const Histories& histories, double residual, Controls& controls);
-  /// Principal pivoting for multipliers (J. J. Júdice, F. M. Pires, Comput. Oper. Res. 21, 1994): as long as fewer
-  /// states change from one iteration to the next, all change at once; where their number stagnates, states are held so
-  /// that only the first of them changes. Call after note(); returns whether states are held, for another evaluation.
+  /// Principal pivoting for multipliers that are unknowns (J. J. Júdice, F. M. Pires, Comput. Oper. Res. 21, 1994): all
+  /// states change at once until those of an earlier evaluation return; then states are held so that only the first of
+  /// them changes. Call after note(); returns whether states are held, for another evaluation. With a penalty pressures
+  /// are continuous in the gaps, and held states lead away from the solution.
   bool hold_back(const Histories& histories, Controls& controls);
   /// Ends the freeze if `ratio`, |f·Δu| over its first value, is below options.freeze.
   void thaw(double ratio, Controls& controls);
@@ -68,6 +69,7 @@ private:
   std::vector<int> counts_;      ///< changes of each point in this step
   std::vector<int> first_;       ///< index of each contact's first point
   std::vector<bool> frictional_; ///< of each contact
+  std::vector<bool> solved_;     ///< of each contact: its multipliers are unknowns
   /// Multipliers that stick in this evaluation, with the states to which they return.
   std::vector<std::pair<PointIndex, contact::FixedContactState>> reversed_;
   std::vector<std::vector<contact::FaceCoordinates<D>>> frictions_; ///< per contact and multiplier, before

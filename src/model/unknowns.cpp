@@ -108,7 +108,7 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
     const int master =
         face ? offset(face->body) : obstacle_offset(std::get<ObstacleReference>(contact.master).obstacle);
     of_contacts_.push_back({offset(contact.slave.body), master, dofs()});
-    add(static_cast<int>(contacts[k]->extra_unknowns().size()));
+    add(contacts[k]->extra_unknowns());
   }
   for (const contact::Tie<D>& tie : ties) {
     of_ties_.push_back(dofs());

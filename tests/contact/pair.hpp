@@ -78,7 +78,7 @@ public:
   }
 
   const Formulation<D>& formulation() const { return *formulation_; }
-  int extra_unknowns() const { return static_cast<int>(formulation_->extra_unknowns().size()); }
+  int extra_unknowns() const { return formulation_->extra_unknowns(); }
   const Surface<D>& slave() const { return formulation_->slave(); }
   const Master<D>& master() const { return formulation_->master(); }
   const std::vector<Block>& blocks() const { return formulation_->blocks(); }

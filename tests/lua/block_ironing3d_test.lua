@@ -101,7 +101,7 @@ check.case("wrong arguments", function()
     ["mesh=0x4x4/8x4x4"] = "mesh must be elements", ["orders=Q7"] = "Q7", ["block"] = "unknown argument 'block'",
     ["press=0"] = "press must be a whole number, 1 or more, got '0'",
     ["thickness_degree=2"] =
-      "'thickness_degree=2', which belongs to variant=sixty; known with variant=standard: formulation=gpts, linear=auto, ",
+      "'thickness_degree=2', which belongs to variant=sixty; known with variant=standard: formulation=gpts, ",
     ["variant=sixty slide=9"] = "'slide=9', which belongs to variant=standard; known with variant=sixty: line",
     ["variant=sixty mesh=2x2x1/8x3x2"] = "mesh=2x2x1/8x3x2: a half model has half of the elements across, so both "
       .. "numbers (2 and 3) must be even. Hint: part=whole",

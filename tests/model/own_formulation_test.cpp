@@ -22,11 +22,7 @@ class ElementPressures final : public contact::Formulation<2> {
 public:
   explicit ElementPressures(contact::ContactSetting<2> setting) : Formulation(std::move(setting)) {}
 
-  std::vector<std::string> extra_unknowns() const override {
-    std::vector<std::string> names;
-    for (int e = 0; e < slave().elements(); ++e) names.push_back(text("pressure of element ", e + 1));
-    return names;
-  }
+  int extra_unknowns() const override { return slave().elements(); } // pressures
   bool has_potential() const override { return false; } // unsymmetric where open: 0 = −c ∫ z_e dA is independent of u
   double stiffness(const contact::History<2>&, double) const override { return 0; }
   int parts() const override { return 1; }
