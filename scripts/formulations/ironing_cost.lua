@@ -19,10 +19,10 @@
 --           have 1.6 to 6 times the oscillation. Multipliers as unknowns on the stiff die take 0.8 to 6 times the
 --           iterations, and fail on m3; with the slab as slave 0.8 to 1 times.
 -- Run: signorini -q scripts/formulations/ironing_cost.lua [problems=plane,solid] [orders=N2,N2-N2.2]
---      [meshes=m1,m2,m3,m4] [solids=sparse,coarse] [formulations=…] [mu=0.3] [rounds=1] [controls=robust]
---      [out=out/formulations/ironing_cost]; meshes: of the plane problem; solids: of the solid one, whose friction is
---      mu; rounds: runs per case, for medians of the times; controls: those of sg.robust, or halving of failed steps
---      alone. Finished cases are saved in `out` and not run again.
+--      [meshes=m1,m2,m3,m4] [solids=sparse,coarse] [formulations=…] [mu=0.3] [penalty=100] [rounds=1]
+--      [controls=robust] [out=out/formulations/ironing_cost]; meshes: of the plane problem; solids: of the solid one,
+--      whose friction is mu and whose penalties are penalty; rounds: runs per case, for medians of the times; controls:
+--      those of sg.robust, or halving of failed steps alone. Finished cases are saved in `out` and not run again.
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
@@ -37,7 +37,7 @@ local options = sg.arguments{
   problems = { { "plane", "solid" }, choices = { "plane", "solid" } }, orders = { "N2", "N2-N2.2" },
   meshes = plane.meshes{ "m1", "m2", "m3", "m4" },
   solids = { { "sparse", "coarse" }, choices = solid.mesh_names },
-  formulations = formulations.argument(usual), mu = { 0.3, at_least = 0 },
+  formulations = formulations.argument(usual), mu = { 0.3, at_least = 0 }, penalty = { 100.0, above = 0 },
   rounds = { 1, at_least = 1 }, controls = { "robust", choices = { "robust", "halving" } },
   out = "out/formulations/ironing_cost",
 }
@@ -61,7 +61,7 @@ end
 
 local problems = {
   plane = {
-    title = "Ironing", meshes = options.meshes,
+    title = "Ironing", meshes = options.meshes, constants = {},
     run = function(case)
       local wall, cpu = sg.wall_time(), os.clock()
       local solved = plane.solve{ set_up = plane.variants.standard, order = case.order, mesh = case.mesh,
@@ -73,11 +73,13 @@ local problems = {
   },
   solid = {
     title = "Ironing in 3D", meshes = options.solids,
+    constants = { mu = { options.mu }, penalty = { options.penalty } },
     run = function(case)
       local wall, cpu, element = sg.wall_time(), os.clock(), 100 / 9
       local solved = solid.solve{ order = case.order, mesh = case.mesh, radius = 7.5, depth = 5.4, down = 0.2,
-                                  mu = options.mu, from = 50 - 1.5 * element, distance = 2 * element, along = 0.3,
-                                  formulation = formulations[case.formulation], controls = controls }
+                                  mu = case.mu, penalty = case.penalty, from = 50 - 1.5 * element,
+                                  distance = 2 * element, along = 0.3, formulation = formulations[case.formulation],
+                                  controls = controls }
       return results(solved.run, solved.dofs.indenter.total + solved.dofs.slab.total, sg.wall_time() - wall,
         os.clock() - cpu, "grip.fz")
     end,
@@ -99,7 +101,7 @@ local function study_of(name)
     folder = ("%s/%s"):format(options.out, name),
     -- Rounds vary slowest, so that a disturbance does not affect one formulation alone.
     cases = sg.grid({ round = rounds }, { mesh = problem.meshes }, { order = options.orders },
-      { formulation = options.formulations }),
+      { formulation = options.formulations }, problem.constants),
   }
   study:execute()
   local medians = study:median "round"

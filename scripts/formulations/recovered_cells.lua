@@ -13,8 +13,8 @@
 --           nearly all cells.
 -- Run: signorini -q scripts/formulations/recovered_cells.lua
 --      [maps=deep_ironing,friction_steps,penalty_hertz,first_touch] [formulations=…] [coarse=no] [jobs=2]
---      [out=out/formulations/recovered_cells]; coarse=yes: few cells of each map. Maps are written to `out`, and a
---      second call continues with their cells.
+--      [out=out/formulations/recovered_cells]; coarse=yes: few cells of each map. Maps are written to `out`, with a
+--      picture of each next to that of Gauss points, and a second call continues with their cells.
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
@@ -51,12 +51,18 @@ local function maps_of(name, formulation)
   return list
 end
 
+local files = sg.files(options.out)
+
 --- A row: cells, cells that converge with Gauss points and with a formulation, recovered, lost, and with all controls.
+--- Draws the maps of both.
 local function compare(name, points, formulation)
   local row = { map = name, formulation = formulation, cells = 0, gpts = 0, converged = 0, recovered = 0, lost = 0,
                 controls = 0 }
   for i, pair in ipairs(maps_of(name, formulation)) do
     local comparison = points[i].plain:compare(pair.plain)
+    points[i].plain:picture{
+      other = pair.plain, titles = { formulations.gpts.label, formulations[formulation].label },
+      title = points[i].plain.name .. ", plain Newton", file = files(("%s_%d_%s.png"):format(name, i, formulation)) }
     row.cells, row.gpts = row.cells + #pair.plain.cells, row.gpts + points[i].plain:converged()
     row.converged, row.controls = row.converged + pair.plain:converged(), row.controls + pair.robust:converged()
     row.recovered, row.lost = row.recovered + #comparison.recovered, row.lost + #comparison.lost
@@ -79,7 +85,6 @@ end
 local columns = { "map", "formulation", "cells", "GPTS", "converged", "recovered", "lost", "with controls" }
 print "\nCells that converge with plain Newton, compared with Gauss points, and with the default controls"
 print(sg.table{ columns = columns, rows = rows })
-local files = sg.files(options.out)
 sg.csv.write(files "cells.csv", { columns = columns, rows = rows })
 files:report()
 
