@@ -61,7 +61,7 @@ end
 
 local problems = {
   plane = {
-    title = "Ironing", meshes = options.meshes, constants = {},
+    title = "Ironing", meshes = options.meshes,
     run = function(case)
       local wall, cpu = sg.wall_time(), os.clock()
       local solved = plane.solve{ set_up = plane.variants.standard, order = case.order, mesh = case.mesh,
@@ -96,12 +96,13 @@ local problems = {
 local function study_of(name)
   local problem, rounds = problems[name], {}
   for i = 1, options.rounds do rounds[i] = i end
+  -- Rounds vary slowest, so that a disturbance does not affect one formulation alone.
+  local parameters = { { round = rounds }, { mesh = problem.meshes }, { order = options.orders },
+                       { formulation = options.formulations }, problem.constants }
   local study = sg.study{
     name = "formulations: " .. name, run = problem.run, sequential = true, units = { cpu = "s" },
     folder = ("%s/%s"):format(options.out, name),
-    -- Rounds vary slowest, so that a disturbance does not affect one formulation alone.
-    cases = sg.grid({ round = rounds }, { mesh = problem.meshes }, { order = options.orders },
-      { formulation = options.formulations }, problem.constants),
+    cases = sg.grid(table.unpack(parameters)),
   }
   study:execute()
   local medians = study:median "round"
