@@ -27,16 +27,16 @@ end
 local function spread(values) return math.max(table.unpack(values)) - math.min(table.unpack(values)) end
 
 --- { raw, detrended } of a list over the steps first to last, by default the window; empty if the run ended
---- before it.
+--- before it. Three values lie on a parabola: nothing is left to detrend.
 function measure.oscillation(values, first, last)
   first, last = first or measure.first, last or measure.last
   if #values < last then return {} end
   local part = table.move(values, first, last, 1, {})
-  return { raw = spread(part), detrended = spread(without_parabola(part)) }
+  return { raw = spread(part), detrended = #part > 3 and spread(without_parabola(part)) or nil }
 end
 
---- Adds the named oscillations in % of those of a case, if given: raw_percent, detrended_percent. No percentage for an
---- oscillation of zero, the detrended one of two or three steps.
+--- Adds the named oscillations in % of those of a case, if given: raw_percent, detrended_percent. No percentage of an
+--- oscillation of zero.
 function measure.percent(cases, forces, reference)
   for _, case in ipairs(cases) do
     for _, force in ipairs(forces) do

@@ -37,6 +37,17 @@ check.case("oscillations that differ from print, and those of N2, are unchanged"
   check.within("N2-N2.3 dPx", study.cases["N2-N2.3"].dPx.raw_percent, 5.94, 0.05)
 end)
 
+check.case("three steps lie on a parabola: only the raw oscillation exists", function()
+  local oscillation = require("ironing2d.measure").oscillation
+  for _, values in ipairs { { 5 }, { 5, 7 }, { 5, 7, 4 } } do
+    local found = oscillation(values, 1, #values)
+    check.equal(found.raw, math.max(table.unpack(values)) - math.min(table.unpack(values)))
+    check.equal(found.detrended, nil)
+  end
+  -- x³ on −3 … 3 minus its projection 7 x: −6, 6, 6, 0, −6, −6, 6.
+  check.near({ oscillation({ -27, -8, -1, 0, 1, 8, 27 }, 1, 7).detrended }, { 12 }, 1e-13)
+end)
+
 check.case("every run is complete, in at most 4.5 plain Newton iterations a step", function()
   for _, case in ipairs(study.cases) do
     check.equal({ case.run.failed, case.run.steps }, { false, 296 })
