@@ -94,7 +94,7 @@ int kind(lua_State* L) {
   return 1;
 }
 
-/// core.report_interrupt(): whether Ctrl-C was pressed; if so, marks it as handled, because the current operation ends
+/// core.answer_interrupt(): whether Ctrl-C was pressed; if so, marks it as handled, because the current operation ends
 /// and returns its partial results.
 bool core_answer_interrupt() {
   if (interrupted()) report_interrupt();
@@ -125,7 +125,7 @@ int core_offered(lua_State* L) {
 constexpr Function core_entries[] = {
     {"fail", core_fail},
     {"offered", core_offered},
-    {"report_interrupt", call<core_answer_interrupt>},
+    {"answer_interrupt", call<core_answer_interrupt>},
     {"now", call<now>},
     {"mkdir", call<mkdir>},
     {"exists", call<exists>},

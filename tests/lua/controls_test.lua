@@ -249,15 +249,14 @@ check.case("results that on_step must not return", function()
   check.fails(returning { ["grip.fx"] = 1 }, "on_step: 'grip.fx' is already a column of the run")
 end)
 
-check.case("invalid results of on_iteration leave the model at its accepted state", function()
-  local model = ironing{}
-  check.fails(function()
-    model:run({ { steps = 1, grip = {0, -0.01} } }, { on_iteration = function() return "halt" end })
-  end, "controls_test.lua:",
-  "on_iteration: its result must be nothing, \"stop\" or \"cut\", got the string 'halt'")
+check.case("errors and invalid results of on_iteration keep their line and the model's accepted state", function()
+  local model, stages = ironing{}, { { steps = 1, grip = {0, -0.01} } }
+  local function run(on_iteration) return model:run(stages, { on_iteration = on_iteration }) end
+  check.fails(function() run(function() return "halt" end) end, "controls_test.lua:",
+    "on_iteration: its result must be nothing, \"stop\" or \"cut\", got the string 'halt'")
+  check.fails(function() run(function() error "a mistake of mine" end) end, "controls_test.lua:", "a mistake of mine")
   check.equal(model:target "grip", {0, 0})
-  check.equal(model:run({ { steps = 1, grip = {0, -0.01} } }, { on_iteration = function() return false end }).failed,
-    false)
+  check.equal(run(function() return false end).failed, false)
 end)
 
 -- ── sg.robust ────────────────────────────────────────────────────────────────────────────────────────────────────────
