@@ -8,7 +8,9 @@ template <int D> LinearFacts linear_facts(const System<D>& system) {
       std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const auto& named) { return named.body->linear(); });
   const bool potential = std::all_of(system.contacts.begin(), system.contacts.end(),
                                      [](const auto& contact) { return contact->has_potential(); });
-  return {linear && !(scene.contacts.empty() && scene.ties.empty()), potential};
+  const bool multipliers = std::any_of(system.contacts.begin(), system.contacts.end(),
+                                       [](const auto& contact) { return contact->extra_unknowns() > 0; });
+  return {linear && !(scene.contacts.empty() && scene.ties.empty()), multipliers, potential};
 }
 
 bool can_condense(const LinearFacts& facts, bool damps) {

@@ -34,10 +34,11 @@ solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const Linear
       const auto& values = tangent.constant;
       const solve::Condensation condensation{{values.begin(), values.begin() + tangent.pattern.entries()},
                                              tangent.contact_unknowns};
-      solver_ = solve::make_solver(solve::LinearKind::condensed, tangent.pattern, &condensation);
+      solver_ = solve::make_solver(solve::LinearKind::condensed, tangent.pattern, {&condensation});
     } else {
       const solve::LinearKind kind = open ? first_choice(facts_, request.damps) : request.kind;
-      solver_ = solve::make_solver(kind == solve::LinearKind::automatic ? beginning_ : kind, tangent.pattern);
+      solver_ = solve::make_solver(kind == solve::LinearKind::automatic ? beginning_ : kind, tangent.pattern,
+                                   {.multipliers = facts_.multipliers});
     }
   }
   if (!fits || !same_contacts) solver_->watch(tangent.contact_unknowns);

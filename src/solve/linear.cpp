@@ -58,19 +58,20 @@ bool worth_reusing(double operations, double entries) {
   return operations > reuse_above * entries;
 }
 
-std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern, const Condensation* condensation) {
+std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern, const SolverOptions& options) {
   if (kind == LinearKind::condensed) {
-    require(condensation != nullptr, "solve.linear.condensed");
-    return make_condensed(pattern, *condensation, make_schur_cholesky(dissection_above));
+    require(options.condensation != nullptr, "solve.linear.condensed");
+    return make_condensed(pattern, *options.condensation, make_schur_cholesky(dissection_above));
   }
   // Nested dissection from the start, as is best for solids
   if (kind == LinearKind::reuse)
-    return make_reused(pattern, make_umfpack, std::make_unique<SymmetricPart>(make_schur_cholesky(0)));
+    return make_reused(pattern, make_umfpack, std::make_unique<SymmetricPart>(make_schur_cholesky(0)),
+                       options.multipliers ? loosest_for_multipliers : loosest_tolerance);
   std::unique_ptr<DirectSolver> direct = kind == LinearKind::umfpack ? make_umfpack() : make_klu();
   direct->analyze(pattern);
   const SolverStatistics expected = direct->statistics();
   if (kind == LinearKind::automatic && worth_reusing(expected.operations, expected.entries))
-    return make_solver(LinearKind::reuse, pattern);
+    return make_solver(LinearKind::reuse, pattern, options);
   return std::make_unique<Direct>(kind == LinearKind::automatic ? LinearKind::klu : kind, std::move(direct));
 }
 

@@ -37,12 +37,17 @@ public:
 
 struct Condensation;
 
+/// What some solvers need to know of the systems.
+struct SolverOptions {
+  const Condensation* condensation = nullptr; ///< for `condensed`
+  bool multipliers = false;                   ///< whether unknowns are Lagrange multipliers with states: for `reuse`
+};
+
 /// `klu` and `umfpack` factor every matrix by that direct solver; `reuse` reuses factorizations (reused.hpp) of
 /// CHOLMOD, or of UMFPACK if the symmetric part is not positive definite; `condensed` condenses the constant part
-/// (condensed.hpp) by CHOLMOD and needs `condensation`, which the others ignore. `automatic` selects `reuse` if reuse
-/// is worthwhile, otherwise `klu`. Which is fastest: share/doc/benchmark.md.
-std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern,
-                                          const Condensation* condensation = nullptr);
+/// (condensed.hpp) by CHOLMOD. `automatic` selects `reuse` if reuse is worthwhile, otherwise `klu`. Which is fastest:
+/// share/doc/benchmark.md.
+std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern, const SolverOptions& options = {});
 
 /// Whether a factorization costs so many solutions that it should be reused: its operations, and the entries that a
 /// solution reads.

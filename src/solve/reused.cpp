@@ -1,6 +1,5 @@
 #include "solve/reused.hpp"
 
-#include "solve/constants.hpp"
 #include "solve/gmres.hpp"
 #include "solve/rows.hpp"
 
@@ -17,16 +16,16 @@ double Forcing::next(double norm) {
   began_ = begins;
   last_ = norm;
   const double expected = begins ? first_reduction_ : reduction;
-  return std::clamp(small_part * expected * expected, tightest, loosest);
+  return std::clamp(small_part * expected * expected, tightest_tolerance, loosest_);
 }
 
 namespace {
 
 class Reused final : public LinearSolver {
 public:
-  Reused(const Pattern& pattern, MakeDirect direct, std::unique_ptr<SymmetricPart> symmetric_part)
+  Reused(const Pattern& pattern, MakeDirect direct, std::unique_ptr<SymmetricPart> symmetric_part, double loosest)
       : pattern_(pattern), matrix_(pattern), symmetric_part_(std::move(symmetric_part)),
-        make_direct_(std::move(direct)), gmres_(pattern.size, most_iterations) {}
+        make_direct_(std::move(direct)), forcing_(loosest), gmres_(pattern.size, most_iterations) {}
 
   bool factor(const double* values) override;
   bool solve(double* b) override;
@@ -143,7 +142,7 @@ bool Reused::solve(double* b) {
   right_ = rest_ = Eigen::Map<const VectorX>(b, pattern_.size);
   const double norm = right_.norm();
   if (norm == 0) return true;
-  const double tolerance = first ? forcing_.next(norm) : Forcing::tightest;
+  const double tolerance = first ? forcing_.next(norm) : tightest_tolerance;
   if (first && recent_cost_ * solutions_ > cost_ && !renew()) return false;
 
   const auto multiply = [this](const double* x, double* y) { matrix_.multiply(x, y); };
@@ -183,8 +182,8 @@ SolverStatistics Reused::statistics() const {
 } // namespace
 
 std::unique_ptr<LinearSolver> make_reused(const Pattern& pattern, MakeDirect direct,
-                                          std::unique_ptr<SymmetricPart> symmetric_part) {
-  return std::make_unique<Reused>(pattern, std::move(direct), std::move(symmetric_part));
+                                          std::unique_ptr<SymmetricPart> symmetric_part, double loosest) {
+  return std::make_unique<Reused>(pattern, std::move(direct), std::move(symmetric_part), loosest);
 }
 
 } // namespace signorini::solve

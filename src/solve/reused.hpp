@@ -1,6 +1,7 @@
 #pragma once
 // A reused (lagged) factorization as preconditioner of GMRES on later tangents.
 
+#include "solve/constants.hpp"
 #include "solve/linear.hpp"
 #include "solve/symmetric_part.hpp"
 
@@ -15,18 +16,18 @@ namespace signorini::solve {
 /// number of GMRES iterations.
 ///
 /// Accuracy: see Forcing for the first right-hand side after factor(), which is assumed to be Newton's; others are
-/// solved to Forcing::tightest. A matrix that is singular to working precision is reported if the system with this
+/// solved to tightest_tolerance. A matrix that is singular to working precision is reported if the system with this
 /// right-hand side has no solution; otherwise one of its solutions is returned.
 std::unique_ptr<LinearSolver> make_reused(const Pattern& pattern, MakeDirect direct,
-                                          std::unique_ptr<SymmetricPart> symmetric_part = nullptr);
+                                          std::unique_ptr<SymmetricPart> symmetric_part = nullptr,
+                                          double loosest = loosest_tolerance);
 
 /// Accuracy of Newton's corrections, from the residuals r_k that they are to remove (Eisenstat & Walker, SIAM J. Sci.
 /// Comput. 17, 1996, choice 2): quadratic convergence leaves r_k (r_k / r_{k−1})² after the next correction; the linear
 /// system is solved to a tenth of that.
 class Forcing {
 public:
-  /// A larger loosest value costs Newton iterations; a smaller tightest one costs iterations of GMRES without benefit.
-  static constexpr double loosest = 1e-3, tightest = 1e-10;
+  explicit Forcing(double loosest = loosest_tolerance) : loosest_(loosest) {}
   /// Tolerance of ‖b − K x‖ / ‖b‖ for a right-hand side of this norm. A larger norm than before means a new step: its
   /// first correction is expected to converge as well as that of the previous step.
   double next(double norm);
@@ -35,6 +36,7 @@ private:
   /// Fraction of the residual left by quadratic convergence, so that the linear system's error is negligible; and the
   /// reduction expected of a first correction without history.
   static constexpr double small_part = 0.1, first_guess = 0.1;
+  double loosest_;
   double last_ = 0, first_reduction_ = first_guess;
   bool began_ = false;
 };

@@ -116,7 +116,7 @@ TEST(Condensed, SolvesChangingContactBlocks) {
     const Pattern pattern = chain(size);
     const Condensation condensation{random_definite(random, pattern), random_subset(random, size, contacts)};
     std::vector<std::unique_ptr<LinearSolver>> solvers;
-    solvers.push_back(make_solver(LinearKind::condensed, pattern, &condensation));
+    solvers.push_back(make_solver(LinearKind::condensed, pattern, {&condensation}));
     for (const MakeSchur& make : schur_solvers) solvers.push_back(make_condensed(pattern, condensation, make()));
     const auto oracle = make_solver(LinearKind::umfpack, pattern);
     EXPECT_EQ(solvers.front()->kind(), LinearKind::condensed);
@@ -145,7 +145,7 @@ TEST(Condensed, ContactMayBeTheOnlySupport) {
   std::mt19937 random(12);
   const auto [pattern, constant] = free_springs(random, 60);
   const Condensation condensation{constant, {20, 21, 22, 23, 59}};
-  const auto solver = make_solver(LinearKind::condensed, pattern, &condensation);
+  const auto solver = make_solver(LinearKind::condensed, pattern, {&condensation});
   EXPECT_FALSE(solver->factor(constant.data()));
   Values supported = constant;
   for (int unknown : {21, 59, 20}) {
@@ -164,7 +164,7 @@ TEST(Condensed, UnconstrainedBodyWithoutContactIsSingular) {
   std::mt19937 random(13);
   const auto [pattern, constant] = free_springs(random, 30);
   Condensation condensation{constant, {}};
-  EXPECT_FALSE(make_solver(LinearKind::condensed, pattern, &condensation)->factor(constant.data()));
+  EXPECT_FALSE(make_solver(LinearKind::condensed, pattern, {&condensation})->factor(constant.data()));
   // Two chains; only the second has contact unknowns
   Condensation halves{constant, {25, 26}};
   for (const auto& [i, j] : {std::pair{14, 15}, {15, 14}}) {
@@ -174,14 +174,14 @@ TEST(Condensed, UnconstrainedBodyWithoutContactIsSingular) {
   }
   Values values = halves.constant;
   values[at(pattern.find(25, 25))] += 1;
-  EXPECT_FALSE(make_solver(LinearKind::condensed, pattern, &halves)->factor(values.data()));
+  EXPECT_FALSE(make_solver(LinearKind::condensed, pattern, {&halves})->factor(values.data()));
 }
 
 TEST(Condensed, SingularMatricesByTheContactBlockAreReportedAndLeaveNoTrace) {
   std::mt19937 random(14);
   const Pattern pattern = chain(40);
   const Condensation condensation{random_definite(random, pattern), {3, 5, 17, 30}};
-  const auto solver = make_solver(LinearKind::condensed, pattern, &condensation);
+  const auto solver = make_solver(LinearKind::condensed, pattern, {&condensation});
   // The Schur complement onto unknown 17 is 1 / (K⁻¹)₁₇,₁₇; subtracting it makes the matrix singular.
   Values values = condensation.constant;
   values[at(pattern.find(17, 17))] -= 1 / dense(pattern, values).inverse()(17, 17);
@@ -196,7 +196,7 @@ TEST(Condensed, InvalidInputIsAnError) {
   std::mt19937 random(15);
   const Values constant = random_definite(random, pattern);
   const auto make = [&](const Condensation& condensation) {
-    make_solver(LinearKind::condensed, pattern, &condensation);
+    make_solver(LinearKind::condensed, pattern, {&condensation});
   };
   EXPECT_ERROR(make_solver(LinearKind::condensed, pattern), "solve.linear.condensed");
   EXPECT_ERROR(make({{1.0, 2.0}, {}}), "solve.condensed.size: count = 2, expected = 61");
@@ -222,7 +222,7 @@ TEST(Condensed, SolvesAGridWithAContactFace) {
   for_entries(pattern, [&](int i, int j, int k) { condensation.constant[at(k)] = i == j ? 8 : -1; });
   for (int i = 0; i < 2 * wide; ++i) condensation.contact.push_back(i);
 
-  const auto solver = make_solver(LinearKind::condensed, pattern, &condensation);
+  const auto solver = make_solver(LinearKind::condensed, pattern, {&condensation});
   for (int round = 0; round < 9; ++round)
     EXPECT_LT(backward_error(*solver, pattern, with_contact(random, pattern, condensation, 0.3, 100)), 1e-14);
 }

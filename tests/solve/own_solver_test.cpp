@@ -54,7 +54,7 @@ TEST(OwnSolver, IsReused) {
     const Values values = drift.at_time(time);
     const VectorXd b = VectorXd::LinSpaced(drift.pattern.size, time % 3 - 1, 2);
     ASSERT_TRUE(solver->factor(values.data()));
-    for (double promised : {Forcing::loosest, Forcing::tightest}) {
+    for (double promised : {loosest_tolerance, tightest_tolerance}) {
       VectorXd x = b;
       ASSERT_TRUE(solver->solve(x.data()));
       EXPECT_LE(residual(drift.pattern, values, x, b), 1.0001 * promised) << time;
