@@ -15,7 +15,7 @@
 -- Source: B. Wohlmuth, SIAM J. Numer. Anal. 38 (2000) on dual multipliers; A. Seitz and others, CMAME 301 (2016) with
 --         NURBS; share/doc/benchmark.md on the solvers.
 -- Units: times in ms of processor time.
--- Expected: the time of the fastest solver with multipliers is within a few tenths of that without them.
+-- Expected: the fastest solver takes 1.1 to 1.7 times as long per iteration with multipliers as with a penalty.
 -- Run: signorini -q scripts/formulations/elimination.lua [problems=hertz,plane,solid] [meshes=m1,m2,m3,m4]
 --      [solids=sparse,coarse] [solvers=auto,klu,umfpack,reuse,condensed] [rounds=3] [out=out/formulations/elimination]
 
