@@ -143,6 +143,22 @@ local function crossed(run, contact)
       counted(found.count, "point"), position(found.at))
 end
 
+--- Notes in run.unstable an accepted step whose tangent has negative eigenvalues, which MUMPS counts.
+function run_warnings.note_stability(run, model)
+  local negative, found = model:solver().negative_eigenvalues or 0, run.unstable
+  if negative == 0 then return end
+  found.steps, found.first, found.most = found.steps + 1, found.first or run.steps, math.max(found.most, negative)
+end
+
+--- A sentence for steps in unstable equilibrium.
+local function unstable(run)
+  local found = run.unstable
+  if found.steps == 0 then return nil end
+  return ("%s, from step %d on, %s in unstable equilibrium: the tangent has up to %s. Hint: follow the path from the "
+    .. "last stable step with arc_length = true and shorter steps"):format(counted(found.steps, "step"), found.first,
+      found.steps == 1 and "is" or "are", counted(found.most, "negative eigenvalue"))
+end
+
 --- The warnings of a run; those of model:warnings() and about the path come first.
 function run_warnings.of_run(run, model, early)
   local texts = lists.joined(model:warnings(), early)
@@ -152,6 +168,7 @@ function run_warnings.of_run(run, model, early)
     texts[#texts + 1] = unbalanced(run, model, contact)
   end
   texts[#texts + 1] = path_controls.warning(run)
+  texts[#texts + 1] = unstable(run)
   texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length)
   texts[#texts + 1] = energy_balance.warning(run, run.energies)
   return texts

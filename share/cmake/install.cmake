@@ -2,6 +2,9 @@
 
 install(TARGETS signorini RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS signorini_view signorini_flat LIBRARY DESTINATION lib/signorini)
+if(TARGET signorini_mumps)
+  install(TARGETS signorini_mumps LIBRARY DESTINATION lib/signorini)
+endif()
 install(DIRECTORY lua DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
 install(DIRECTORY scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini FILES_MATCHING PATTERN "*.lua")
 install(DIRECTORY share/ DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini

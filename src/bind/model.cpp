@@ -44,6 +44,10 @@ template <int D> int solver(const model::Model<D>& model, lua_State* L) {
               model.system.assembly.pattern_version(), "factorizations", done.factorizations, "solutions",
               done.solutions, "iterations", done.iterations, "factor_memory", done.memory, "memory",
               model::memory(model));
+  const auto& unknowns = model.system.unknowns;
+  if (done.negative >= 0 && unknowns.free_displacements() == unknowns.size())
+    set_field(L, "negative_eigenvalues", done.negative);
+  if (done.rank_memory > 0) set_field(L, "rank_memory", done.rank_memory);
   return 1;
 }
 

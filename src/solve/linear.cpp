@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "solve/condensed.hpp"
+#include "solve/mumps.hpp"
 #include "solve/reused.hpp"
 
 #include <algorithm>
@@ -12,11 +13,9 @@ namespace signorini::solve {
 
 namespace {
 
-constexpr std::pair<LinearKind, const char*> names[] = {{LinearKind::automatic, "auto"},
-                                                        {LinearKind::klu, "klu"},
-                                                        {LinearKind::umfpack, "umfpack"},
-                                                        {LinearKind::condensed, "condensed"},
-                                                        {LinearKind::reuse, "reuse"}};
+constexpr std::pair<LinearKind, const char*> names[] = {
+    {LinearKind::automatic, "auto"},      {LinearKind::klu, "klu"},     {LinearKind::umfpack, "umfpack"},
+    {LinearKind::condensed, "condensed"}, {LinearKind::reuse, "reuse"}, {LinearKind::mumps, "mumps"}};
 
 /// Factors every matrix.
 class Direct final : public LinearSolver {
@@ -58,7 +57,8 @@ bool worth_reusing(double operations, double entries) {
   return operations > reuse_above * entries;
 }
 
-std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern, const Condensation* condensation) {
+std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern, const Condensation* condensation,
+                                          const MumpsOptions& mumps) {
   if (kind == LinearKind::condensed) {
     require(condensation != nullptr, "solve.linear.condensed");
     return make_condensed(pattern, *condensation, make_schur_cholesky(dissection_above));
@@ -66,7 +66,15 @@ std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& patter
   // Nested dissection from the start, as is best for solids
   if (kind == LinearKind::reuse)
     return make_reused(pattern, make_umfpack, std::make_unique<SymmetricPart>(make_schur_cholesky(0)));
-  std::unique_ptr<DirectSolver> direct = kind == LinearKind::umfpack ? make_umfpack() : make_klu();
+  const MumpsSettings& settings = mumps.settings;
+  const bool approximate = settings.low_rank > 0 || settings.single;
+  if (kind == LinearKind::mumps && (mumps.reuse || approximate)) {
+    const MakeDirect make = [settings] { return make_mumps(settings); };
+    return make_reused(pattern, make, nullptr, kind);
+  }
+  std::unique_ptr<DirectSolver> direct = kind == LinearKind::umfpack ? make_umfpack()
+                                         : kind == LinearKind::mumps ? make_mumps(settings)
+                                                                     : make_klu();
   direct->analyze(pattern);
   const SolverStatistics expected = direct->statistics();
   if (kind == LinearKind::automatic && worth_reusing(expected.operations, expected.entries))
