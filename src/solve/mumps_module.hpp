@@ -51,8 +51,8 @@ public:
 struct MumpsModule {
   std::string (*description)();
   std::unique_ptr<MumpsInstance> (*make)(const MumpsSettings&, bool symmetric);
-  /// Joins the processes that mpirun has started, and returns this one's rank. `version` must be the same for all:
-  /// otherwise returns −1 on all.
+  /// Joins the processes that mpirun has started, and returns this one's rank, or −1 on all of them if they do not have
+  /// the same `version`.
   int (*join)(const std::string& version);
   /// For ranks other than 0: takes part in factorizations until rank 0 ends.
   void (*serve)();
