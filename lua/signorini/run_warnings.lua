@@ -1,8 +1,9 @@
 -- Warnings about a run although it completed: those of sg.model about the scene, loads that are not ramped, loose
 -- tolerances, contacts without any active point (wrong face, or a body that misses the other), deep penetration, points
--- that passed through the master in one step, failed projections, half passes with different forces, and those of
--- path_controls.lua, jumps.lua and energy_balance.lua.
+-- that passed through the master in one step, failed projections, half passes with different forces, unstable
+-- equilibria, idle processes of mpirun, and those of path_controls.lua, jumps.lua and energy_balance.lua.
 
+local core = require "signorini.core"
 local counted = require "signorini.counted"
 local energy_balance = require "signorini.energy_balance"
 local drives = require "signorini.drives"
@@ -114,6 +115,10 @@ function run_warnings.of_path(model, path, solver)
   if solver.tolerance > loose_tolerance then
     texts[#texts + 1] = ("newton.tolerance = %g: steps count as converged with unbalanced forces of this fraction of "
       .. "the run's forces, expected at most %g. Hint: the default is 1e-10"):format(solver.tolerance, loose_tolerance)
+  end
+  if core.ranks > 1 and solver.linear ~= "mumps" then
+    texts[#texts + 1] = ("linear = \"%s\" uses one of the %d processes that mpirun has started. Hint: linear = "
+      .. "\"mumps\" shares factorizations among them"):format(solver.linear, core.ranks)
   end
   return texts
 end

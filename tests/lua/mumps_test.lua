@@ -25,6 +25,7 @@ return function(options, mu)
 end
 ]]
 local press = load(slab)()
+local program = check.shell(("realpath '%s'"):format(arg[-1])):match "[^\n]+"
 
 local function force(model)
   local resultant = model:contact_resultant "interface"
@@ -33,7 +34,7 @@ end
 
 check.case("a program without the module reports what is missing", function()
   local folder = check.folder()
-  check.shell(("cp '%s' %s/program"):format(arg[-1], folder))
+  check.shell(("cp '%s' %s/program"):format(program, folder))
   core.write_file(folder .. "/slab.lua", slab)
   local function run(code, variables)
     return check.shell(("cd %s && SIGNORINI_HOME='%s' %s ./program -q -e \"%s\""):format(folder, core.home, variables,
@@ -83,6 +84,18 @@ check.case("the states of other solvers, with symmetric and other tangents", fun
     "mumps.out_of_core must be a folder with write permission, got '" .. folder .. "/none'")
 end)
 
+check.case("a full disk is reported, and leaves no files", function()
+  local folder = check.folder()
+  core.write_file(folder .. "/slab.lua", slab)
+  -- Writing beyond a limit fails like writing to a full disk if its signal is ignored.
+  local output, status = check.shell(("cd %s && mkdir factors && trap '' XFSZ && ulimit -f 16 && SIGNORINI_HOME='%s' "
+    .. "'%s' -q -e \"dofile 'slab.lua'{ linear = 'mumps', mumps = { out_of_core = 'factors' } }\""):format(folder,
+    core.home, program))
+  check.equal(status, 1)
+  check.holds(output, "slab.lua:13: ", "MUMPS cannot write the factors to 'factors'. Hint: choose a folder with more")
+  check.equal(check.shell("ls " .. folder .. "/factors"), "")
+end)
+
 --- A slender column below a driven support: the model and its run.
 local function column(stages, options)
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 0.5, height = 10 }, elements = {1, 8}, order = "N3",
@@ -121,24 +134,27 @@ core.write_file(folder .. "/slab.lua", slab)
 local function mpirun(ranks, code)
   core.write_file(folder .. "/study.lua", code)
   return check.shell(("cd %s && export SIGNORINI_HOME='%s' OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; "
-    .. "timeout 300 mpirun --oversubscribe -n %d '%s' -q study.lua 2>&1"):format(folder, core.home, ranks, arg[-1]))
+    .. "timeout 300 mpirun --oversubscribe -n %d '%s' -q study.lua 2>&1"):format(folder, core.home, ranks, program))
 end
 
 check.case("ranks share factorizations: the same forces, in pieces of memory", function()
   for _, mu in ipairs { "nil", "0.3" } do
     local expected = force(press({}, tonumber(mu)))
     for _, ranks in ipairs { 1, 2, 4 } do
-      for _, options in ipairs { "{}", "{ low_rank = 1e-4, precision = 'single' }" } do
-        local output, status = mpirun(ranks, ([[
-          local model, run = dofile "slab.lua"({ linear = "mumps", mumps = %s }, %s)
+      local output, status = mpirun(ranks, ([[
+        for _, options in ipairs { {}, { low_rank = 1e-4, precision = "single" } } do
+          local model, run = dofile "slab.lua"({ linear = "mumps", mumps = options }, %s)
           local resultant, solver = model:contact_resultant "interface", model:solver()
-          print(resultant.fx, resultant.fz, solver.linear, run.failed, solver.rank_memory < 100e6)]])
-          :format(options, mu))
-        check.equal(status, 0)
-        local fx, fz, rest = output:match "^(%S+)%s+(%S+)%s+(.-)\n$"
+          print(resultant.fx, resultant.fz, solver.linear, run.failed, solver.rank_memory < 100e6)
+        end]]):format(mu))
+      check.equal(status, 0)
+      local solutions = 0
+      for fx, fz, rest in output:gmatch "(%S+)\t(%S+)\t(.-)\n" do
+        solutions = solutions + 1
         check.equal(rest, "mumps\tfalse\ttrue")
         check.near({ tonumber(fx), tonumber(fz) }, expected, 1e-10 * math.abs(expected[2]))
       end
+      check.equal(solutions, 2)
     end
   end
 end)
@@ -148,9 +164,30 @@ check.case("only rank 0 runs the program, and the run has its exit status", func
   check.equal({ output, status }, { "once\n", 0 })
   output, status = mpirun(3, "dofile 'slab.lua'{ linear = 'mumps' } print 'once' os.exit(0)")
   check.equal({ output, status }, { "once\n", 0 })
+  output, status = mpirun(2, "local _, run = dofile 'slab.lua'{} print(run.warnings[1])")
+  check.equal({ output, status }, { "linear = \"auto\" uses one of the 2 processes that mpirun has started. "
+    .. "Hint: linear = \"mumps\" shares factorizations among them\n", 0 })
   output, status = mpirun(2, "print 'once' error 'no'")
   check.equal({ status, select(2, output:gsub("once", "")) }, { 1, 1 })
   check.holds(output, "signorini: study.lua:1: no")
+end)
+
+--- Waiting in MPI would take a whole processor per rank, and would not give it up by itself.
+check.case("ranks sleep while rank 0 computes", function()
+  local output, status = mpirun(2, [[
+    local own, mpirun = io.open "/proc/self/stat":read "a":match "^(%d+) .* %a (%d+) "
+    local function sleeps()
+      for other in io.open(("/proc/%s/task/%s/children"):format(mpirun, mpirun)):read "a":gmatch "%d+" do
+        if other ~= own then
+          local status = io.open(("/proc/%s/status"):format(other)):read "a"
+          return tonumber(status:match "\nvoluntary_ctxt_switches:%s*(%d+)")
+        end
+      end
+    end
+    local before, count = sleeps(), 0
+    while sleeps() < before + 20 and count < 100 do count = count + 1 os.execute "sleep 0.1" end
+    print(count < 100)]])
+  check.equal({ output, status }, { "true\n", 0 })
 end)
 
 check.case("a study is refused, because MPI does not survive its forks", function()

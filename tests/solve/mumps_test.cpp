@@ -8,6 +8,7 @@
 #include "solve/reused.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <cstdlib>
 #include <gtest/gtest.h>
 
 namespace signorini::solve {
@@ -183,6 +184,16 @@ TEST_F(Mumps, StoresFactorsInAFolderAndRemovesThem) {
 TEST_F(Mumps, IsNeededOnlyByItsUsers) {
   EXPECT_EQ(started_ranks(), 0);
   EXPECT_TRUE(leads_ranks("1.0"));
+}
+
+/// CMake runs it by mpirun on two ranks, which say that they have different versions.
+TEST_F(Mumps, RefusesRanksOfAnotherVersion) {
+  if (started_ranks() != 2) GTEST_SKIP() << "needs two ranks";
+  const std::string rank = std::getenv("OMPI_COMM_WORLD_RANK");
+  if (rank == "0")
+    EXPECT_ERROR(leads_ranks("version of rank 0"), "solve.mumps.versions");
+  else
+    EXPECT_FALSE(leads_ranks("version of rank 1"));
 }
 
 } // namespace mumps_test

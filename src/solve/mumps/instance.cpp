@@ -51,6 +51,7 @@ public:
     }
     if (*command.folder) {
       control(22) = 1;
+      data_.keep[99 - 1] = 3; // writes without a thread, which after an error would wait forever
       static_assert(sizeof data_.ooc_tmpdir == sizeof command.folder);
       std::memcpy(data_.ooc_tmpdir, command.folder, sizeof command.folder);
       std::strcpy(data_.ooc_prefix, "signorini");
