@@ -15,9 +15,10 @@
 --           meshes. The linear solver therefore takes most of the time in 3D.
 -- Run: signorini scripts/benchmark.lua [plane=m1,m2,m3,m4,m5] [solid=sparse,coarse,middle,fine] [order=N2] [steps=3]
 --      [solvers=ironing-m1,…] [repeats=3] [linear=umfpack] [element=8] [out=out/benchmark] [page=none]; steps: timed
---      steps; solvers: models on which the linear solvers are compared, or none; repeats: passes, of which the median
---      counts; element: elements along an edge of the block for the reference value; page: folder with benchmark.md,
---      whose generated tables and charts are replaced (share/doc).
+--      steps; solvers: models on which the linear solvers are compared, or none, also square-220, solid-15k, solid-60k
+--      and solid-100k, which take minutes each; repeats: passes, of which the median counts; element: elements along
+--      an edge of the block for the reference value; page: folder with benchmark.md, whose generated tables and charts
+--      are replaced (share/doc).
 
 local sg = require "signorini"
 local measure = require "benchmark.measure"
@@ -29,7 +30,7 @@ local problems = measure.problems
 local options = sg.arguments{
   plane = { { "m1", "m2", "m3", "m4", "m5" }, choices = problems.plane.meshes, none = true },
   solid = { { "sparse", "coarse", "middle", "fine" }, choices = problems.solid.meshes, none = true },
-  solvers = { solvers.names, choices = solvers.names, none = true },
+  solvers = { solvers.usual, choices = solvers.names, none = true },
   order = "N2", steps = 3, repeats = 3, linear = { "umfpack", choices = { "auto", "klu", "umfpack", "reuse" } },
   element = 8, out = "out/benchmark", page = "none",
 }

@@ -1,6 +1,7 @@
 #include "base/interrupt.hpp"
 #include "bind/doctor.hpp"
 #include "bind/library.hpp"
+#include "bind/ranks.hpp"
 #include "bind/threads.hpp"
 #include "bind/wording/wording.hpp"
 #include "repl/command_line.hpp"
@@ -42,6 +43,7 @@ bool run(const repl::CommandLine& line, const std::string& program) {
 
 int main(int argc, char** argv) {
   try {
+    if (!bind::leads_ranks()) return success;
     const repl::CommandLine line = repl::parse({argv + 1, argv + argc});
     bind::set_threads(line.threads);
     switch (line.action) {

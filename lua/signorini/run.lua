@@ -55,7 +55,7 @@ end
 local function read_options(model, options, path, total)
   options.augmented = augmented_contact(model, options)
   options.solver = lists.merged(options.newton)
-  for _, key in ipairs { "predictor", "linear", "augmentation", "damping", "pseudo_transient" } do
+  for _, key in ipairs { "predictor", "linear", "mumps", "augmentation", "damping", "pseudo_transient" } do
     options.solver[key] = options[key]
   end
   options.on, options.checkpoints = controls_on(options), checkpoint(options)
@@ -364,6 +364,7 @@ return function(model, stages, options)
       end
       if result.converged then
         jumps.note(run.jumps, model, run.steps, run.step.length)
+        if options.linear == "mumps" then run_warnings.note_stability(run, model) end
         place.stage, place.number = index, number
         if options.states.wants(run.steps, function() return run:info(stage, result) end) then
           run:store_state(model, stage.name)

@@ -1,8 +1,9 @@
 -- Warnings about a run although it completed: those of sg.model about the scene, loads that are not ramped, loose
 -- tolerances, contacts without any active point (wrong face, or a body that misses the other), deep penetration, points
--- that passed through the master in one step, failed projections, half passes with different forces, and those of
--- path_controls.lua, jumps.lua and energy_balance.lua.
+-- that passed through the master in one step, failed projections, half passes with different forces, unstable
+-- equilibria, idle processes of mpirun, and those of path_controls.lua, jumps.lua and energy_balance.lua.
 
+local core = require "signorini.core"
 local counted = require "signorini.counted"
 local energy_balance = require "signorini.energy_balance"
 local drives = require "signorini.drives"
@@ -115,6 +116,10 @@ function run_warnings.of_path(model, path, solver)
     texts[#texts + 1] = ("newton.tolerance = %g: steps count as converged with unbalanced forces of this fraction of "
       .. "the run's forces, expected at most %g. Hint: the default is 1e-10"):format(solver.tolerance, loose_tolerance)
   end
+  if core.ranks > 1 and solver.linear ~= "mumps" then
+    texts[#texts + 1] = ("linear = \"%s\" uses one of the %d processes that mpirun has started. Hint: linear = "
+      .. "\"mumps\" shares factorizations among them"):format(solver.linear, core.ranks)
+  end
   return texts
 end
 
@@ -143,6 +148,22 @@ local function crossed(run, contact)
       counted(found.count, "point"), position(found.at))
 end
 
+--- Notes in run.unstable an accepted step whose tangent has negative eigenvalues, which MUMPS counts.
+function run_warnings.note_stability(run, model)
+  local negative, found = model:solver().negative_eigenvalues or 0, run.unstable
+  if negative == 0 then return end
+  found.steps, found.first, found.most = found.steps + 1, found.first or run.steps, math.max(found.most, negative)
+end
+
+--- A sentence for steps in unstable equilibrium.
+local function unstable(run)
+  local found = run.unstable
+  if found.steps == 0 then return nil end
+  return ("%s, from step %d on, %s in unstable equilibrium: the tangent has up to %s. Hint: follow the path from the "
+    .. "last stable step with arc_length = true and shorter steps"):format(counted(found.steps, "step"), found.first,
+      found.steps == 1 and "is" or "are", counted(found.most, "negative eigenvalue"))
+end
+
 --- The warnings of a run; those of model:warnings() and about the path come first.
 function run_warnings.of_run(run, model, early)
   local texts = lists.joined(model:warnings(), early)
@@ -152,6 +173,7 @@ function run_warnings.of_run(run, model, early)
     texts[#texts + 1] = unbalanced(run, model, contact)
   end
   texts[#texts + 1] = path_controls.warning(run)
+  texts[#texts + 1] = unstable(run)
   texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length)
   texts[#texts + 1] = energy_balance.warning(run, run.energies)
   return texts

@@ -3,11 +3,12 @@
 
 local sg = require "signorini"
 local hertz = require "hertz2d.problem"
+local ironing3d = require "ironing3d.problem"
 local measure = require "benchmark.measure"
 local peeling = require "peeling2d.problem"
 local rings = require "rings2d.problem"
 
-local solvers = { kinds = { "klu", "umfpack", "reuse", "condensed", "auto" } }
+local solvers = { kinds = { "klu", "umfpack", "reuse", "condensed", "mumps", "mumps, reuse", "auto" } }
 
 -- ── Scenes: begin(steps) → model, stages ─────────────────────────────────────────────────────────────────────────────
 
@@ -35,44 +36,69 @@ local function pressed_ring(mesh)
   end
 end
 
-local function square(steps)
-  local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 64, 64 }, order = "N2",
-                        contact = "north", thickness_degree = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local model = sg.model{ bodies = { body = body }, supports = {
-    bed = { on = body:face "south", fix = "xy" }, lid = { on = body:face "north", drive = "xy" } } }
-  return model, { { name = "press", steps = steps, lid = { 0, -0.02 * steps } } }
+local function square(count)
+  return function(steps)
+    local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { count, count },
+                          order = "N2", contact = "north", thickness_degree = 2,
+                          material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    local model = sg.model{ bodies = { body = body }, supports = {
+      bed = { on = body:face "south", fix = "xy" }, lid = { on = body:face "north", drive = "xy" } } }
+    return model, { { name = "press", steps = steps, lid = { 0, -0.02 * steps } } }
+  end
 end
 
---- By name: begin, steps, and whether all bodies are linear elastic.
+local function solid(fineness)
+  return function(steps)
+    local model = ironing3d.scene({ order = "N2", mesh = "coarse", fineness = fineness, radius = 7.5 }, 50)
+    return model, { { name = "press", steps = 1, grip = { 0, 0, -0.5 } },
+                    { name = "slide", steps = steps, grip = { 0.3 * steps, 0, -0.5 } } }
+  end
+end
+
+--- By name: begin, steps; `linear`: all bodies are linear elastic; `without`: solvers that would take hours.
 local scenes = {
   ["ironing-m1"] = { ironing("plane", "m1"), 40 }, ["ironing-m3"] = { ironing("plane", "m3"), 20 },
   ["ironing-m4"] = { ironing("plane", "m4"), 8 }, ["peeling-m2"] = { peel, 20 }, ["rings-m4"] = { two_rings, 10 },
-  ["hertz-m1"] = { pressed_ring "m1", 10, true }, ["hertz-m3"] = { pressed_ring "m3", 10, true },
-  ["solid-coarse"] = { ironing("solid", "coarse"), 3 }, ["square-64"] = { square, 5 },
+  ["hertz-m1"] = { pressed_ring "m1", 10, linear = true }, ["hertz-m3"] = { pressed_ring "m3", 10, linear = true },
+  ["solid-coarse"] = { ironing("solid", "coarse"), 3 }, ["square-64"] = { square(64), 5 },
+  ["square-220"] = { square(220), 2 }, ["solid-15k"] = { solid(2), 1, without = { klu = true } },
+  ["solid-60k"] = { solid(3.25), 1, without = { klu = true, umfpack = true } },
+  ["solid-100k"] = { solid(4), 1, without = { klu = true, umfpack = true } },
 }
-solvers.names = { "ironing-m1", "ironing-m3", "ironing-m4", "rings-m4", "peeling-m2", "square-64", "hertz-m1",
+solvers.usual = { "ironing-m1", "ironing-m3", "ironing-m4", "rings-m4", "peeling-m2", "square-64", "hertz-m1",
                   "hertz-m3", "solid-coarse" }
+solvers.names = { "square-220", "solid-15k", "solid-60k", "solid-100k" } -- take minutes each
+table.move(solvers.usual, 1, #solvers.usual, #solvers.names + 1, solvers.names)
 
 --- Seconds of processor time in the linear solver, from its fraction of the run's wall time, and the result of
 --- model:solver().
-local function solve(scene, linear)
+local function solve(scene, kind)
   collectgarbage() -- Lua does not count the memory of models
   local model, stages = scene[1](scene[2])
   local began = os.clock()
-  local run = model:run(stages, sg.plain{ linear = linear, step = { adaptive = true } })
+  local linear, reuse = kind:match "^[^,]+", kind == "mumps, reuse"
+  local run = model:run(stages, sg.plain{ linear = linear, mumps = reuse and { reuse = true } or nil,
+                                          step = { adaptive = true } })
   if run.failed then error(run.report, 0) end
   return (os.clock() - began) * run.timings.linear / run.wall, model:solver()
+end
+
+--- Whether a solver is to be measured on a scene; MUMPS is an error where its library is not installed.
+local function is_suitable(scene, kind, has_mumps)
+  if kind == "condensed" then return scene.linear end
+  return not (scene.without and scene.without[kind]) and (has_mumps or not kind:find "^mumps")
 end
 
 --- A sheet of the scenes with these names: processor seconds in the linear solver by its kind, medians of `repeats`.
 function solvers.sheet(names, repeats)
   local sheet = { columns = { "model", "unknowns", "auto selects" }, formats = { "%s", "%d", "%s" }, rows = {} }
+  local has_mumps = pcall(solve, scenes["ironing-m1"], "mumps")
   for k, kind in ipairs(solvers.kinds) do sheet.columns[3 + k], sheet.formats[3 + k] = kind, "%.3g" end
   for i, name in ipairs(names) do
     local scene, times, last = scenes[name], {}, nil
     for round = 1, repeats do -- in turns, so that disturbances affect all alike
       for k, kind in ipairs(solvers.kinds) do
-        if kind ~= "condensed" or scene[3] then
+        if is_suitable(scene, kind, has_mumps) then
           times[k] = times[k] or {}
           times[k][round], last = solve(scene, kind)
         end

@@ -18,11 +18,22 @@ problem.meshes = {
 }
 problem.mesh_names = { "sparse", "coarse", "middle", "fine" }
 
+--- A mesh with `fineness` times as many elements in each direction.
+local function finer(mesh, fineness)
+  local elements = {}
+  for body, counts in pairs(mesh) do
+    elements[body] = {}
+    for i, count in ipairs(counts) do elements[body][i] = math.floor(fineness * count + 0.5) end
+  end
+  return elements
+end
+
 --- Indenter and slab of a case { order, mesh, radius }, the indenter's lowest point touching the slab at x = `center`,
---- y = 15. `cap` is the number of biquadratic spans per direction that the sphere consists of: one, as published, has
---- no inner knots, so that DOFs are those of a block; with more, their knots remain C¹ for any order.
+--- y = 15. `fineness` multiplies the elements of the mesh in each direction (1). `cap` is the number of biquadratic
+--- spans per direction that the sphere consists of: one, as published, has no inner knots, so that DOFs are those of a
+--- block; with more, their knots remain C¹ for any order.
 function problem.bodies(case, center)
-  local elements = problem.meshes[case.mesh]
+  local elements = finer(problem.meshes[case.mesh], case.fineness or 1)
   local material = sg.neo_hookean{ E = 1, nu = 0.3 }
   local indenter = sg.body{
     patch    = sg.shapes.spherical_indenter{ width = 10, depth = 10, height = 11, radius = case.radius,

@@ -1,7 +1,10 @@
-# Contents of an installed tree, and its Debian package: cpack --config build/CPackConfig.cmake
+# Contents of an installed tree, and its Debian packages: cpack --config build/CPackConfig.cmake
 
 install(TARGETS signorini RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS signorini_view signorini_flat LIBRARY DESTINATION lib/signorini)
+if(TARGET signorini_mumps)
+  install(TARGETS signorini_mumps LIBRARY DESTINATION lib/signorini COMPONENT mumps)
+endif()
 install(DIRECTORY lua DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
 install(DIRECTORY scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini FILES_MATCHING PATTERN "*.lua")
 install(DIRECTORY share/ DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini
@@ -38,4 +41,14 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-liberation)
 # dpkg-shlibdeps accepts the reference BLAS, which makes runs in space a quarter slower: recommend OpenBLAS. The
 # recommended fonts have Chinese and Japanese characters.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libopenblas0, fonts-droid-fallback")
+# MUMPS and MPI are dependencies of a package of their own, so that the program can be installed without them.
+if(TARGET signorini_mumps)
+  set(CPACK_DEB_COMPONENT_INSTALL ON)
+  set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME signorini)
+  set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_SUGGESTS signorini-mumps)
+  set(CPACK_COMPONENT_MUMPS_DESCRIPTION "Parallel linear solver MUMPS for signorini")
+  set(CPACK_DEBIAN_MUMPS_PACKAGE_NAME signorini-mumps)
+  set(CPACK_DEBIAN_MUMPS_PACKAGE_DEPENDS "signorini (= ${PROJECT_VERSION}), openmpi-bin")
+  set(CPACK_DEBIAN_MUMPS_PACKAGE_RECOMMENDS "")
+endif()
 include(CPack)

@@ -7,6 +7,7 @@
 #include "bind/library.hpp"
 #include "bind/threads.hpp"
 #include "solid/kernel.hpp"
+#include "solve/mumps.hpp"
 #include "view/figure.hpp"
 #include "view/picture.hpp"
 #include "view/series.hpp"
@@ -90,6 +91,9 @@ bool doctor(std::ostream& out, int threads, const std::string& readline) {
   attempt("library", [] { return find_home().string(); });
   row("threads", std::to_string(threads));
   row("readline", readline);
+  attempt("MUMPS", [] {
+    return solve::has_mumps() ? solve::mumps_description() : "not installed, linear = \"mumps\" is not available";
+  });
   attempt("renderer", [] { return view::renderer().description(); });
   attempt("drawing", [] { return view::flat_renderer().description(); });
   attempt("test picture", test_picture);

@@ -9,6 +9,7 @@
 #include "bind/threads.hpp"
 #include "model/field.hpp"
 #include "solve/linear.hpp"
+#include "solve/mumps.hpp"
 #include "view/camera.hpp"
 #include "view/picture.hpp"
 
@@ -97,9 +98,9 @@ void open_library(lua_State* L, const Settings& settings) {
   set_fields(L, "terminal", isatty(STDERR_FILENO) == 1, // where progress is displayed
              "quiet", settings.quiet, "threads", settings.threads, "most_threads", most_threads, "processors",
              processors, "at_once", settings.jobs > 0 ? settings.jobs : processors, "host", host_name(), "processor",
-             processor_name(), "linear_solvers", solve::linear_names(), "fields", fields, "colormaps",
-             view::colormaps(), "cameras", view::camera_names(), "markers", view::marker_names(), "share",
-             find_share().string(), "home", home.string());
+             processor_name(), "linear_solvers", solve::linear_names(), "mumps", solve::has_mumps(), "ranks",
+             solve::started_ranks(), "fields", fields, "colormaps", view::colormaps(), "cameras", view::camera_names(),
+             "markers", view::marker_names(), "share", find_share().string(), "home", home.string());
   lua_newtable(L);
   for (const auto& [name, version] : versions()) set_field(L, name.c_str(), version);
   lua_setfield(L, -2, "versions");

@@ -42,8 +42,12 @@ template <int D> int solver(const model::Model<D>& model, lua_State* L) {
   const solve::SolverStatistics done = model.linear.statistics();
   push_fields(L, "linear", solve::name_of(model.linear.kind()), "unknowns", model.system.unknowns.size(), "patterns",
               model.system.assembly.pattern_version(), "factorizations", done.factorizations, "solutions",
-              done.solutions, "iterations", done.iterations, "factor_memory", done.memory, "memory",
-              model::memory(model));
+              done.solutions, "iterations", done.iterations, "factor_operations", done.operations, "factor_memory",
+              done.memory, "memory", model::memory(model));
+  const auto& unknowns = model.system.unknowns;
+  if (done.negative >= 0 && unknowns.free_displacements() == unknowns.size())
+    set_field(L, "negative_eigenvalues", done.negative);
+  if (done.rank_memory > 0) set_field(L, "rank_memory", done.rank_memory);
   return 1;
 }
 

@@ -52,6 +52,13 @@ model::StepOptions read_newton(const Arguments& a) {
   options.newton.tolerance = a.get<double>("tolerance");
   options.newton.iterations = a.get<int>("iterations");
   options.linear = solve::linear_kind(a.get<std::string>("linear"));
+  if (a.has("mumps")) {
+    const Arguments how = a.table("mumps");
+    options.mumps.settings.low_rank = how.get("low_rank", 0.0);
+    options.mumps.settings.single = how.get<std::string>("precision") == "single";
+    options.mumps.settings.folder = how.get("out_of_core", std::string());
+    options.mumps.reuse = how.get<bool>("reuse");
+  }
   return options;
 }
 

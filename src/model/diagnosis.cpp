@@ -290,9 +290,12 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
       return Message("model.place.gap",
                      {{"gap", constraint(model.present.contacts[at(point.contact)], point.point).gap}});
     });
+  // A tangent that was too large for one process is not factored in one.
+  const bool by_mumps = model.linear.kind() == solve::LinearKind::mumps;
+  const solve::LinearKind solver = by_mumps ? solve::LinearKind::mumps : solve::LinearKind::umfpack;
   if (report.outcome == Outcome::singular_tangent && has_tangent) {
     const WeakDirection weak =
-        null_direction(assembly.pattern(), assembly.values(), model.system.unknowns.free_displacements());
+        null_direction(assembly.pattern(), assembly.values(), model.system.unknowns.free_displacements(), solver);
     add_direction(diagnosis, model, weak);
     if (weak.direction.norm() > 0) diagnosis.remedies = cure_of_sliding(model, weak.direction);
   }
@@ -300,11 +303,13 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
                       report.outcome == Outcome::line_search;
   if (stalls && has_tangent) {
     const WeakDirection softest =
-        softest_direction(assembly.pattern(), assembly.values(), model.system.unknowns.free_displacements());
-    if (softest.stiffness < 0) {
+        softest_direction(assembly.pattern(), assembly.values(), model.system.unknowns.free_displacements(), solver);
+    if (softest.negative ? *softest.negative > 0 : softest.stiffness < 0) {
       diagnosis.outcome = Outcome::indefinite;
-      diagnosis.messages.emplace_back("model.diagnosis.indefinite");
-      add_direction(diagnosis, model, softest);
+      diagnosis.messages.push_back(softest.negative
+                                       ? Message("model.diagnosis.negative", {{"count", *softest.negative}})
+                                       : Message("model.diagnosis.indefinite"));
+      if (softest.stiffness < 0) add_direction(diagnosis, model, softest);
       diagnosis.remedies = cure_of_sliding(model, softest.direction);
       if (diagnosis.remedies.empty() && model.accepted.displacement.isZero(0))
         diagnosis.remedies = offered(first_step_cures(), on);

@@ -49,7 +49,8 @@ template <int D> bool factor(Model<D>& model, const StepOptions& options) {
   const Assembly<D>& assembly = model.system.assembly;
   const Tangent tangent{assembly.values(),          assembly.pattern(),          assembly.pattern_version(),
                         assembly.constant_values(), assembly.contact_unknowns(), assembly.contact_version()};
-  return model.linear.factor(tangent, {options.linear, options.damping && !model.system.unconstrained().empty()});
+  return model.linear.factor(tangent,
+                             {options.linear, options.damping && !model.system.unconstrained().empty(), options.mumps});
 }
 
 template <int D> bool solve_for(Model<D>& model, VectorX& b) {

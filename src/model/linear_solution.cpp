@@ -23,7 +23,8 @@ solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const Linear
   const bool condense = (open || request.kind == solve::LinearKind::condensed) && can_condense(facts_, request.damps);
   require(condense || request.kind != solve::LinearKind::condensed, "model.linear.condensed");
   // A solver with constant factors of the bodies cannot take damping into account.
-  const bool same = solver_ && asked_ == request.kind && condense == (solver_->kind() == solve::LinearKind::condensed);
+  const bool same = solver_ && asked_ == request.kind && mumps_ == request.mumps &&
+                    condense == (solver_->kind() == solve::LinearKind::condensed);
   const bool same_contacts = contact_version_ == tangent.contact_version;
   // A solver may survive a growing pattern.
   const bool fits =
@@ -38,13 +39,14 @@ solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const Linear
     } else {
       const solve::LinearKind kind = open ? first_choice(facts_, request.damps) : request.kind;
       solver_ = solve::make_solver(kind == solve::LinearKind::automatic ? beginning_ : kind, tangent.pattern,
-                                   {.multipliers = facts_.multipliers});
+                                   {.multipliers = facts_.multipliers, .mumps = request.mumps});
     }
   }
   if (!fits || !same_contacts) solver_->watch(tangent.contact_unknowns);
   pattern_version_ = tangent.pattern_version;
   contact_version_ = tangent.contact_version;
   asked_ = request.kind;
+  mumps_ = request.mumps;
   return *solver_;
 }
 

@@ -23,6 +23,7 @@ struct Tangent {
 struct LinearRequest {
   solve::LinearKind kind; ///< the user's choice
   bool damps;             ///< whether unconstrained bodies are damped
+  const solve::MumpsOptions& mumps;
 };
 
 class LinearSolution {
@@ -55,6 +56,7 @@ private:
   solve::LinearKind past_kind_ = solve::LinearKind::automatic; ///< of the last of these
   solve::LinearKind beginning_ = solve::LinearKind::automatic;
   solve::LinearKind asked_ = solve::LinearKind::automatic;
+  solve::MumpsOptions mumps_;
   int pattern_version_ = 0, contact_version_ = 0;
 };
 

@@ -33,6 +33,7 @@ struct AugmentationOptions {
 struct StepOptions {
   solve::NewtonOptions newton = {};
   solve::LinearKind linear = solve::LinearKind::automatic;
+  solve::MumpsOptions mumps = {}; ///< of linear = `mumps`
   Predictor predictor = Predictor::tangent;
   ActiveSetOptions active_set = {};
   AugmentationOptions augmentation = {};

@@ -2,7 +2,6 @@
 
 #include "base/orthonormal.hpp"
 #include "solve/least_eigenpair.hpp"
-#include "solve/linear.hpp"
 #include "solve/values.hpp"
 
 #include <algorithm>
@@ -40,12 +39,13 @@ MatrixX start_vectors(int size, int count) {
   return x;
 }
 
-/// Ritz pair with the lowest value in the space obtained by inverse iteration of `matrix`.
-WeakDirection iterate(const solve::Pattern& pattern, const std::vector<double>& matrix, int displacements, int count,
-                      int rounds) {
+/// Ritz pair with the lowest value in the space obtained by inverse iteration of `matrix`. `only_negative`: not
+/// computed if the solver finds no negative eigenvalue.
+WeakDirection iterate(solve::LinearKind kind, const solve::Pattern& pattern, const std::vector<double>& matrix,
+                      int displacements, int count, int rounds, bool only_negative) {
   constexpr double relative_shift = 1e-12; // makes a singular matrix regular
   const std::vector<double> regular = shifted(pattern, matrix, relative_shift * largest_entry(pattern, matrix));
-  const auto solver = solve::make_solver(solve::LinearKind::umfpack, pattern);
+  const auto solver = solve::make_solver(kind, pattern);
   count = std::min(count, displacements);
   // Multipliers have no inertia: where they follow the displacements, inverse iteration of diag(K, 0) converges to the
   // eigenvectors of the constrained displacements.
@@ -55,6 +55,10 @@ WeakDirection iterate(const solve::Pattern& pattern, const std::vector<double>& 
   };
   MatrixX x = without_multipliers(start_vectors(pattern.size, count));
   if (!solver->factor(regular.data())) return {VectorX::Zero(pattern.size), 0};
+  const int counted = solver->statistics().negative;
+  std::optional<int> negative;
+  if (counted >= 0 && displacements == pattern.size) negative = counted;
+  if (only_negative && negative == 0) return {VectorX::Zero(pattern.size), 0, negative};
   for (int round = 0; round < rounds; ++round) {
     for (int j = 0; j < count; ++j)
       if (!solver->solve(x.col(j).data())) return {VectorX::Zero(pattern.size), 0};
@@ -62,20 +66,22 @@ WeakDirection iterate(const solve::Pattern& pattern, const std::vector<double>& 
   }
   const MatrixX small = x.transpose().lazyProduct(times(pattern, matrix, x));
   const auto [value, vector] = solve::least_eigenpair(0.5 * (small + small.transpose()));
-  return {x.lazyProduct(vector), value};
+  return {x.lazyProduct(vector), value, negative};
 }
 
 } // namespace
 
-WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements) {
-  return iterate(pattern, values, displacements, 1, 6);
+WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements,
+                             solve::LinearKind solver) {
+  return iterate(solver, pattern, values, displacements, 1, 6, false);
 }
 
-WeakDirection softest_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements) {
+WeakDirection softest_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements,
+                                solve::LinearKind solver) {
   std::vector<double> symmetric;
   solve::Symmetry(pattern).transpose(values.data(), symmetric);
   for (std::size_t i = 0; i < symmetric.size(); ++i) symmetric[i] = 0.5 * (symmetric[i] + values[i]);
-  return iterate(pattern, symmetric, displacements, 8, 12);
+  return iterate(solver, pattern, symmetric, displacements, 8, 12, true);
 }
 
 } // namespace signorini::model

@@ -2,8 +2,9 @@
 // Directions of smallest stiffness of a tangent.
 
 #include "base/eigen.hpp"
-#include "solve/pattern.hpp"
+#include "solve/linear.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace signorini::model {
@@ -11,15 +12,21 @@ namespace signorini::model {
 struct WeakDirection {
   VectorX direction; ///< by unknown, of length 1
   double stiffness;  ///< uᵀ K u
+  /// Number of negative eigenvalues of the symmetric part, if the solver counts them and there are no multipliers.
+  std::optional<int> negative = {};
 };
 
 /// Approximate null vector of a singular or nearly singular K, by inverse iteration with K + σI. `values` in the order
-/// of the pattern. The unknowns from number `displacements` on are multipliers, and zero in the direction.
-WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements);
+/// of the pattern, `solver` one that factors every matrix. The unknowns from number `displacements` on are multipliers,
+/// and zero in the direction.
+WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements,
+                             solve::LinearKind solver = solve::LinearKind::umfpack);
 
 /// The eigenvector with the lowest eigenvalue among those of the symmetric part of K with smallest magnitude, by
 /// inverse subspace iteration (K.-J. Bathe, Finite Element Procedures, 1996, 11.6); with multipliers of the
-/// displacements that they admit.
-WeakDirection softest_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements);
+/// displacements that they admit. Of a matrix without negative eigenvalues, if the solver counts them, the direction is
+/// zero and not computed.
+WeakDirection softest_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements,
+                                solve::LinearKind solver = solve::LinearKind::umfpack);
 
 } // namespace signorini::model

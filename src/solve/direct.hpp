@@ -16,6 +16,8 @@ struct SolverStatistics {
   double operations = 0;  ///< floating-point operations of one factorization; 0: unknown
   double entries = 0;     ///< entries of the factors that one solution reads; 0: unknown
   double memory = 0;      ///< bytes of the factors
+  double rank_memory = 0; ///< bytes that the MPI process with the most used; 0: unknown
+  int negative = -1;      ///< negative pivots of the last symmetric matrix; −1: unknown
 };
 
 /// Factors matrices with a structurally symmetric pattern. It copies what it needs: pattern, values and right-hand side

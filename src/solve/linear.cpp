@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "solve/condensed.hpp"
+#include "solve/mumps.hpp"
 #include "solve/reused.hpp"
 
 #include <algorithm>
@@ -12,11 +13,9 @@ namespace signorini::solve {
 
 namespace {
 
-constexpr std::pair<LinearKind, const char*> names[] = {{LinearKind::automatic, "auto"},
-                                                        {LinearKind::klu, "klu"},
-                                                        {LinearKind::umfpack, "umfpack"},
-                                                        {LinearKind::condensed, "condensed"},
-                                                        {LinearKind::reuse, "reuse"}};
+constexpr std::pair<LinearKind, const char*> names[] = {
+    {LinearKind::automatic, "auto"},      {LinearKind::klu, "klu"},     {LinearKind::umfpack, "umfpack"},
+    {LinearKind::condensed, "condensed"}, {LinearKind::reuse, "reuse"}, {LinearKind::mumps, "mumps"}};
 
 /// Factors every matrix.
 class Direct final : public LinearSolver {
@@ -63,11 +62,19 @@ std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& patter
     require(options.condensation != nullptr, "solve.linear.condensed");
     return make_condensed(pattern, *options.condensation, make_schur_cholesky(dissection_above));
   }
+  const double loosest = options.multipliers ? loosest_for_multipliers : loosest_tolerance;
   // Nested dissection from the start, as is best for solids
   if (kind == LinearKind::reuse)
-    return make_reused(pattern, make_umfpack, std::make_unique<SymmetricPart>(make_schur_cholesky(0)),
-                       options.multipliers ? loosest_for_multipliers : loosest_tolerance);
-  std::unique_ptr<DirectSolver> direct = kind == LinearKind::umfpack ? make_umfpack() : make_klu();
+    return make_reused(pattern, make_umfpack, std::make_unique<SymmetricPart>(make_schur_cholesky(0)), loosest);
+  const MumpsSettings& settings = options.mumps.settings;
+  const bool approximate = settings.low_rank > 0 || settings.single;
+  if (kind == LinearKind::mumps && (options.mumps.reuse || approximate)) {
+    const MakeDirect make = [settings] { return make_mumps(settings); };
+    return make_reused(pattern, make, nullptr, loosest, kind);
+  }
+  std::unique_ptr<DirectSolver> direct = kind == LinearKind::umfpack ? make_umfpack()
+                                         : kind == LinearKind::mumps ? make_mumps(settings)
+                                                                     : make_klu();
   direct->analyze(pattern);
   const SolverStatistics expected = direct->statistics();
   if (kind == LinearKind::automatic && worth_reusing(expected.operations, expected.entries))

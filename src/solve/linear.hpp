@@ -2,15 +2,16 @@
 // The linear solvers of a run behind one interface, with different strategies for sequences of systems.
 
 #include "solve/direct.hpp"
+#include "solve/mumps_module.hpp"
 
 #include <string>
 
 namespace signorini::solve {
 
 /// The numbers are stored in checkpoints; 3 and 4 belonged to removed solvers.
-enum class LinearKind { automatic = 0, klu = 1, umfpack = 2, condensed = 5, reuse = 6 };
+enum class LinearKind { automatic = 0, klu = 1, umfpack = 2, condensed = 5, reuse = 6, mumps = 7 };
 
-/// "auto", "klu", "umfpack", "condensed", "reuse". Throws Error that lists them.
+/// "auto", "klu", "umfpack", "condensed", "reuse", "mumps". Throws Error that lists them.
 LinearKind linear_kind(const std::string& name);
 /// All names that linear_kind() accepts, "auto" first.
 std::vector<std::string> linear_names();
@@ -37,16 +38,25 @@ public:
 
 struct Condensation;
 
+/// Options of `mumps`.
+struct MumpsOptions {
+  MumpsSettings settings = {};
+  bool reuse = false; ///< factorizations precondition GMRES on later matrices, as approximate ones always do
+
+  bool operator==(const MumpsOptions&) const = default;
+};
+
 /// What some solvers need to know of the systems.
 struct SolverOptions {
   const Condensation* condensation = nullptr; ///< for `condensed`
-  bool multipliers = false;                   ///< whether unknowns are Lagrange multipliers with states: for `reuse`
+  bool multipliers = false; ///< whether unknowns are Lagrange multipliers with states: for reused factorizations
+  MumpsOptions mumps = {};
 };
 
 /// `klu` and `umfpack` factor every matrix by that direct solver; `reuse` reuses factorizations (reused.hpp) of
 /// CHOLMOD, or of UMFPACK if the symmetric part is not positive definite; `condensed` condenses the constant part
-/// (condensed.hpp) by CHOLMOD. `automatic` selects `reuse` if reuse is worthwhile, otherwise `klu`. Which is fastest:
-/// share/doc/benchmark.md.
+/// (condensed.hpp) by CHOLMOD; `mumps` factors every matrix by MUMPS, or reuses its factorizations if its options say
+/// so. `automatic` selects `reuse` if reuse is worthwhile, otherwise `klu`. Which is fastest: share/doc/benchmark.md.
 std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern, const SolverOptions& options = {});
 
 /// Whether a factorization costs so many solutions that it should be reused: its operations, and the entries that a

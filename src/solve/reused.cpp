@@ -23,13 +23,14 @@ namespace {
 
 class Reused final : public LinearSolver {
 public:
-  Reused(const Pattern& pattern, MakeDirect direct, std::unique_ptr<SymmetricPart> symmetric_part, double loosest)
-      : pattern_(pattern), matrix_(pattern), symmetric_part_(std::move(symmetric_part)),
+  Reused(const Pattern& pattern, MakeDirect direct, std::unique_ptr<SymmetricPart> symmetric_part, double loosest,
+         LinearKind kind)
+      : kind_(kind), pattern_(pattern), matrix_(pattern), symmetric_part_(std::move(symmetric_part)),
         make_direct_(std::move(direct)), forcing_(loosest), gmres_(pattern.size, most_iterations) {}
 
   bool factor(const double* values) override;
   bool solve(double* b) override;
-  LinearKind kind() const override { return LinearKind::reuse; }
+  LinearKind kind() const override { return kind_; }
   bool adopt(const Pattern& pattern) override;
   void watch(const std::vector<int>& unknowns) override {
     if (symmetric_part_) symmetric_part_->watch(unknowns);
@@ -47,6 +48,7 @@ private:
   int budget() const;
   void record_cost(double cost);
 
+  LinearKind kind_;
   Pattern pattern_;
   RowMatrix matrix_;
   std::unique_ptr<SymmetricPart> symmetric_part_;
@@ -174,6 +176,7 @@ SolverStatistics Reused::statistics() const {
   SolverStatistics sum = statistics_;
   sum.factorizations += part.factorizations;
   sum.memory = part.memory + direct.memory;
+  sum.rank_memory = direct.rank_memory;
   sum.operations = used_ == Preconditioner::direct ? direct.operations : part.operations;
   sum.entries = entries_;
   return sum;
@@ -182,8 +185,9 @@ SolverStatistics Reused::statistics() const {
 } // namespace
 
 std::unique_ptr<LinearSolver> make_reused(const Pattern& pattern, MakeDirect direct,
-                                          std::unique_ptr<SymmetricPart> symmetric_part, double loosest) {
-  return std::make_unique<Reused>(pattern, std::move(direct), std::move(symmetric_part), loosest);
+                                          std::unique_ptr<SymmetricPart> symmetric_part, double loosest,
+                                          LinearKind kind) {
+  return std::make_unique<Reused>(pattern, std::move(direct), std::move(symmetric_part), loosest, kind);
 }
 
 } // namespace signorini::solve

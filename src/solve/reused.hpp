@@ -17,10 +17,11 @@ namespace signorini::solve {
 ///
 /// Accuracy: see Forcing for the first right-hand side after factor(), which is assumed to be Newton's; others are
 /// solved to tightest_tolerance. A matrix that is singular to working precision is reported if the system with this
-/// right-hand side has no solution; otherwise one of its solutions is returned.
+/// right-hand side has no solution; otherwise one of its solutions is returned. `kind` is the name under which the user
+/// has selected it.
 std::unique_ptr<LinearSolver> make_reused(const Pattern& pattern, MakeDirect direct,
                                           std::unique_ptr<SymmetricPart> symmetric_part = nullptr,
-                                          double loosest = loosest_tolerance);
+                                          double loosest = loosest_tolerance, LinearKind kind = LinearKind::reuse);
 
 /// Accuracy of Newton's corrections, from the residuals r_k that they are to remove (Eisenstat & Walker, SIAM J. Sci.
 /// Comput. 17, 1996, choice 2): quadratic convergence leaves r_k (r_k / r_{k−1})² after the next correction; the linear

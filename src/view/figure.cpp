@@ -1,36 +1,24 @@
 #include "view/figure.hpp"
 
 #include "base/error.hpp"
+#include "base/module.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <dlfcn.h>
 #include <filesystem>
 
 namespace signorini::view {
 namespace {
 
-/// Modules are in lib/signorini next to the program or to its folder (bin, tests).
-std::filesystem::path file_of(const char* module) {
-  const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  for (const auto& folder : {here / "lib/signorini", here.parent_path() / "lib/signorini"})
-    if (std::filesystem::exists(folder / module)) return folder / module;
-  fail("view.module.missing", {{"module", module},
-                               {"first", (here / "lib/signorini").string()},
-                               {"second", (here.parent_path() / "lib/signorini").string()}});
-}
-
 /// The function table that a module exports under a name.
 template <class Table> const Table& table_of(const char* module, const char* name) {
-  const std::string file = file_of(module).string();
-  // Never unloaded: VTK's factories, Mesa's threads and GLib's types do not survive unloading.
-  void* loaded = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
-  if (loaded == nullptr) fail("view.module.load", {{"file", file}, {"reason", ::dlerror()}});
-  const void* table = ::dlsym(loaded, name);
-  require(table != nullptr, "view.module.foreign", {{"file", file}});
-  return *static_cast<const Table*>(table);
+  const std::filesystem::path file = find_module(module);
+  const auto [first, second] = module_folders();
+  require(!file.empty(), "view.module.missing",
+          {{"module", module}, {"first", first.string()}, {"second", second.string()}});
+  return *static_cast<const Table*>(load_module(file, name));
 }
 
 } // namespace

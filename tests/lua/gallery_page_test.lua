@@ -13,7 +13,7 @@ local page = core.read_file(core.home .. "/share/doc/gallery.md")
 local coarse = core.read_file(core.home .. "/scripts/coarse.txt")
 
 check.case("every script", function()
-  local scripts = lines "cd scripts && grep -l '^-- Run: ' *.lua stability/*.lua formulations/*.lua"
+  local scripts = lines "cd scripts && grep -l '^-- Run: ' *.lua stability/*.lua formulations/*.lua mumps/*.lua"
   check.equal(#scripts > 20, true)
   for _, script in ipairs(scripts) do
     check.holds(page, "### `" .. script .. "`\n")
@@ -23,7 +23,7 @@ end)
 
 --- The script of a picture: pictures of a folder's scripts have its name in front.
 local function script_of(picture)
-  return (picture:gsub("^stability_", "stability/"):gsub("^formulations_", "formulations/"))
+  return (picture:gsub("^stability_", "stability/"):gsub("^formulations_", "formulations/"):gsub("^mumps_", "mumps/"))
 end
 
 check.case("every picture", function()

@@ -79,14 +79,14 @@ check.case("patch test, 3 on 5 elements: uniform stress to rounding error, 2D an
 end)
 
 check.case("all linear solvers pass the patch test, with linear and nonlinear materials", function()
-  for _, linear in ipairs { "klu", "umfpack", "condensed", "reuse" } do
+  for _, linear in ipairs { "klu", "umfpack", "condensed", "reuse", core.mumps and "mumps" or nil } do
     for dimension = 2, 3 do
       local error, model = patch_errors{ dimension = dimension, order = "N2", slave = "upper", linear = linear }
       check.at_most(linear, error, 1e-12)
       check.equal(model:solver().linear, linear)
     end
   end
-  for _, linear in ipairs { "klu", "umfpack", "reuse", "auto" } do
+  for _, linear in ipairs { "klu", "umfpack", "reuse", "auto", core.mumps and "mumps" or nil } do
     -- The nominal stress is uniform, and so is Cauchy's with guided sides: −p0 in both.
     local error = patch_errors{ dimension = 2, order = "N2", slave = "lower", linear = linear, law = sg.neo_hookean }
     check.at_most("neo-Hooke " .. linear, error, 1e-9)

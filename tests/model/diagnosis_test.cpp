@@ -3,6 +3,7 @@
 
 #include "model/scenes.hpp"
 #include "model/weak_directions.hpp"
+#include "solve/mumps.hpp"
 #include "text_of.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -78,6 +79,23 @@ TEST(WeakDirections, SoftestHasTheLowestOfTheEigenvaluesNearZero) {
     const WeakDirection weak = softest_direction(matrix.pattern, matrix.values, matrix.pattern.size);
     EXPECT_NEAR(weak.stiffness, -0.5, 1e-9);
     EXPECT_NEAR(std::abs(weak.direction.dot(axes.col(1))), 1, 1e-8);
+  }
+}
+
+/// All negative eigenvalues count, also large ones, which inverse iteration does not find.
+TEST(WeakDirections, MumpsCountsNegativeEigenvalues) {
+  if (!solve::has_mumps()) GTEST_SKIP() << "built without MUMPS";
+  constexpr int n = 40;
+  const MatrixX axes = turned(n);
+  for (const int negative : {0, 1, 3}) {
+    VectorX stiffness = VectorX::LinSpaced(n, 0.3, 50);
+    for (int k = 0; k < negative; ++k) stiffness(17 * k) *= -1;
+    const Matrix matrix(axes * stiffness.asDiagonal() * axes.transpose());
+    const WeakDirection weak =
+        softest_direction(matrix.pattern, matrix.values, matrix.pattern.size, solve::LinearKind::mumps);
+    EXPECT_EQ(weak.negative, negative);
+    EXPECT_NEAR(weak.stiffness, negative == 0 ? 0 : -0.3, 1e-9);
+    EXPECT_NEAR(weak.direction.norm(), negative == 0 ? 0 : 1, 1e-9);
   }
 }
 

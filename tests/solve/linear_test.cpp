@@ -89,7 +89,7 @@ TEST(DirectSolvers, CopyWhatTheyNeed) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Solvers, Linear, testing::Values(LinearKind::klu, LinearKind::umfpack),
+INSTANTIATE_TEST_SUITE_P(Solvers, Linear, testing::ValuesIn(direct_kinds()),
                          [](const auto& info) { return name_of(info.param); });
 
 /// Two unknowns per node on a grid of nodes, coupled over one element.
@@ -124,11 +124,11 @@ TEST(LinearKinds, ReuseExpensiveFactorizations) {
 }
 
 TEST(LinearKinds, HaveNames) {
-  for (LinearKind kind :
-       {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::condensed, LinearKind::reuse})
+  for (LinearKind kind : {LinearKind::automatic, LinearKind::klu, LinearKind::umfpack, LinearKind::condensed,
+                          LinearKind::reuse, LinearKind::mumps})
     EXPECT_EQ(linear_kind(name_of(kind)), kind);
   EXPECT_ERROR(linear_kind("pardiso"),
-               "solve.linear.unknown: name = pardiso, known = (auto, klu, umfpack, condensed, reuse)");
+               "solve.linear.unknown: name = pardiso, known = (auto, klu, umfpack, condensed, reuse, mumps)");
   EXPECT_EQ(make_solver(LinearKind::automatic, chain(10))->kind(), LinearKind::klu);
 }
 

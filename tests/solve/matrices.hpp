@@ -2,6 +2,7 @@
 // Patterns and values for the solvers' tests, with dense reference solutions.
 
 #include "solve/linear.hpp"
+#include "solve/mumps.hpp"
 
 #include <Eigen/Dense>
 
@@ -17,6 +18,13 @@ using Values = std::vector<double>;
 
 inline std::size_t at(int i) {
   return static_cast<std::size_t>(i);
+}
+
+/// The kinds that factor every matrix by a direct solver of general matrices.
+inline std::vector<LinearKind> direct_kinds() {
+  std::vector<LinearKind> kinds = {LinearKind::klu, LinearKind::umfpack};
+  if (has_mumps()) kinds.push_back(LinearKind::mumps);
+  return kinds;
 }
 
 /// The pattern of a chain of overlapping groups with some distant couplings.

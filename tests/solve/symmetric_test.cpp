@@ -72,7 +72,7 @@ TEST_P(Symmetric, SingularMatricesAreReportedAndLeaveNoTrace) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Solvers, Symmetric, testing::Values(LinearKind::klu, LinearKind::umfpack),
+INSTANTIATE_TEST_SUITE_P(Solvers, Symmetric, testing::ValuesIn(direct_kinds()),
                          [](const auto& info) { return name_of(info.param); });
 
 TEST(Symmetry, ComparesTransposedEntriesRelativeToTheLargest) {

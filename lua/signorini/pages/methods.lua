@@ -133,9 +133,12 @@ bounding-box tree, measured after model:time_search(true).]],
 projected contact point, about 50 ns.]],
     arguments = { { "wanted", t.flag, "whether to measure; initially false" } },
     example = "model:time_search(true)" },
-  { "model:solver", [[Returns { linear, unknowns, patterns, factorizations, solutions, iterations, factor_memory, memory
-}: the linear solver in use, the size of its systems, the number of sparse patterns analyzed; since the model was made,
-the numbers of numerical factorizations, right-hand sides, and GMRES iterations with a lagged factorization; bytes of
-the current factors, and of the bodies' tables, the tangent and its patterns.]],
+  { "model:solver", [[Returns { linear, unknowns, patterns, factorizations, solutions, iterations, factor_operations,
+factor_memory, memory }: the linear solver in use, the size of its systems, the number of sparse patterns analyzed;
+since the model was made, the numbers of numerical factorizations, right-hand sides, and GMRES iterations with a lagged
+factorization; floating-point operations and bytes of the current factors, as the solver counts them (0: it does not);
+bytes of the bodies' tables, the tangent and its patterns. With linear = "mumps" also rank_memory,
+bytes of the process that used most for a factorization, and, of symmetric tangents that are factored every time and
+have no multipliers, negative_eigenvalues, their number in the last one.]],
     example = "model:solver().linear" },
 }

@@ -13,7 +13,17 @@ local tolerance = { "tolerance", t.positive, "residual that counts as zero, rela
 local iterations = { "iterations", t.integer(1, 1000000), "maximum number of iterations per attempt", default = 25 }
 local linear = { "linear", t.choice(core.linear_solvers), [[linear solver. "klu", "umfpack": direct; "reuse": a reused
 (lagged) factorization preconditions GMRES while that is cheaper than a new one; "condensed": static condensation, for
-linear elastic bodies; "auto": automatic choice]], default = "auto" }
+linear elastic bodies; "mumps": MUMPS, direct, in parallel under mpirun; "auto": automatic choice]], default = "auto" }
+local mumps = { "mumps", t.named {
+  { "reuse", t.flag, "a factorization preconditions GMRES on later tangents, as with linear = \"reuse\"",
+    default = false },
+  { "low_rank", t.share, [[tolerance of block low-rank compression, relative to the tangent: approximate factors, with
+less memory and operations in large solids, which precondition GMRES]], optional = true },
+  { "precision", t.choice { "double", "single" }, "of the factors; single ones precondition GMRES",
+    default = "double" },
+  { "out_of_core", t.text, "an existing folder in which each process stores its factors; on a local disk",
+    optional = true },
+}, "options of linear = \"mumps\"", optional = true }
 
 local loop = {
   tolerance, iterations,
@@ -49,6 +59,12 @@ limit point, to a distant equilibrium, in up to 40 times as many iterations; not
 local predictors = t.choice { "tangent", "constant", "linear" }
 local first_guess = [[predictor, the first guess of a step; "linear" extrapolates the last step]]
 
+local function conflict_of_solver(values)
+  if values.mumps and values.linear ~= "mumps" then
+    return ('mumps is for linear = "mumps", got linear = "%s": set linear, or remove mumps'):format(values.linear)
+  end
+end
+
 local function conflict_of_moves(newton, values)
   if values.pseudo_transient and newton.line_search ~= "none" then
     return "pseudo_transient controls its own step length: remove line_search"
@@ -56,17 +72,18 @@ local function conflict_of_moves(newton, values)
 end
 
 --- Of model:solve_step.
-rows.step = joined(loop, { { "predictor", predictors, first_guess, default = "tangent" }, linear,
+rows.step = joined(loop, { { "predictor", predictors, first_guess, default = "tangent" }, linear, mumps,
                            augmentation, damping, pseudo_transient })
-rows.step.conflict = function(values) return conflict_of_moves(values, values) end
+rows.step.conflict = function(values) return conflict_of_moves(values, values) or conflict_of_solver(values) end
 rows.step.hints = hints
 
 --- Of model:solve_arc.
 rows.arc = {
   { "length", t.positive, "distance from the accepted state, root mean square of the displacement over all bodies",
     unit = "length" },
-  tolerance, iterations, linear,
+  tolerance, iterations, linear, mumps,
 }
+rows.arc.conflict = conflict_of_solver
 
 -- ── Load paths ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -122,7 +139,7 @@ active set. run.fallbacks counts their
 successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions]]),
   control("predictor", predictors, first_guess),
   { "newton", t.named(loop), "Newton's method in each attempt", default = {} },
-  linear, augmentation, damping, pseudo_transient,
+  linear, mumps, augmentation, damping, pseudo_transient,
   { "penalty", t.named {
     { "start", t.share, "initial factor of all penalties" },
     { "steps", t.count, "steps until it is 1" },
@@ -153,7 +170,7 @@ rows.run.conflict = function(values)
   if values.resume and not values.checkpoint then
     return "resume = true needs a checkpoint file: add checkpoint = \"run.sgn\""
   end
-  return conflict_of_moves(values.newton, values)
+  return conflict_of_moves(values.newton, values) or conflict_of_solver(values)
 end
 rows.run.hints = hints
 

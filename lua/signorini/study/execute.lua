@@ -146,6 +146,10 @@ local function run_missing(study, handle, options)
   end
   local list, words = missing(study, now, options.limit, options.rerun)
   if study.on_record then study.on_record() end
+  if #list > 0 and core.ranks > 0 then
+    core.fail(("%s: cases run in forked processes, which MPI does not support. Hint: run the study without mpirun, or "
+      .. "one case without sg.study"):format(handle.where))
+  end
   if #list > 0 then store.take_reserve(handle) end
   local bar = progress(#list)
   local look, tell = display(bar, study, #list)

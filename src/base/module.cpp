@@ -1,0 +1,28 @@
+#include "base/module.hpp"
+
+#include "base/error.hpp"
+
+#include <dlfcn.h>
+
+namespace signorini {
+
+std::array<std::filesystem::path, 2> module_folders() {
+  const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  return {here / "lib/signorini", here.parent_path() / "lib/signorini"};
+}
+
+std::filesystem::path find_module(const char* module) {
+  for (const auto& folder : module_folders())
+    if (std::filesystem::exists(folder / module)) return folder / module;
+  return {};
+}
+
+const void* load_module(const std::filesystem::path& file, const char* name) {
+  void* loaded = ::dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL | RTLD_NODELETE);
+  if (loaded == nullptr) fail("base.module.load", {{"file", file.string()}, {"reason", ::dlerror()}});
+  const void* found = ::dlsym(loaded, name);
+  require(found != nullptr, "base.module.foreign", {{"file", file.string()}});
+  return found;
+}
+
+} // namespace signorini
