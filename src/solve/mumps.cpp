@@ -39,6 +39,12 @@ std::vector<int> places_in_order(const Pattern& pattern) {
   return places;
 }
 
+/// The number in an environment variable, 0 without one.
+int number(const char* name) {
+  const char* text = std::getenv(name);
+  return text ? std::atoi(text) : 0;
+}
+
 void check_folder(const std::string& folder) {
   if (folder.empty()) return;
   const std::size_t most = 255;
@@ -152,14 +158,15 @@ std::string mumps_description() {
 }
 
 int started_ranks() {
-  const char* count = std::getenv("OMPI_COMM_WORLD_SIZE");
-  return count ? std::atoi(count) : 0;
+  return number("OMPI_COMM_WORLD_SIZE");
 }
 
 bool leads_ranks(const std::string& version) {
+  // srun and MPICH's mpirun; that of Open MPI uses srun to start itself.
+  for (const char* name : {"SLURM_STEP_NUM_TASKS", "PMI_SIZE"})
+    require(started_ranks() > 0 || number(name) <= 1, "solve.mumps.launcher", {{"count", number(name)}});
   if (started_ranks() <= 1) return true;
-  const char* number = std::getenv("OMPI_COMM_WORLD_RANK");
-  const bool first = number && std::atoi(number) == 0;
+  const bool first = number("OMPI_COMM_WORLD_RANK") == 0;
   if (!first && !has_mumps()) return false; // rank 0 reports it
   const int rank = load().join(version);
   require(rank >= 0 || !first, "solve.mumps.versions");

@@ -1,17 +1,36 @@
 #include "solve/pattern.hpp"
 
+#include "base/error.hpp"
 #include "base/index.hpp"
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
+#include <numeric>
+#include <utility>
 
 namespace signorini::solve {
 
 namespace {
 
-void make_distinct(std::vector<int>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+/// The groups of each unknown: of unknown j those numbered groups[starts[j] … starts[j+1]).
+struct Membership {
+  std::vector<std::size_t> starts, groups;
+};
+
+Membership membership(int size, const std::vector<std::vector<int>>& groups) {
+  Membership result;
+  result.starts.assign(at(size) + 1, 0);
+  for (const auto& group : groups)
+    for (int j : group)
+      if (j >= 0) ++result.starts[at(j) + 1];
+  std::partial_sum(result.starts.begin(), result.starts.end(), result.starts.begin());
+  result.groups.resize(result.starts.back());
+  std::vector<std::size_t> next(result.starts.begin(), result.starts.end() - 1);
+  for (std::size_t k = 0; k < groups.size(); ++k)
+    for (int j : groups[k])
+      if (j >= 0) result.groups[next[at(j)]++] = k;
+  return result;
 }
 
 } // namespace
@@ -36,26 +55,23 @@ Pattern couple(int size, const std::vector<std::vector<int>>& groups) {
 }
 
 Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups, std::vector<int>& moved) {
-  std::vector<std::vector<int>> added(at(base.size));
-  std::vector<int> members;
-  for (const auto& group : groups) {
-    members = group;
-    make_distinct(members);
-    const auto first = std::lower_bound(members.begin(), members.end(), 0);
-    for (auto column = first; column != members.end(); ++column)
-      added[at(*column)].insert(added[at(*column)].end(), first, members.end());
-  }
-
+  const Membership member = membership(base.size, groups);
   Pattern result;
   result.size = base.size;
   result.starts.push_back(0);
   result.rows.reserve(base.rows.size());
   moved.resize(base.rows.size());
-  for (std::size_t j = 0; j < added.size(); ++j) {
-    auto& list = added[j];
-    make_distinct(list);
+  std::vector<int> list, listed_for(at(base.size), -1);
+  for (int column = 0; column < base.size; ++column) {
+    const std::size_t j = at(column);
+    list.clear();
+    for (std::size_t k = member.starts[j]; k < member.starts[j + 1]; ++k)
+      for (int i : groups[member.groups[k]])
+        if (i >= 0 && std::exchange(listed_for[at(i)], column) != column) list.push_back(i);
+    std::sort(list.begin(), list.end());
     const auto from = base.rows.begin() + base.starts[j], to = base.rows.begin() + base.starts[j + 1];
     std::set_union(from, to, list.begin(), list.end(), std::back_inserter(result.rows));
+    require(result.rows.size() <= std::numeric_limits<int>::max(), "solve.pattern.entries", {{"size", base.size}});
     int position = result.starts.back();
     for (auto it = from; it != to; ++it, ++position) {
       while (result.rows[at(position)] != *it) ++position;

@@ -16,7 +16,7 @@ struct Pattern {
 };
 
 /// A structurally symmetric pattern with a full diagonal: all unknowns of a group are coupled with each other. Negative
-/// entries (prescribed unknowns) are ignored.
+/// entries (prescribed unknowns) are ignored. Throws Error if there are more than 2³¹ − 1 entries.
 Pattern couple(int size, const std::vector<std::vector<int>>& groups);
 
 /// `base` with additional groups. `moved[k]` becomes the position of base entry k in the result.

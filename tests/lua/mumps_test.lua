@@ -172,6 +172,16 @@ check.case("only rank 0 runs the program, and the run has its exit status", func
   check.holds(output, "signorini: study.lua:1: no")
 end)
 
+check.case("other launchers are refused, because every process would run the program", function()
+  for _, name in ipairs { "SLURM_STEP_NUM_TASKS", "PMI_SIZE" } do
+    for count, expected in pairs { [1] = "once", [3] = "another launcher than Open MPI's mpirun has started 3" } do
+      local pipe = io.popen(("%s=%d '%s' -q -e \"print 'once'\" 2>&1"):format(name, count, program))
+      check.holds(pipe:read "a", expected)
+      pipe:close()
+    end
+  end
+end)
+
 --- Waiting in MPI would take a whole processor per rank, and would not give it up by itself.
 check.case("ranks sleep while rank 0 computes", function()
   local output, status = mpirun(2, [[
