@@ -14,7 +14,8 @@
 -- Run: signorini scripts/mumps/growth.lua [fineness=1,1.6,2,2.5,3.2] [solvers=mumps] [ranks=1] [cores=16,64,256]
 --      [unknowns=1e6] [mu=0.3] [mpirun=mpirun --oversubscribe] [out=out/mumps/growth]; fineness: multiplies the
 --      elements of the mesh coarse per direction, in increasing order; solvers: also umfpack, mumps-low-rank,
---      mumps-single, whose times of a factorization include the analysis; cores, unknowns: of the estimate.
+--      mumps-single; the last two factor once, so that their times include the analysis; cores, unknowns: of the
+--      estimate.
 --      signorini scripts/mumps/growth.lua once=FILE solvers=mumps fineness=2 measures one mesh and writes it to a file.
 
 local sg = require "signorini"
@@ -33,7 +34,7 @@ local options = sg.arguments{
 if options.once ~= "" then
   local solver, model = ironing.solvers[options.solvers[1]], ironing.scene(options.fineness[1], options.mu)
   model:set_target("grip", { 0, 0, -0.2 })
-  -- The first tangents may be symmetric, and new patterns are analyzed: the last factorization is of neither kind.
+  -- The first tangent may be symmetric, and a new pattern is analyzed: the last factorization counts.
   local factorization, solution, done = 0, math.huge, 0
   for _ = 1, 3 do
     local before = model:timings()

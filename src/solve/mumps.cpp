@@ -163,8 +163,8 @@ int started_ranks() {
 
 bool leads_ranks(const std::string& version) {
   // srun and MPICH's mpirun; that of Open MPI uses srun to start itself.
-  for (const char* name : {"SLURM_STEP_NUM_TASKS", "PMI_SIZE"})
-    require(started_ranks() > 0 || number(name) <= 1, "solve.mumps.launcher", {{"count", number(name)}});
+  const int others = std::max(number("SLURM_STEP_NUM_TASKS"), number("PMI_SIZE"));
+  if (started_ranks() == 0 && others > 1) fail("solve.mumps.launcher", {{"count", others}});
   if (started_ranks() <= 1) return true;
   const bool first = number("OMPI_COMM_WORLD_RANK") == 0;
   if (!first && !has_mumps()) return false; // rank 0 reports it

@@ -71,7 +71,7 @@ Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups,
     std::sort(list.begin(), list.end());
     const auto from = base.rows.begin() + base.starts[j], to = base.rows.begin() + base.starts[j + 1];
     std::set_union(from, to, list.begin(), list.end(), std::back_inserter(result.rows));
-    require(result.rows.size() <= std::numeric_limits<int>::max(), "solve.pattern.entries", {{"size", base.size}});
+    if (result.rows.size() > std::numeric_limits<int>::max()) fail("solve.pattern.entries", {{"size", base.size}});
     int position = result.starts.back();
     for (auto it = from; it != to; ++it, ++position) {
       while (result.rows[at(position)] != *it) ++position;

@@ -180,8 +180,7 @@ TEST_F(Mumps, StoresFactorsInAFolderAndRemovesThem) {
   EXPECT_ERROR(make_mumps({.folder = long_name}), "solve.mumps.folder_length: folder = " + long_name + ", most = 255");
 }
 
-/// A program without the module, such as this one in another folder, needs neither MUMPS nor MPI.
-TEST_F(Mumps, IsNeededOnlyByItsUsers) {
+TEST_F(Mumps, AProcessWithoutMpirunRunsTheProgram) {
   EXPECT_EQ(started_ranks(), 0);
   EXPECT_TRUE(leads_ranks("1.0"));
 }
