@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "base/notice.hpp"
 #include "base/parallel.hpp"
 #include "base/timer.hpp"
 #include "base/whole_file.hpp"
@@ -13,6 +14,7 @@
 #include <fcntl.h>
 #include <iostream>
 #include <list>
+#include <optional>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -79,6 +81,7 @@ public:
 
   int pipe() const { return pipe_; }
   double seconds() const { return watch_.seconds(); }
+  void give_notice() const { kill(id_, SIGUSR1); }
 
   /// Reads available output; false at its end.
   bool read_some() {
@@ -88,11 +91,14 @@ public:
     return count > 0 || (count < 0 && errno == EINTR);
   }
 
-  /// Waits for the child, which is about to end or is killed now, and returns its result.
-  JobEnd result(bool late) {
-    const int status = end(late);
+  /// Waits for the child, which is about to end or is killed now because it is late or after a notice, and returns its
+  /// result.
+  JobEnd result(bool late, bool stopped) {
+    const int status = end(late || stopped);
     JobEnd result{number_, "", {}};
-    if (late)
+    if (stopped || (WIFEXITED(status) && WEXITSTATUS(status) == to_be_continued))
+      result.failure = Message("base.jobs.stopped");
+    else if (late)
       result.failure = Message("base.jobs.time");
     else if (WIFSIGNALED(status))
       result.failure = Message("base.jobs.signal", {{"signal", WTERMSIG(status)}});
@@ -139,9 +145,15 @@ bool run_jobs(int count, const JobLimits& limits, const std::function<std::strin
   require(limits.at_once >= 1, "base.jobs.at_once", {{"at_once", limits.at_once}});
   require(limits.seconds > 0, "base.jobs.seconds", {{"seconds", limits.seconds}});
   std::list<Child> children;
-  for (int next = 0; next < count || !children.empty();) {
-    while (next < count && static_cast<int>(children.size()) < limits.at_once && !interrupted())
+  std::optional<Stopwatch> since_notice;
+  int next = 0;
+  for (; (next < count && !since_notice) || !children.empty();) {
+    while (next < count && static_cast<int>(children.size()) < limits.at_once && !interrupted() && !notice_given())
       children.emplace_back(next++, job);
+    if (notice_given() && !since_notice) {
+      since_notice.emplace();
+      for (const Child& child : children) child.give_notice();
+    }
     const std::vector<pollfd> pipes = poll_children(children);
     if (interrupted()) {
       report_interrupt();
@@ -151,17 +163,18 @@ bool run_jobs(int count, const JobLimits& limits, const std::function<std::strin
     auto child = children.begin();
     for (const pollfd& pipe : pipes) {
       const bool ended = pipe.revents && !child->read_some();
+      const bool stopped = !ended && since_notice && since_notice->seconds() > limits.grace;
       const bool late = !ended && child->seconds() > limits.seconds;
-      if (!ended && !late) {
+      if (!ended && !late && !stopped) {
         ++child;
         continue;
       }
-      const JobEnd result = child->result(late);
+      const JobEnd result = child->result(late, stopped);
       child = children.erase(child);
       done(result);
     }
   }
-  return true;
+  return next == count;
 }
 
 } // namespace signorini

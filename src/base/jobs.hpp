@@ -19,13 +19,16 @@ struct JobEnd {
 struct JobLimits {
   int at_once = 1;                                          ///< number of parallel processes
   double seconds = std::numeric_limits<double>::infinity(); ///< wall time after which a job is killed
+  double grace = 0; ///< seconds after a notice (notice.hpp) in which jobs may reach a checkpoint, then they are killed
 };
 
 /// Runs job(0) … job(count − 1), each in a child process that returns a text, and calls done() in this process for each
 /// as it ends. Returns false if Ctrl-C ended it: running jobs are killed, results of finished ones were passed to
 /// done(). An exception from done() is passed on and kills the running jobs. No child survives the call or this
-/// process. look(running) is called at least every tenth of a second, for displays of progress. A child has one thread,
-/// whatever set_worker_threads() was given, and ignores Ctrl-C. Linux only.
+/// process. After a notice no job is started, the running ones get it too, and it returns false unless all had ended;
+/// those that end at a checkpoint or are killed fail by "base.jobs.stopped". look(running) is called at least every
+/// tenth of a second, for displays of progress. A child has one thread, whatever set_worker_threads() was given, and
+/// ignores Ctrl-C. Linux only.
 bool run_jobs(int count, const JobLimits& limits, const std::function<std::string(int)>& job,
               const std::function<void(const JobEnd&)>& done, const std::function<void(int)>& look = {});
 

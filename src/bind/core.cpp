@@ -1,6 +1,8 @@
 #include "base/archive.hpp"
+#include "base/claim.hpp"
 #include "base/interrupt.hpp"
 #include "base/lock.hpp"
+#include "base/notice.hpp"
 #include "base/timer.hpp"
 #include "base/whole_file.hpp"
 #include "bind/arguments.hpp"
@@ -9,6 +11,7 @@
 #include "bind/threads.hpp"
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -29,6 +32,15 @@ int core_fail(lua_State* L) {
 double now() {
   static const Stopwatch since_start;
   return since_start.seconds();
+}
+
+/// core.sleep(seconds): waits, at most until Ctrl-C; returns whether this was pressed.
+bool sleep(double seconds) {
+  const auto whole = static_cast<time_t>(seconds);
+  const timespec time{whole, static_cast<long>((seconds - static_cast<double>(whole)) * 1e9)};
+  if (!interrupted()) nanosleep(&time, nullptr);
+  if (interrupted()) report_interrupt();
+  return interrupted();
 }
 
 /// core.mkdir(path), sg.mkdir(path): creates a folder and its parents; existing folders are accepted.
@@ -128,6 +140,7 @@ constexpr Function core_entries[] = {
     {"answer_interrupt", call<core_answer_interrupt>},
     {"now", call<now>},
     {"mkdir", call<mkdir>},
+    {"sleep", call<sleep>},
     {"exists", call<exists>},
     {"write_file", call<write_file>},
     {"read_file", call<read_file>},
@@ -135,7 +148,9 @@ constexpr Function core_entries[] = {
     {"remove_leftovers", call<remove_leftovers>}, // temporary files for a file that killed processes left
     {"hash", call<hash>},
     {"lock", call<lock>},
-    {"set_threads", call<set_threads>}, // of the following solves; core.threads is the value of --threads
+    {"create_claim", call<create_claim>}, // (file, content): creates a file unless it exists; whether it did
+    {"notice_given", call<notice_given>}, // whether Slurm has announced the end of this task
+    {"set_threads", call<set_threads>},   // of the following solves; core.threads is the value of --threads
     {"describe", core_describe},
     {"nearest", call<core_nearest>},
     {"number_text", core_number_text},

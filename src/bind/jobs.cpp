@@ -32,16 +32,18 @@ std::string call_job(lua_State* L, int index, int job) {
   return {result, size};
 }
 
-/// core.jobs(count, at_once, run, done, limit, look): calls run(i) for i = 1 … count, each in its own child process, at
-/// most at_once in parallel, and in this process done(i, text, failure) as each ends, in order of completion. run must
-/// return a string, which is passed as text; otherwise text is nil and failure is "time" (longer than limit seconds),
-/// "terminated by signal 11", "failed: <message and traceback>" or "exited with status 3 …". A child has one thread and
-/// no progress display, and its changes are lost. look(running) is called about ten times per second. Returns false
-/// after Ctrl-C; completed jobs are kept.
+/// core.jobs(count, at_once, run, done, limit, look, grace): calls run(i) for i = 1 … count, each in its own child
+/// process, at most at_once in parallel, and in this process done(i, text, failure) as each ends, in order of
+/// completion. run must return a string, which is passed as text; otherwise text is nil and failure is "time" (longer
+/// than limit seconds), "terminated by signal 11", "failed: <message and traceback>", "exited with status 3 …" or
+/// "stopped" (after a notice: at a checkpoint, or grace seconds later). A child has one thread and no progress display,
+/// and its changes are lost. look(running) is called about ten times per second. Returns false after Ctrl-C or a
+/// notice; completed jobs are kept.
 int jobs(lua_State* L) {
-  lua_settop(L, 6);
+  lua_settop(L, 7);
   JobLimits limits{.at_once = to<int>(L, 2)};
   if (!lua_isnil(L, 5)) limits.seconds = to<double>(L, 5);
+  if (!lua_isnil(L, 7)) limits.grace = to<double>(L, 7);
   const bool whole = run_jobs(
       to<int>(L, 1), limits, [L](int job) { return call_job(L, 3, job); },
       [L](const JobEnd& end) {

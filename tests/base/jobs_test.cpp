@@ -1,6 +1,7 @@
 #include "base/jobs.hpp"
 
 #include "base/interrupt.hpp"
+#include "base/notice.hpp"
 #include "base/parallel.hpp"
 #include "scratch.hpp"
 
@@ -236,6 +237,27 @@ TEST(Jobs, EndWithTheirParent) {
   char nothing;
   EXPECT_EQ(::read(ends[0], &nothing, 1), 0); // the last process with the write end has ended
   close(ends[0]);
+}
+
+// The notice is a flag of the process that cannot be taken back, so it is given to a fork of the test.
+TEST(Jobs, EndAtACheckpointOrAreKilledAfterANotice) {
+  const pid_t parent = fork();
+  if (parent == 0) {
+    catch_notice();
+    std::map<int, std::string> ends;
+    const auto job = [](int i) -> std::string {
+      if (i == 1) kill(getppid(), SIGUSR1);
+      while (i != 0 || !notice_given()) sleep_for(0.01);
+      _exit(to_be_continued); // as a run that looks at the notice when it saves a checkpoint; job 1 never does
+    };
+    const bool whole = run_jobs(3, {.at_once = 2, .grace = 1}, job,
+                                [&](const JobEnd& end) { ends[end.job] = bare_text(end.failure); });
+    const bool stopped = ends == std::map<int, std::string>{{0, "base.jobs.stopped"}, {1, "base.jobs.stopped"}};
+    _exit(!whole && stopped ? 0 : 1); // job 2 never began
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(parent, &status, 0), parent);
+  EXPECT_EQ(status, 0);
 }
 
 TEST(Jobs, InvalidLimitsAreRejected) {
