@@ -1,4 +1,5 @@
 #include "base/interrupt.hpp"
+#include "base/notice.hpp"
 #include "bind/doctor.hpp"
 #include "bind/library.hpp"
 #include "bind/ranks.hpp"
@@ -20,7 +21,7 @@ namespace {
 enum Status { success = 0, failure = 1, wrong_usage = 2, stopped_by_user = 130 };
 
 bool run(const repl::CommandLine& line, const std::string& program) {
-  repl::Interpreter interpreter({line.quiet, line.threads, line.jobs});
+  repl::Interpreter interpreter({line.quiet, line.threads, line.jobs, line.on, line.chunk});
   repl::catch_interrupts(interpreter.state());
   if (isatty(STDERR_FILENO)) acknowledge_interrupts(STDERR_FILENO);
   if (line.interactive || line.prompt_only()) survive_interrupts(); // the prompt stays usable with its variables
@@ -33,6 +34,11 @@ bool run(const repl::CommandLine& line, const std::string& program) {
   bool ok = true;
   for (const auto& code : line.code) ok = ok && interpreter.run_code(code, "=(command line)");
   ok = ok && (line.script.empty() || interpreter.run_file(script, line.arguments));
+  if (ok && !line.chunk.empty()) { // study:execute ends the program when the chunk is solved
+    std::cerr << "signorini: the script ended without executing the study of " << line.chunk
+              << ". Hint: the script and its arguments must be those of the submission" << std::endl;
+    return false;
+  }
   if (!line.interactive && !line.prompt_only()) return ok && !interpreter.lost_cases();
   repl::forget_interrupt(interpreter.state()); // the variables may still be inspected
   repl::finish_statements();
@@ -46,6 +52,7 @@ int main(int argc, char** argv) {
     if (!bind::leads_ranks()) return success;
     const repl::CommandLine line = repl::parse({argv + 1, argv + argc});
     bind::set_threads(line.threads);
+    if (!line.chunk.empty()) catch_notice();
     switch (line.action) {
     case repl::CommandLine::Action::version:
       std::cout << "signorini " SIGNORINI_VERSION "\n";

@@ -84,9 +84,10 @@ end
 --- takes time, so it is done at each save only on request, otherwise at most once a second.
 function Checkpoint:save(model, run, path, place, policy, ended)
   local now, patience = core.now(), 1 -- seconds
-  local durable = self.durable or ended or not self.synced or now - self.synced > patience
+  local durable = self.durable or ended or core.notice_given() or not self.synced or now - self.synced > patience
   if durable then self.synced = now end
   call("save", model, self.file, self:text(model, run, path, place, policy), durable)
+  if core.notice_given() then os.exit(core.to_be_continued) end
 end
 
 --- After an accepted step: saves the run if it is due, or if the path has ended.

@@ -13,6 +13,7 @@ local on_behalf_of = require "signorini.on_behalf_of"
 local lists = require "signorini.lists"
 local make_study = require("signorini.study").make
 local pictures = require "signorini.convergence_map.pictures"
+local progress = require "signorini.progress"
 local types = require "signorini.types"
 local values = require "signorini.study.values"
 
@@ -227,6 +228,7 @@ return function(options)
     map.study.fresh = true
   end
   map.study.on_record = function() gather(map) end
+  if core.on == "slurm" then progress(0):line(where .. ": the cells are solved on this machine, not with Slurm") end
   execute(where, map.study, options)
   return map
 end

@@ -9,10 +9,11 @@ local named = require "signorini.named"
 local read_cases = require("signorini.study.cases").read
 local store = require "signorini.study.store"
 local methods = require "signorini.study.methods"
+local watch = require "signorini.study.watch"
 
 local where = "sg.study"
 
-local Study = lists.merged({ execute = execute.method, __name = "study" }, methods)
+local Study = lists.merged({ execute = execute.method, __name = "study" }, methods, watch)
 Study.__index = Study
 core.types.study = Study
 

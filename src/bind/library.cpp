@@ -2,6 +2,7 @@
 #include "bind/wording/wording.hpp"
 
 #include "base/machine.hpp"
+#include "base/notice.hpp"
 #include "base/whole_file.hpp"
 #include "bind/doctor.hpp"
 #include "bind/functions.hpp"
@@ -28,6 +29,14 @@ namespace {
 int core_module(lua_State* L) {
   push_table(L, "core");
   return 1;
+}
+
+/// The working directory, by the name that the shell has for it: on clusters the name behind a link differs between
+/// machines.
+std::string working_directory() {
+  std::error_code ignored;
+  const char* name = std::getenv("PWD");
+  return name && fs::equivalent(name, ".", ignored) ? name : fs::current_path(ignored).string();
 }
 
 } // namespace
@@ -97,10 +106,14 @@ void open_library(lua_State* L, const Settings& settings) {
   const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   set_fields(L, "terminal", isatty(STDERR_FILENO) == 1, // where progress is displayed
              "quiet", settings.quiet, "threads", settings.threads, "most_threads", most_threads, "processors",
-             processors, "at_once", settings.jobs > 0 ? settings.jobs : processors, "host", host_name(), "processor",
+             processors, "at_once", settings.jobs > 0 ? settings.jobs : processors, "host", host_name(), "program",
+             fs::read_symlink("/proc/self/exe").string(), "directory", working_directory(), "processor",
              processor_name(), "linear_solvers", solve::linear_names(), "mumps", solve::has_mumps(), "ranks",
              solve::started_ranks(), "fields", fields, "colormaps", view::colormaps(), "cameras", view::camera_names(),
-             "markers", view::marker_names(), "share", find_share().string(), "home", home.string());
+             "markers", view::marker_names(), "share", find_share().string(), "home", home.string(), "to_be_continued",
+             to_be_continued);
+  if (!settings.on.empty()) set_field(L, "on", settings.on);
+  if (!settings.chunk.empty()) set_field(L, "chunk", settings.chunk);
   lua_newtable(L);
   for (const auto& [name, version] : versions()) set_field(L, name.c_str(), version);
   lua_setfield(L, -2, "versions");

@@ -12,6 +12,8 @@ struct Settings {
   bool quiet = false; ///< no progress, no banner
   int threads = 1;    ///< of BLAS and loops
   int jobs = 0;       ///< parallel processes if a study does not set them; 0: number of processors
+  std::string on;     ///< where studies are executed, such as "slurm"; empty: where they say
+  std::string chunk;  ///< the cases of one study to solve, "jobs.json:3"; empty: all
 };
 
 /// The folder that contains lua/: $SIGNORINI_HOME, else ../share/signorini or .. relative to the executable. Throws

@@ -20,11 +20,17 @@ int parse_count(const char* option, const std::string& word, int most) {
   return count;
 }
 
+/// The value of --on, checked.
+std::string parse_place(const std::string& word) {
+  if (word != "slurm" && word != "local") throw UsageError(text("--on must be slurm or local, got '", word, "'"));
+  return word;
+}
+
 } // namespace
 
 CommandLine parse(const std::vector<std::string>& words) {
-  const std::vector<std::string> known = {"-e",    "-i",        "-q",     "--threads", "--jobs",
-                                          "--new", "--version", "--help", "--doctor"};
+  const std::vector<std::string> known = {"-e",      "-i",    "-q",        "--threads", "--jobs",  "--on",
+                                          "--chunk", "--new", "--version", "--help",    "--doctor"};
   CommandLine line;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
@@ -32,11 +38,15 @@ CommandLine parse(const std::vector<std::string>& words) {
       if (i + 1 == words.size()) throw UsageError(text(word, " must be followed by ", what));
       return words[++i];
     };
-    // Words after the script are its arguments, except this option, which applies to every study.
+    // Words after the script are its arguments, except these options, which apply to every study.
     if (word == "--jobs")
       line.jobs = parse_count("--jobs", value("a number"), most_jobs);
     else if (word.starts_with("--jobs="))
       line.jobs = parse_count("--jobs", word.substr(7), most_jobs);
+    else if (word == "--on")
+      line.on = parse_place(value("slurm or local"));
+    else if (word.starts_with("--on="))
+      line.on = parse_place(word.substr(5));
     else if (!line.script.empty())
       line.arguments.push_back(word);
     else if (word == "-e")
@@ -49,6 +59,8 @@ CommandLine parse(const std::vector<std::string>& words) {
       line.threads = parse_count("--threads", value("a number"), bind::most_threads);
     else if (word.starts_with("--threads="))
       line.threads = parse_count("--threads", word.substr(10), bind::most_threads);
+    else if (word == "--chunk")
+      line.chunk = value("the file of a job and the number of a chunk, jobs.json:3");
     else if (word == "--new") {
       line.action = CommandLine::Action::new_study;
       line.new_study = value("the name of a file, such as study.lua");
@@ -86,6 +98,8 @@ const char* usage() {
          "  -q              no progress display, no banner\n"
          "  --threads N     threads of assembly and contact search; BLAS uses one (default: 1)\n"
          "  --jobs N        parallel cases of a study, also after the script (default: number of processors)\n"
+         "  --on WHERE      where studies are solved, also after the script: slurm, or local\n"
+         "  --chunk FILE:N  solve chunk N of a job's cases; tasks of Slurm run this\n"
          "  --new FILE      write a commented starter study, such as study.lua\n"
          "  --version       version\n"
          "  --help          this text\n"

@@ -23,7 +23,9 @@ struct CommandLine {
   bool interactive = false;           ///< -i
   bool quiet = false;                 ///< -q
   int threads = 1;
-  int jobs = 0; ///< parallel processes of studies; 0 without --jobs
+  int jobs = 0;      ///< parallel processes of studies; 0 without --jobs
+  std::string on;    ///< where studies are executed; empty without --on
+  std::string chunk; ///< of --chunk; empty without
 
   /// Whether only the prompt is to run.
   bool prompt_only() const { return code.empty() && script.empty(); }

@@ -106,6 +106,10 @@ void Interpreter::set_arguments(const std::string& program, const std::string& s
   bind::push(L, program);
   lua_rawseti(L, -2, -1);
   lua_setglobal(L, "arg");
+  bind::push_table(L, "core"); // `arg` is the script's, which may change it
+  bind::set_field(L, "script", script);
+  bind::set_field(L, "arguments", arguments);
+  lua_pop(L, 1);
   if (script.empty() || script == "-") return;
   const std::filesystem::path folder = std::filesystem::path(script).parent_path();
   lua_getglobal(L, "package");

@@ -91,6 +91,9 @@ check.case("a wrong command line ends with status 2 and a hint", function()
     [{ "--threads", "0" }] = "--threads must be an integer from 1 to 1024, got '0'",
     [{ "--threads", "2x" }] = "got '2x'",
     [{ "--threads" }] = "--threads must be followed by a number",
+    [{ "--on", "pbs" }] = "--on must be slurm or local, got 'pbs'",
+    [{ "study.lua", "--on" }] = "--on must be followed by slurm or local",
+    [{ "--chunk" }] = "--chunk must be followed by the file of a job",
     [{ "-e" }] = "-e must be followed by code",
   } do
     local result = run(arguments)

@@ -74,6 +74,9 @@ return {
   { "progress, verbose, verbosity, quiet, silent, log file, monitor",
     "Runs show their progress on standard error unless the program was started with -q. on_step and on_iteration of "
       .. "model:run report more.", "model:run", "run:attempts", "run:residuals" },
+  { "cluster, slurm, sbatch, queue, hpc, job array",
+    "signorini study.lua --on slurm submits the cases of a study to Slurm.", "study:execute", "study:watch",
+    "study:cancel" },
   { "parallel, mpi, cores, gpu, multithreading",
     "The options --threads and --jobs of the program set the threads of assembly and the number of cases of a study "
       .. "solved in parallel; MPI and GPUs are not supported.", "model:run", "study:execute" },

@@ -1,6 +1,7 @@
 -- Pages: studies and their evaluation.
 
 local chart_rows = require "signorini.pages.chart_rows"
+local cluster_rows = require "signorini.pages.cluster_rows"
 local joined = require("signorini.lists").joined
 local t = require "signorini.types"
 
@@ -21,6 +22,13 @@ local only_rows = { "where", t.callback, "function of a row that returns true fo
 local columns = { "columns", t.list(t.column), "columns in this order", otherwise = "all parameters and results" }
 local sort = { "sort", t.either(t.column, t.list(t.column)), "columns to sort the rows by, in increasing order",
                otherwise = "the order of the cases" }
+
+local execution = joined({
+  at_once, limit,
+  { "rerun", t.either(t.flag, t.choice { "failed" }, t.callback),
+    "finished cases to run again: all (true), those that failed, or a function of a row", default = false },
+}, cluster_rows)
+execution.conflict = cluster_rows.conflict
 
 --- Rows of a parameter of a convergence map.
 local function axis(key)
@@ -53,9 +61,10 @@ each case in a separate process, so variables that the function changes do not a
     named = {
       { "name", t.text, "name in tables, charts and of the folder" },
       { "cases", t.list(t.any, nil, 1), [[tables of parameters, or lists of such tables, as sg.grid makes them]] },
-      { "run", t.callback, [[function of a case that returns results by name: numbers, strings, true or false, and lists
-of these, which tables omit. A failed case returns failed = true and a reason; this is a result, too. A result that is
-nan or infinite makes the case an error]] },
+      { "run", t.callback, [[function of a case, and of the name of a file for its checkpoints (model:run{ …,
+checkpoint = file, resume = true }), that returns results by name: numbers, strings, true or false, and lists of these,
+which tables omit. A failed case returns failed = true and a reason; this is a result, too. A result that is nan or
+infinite makes the case an error]] },
       { "folder", t.text, "folder to which each finished case is written at once as a JSON file",
         otherwise = "out/<name>" },
       { "units", t.map(t.text), "units by the name of a result or parameter, for tables and axes", optional = true },
@@ -66,11 +75,12 @@ time measurements: they run last, one at a time]], default = false },
     more = [[
 A case remains valid as long as its parameters, everything that run refers to and the program's version are unchanged.
 run refers to its own text, to that of the script's functions that it calls, and to the values that these use: numbers,
-tables, and the contents of bodies and models. With inputs, only the parameters and the inputs are compared. Besides its
-results each row has wall, the seconds that run took, unless run returned a result of that name. A case without results
-has failed = true, outcome ("failed", "error", "crashed", or "time" if it exceeded the limit of study:execute)
-and reason. Methods of the study: study:execute, study:row, study:where, study:with, study:table, study:chart and
-others, help "studies".]],
+tables, and the contents of bodies and models. With inputs, only the parameters and the inputs are compared. The file
+for checkpoints lasts until the case is done, so that a case that was killed continues where it was; it is another one
+if what the result depends on changes. Besides its results each row has wall, the seconds that run took, unless run
+returned a result of that name. A case without results has failed = true, outcome ("failed", "error", "crashed", or
+"time" if it exceeded the limit of study:execute) and reason. Methods of the study: study:execute, study:row,
+study:where, study:with, study:table, study:chart and others, help "studies".]],
     example = [[study = sg.study{ name = "steps", cases = sg.grid{ steps = {5, 10} },
   run = function(case)
     local run = press("N2", 1):run{ { name = "press", steps = case.steps, grip = {0, -0.1} } }
@@ -111,6 +121,9 @@ false: select rows with study:where, or give series.]],
         { xlabel = "the column and its unit", ylabel = "the column and its unit", title = "the study's name",
           legend_title = "the column of series" })),
     example = [[study:chart{ x = "mesh", y = "error", series = "order", file = "error.png" }]] },
+  { "study:cancel", [[Cancels the jobs of Slurm that solve cases of this study, and returns their number. Finished cases
+remain.]],
+    example = "study:cancel()" },
   { "study:column", "Returns a parameter or result as a list over the rows, nan where it is missing.",
     arguments = { { "name", t.column, "parameter or result" } },
     example = [[study:column "force"]] },
@@ -123,13 +136,13 @@ the program is stopped by Ctrl-C or killed, the same call continues with the mis
 and is saved. A case that ended with an error, or whose process crashed, is reported on standard error at the end, runs
 again at the next call, and makes the exit status of the program 1, unless the script ends with os.exit.]],
     may_be_empty = true,
-    named = { at_once, limit,
-              { "rerun", t.either(t.flag, t.choice { "failed" }, t.callback),
-                "finished cases to run again: all (true), those that failed, or a function of a row",
-                default = false } },
+    named = execution,
     more = [[
 Two processes cannot execute the same study at the same time. study:read() reads the finished cases without running
-any.]],
+any. With on = "slurm", or signorini study.lua --on slurm, the missing cases become tasks of a job array, each of which
+runs the script up to this call and solves its cases; the results are the same files. The folder, the script and the
+program must have the same names on all machines. Cases that a job is still going to solve are not solved by other
+calls. study:watch() shows their state, study:cancel() ends the jobs.]],
     example = [[study:execute{ jobs = 2, rerun = "failed" }]] },
   { "study:heatmap", [[Draws a number over two parameters x and y, in the order of their values in the cases. More than
 one case in a cell is an error; select cases with study:where.]],
@@ -161,6 +174,9 @@ study:csv contain them in full.]], may_be_empty = true,
     named = { columns, sort, { "formats", t.map(t.text), "patterns of string.format by the name of a column",
                                default = { wall = "%.3g" } } },
     example = [[print(study:table{ columns = {"order", "mesh", "error"}, sort = "error" })]] },
+  { "study:watch", [[Shows how many cases are waiting, begun by a task of Slurm, done and failed, until all jobs of the
+study have ended or Ctrl-C is pressed, and returns the study with the cases done so far.]],
+    example = "print(study:watch())" },
   { "study:where", [[Returns the part of a study with these values, as a study that has rows only. A value that no case
 has is an error, except with a function.]],
     head = [[study:where{ <column> = value, … } or study:where(function(row) … end)]],

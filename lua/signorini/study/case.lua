@@ -36,11 +36,12 @@ local function read_results(entry, results)
   return failed, reason
 end
 
---- Solves the case of an entry (see cases.lua): { results, outcome = "done" or "failed", reason, wall (s) }.
-return function(run, entry)
+--- Solves the case of an entry (see cases.lua) with a file for checkpoints: { results, outcome = "done" or "failed",
+--- reason, wall (s) }.
+return function(run, entry, checkpoint)
   local copy = core.read_json(core.write_json(entry.case)) -- run may change it
   local began = core.now()
-  local results = run(copy)
+  local results = run(copy, checkpoint)
   local wall = core.now() - began
   local failed, reason = read_results(entry, results)
   local record = { outcome = failed and "failed" or "done", reason = reason, wall = wall, results = {} }

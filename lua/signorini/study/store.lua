@@ -4,6 +4,7 @@
 
 local on_behalf_of = require "signorini.on_behalf_of"
 local core = require "signorini.core"
+local outcomes = require "signorini.study.outcomes"
 
 local store = {}
 
@@ -42,10 +43,20 @@ function store.read(study, entry)
   return nil, damaged or record ~= nil
 end
 
+--- The file for checkpoints of a case, which the function of the study gets. It exists while the case is unfinished.
+--- Its name changes with what the result depends on, so that no case continues from the states of another one.
+function store.checkpoint(study, entry, now)
+  if not study.folder then return nil end
+  local key = core.hash(core.write_json { case = entry.case, inputs = now })
+  return ("%s/cases/%s.%s.sgn"):format(study.folder, entry.id, key:sub(1, 8))
+end
+
+local case_files = { json = "result", sgn = "checkpoint", claim = "claim" }
+
 --- Removes the cases from a folder.
 local function clear(folder)
   for _, name in ipairs(core.list_folder(folder .. "/cases")) do
-    if name:find "%.json$" then os.remove(("%s/cases/%s"):format(folder, name)) end
+    if case_files[name:match "%.(%a+)$"] then os.remove(("%s/cases/%s"):format(folder, name)) end
   end
   os.remove(folder .. "/study.json")
 end
@@ -55,7 +66,8 @@ function store.open(where, study)
   if not study.folder then return { study = study, where = where } end
   call(where, "mkdir", study.folder .. "/cases")
   local lock = call(where, "lock", study.folder .. "/lock")
-  local handle = { lock = lock, study = study, where = where, reserve = study.folder .. "/" .. reserve_name }
+  local handle = { saves = true, lock = lock, study = study, where = where,
+                   reserve = study.folder .. "/" .. reserve_name }
   local ok, message = pcall(function()
     if study.fresh then clear(study.folder) end
     local file = study.folder .. "/study.json"
@@ -66,32 +78,43 @@ function store.open(where, study)
   error(message, 0)
 end
 
+--- A handle for one of several processes that write cases at the same time, each into files of its own.
+function store.share(where, study, reserve)
+  check_owner(where, study)
+  return setmetatable({ saves = true, study = study, where = where, reserve = ("%s/%s"):format(study.folder, reserve) },
+    { __index = store })
+end
+
 --- Checks the study's name in the folder, for reading only.
 function store.check(where, study) check_owner(where, study) end
 
 --- Reserves the space that the last results will need, before any case runs.
 function store.take_reserve(handle)
-  if not handle.lock then return end
+  if not handle.saves then return end
   core.remove_leftovers(handle.reserve)
   call(handle.where, "write_file", handle.reserve, (" "):rep(reserve_size))
 end
 
---- Writes a case's record. If the disk is full, the reserve is released.
+--- Writes a case's record. If the disk is full, the reserve is released. A checkpoint is of no further use.
 function store.write(handle, entry, record)
-  if not handle.lock then return end
+  if not handle.saves then return end
   local file, text = case_file(handle.study, entry), core.write_json(record, "the case's record")
   core.remove_leftovers(file)
-  if pcall(core.write_file, file, text, true) then return end
-  os.remove(handle.reserve)
-  call(handle.where, "write_file", file, text, true)
-  handle.full = true
+  if not pcall(core.write_file, file, text, true) then
+    os.remove(handle.reserve)
+    call(handle.where, "write_file", file, text, true)
+    handle.full = true
+  end
+  if not outcomes.is_error(record.outcome) and record.outcome ~= "time" then
+    os.remove(store.checkpoint(handle.study, entry, record.inputs))
+  end
 end
 
 --- Unlocks the folder.
 function store.close(handle)
-  if not handle.lock then return end
+  if not handle.saves then return end
   os.remove(handle.reserve)
-  handle.lock:release()
+  if handle.lock then handle.lock:release() end
 end
 
 return store

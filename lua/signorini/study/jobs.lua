@@ -1,0 +1,90 @@
+-- Jobs of a study that other machines solve: <folder>/jobs/<number> holds job.json (what is to be solved, by which
+-- program), the script for Slurm, one log per task, and `id`, Slurm's number, as long as the job is not known to have
+-- ended.
+
+local core = require "signorini.core"
+local lists = require "signorini.lists"
+local missing = require "signorini.study.missing"
+local quoted = require "signorini.quoted"
+local store = require "signorini.study.store"
+
+local jobs = {}
+
+local function read_job(file) return core.read_json(core.read_file(file)) end
+
+--- The numbers of a study's jobs, in their order.
+local function numbers(study)
+  local folder = study.folder .. "/jobs"
+  local list = lists.map(core.exists(folder) and core.list_folder(folder) or {}, function(name)
+    return tonumber(name)
+  end)
+  table.sort(list)
+  return list
+end
+
+local function place_of(study, number) return ("%s/jobs/%d"):format(study.folder, number) end
+
+--- A new job with its folder: the entries of `plan`, the study, the script and the program; `made` names it in records.
+--- chunks: lists of cases' positions, saved as their names.
+function jobs.make(study, plan)
+  local known = numbers(study)
+  local number = (known[#known] or 0) + 1
+  local place = place_of(study, number)
+  local chunks = lists.map(plan.chunks, function(chunk)
+    return lists.map(chunk, function(i) return study.cases[i].id end)
+  end)
+  local job = lists.merged(plan, {
+    study = study.name, folder = study.folder, number = number, place = place, chunks = chunks,
+    version = core.versions.signorini, program = core.program, script = core.script, arguments = core.arguments,
+    directory = core.directory, made = ("%d of %s"):format(number, os.date "!%Y-%m-%dT%H:%M:%SZ") })
+  core.mkdir(place)
+  core.write_file(place .. "/job.json", core.write_json(job))
+  return job
+end
+
+--- The command of the shell that solves a chunk of a job; `chunk`: its number for the shell.
+function jobs.command(job, chunk)
+  local words = lists.map(lists.joined({ job.script }, job.arguments), quoted)
+  return ("cd %s || exit 1\nexec %s -q --chunk %s:%s %s"):format(quoted(job.directory), quoted(job.program),
+    quoted(job.place .. "/job.json"), chunk, table.concat(words, " "))
+end
+
+--- The job and the chunk of --chunk.
+function jobs.of_process()
+  local file, number = core.chunk:match "^(.*):(%d+)$"
+  local ok, job = pcall(read_job, file)
+  if not ok then
+    core.fail(("--chunk: '%s' is not a job of a study. Hint: the folder must be on a disk that all machines share")
+      :format(core.chunk))
+  end
+  return job, tonumber(number)
+end
+
+--- Notes Slurm's number of a job, which makes it one that may be alive.
+function jobs.begin(job, id) core.write_file(job.place .. "/id", id, true) end
+
+--- Notes that a job has ended.
+function jobs.finish(job) os.rename(job.place .. "/id", job.place .. "/ended") end
+
+--- The jobs that were not known to have ended, each with Slurm's number `id`.
+function jobs.open(study)
+  local list = {}
+  for _, number in ipairs(numbers(study)) do
+    local place = place_of(study, number)
+    if core.exists(place .. "/id") then
+      list[#list + 1] = lists.merged(read_job(place .. "/job.json"), { id = core.read_file(place .. "/id") })
+    end
+  end
+  return list
+end
+
+--- The record of a case that a job has made or need not make; nil if there is none yet.
+function jobs.record(job, study, entry)
+  local record = store.read(study, entry)
+  if not record then return nil end
+  local own = (record.made or {}).job == job.made
+  local valid = own or not job.again[entry.id] and not missing.outdated(entry, record, job.inputs, job.limit)
+  return valid and record or nil
+end
+
+return jobs

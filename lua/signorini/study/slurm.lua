@@ -1,0 +1,104 @@
+-- Slurm's commands: sbatch, squeue, scontrol, scancel. None needs its accounting database.
+
+local core = require "signorini.core"
+local counted = require "signorini.counted"
+local jobs = require "signorini.study.jobs"
+local lists = require "signorini.lists"
+local quoted = require "signorini.quoted"
+
+local slurm = {}
+
+--- What a command of Slurm writes, and whether it succeeded; raises an error where Slurm is not installed.
+local function call(where, words)
+  local pipe = io.popen(table.concat(lists.map(words, quoted), " ") .. " 2>&1 </dev/null")
+  local output = pipe:read "a"
+  local ok, _, status = pipe:close()
+  if status == 127 then
+    core.fail(("%s: the command %s of Slurm is not on this machine. Hint: log in where jobs are submitted; --on local "
+      .. "solves cases here, study:read() reads those that are done"):format(where, words[1]))
+  end
+  return output, ok
+end
+
+--- The seconds of a time limit as Slurm reads it: minutes, minutes:seconds, hours:minutes:seconds, days-hours,
+--- days-hours:minutes or days-hours:minutes:seconds; nil for other texts.
+function slurm.seconds(text)
+  local days, rest = text:match "^(%d+)%-(.+)$"
+  local parts = {}
+  for part in ((rest or text) .. ":"):gmatch "(%d+):" do parts[#parts + 1] = tonumber(part) end
+  if table.concat(parts, ":"):gsub("%d+", "0") ~= (rest or text):gsub("%d+", "0") or #parts > 3 then return nil end
+  local a, b, c = parts[1], parts[2] or 0, parts[3] or 0
+  if days then return ((tonumber(days) * 24 + a) * 60 + b) * 60 + c end
+  if #parts == 3 then return (a * 60 + b) * 60 + c end
+  return a * 60 + b
+end
+
+--- The largest number of tasks of an array.
+function slurm.most_tasks(where)
+  local output = call(where, { "scontrol", "show", "config" })
+  return tonumber(output:match "MaxArraySize%s*=%s*(%d+)" or 1001) - 1 -- the largest index is one less
+end
+
+--- The script of an array with one task per chunk. It becomes the program, which therefore gets Slurm's signals.
+function slurm.script(job, options)
+  local log = job.place:gsub('[\\"]', "\\%0"):gsub("%%", "%%%%") .. "/task-%a.log"
+  local words = { ("--job-name=%s"):format(job.study:gsub("[^%w.=+()-]+", "_")),
+                  ("--array=1-%d%%%d"):format(#job.chunks, options.at_most),
+                  ('--output="%s"'):format(log), "--open-mode=append", "--requeue",
+                  ("--signal=B:USR1@%d"):format(math.ceil(options.notice)),
+                  ("--cpus-per-task=%d"):format(options.cores) }
+  for option, value in pairs { partition = options.partition, time = options.time, mem = options.memory } do
+    words[#words + 1] = ("--%s=%s"):format(option, value)
+  end
+  table.sort(words)
+  local directives = lists.map(lists.joined(words, options.extra), function(word)
+    return "#SBATCH " .. word .. "\n"
+  end)
+  return ("#!/bin/sh\n%s%s\n"):format(table.concat(directives), jobs.command(job, '"$SLURM_ARRAY_TASK_ID"'))
+end
+
+--- Submits a script; returns Slurm's number of the job.
+function slurm.submit(where, script)
+  local output, ok = call(where, { "sbatch", "--parsable", script })
+  local id = ok and output:match "(%d+)[^\n]*\n*$"
+  if id then return id end
+  core.fail(("%s: Slurm refused the job: %s"):format(where, (output:gsub("^sbatch: ", ""):gsub("%s*\n%s*", "; ")
+    :gsub("[; ]*$", ""))))
+end
+
+--- The tasks of jobs that Slurm still knows, by "<job>_<task>": { state = "RUNNING", why }; nil and a message if Slurm
+--- does not answer.
+function slurm.tasks(where, ids)
+  local tasks = {}
+  for _, id in ipairs(ids) do
+    local output, ok = call(where, { "squeue", "--noheader", "--array", "--states=all", "--jobs=" .. id,
+                                     "--format=%i|%T|%r" })
+    if not ok and not output:find "Invalid job id" then return nil, output end
+    for task, state, why in (ok and output or ""):gmatch "([%d_]+)|([^|\n]*)|([^|\n]*)" do
+      tasks[task] = { state = state, why = why }
+    end
+  end
+  return tasks
+end
+
+local ended = { "BOOT_FAIL", "CANCELLED", "COMPLETED", "DEADLINE", "FAILED", "NODE_FAIL", "OUT_OF_MEMORY", "REVOKED",
+                "TIMEOUT" }
+
+--- Whether a task may still solve cases; those that Slurm has forgotten have ended.
+function slurm.is_alive(task) return task ~= nil and not lists.holds(ended, task.state) end
+
+function slurm.cancel(where, ids)
+  local output, ok = call(where, lists.joined({ "scancel" }, ids))
+  if not ok then core.fail(("%s: Slurm did not cancel %s: %s"):format(where, counted(#ids, "job"), output)) end
+end
+
+--- Puts the task of this process back into the queue and waits until Slurm ends the process, whose exit status could
+--- otherwise be taken for that of the next start. Returns why it could not. The number SLURM_JOB_ID of an array's last
+--- task is that of the whole array.
+function slurm.requeue()
+  local task = ("%s_%s"):format(os.getenv "SLURM_ARRAY_JOB_ID", os.getenv "SLURM_ARRAY_TASK_ID")
+  local output, ok = call("study:execute", { "scontrol", "requeue", task })
+  return ok and not core.sleep(60) and "it did not end this process" or output
+end
+
+return slurm
