@@ -1,5 +1,6 @@
 #include "repl/command_line.hpp"
 
+#include "base/match.hpp"
 #include "bind/message.hpp"
 #include "bind/threads.hpp"
 
@@ -22,7 +23,8 @@ int parse_count(const char* option, const std::string& word, int most) {
 
 /// The value of --on, checked.
 std::string parse_place(const std::string& word) {
-  if (word != "slurm" && word != "local") throw UsageError(text("--on must be slurm or local, got '", word, "'"));
+  if (match(word, "local|slurm|ssh:[^ ,-][^ ,]*(,ssh:[^ ,-][^ ,]*)*").empty())
+    throw UsageError(text("--on must be slurm, local or hosts such as ssh:host1,ssh:host2, got '", word, "'"));
   return word;
 }
 
@@ -44,7 +46,7 @@ CommandLine parse(const std::vector<std::string>& words) {
     else if (word.starts_with("--jobs="))
       line.jobs = parse_count("--jobs", word.substr(7), most_jobs);
     else if (word == "--on")
-      line.on = parse_place(value("slurm or local"));
+      line.on = parse_place(value("slurm, local or hosts such as ssh:host1,ssh:host2"));
     else if (word.starts_with("--on="))
       line.on = parse_place(word.substr(5));
     else if (!line.script.empty())
@@ -98,8 +100,8 @@ const char* usage() {
          "  -q              no progress display, no banner\n"
          "  --threads N     threads of assembly and contact search; BLAS uses one (default: 1)\n"
          "  --jobs N        parallel cases of a study, also after the script (default: number of processors)\n"
-         "  --on WHERE      where studies are solved, also after the script: slurm, or local\n"
-         "  --chunk FILE:N  solve chunk N of a job's cases; tasks of Slurm run this\n"
+         "  --on WHERE      where studies are solved, also after the script: slurm, local, or ssh:host1,ssh:host2\n"
+         "  --chunk FILE:N  solve chunk N of a job's cases; tasks of Slurm and hosts run this\n"
          "  --new FILE      write a commented starter study, such as study.lua\n"
          "  --version       version\n"
          "  --help          this text\n"

@@ -91,8 +91,9 @@ check.case("a wrong command line ends with status 2 and a hint", function()
     [{ "--threads", "0" }] = "--threads must be an integer from 1 to 1024, got '0'",
     [{ "--threads", "2x" }] = "got '2x'",
     [{ "--threads" }] = "--threads must be followed by a number",
-    [{ "--on", "pbs" }] = "--on must be slurm or local, got 'pbs'",
-    [{ "study.lua", "--on" }] = "--on must be followed by slurm or local",
+    [{ "--on", "pbs" }] = "--on must be slurm, local or hosts such as ssh:host1,ssh:host2, got 'pbs'",
+    [{ "--on", "ssh:a,b" }] = "got 'ssh:a,b'",
+    [{ "study.lua", "--on" }] = "--on must be followed by slurm, local or hosts",
     [{ "--chunk" }] = "--chunk must be followed by the file of a job",
     [{ "-e" }] = "-e must be followed by code",
   } do

@@ -121,8 +121,8 @@ false: select rows with study:where, or give series.]],
         { xlabel = "the column and its unit", ylabel = "the column and its unit", title = "the study's name",
           legend_title = "the column of series" })),
     example = [[study:chart{ x = "mesh", y = "error", series = "order", file = "error.png" }]] },
-  { "study:cancel", [[Cancels the jobs of Slurm that solve cases of this study, and returns their number. Finished cases
-remain.]],
+  { "study:cancel", [[Ends the jobs of Slurm and on hosts that solve cases of this study, and returns their number.
+Finished cases remain.]],
     example = "study:cancel()" },
   { "study:column", "Returns a parameter or result as a list over the rows, nan where it is missing.",
     arguments = { { "name", t.column, "parameter or result" } },
@@ -140,9 +140,10 @@ again at the next call, and makes the exit status of the program 1, unless the s
     more = [[
 Two processes cannot execute the same study at the same time. study:read() reads the finished cases without running
 any. With on = "slurm", or signorini study.lua --on slurm, the missing cases become tasks of a job array, each of which
-runs the script up to this call and solves its cases; the results are the same files. The folder, the script and the
-program must have the same names on all machines. Cases that a job is still going to solve are not solved by other
-calls. study:watch() shows their state, study:cancel() ends the jobs.]],
+runs the script up to this call and solves its cases; the results are the same files. With on = { "ssh:host1",
+"ssh:host2" }, or --on ssh:host1,ssh:host2, a process on each host does so until no case is left. The folder, the
+script and the program must have the same names on all machines. Cases that a job is still going to solve are not solved
+by other calls. study:watch() shows their state, study:cancel() ends the jobs.]],
     example = [[study:execute{ jobs = 2, rerun = "failed" }]] },
   { "study:heatmap", [[Draws a number over two parameters x and y, in the order of their values in the cases. More than
 one case in a cell is an error; select cases with study:where.]],
@@ -174,7 +175,7 @@ study:csv contain them in full.]], may_be_empty = true,
     named = { columns, sort, { "formats", t.map(t.text), "patterns of string.format by the name of a column",
                                default = { wall = "%.3g" } } },
     example = [[print(study:table{ columns = {"order", "mesh", "error"}, sort = "error" })]] },
-  { "study:watch", [[Shows how many cases are waiting, begun by a task of Slurm, done and failed, until all jobs of the
+  { "study:watch", [[Shows how many cases are waiting, begun by a task or a host, done and failed, until all jobs of the
 study have ended or Ctrl-C is pressed, and returns the study with the cases done so far.]],
     example = "print(study:watch())" },
   { "study:where", [[Returns the part of a study with these values, as a study that has rows only. A value that no case

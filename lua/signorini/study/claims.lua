@@ -10,13 +10,16 @@ local claims = {}
 
 local function file_of(study, entry) return ("%s/cases/%s.claim"):format(study.folder, entry.id) end
 
+--- The name of the task that has claimed a case; nil without a claim.
+function claims.owner(study, entry)
+  local ok, owner = pcall(core.read_file, file_of(study, entry)) -- it may be released at any time
+  return ok and owner or nil
+end
+
 --- Whether the task of this name got the claim of a case, now or in an earlier start of it. The case may have been done
 --- meanwhile: look after the claim.
 function claims.take(study, entry, name)
-  local file = file_of(study, entry)
-  if core.create_claim(file, name) then return true end
-  local ok, owner = pcall(core.read_file, file) -- it may be released between the two calls
-  return ok and owner == name
+  return core.create_claim(file_of(study, entry), name) or claims.owner(study, entry) == name
 end
 
 function claims.release(study, entry) os.remove(file_of(study, entry)) end

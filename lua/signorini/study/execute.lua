@@ -5,6 +5,7 @@ local core = require "signorini.core"
 local counted = require "signorini.counted"
 local display = require "signorini.study.display"
 local inputs = require "signorini.study.inputs"
+local lists = require "signorini.lists"
 local make_record = require "signorini.study.record"
 local missing = require "signorini.study.missing"
 local outcomes = require "signorini.study.outcomes"
@@ -115,13 +116,13 @@ local function execute(name, study, options)
   return whole
 end
 
---- Has the missing cases solved by another engine. Returns false after Ctrl-C.
-local function execute_elsewhere(study, engine, options)
+--- Has the missing cases solved elsewhere. Returns false after Ctrl-C.
+local function execute_elsewhere(study, options)
   local remote = require "signorini.study.remote"
   with_folder(where, study, function(handle)
     local now = inputs.of(study)
     local list, again = find_missing(study, handle, now, options)
-    remote.start(where, study, engine, remote.unassigned(where, study, list, now), now, again, options)
+    remote.start(where, study, remote.unassigned(where, study, list, now), now, again, options)
   end)
   if options.dry_run or not options.wait then return true end
   local whole = remote.wait(where, study)
@@ -134,10 +135,14 @@ local function method(study, options)
     core.fail(where .. ": this is a part of a study, which has results only. Hint: execute the study from which it was "
       .. "taken")
   end
-  local engine = core.on or options.on
-  local here = core.chunk or engine == "local"
+  local on = core.on and require("signorini.study.engine").place(core.on) or options.on
+  local here = core.chunk or on == "local"
   local whole
-  if here then whole = execute(where, study, options) else whole = execute_elsewhere(study, engine, options) end
+  if here then
+    whole = execute(where, study, options)
+  else
+    whole = execute_elsewhere(study, lists.merged(options, { on = on }))
+  end
   if not whole then core.fail "interrupted" end
   return study
 end

@@ -1,6 +1,6 @@
 -- Jobs of a study that other machines solve: <folder>/jobs/<number> holds job.json (what is to be solved, by which
--- program), the script for Slurm, one log per task, and `id`, Slurm's number, as long as the job is not known to have
--- ended.
+-- program), scripts, one log per task, and `id`, the engine's numbers of the job (engine.lua), as long as the job is
+-- not known to have ended.
 
 local core = require "signorini.core"
 local lists = require "signorini.lists"
@@ -60,13 +60,16 @@ function jobs.of_process()
   return job, tonumber(number)
 end
 
---- Notes Slurm's number of a job, which makes it one that may be alive.
+--- The name of a task in claims.
+function jobs.task_name(job, number) return ("chunk %d of job %s"):format(number, job.made) end
+
+--- Notes the engine's numbers of a job, which makes it one that may be alive.
 function jobs.begin(job, id) core.write_file(job.place .. "/id", id, true) end
 
 --- Notes that a job has ended.
 function jobs.finish(job) os.rename(job.place .. "/id", job.place .. "/ended") end
 
---- The jobs that were not known to have ended, each with Slurm's number `id`.
+--- The jobs that were not known to have ended, each with its `id`.
 function jobs.open(study)
   local list = {}
   for _, number in ipairs(numbers(study)) do

@@ -1,93 +1,136 @@
--- Cases that Slurm solves: submits jobs, waits for them, tells what became of cases that they did not solve. Results
--- are the files of the study's folder, as in other executions; Slurm only tells which tasks are alive.
+-- Cases that another engine solves (engine.lua): submits jobs, waits for them, tells what became of cases that they did
+-- not solve. Results are the files of the study's folder, as in other executions; engines only tell which tasks are
+-- alive.
 
 local core = require "signorini.core"
-local chunks = require "signorini.study.chunks"
 local claims = require "signorini.study.claims"
 local counted = require "signorini.counted"
 local display = require "signorini.study.display"
+local engine = require "signorini.study.engine"
 local inputs = require "signorini.study.inputs"
 local jobs = require "signorini.study.jobs"
 local lists = require "signorini.lists"
 local progress = require "signorini.progress"
-local slurm = require "signorini.study.slurm"
 local store = require "signorini.study.store"
 
 local remote = {}
 
 -- ── Jobs that are alive ──────────────────────────────────────────────────────────────────────────────────────────────
 
-local function ids_of(open) return lists.map(open, function(job) return job.id end) end
-
-local function task_name(job, number) return ("%s_%d"):format(job.id, number) end
-
---- Whether a task of a job is alive, given what Slurm knows.
-local function is_running(job, tasks)
-  for number in ipairs(job.chunks) do
-    if slurm.is_alive(tasks[task_name(job, number)]) then return true end
+--- What engines know of the tasks of jobs, by the jobs' numbers; nil and a message if one does not answer.
+local function states_of(where, open)
+  local states = {}
+  for _, job in ipairs(open) do
+    local tasks, failure = engine.of(job).tasks(where, job)
+    if not tasks then return nil, failure end
+    states[job.number] = tasks
   end
-  return false
+  return states
 end
 
---- The jobs of a study that were not known to have ended, and what Slurm knows of their tasks.
+local function is_alive(task) return task.alive end
+local function is_unknown(task) return task.unknown end
+
+--- Whether a task of a job is alive.
+local function is_running(job, states) return lists.any(states[job.number], is_alive) end
+
+--- Whether a task of a job is not known to have ended.
+local function may_run(job, states) return is_running(job, states) or lists.any(states[job.number], is_unknown) end
+
+--- The jobs of a study that were not known to have ended, and the states of their tasks.
 local function open_jobs(where, study)
   local open = jobs.open(study)
-  if #open == 0 then return open, {} end
-  local tasks, failure = slurm.tasks(where, ids_of(open))
-  if not tasks then core.fail(("%s: Slurm does not answer: %s"):format(where, failure)) end
-  return open, tasks
+  local states, failure = states_of(where, open)
+  if not states then core.fail(("%s: %s"):format(where, failure)) end
+  return open, states
 end
 
---- The jobs of a study that are alive.
+--- The jobs of a study that are not known to have ended.
 function remote.living(where, study)
-  local open, tasks = open_jobs(where, study)
+  local open, states = open_jobs(where, study)
   return lists.filter(open, function(job)
-    if is_running(job, tasks) then return true end
+    if may_run(job, states) then return true end
     jobs.finish(job)
     return false
   end)
 end
 
---- The record of a case whose task ended without one: how, and the last line of its log.
-local function lost(job, number, task)
-  local state, file, last = task and task.state or "unknown to Slurm", ("%s/task-%d.log"):format(job.place, number), ""
-  if core.exists(file) then
+--- The tasks of jobs by their cases' names, lists of { job, number }.
+local function tasks_by_case(open)
+  local by_case = {}
+  for _, job in ipairs(open) do
+    for number, chunk in ipairs(job.chunks) do
+      for _, id in ipairs(chunk) do
+        by_case[id] = by_case[id] or {}
+        table.insert(by_case[id], { job = job, number = number })
+      end
+    end
+  end
+  return by_case
+end
+
+--- The one of a list of tasks that has claimed a case; nil without a claim of theirs.
+local function claimer(study, entry, tasks)
+  local owner = claims.owner(study, entry)
+  return owner and lists.filter(tasks, function(at) return jobs.task_name(at.job, at.number) == owner end)[1]
+end
+
+--- The record of a case whose tasks ended without one: how the one that had claimed it ended, or the last one, and the
+--- last line of its log.
+local function lost(study, entry, tasks, states)
+  local at = claimer(study, entry, tasks) or tasks[#tasks]
+  local task, name = states[at.job.number][at.number], engine.of(at.job).task_label(at.job, at.number)
+  local file, last = ("%s/task-%d.log"):format(at.job.place, at.number), ""
+  if task.unknown then
+    return { outcome = "crashed", results = {}, reason = ("%s cannot be asked, it may still solve the case (%s). Hint: "
+      .. "the same call looks again, study:cancel() gives it up"):format(name, task.state) }
+  elseif core.exists(file) then
     last = core.read_file(file):match "([^\n]*)\n*$"
-  elseif state == "FAILED" then
+  elseif task.state == "FAILED" then
     last = "it left no log. Hint: the folder must be on a disk that all machines share"
   end
-  return { outcome = "crashed", results = {}, reason = ("task %s of Slurm ended before the case was done (%s)%s%s")
-    :format(task_name(job, number), state, last ~= "" and ": " or "", last) }
+  return { outcome = "crashed", results = {}, reason = ("%s ended before the case was done (%s)%s%s")
+    :format(name, task.state, last ~= "" and ": " or "", last) }
+end
+
+--- Whether one of a list of tasks is going to solve a case. A task that cannot be asked keeps the case that it claimed.
+local function is_assigned(study, entry, tasks, states)
+  local owner = claimer(study, entry, tasks)
+  return lists.any(owner and { owner } or tasks, function(at)
+    local task = states[at.job.number][at.number]
+    return task.alive or owner and task.unknown
+  end)
 end
 
 --- The cases of a list that no living task is going to solve, without the claims that dead ones have left; reports what
 --- became of the others.
 function remote.unassigned(where, study, list, now)
   if #list == 0 then return list end
-  local open, tasks = open_jobs(where, study)
-  local assigned, dead = {}, {}
-  for _, job in ipairs(open) do
+  local open, states = open_jobs(where, study)
+  local running = lists.filter(open, function(job) return may_run(job, states) end)
+  for _, job in ipairs(running) do
     local changed = inputs.difference(job.inputs, now)
-    if #changed > 0 and is_running(job, tasks) then
-      core.fail(("%s: Slurm's job %s still solves cases of this study, but %s changed after its submission. "
-        .. "Hint: study:cancel(), or wait for it"):format(where, job.id, table.concat(changed, ", ")))
-    end
-    for number, chunk in ipairs(job.chunks) do
-      local task = tasks[task_name(job, number)]
-      for _, id in ipairs(chunk) do
-        if slurm.is_alive(task) then assigned[id] = true else dead[id] = lost(job, number, task).reason end
-      end
+    if #changed > 0 then
+      core.fail(("%s: a job still solves cases of this study (%s), but %s changed after its submission. Hint: "
+        .. "study:cancel(), or wait for it"):format(where, engine.of(job).label(job), table.concat(changed, ", ")))
     end
   end
-  local rest = lists.filter(list, function(i) return not assigned[study.cases[i].id] end)
+  local by_case = tasks_by_case(open)
+  local rest = lists.filter(list, function(i)
+    local entry = study.cases[i]
+    return not is_assigned(study, entry, by_case[entry.id] or {}, states)
+  end)
   for _, i in ipairs(rest) do
     local entry = study.cases[i]
+    if by_case[entry.id] then
+      progress(0):line(("%s: %s: %s"):format(study.name, entry.text,
+        lost(study, entry, by_case[entry.id], states).reason))
+    end
     claims.release(study, entry)
-    if dead[entry.id] then progress(0):line(("%s: %s: %s"):format(study.name, entry.text, dead[entry.id])) end
   end
   if #rest < #list then
-    progress(0):line(("%s: %s with Slurm, job %s"):format(study.name, counted(#list - #rest, "case"),
-      table.concat(ids_of(lists.filter(open, function(job) return is_running(job, tasks) end)), ", ")))
+    local labels = lists.map(running, function(job) return engine.of(job).label(job) end)
+    progress(0):line(("%s: %s with %s"):format(study.name, counted(#list - #rest, "case"), table.concat(labels, "; ")))
   end
   return rest
 end
@@ -100,37 +143,31 @@ local function check_script(where)
     .. "too. Hint: save it, then signorini study.lua --on slurm")
 end
 
---- Submits the cases of a list, or with dry_run only writes the script.
-function remote.start(where, study, engine, list, now, again, options)
+--- Submits the cases of a list, or with dry_run only writes the scripts.
+function remote.start(where, study, list, now, again, options)
   if #list == 0 then return end
   check_script(where)
   local function seconds(i)
     local record = store.read(study, study.cases[i])
     return record and record.wall
   end
-  local most = slurm.most_tasks(where)
-  local packed = chunks.pack(list, seconds, { size = options.chunk, slots = options.at_most, most = most,
-    limit = options.time and slurm.seconds(options.time) })
-  if #packed > most then
-    core.fail(("%s: chunk = %d makes %d tasks, but Slurm's MaxArraySize allows %d. Hint: chunk = %d, or \"auto\"")
-      :format(where, options.chunk, #packed, most, math.ceil(#list / most)))
-  end
-  local job = jobs.make(study, { on = engine, chunks = packed, inputs = now, again = again, limit = options.limit,
+  local by = engine.of(options)
+  local packed = by.chunks(where, list, seconds, options)
+  local job = jobs.make(study, { on = options.on, chunks = packed, inputs = now, again = again, limit = options.limit,
                                  cores = options.cores, notice = options.notice, time = options.time })
-  local script = job.place .. "/job.sh"
-  core.write_file(script, slurm.script(job, options), true)
-  local line = ("%s: %s in %s: sbatch --parsable '%s'"):format(study.name, counted(#list, "case"),
-    counted(#packed, "task"), script)
+  local line = ("%s: %s in %s: %s"):format(study.name, counted(#list, "case"), counted(#packed, "task"),
+    by.prepare(job, options))
   if options.dry_run then return progress(0):line(line) end
-  local id = slurm.submit(where, script)
+  local id, done = by.submit(where, job)
   jobs.begin(job, id)
-  progress(0):line(("%s: job %s"):format(line, id))
+  progress(0):line(("%s: %s"):format(line, done))
 end
 
 -- ── Waiting ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local look_share, soonest_look, latest_look = 0.1, 0.1, 5 -- between looks at the folder: share of the time so far; s
-local soonest_question, latest_question = 1, 30           -- between questions to Slurm, s
+local soonest_question, latest_question = 1, 30           -- between questions to engines, s
+local most_silence = 2 -- further questions to machines that do not answer when all other tasks have ended
 
 --- The time between two looks or questions, `since` seconds after the begin.
 local function pause(since, soonest, latest) return math.max(soonest, math.min(latest, look_share * since)) end
@@ -142,25 +179,27 @@ local function refresh(study)
   os.remove(file)
 end
 
---- The cases of jobs by position: { job, number (of the chunk) }.
+--- The tasks of the cases of jobs, by the cases' positions.
 local function pending_cases(study, open)
-  local position, pending = {}, {}
-  for i, entry in ipairs(study.cases) do position[entry.id] = i end
-  for _, job in ipairs(open) do
-    for number, chunk in ipairs(job.chunks) do
-      for _, id in ipairs(chunk) do
-        local i = position[id]
-        if i then pending[i] = { job = job, number = number } end
-      end
-    end
-  end
+  local by_case, pending = tasks_by_case(open), {}
+  for i, entry in ipairs(study.cases) do pending[i] = by_case[entry.id] end
   return pending
+end
+
+--- The first record of a case that one of its tasks has made or need not make; nil if there is none yet.
+local function record_of(study, entry, tasks)
+  local job
+  for _, at in ipairs(tasks) do
+    local record = at.job ~= job and jobs.record(at.job, study, entry)
+    if record then return record end
+    job = at.job
+  end
 end
 
 --- Takes new records of pending cases into the study.
 local function take_records(study, pending, tell)
-  for i, at in pairs(pending) do
-    local record = jobs.record(at.job, study, study.cases[i])
+  for i, tasks in pairs(pending) do
+    local record = record_of(study, study.cases[i], tasks)
     if record then
       study.records[i], pending[i] = record, nil
       tell(i, record)
@@ -169,29 +208,38 @@ local function take_records(study, pending, tell)
 end
 
 --- Waits until all jobs of a study have ended, and takes their records into it. tell(i, record) for each new one,
---- look(tasks, pending) after each look; `tasks` as of slurm.tasks. Returns false after Ctrl-C.
+--- look(states, pending) after each look; `states`: the engines' tasks by the jobs' numbers. Returns false after
+--- Ctrl-C.
 function remote.follow(where, study, look, tell)
   local open = jobs.open(study)
-  local pending, began, asked, tasks = pending_cases(study, open), core.now(), nil, {}
+  local pending, began, asked, states, silence, told = pending_cases(study, open), core.now(), nil, {}, 0, nil
   while #open > 0 do
     local since, ended = core.now() - began, false
     if not asked or since - asked > pause(since, soonest_question, latest_question) then
       asked = since
-      local known = slurm.tasks(where, ids_of(open)) -- nil while Slurm is too busy to answer
-      tasks = known or tasks
-      ended = known and not lists.any(open, function(job) return is_running(job, known) end)
+      local known, failure = states_of(where, open)
+      if failure and failure ~= told then
+        progress(0):line(("%s: %s; waiting continues"):format(study.name, failure))
+      end
+      states, told = known or states, failure
+      local running = not known or lists.any(open, function(job) return is_running(job, known) end)
+      local unknown = known and lists.any(open, function(job) return may_run(job, known) end)
+      silence = running and 0 or silence + 1
+      ended = silence > (unknown and most_silence or 0)
     end
     if ended then refresh(study) end
     take_records(study, pending, tell)
     if ended then break end
-    look(tasks, pending)
+    look(states, pending)
     if core.sleep(pause(since, soonest_look, latest_look)) then return false end
   end
-  for i, at in pairs(pending) do
-    study.records[i] = lost(at.job, at.number, tasks[task_name(at.job, at.number)])
+  for i, tasks in pairs(pending) do
+    study.records[i] = lost(study, study.cases[i], tasks, states)
     tell(i, study.records[i])
   end
-  for _, job in ipairs(open) do jobs.finish(job) end
+  for _, job in ipairs(open) do
+    if not may_run(job, states) then jobs.finish(job) end
+  end
   return true
 end
 

@@ -1,7 +1,8 @@
--- Slurm's commands: sbatch, squeue, scontrol, scancel. None needs its accounting database.
+-- Slurm, an engine (engine.lua), by its commands: sbatch, squeue, scontrol, scancel. None needs its accounting
+-- database.
 
 local core = require "signorini.core"
-local counted = require "signorini.counted"
+local chunks = require "signorini.study.chunks"
 local jobs = require "signorini.study.jobs"
 local lists = require "signorini.lists"
 local quoted = require "signorini.quoted"
@@ -34,13 +35,24 @@ function slurm.seconds(text)
 end
 
 --- The largest number of tasks of an array.
-function slurm.most_tasks(where)
+local function most_tasks(where)
   local output = call(where, { "scontrol", "show", "config" })
   return tonumber(output:match "MaxArraySize%s*=%s*(%d+)" or 1001) - 1 -- the largest index is one less
 end
 
---- The script of an array with one task per chunk. It becomes the program, which therefore gets Slurm's signals.
-function slurm.script(job, options)
+function slurm.chunks(where, list, seconds, options)
+  local most = most_tasks(where)
+  local packed = chunks.pack(list, seconds, { size = options.chunk, slots = options.at_most, most = most,
+    limit = options.time and slurm.seconds(options.time) })
+  if #packed <= most then return packed end
+  core.fail(("%s: chunk = %d makes %d tasks, but Slurm's MaxArraySize allows %d. Hint: chunk = %d, or \"auto\"")
+    :format(where, options.chunk, #packed, most, math.ceil(#list / most)))
+end
+
+local function script_of(job) return job.place .. "/job.sh" end
+
+--- Writes the script of an array with one task per chunk. It becomes the program, which therefore gets Slurm's signals.
+function slurm.prepare(job, options)
   local log = job.place:gsub('[\\"]', "\\%0"):gsub("%%", "%%%%") .. "/task-%a.log"
   local words = { ("--job-name=%s"):format(job.study:gsub("[^%w.=+()-]+", "_")),
                   ("--array=1-%d%%%d"):format(#job.chunks, options.at_most),
@@ -54,43 +66,46 @@ function slurm.script(job, options)
   local directives = lists.map(lists.joined(words, options.extra), function(word)
     return "#SBATCH " .. word .. "\n"
   end)
-  return ("#!/bin/sh\n%s%s\n"):format(table.concat(directives), jobs.command(job, '"$SLURM_ARRAY_TASK_ID"'))
+  core.write_file(script_of(job), ("#!/bin/sh\n%s%s\n"):format(table.concat(directives),
+    jobs.command(job, '"$SLURM_ARRAY_TASK_ID"')), true)
+  return ("sbatch --parsable '%s'"):format(script_of(job))
 end
 
---- Submits a script; returns Slurm's number of the job.
-function slurm.submit(where, script)
-  local output, ok = call(where, { "sbatch", "--parsable", script })
+function slurm.submit(where, job)
+  local output, ok = call(where, { "sbatch", "--parsable", script_of(job) })
   local id = ok and output:match "(%d+)[^\n]*\n*$"
-  if id then return id end
+  if id then return id, "job " .. id end
   core.fail(("%s: Slurm refused the job: %s"):format(where, (output:gsub("^sbatch: ", ""):gsub("%s*\n%s*", "; ")
     :gsub("[; ]*$", ""))))
-end
-
---- The tasks of jobs that Slurm still knows, by "<job>_<task>": { state = "RUNNING", why }; nil and a message if Slurm
---- does not answer.
-function slurm.tasks(where, ids)
-  local tasks = {}
-  for _, id in ipairs(ids) do
-    local output, ok = call(where, { "squeue", "--noheader", "--array", "--states=all", "--jobs=" .. id,
-                                     "--format=%i|%T|%r" })
-    if not ok and not output:find "Invalid job id" then return nil, output end
-    for task, state, why in (ok and output or ""):gmatch "([%d_]+)|([^|\n]*)|([^|\n]*)" do
-      tasks[task] = { state = state, why = why }
-    end
-  end
-  return tasks
 end
 
 local ended = { "BOOT_FAIL", "CANCELLED", "COMPLETED", "DEADLINE", "FAILED", "NODE_FAIL", "OUT_OF_MEMORY", "REVOKED",
                 "TIMEOUT" }
 
---- Whether a task may still solve cases; those that Slurm has forgotten have ended.
-function slurm.is_alive(task) return task ~= nil and not lists.holds(ended, task.state) end
-
-function slurm.cancel(where, ids)
-  local output, ok = call(where, lists.joined({ "scancel" }, ids))
-  if not ok then core.fail(("%s: Slurm did not cancel %s: %s"):format(where, counted(#ids, "job"), output)) end
+--- The tasks that Slurm still knows; those that it has forgotten have ended.
+function slurm.tasks(where, job)
+  local output, ok = call(where, { "squeue", "--noheader", "--array", "--states=all", "--jobs=" .. job.id,
+                                   "--format=%i|%T|%r" })
+  if not ok and not output:find "Invalid job id" then
+    return nil, "Slurm does not answer: " .. output:gsub("%s+$", "")
+  end
+  local tasks = {}
+  for number in ipairs(job.chunks) do tasks[number] = { state = "unknown to Slurm", alive = false } end
+  for number, state, why in (ok and output or ""):gmatch "_(%d+)|([^|\n]*)|([^|\n]*)" do
+    tasks[tonumber(number)] = { state = state, alive = not lists.holds(ended, state),
+                                why = state == "PENDING" and why ~= "None" and why or nil }
+  end
+  return tasks
 end
+
+function slurm.cancel(where, job)
+  local output, ok = call(where, { "scancel", job.id })
+  if not ok then core.fail(("%s: Slurm did not cancel job %s: %s"):format(where, job.id, output)) end
+end
+
+function slurm.label(job) return "Slurm, job " .. job.id end
+
+function slurm.task_label(job, number) return ("task %s_%d of Slurm"):format(job.id, number) end
 
 --- Puts the task of this process back into the queue and waits until Slurm ends the process, whose exit status could
 --- otherwise be taken for that of the next start. Returns why it could not. The number SLURM_JOB_ID of an array's last

@@ -59,7 +59,7 @@ end
 
 --- Keeps what became of a case that was not stopped.
 function Task:keep(entry, text, failure, at_once)
-  if text == "claimed" then return print(("%s: another task solves it"):format(entry.text)) end
+  if text == "claimed" then return end
   if text ~= "done" then self:write(entry, make_record.of(text, failure, self.job.limit), at_once) end
   claims.release(self.study, entry)
   if self.handle.full then core.fail(("%s: no space is left for '%s'"):format(where, self.study.folder)) end
@@ -113,7 +113,7 @@ local function run(study, job, number)
   local now = inputs.of(study)
   check_same(job, now)
   local task = setmetatable({ study = study, job = job, now = now, progress = 0,
-    chunk = positions(study, job.chunks[number]), name = ("chunk %d of job %s"):format(number, job.made),
+    chunk = positions(study, job.chunks[number]), name = jobs.task_name(job, number),
     handle = store.share(where, study, ("reserve-%d-%d"):format(job.number, number)) }, Task)
   store.take_reserve(task.handle)
   local ok, message = pcall(function()
@@ -124,12 +124,13 @@ local function run(study, job, number)
   store.close(task.handle)
   if not ok then error(message, 0) end
   local rest = task:left()
-  if #rest > 0 and core.notice_given() then
+  if #rest > 0 and core.notice_given() and job.on == "slurm" then
     if task.progress == 0 then
       core.fail(where .. ": the script took the whole time of the task before its first case. Hint: raise time")
     end
     requeue(rest)
   end
+  if #rest > 0 then print(counted(#rest, "case") .. " left to other tasks") end
   os.exit(#rest == 0, true)
 end
 

@@ -3,10 +3,10 @@
 local claims = require "signorini.study.claims"
 local core = require "signorini.core"
 local format_table = require "signorini.table"
+local engine = require "signorini.study.engine"
 local lists = require "signorini.lists"
 local progress = require "signorini.progress"
 local remote = require "signorini.study.remote"
-local slurm = require "signorini.study.slurm"
 local store = require "signorini.study.store"
 
 local function check_whole(where, study)
@@ -15,8 +15,8 @@ local function check_whole(where, study)
 end
 
 --- The state of all cases in one row: waiting, begun by a task that may be in the queue again, done, failed, the time
---- left at the present rate, and why Slurm lets tasks wait.
-local function state_of(study, tasks, pending, bar, todo)
+--- left at the present rate, and what tasks wait for.
+local function state_of(study, states, pending, bar, todo)
   local waiting, failed, done, why = 0, 0, 0, {}
   for _ in pairs(pending) do waiting = waiting + 1 end
   local begun = math.min(waiting, claims.count(study))
@@ -24,8 +24,8 @@ local function state_of(study, tasks, pending, bar, todo)
     local record = study.records[i]
     if record and record.outcome == "done" then done = done + 1 elseif record then failed = failed + 1 end
   end
-  for _, task in pairs(tasks) do
-    if task.state == "PENDING" and task.why ~= "None" then why[#why + 1] = task.why end
+  for _, tasks in pairs(states) do
+    for _, task in ipairs(tasks) do why[#why + 1] = task.why end
   end
   return { waiting - begun, begun, done, failed, bar:to_go((todo - waiting) / todo),
            table.concat(lists.unique(why), ", ") }
@@ -39,8 +39,8 @@ local function watch(study)
   study:read()
   local todo = #study.cases - #study.rows
   local bar, shown = progress(todo), nil
-  local function draw(tasks, pending)
-    local row = state_of(study, tasks, pending, bar, todo)
+  local function draw(states, pending)
+    local row = state_of(study, states, pending, bar, todo)
     local key = table.concat(row, " ", 1, 4) .. row[6]
     if key == shown or core.quiet then return end
     local text = format_table { columns = columns, rows = { row } }
@@ -54,12 +54,12 @@ local function watch(study)
   return study
 end
 
---- The jobs remain open until Slurm has ended their tasks, which may take a minute.
+--- The jobs remain open until their tasks have ended, which may take a minute.
 local function cancel(study)
   local where = "study:cancel"
   check_whole(where, study)
   local open = remote.living(where, study)
-  if #open > 0 then slurm.cancel(where, lists.map(open, function(job) return job.id end)) end
+  for _, job in ipairs(open) do engine.of(job).cancel(where, job) end
   return #open
 end
 
