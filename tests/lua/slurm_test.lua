@@ -104,7 +104,6 @@ check.case("40 cases, two killed tasks, a drained node, a time limit: the same t
   check.equal(#lines(expected), 40)
   touch(remotely, "slow")
 
-  
   -- A call waits for the job.
   local call = ("'%s' study.lua --on slurm >output 2>errors; echo $? >status"):format(arg[-1])
   check.shell(("(cd '%s' && export %s && %s) >/dev/null 2>&1 & true"):format(remotely, slurm, call))
@@ -123,7 +122,9 @@ check.case("40 cases, two killed tasks, a drained node, a time limit: the same t
     return shell(remotely, "ps -o state= -p $(cut -d' ' -f2 task-10)"):find "^[^Z]" == nil -- a zombie may remain
   end)
   os.remove(remotely .. "/slow")
-  shell(remotely, "scontrol update jobid=1_10 starttime=now") -- after requeuing Slurm lets tasks wait for two minutes
+  -- After requeuing Slurm lets tasks wait for two minutes, because the node refuses to start a task in the second in
+  -- which it has revoked the task's credential.
+  shell(remotely, "scontrol update jobid=1_10 starttime=now+2")
   await("the end of the job", function() return core.exists(remotely .. "/status") end)
 
   -- It tells which cases have been lost; the next one solves them.
@@ -168,13 +169,15 @@ end
 
 check.case("dry_run writes the script, submits nothing, and the script works", function()
   local folder = new_folder(short)
-  local output, status = signorini(folder, "--on slurm dry_run=yes")
+  local output, status = signorini(folder, "--on slurm dry_run=yes extra=--ntasks=2")
   check.equal(status, 0)
   check.holds(output, "6 cases in 3 tasks: sbatch --parsable 'out/a 100% b/jobs/1/job.sh'")
   check.holds(core.read_file(folder .. "/out/a 100% b/jobs/1/job.sh"), "#SBATCH --array=1-3%64", "#SBATCH --requeue",
-    "#SBATCH --partition=short", "#SBATCH --mem=100M", "#SBATCH --time=5", "#SBATCH --cpus-per-task=1")
+    "#SBATCH --ntasks=2", "#SBATCH --partition=short", "#SBATCH --mem=100M", "#SBATCH --time=5",
+    "#SBATCH --cpus-per-task=1")
   check.equal(shell(folder, "squeue -h"), "")
-  output, status = shell(folder, "sbatch --parsable --wait 'out/a 100% b/jobs/1/job.sh'")
+  -- Neither --ntasks nor the step in which sbatch is called makes a task one of several processes of MPI.
+  output, status = shell(folder, "SLURM_STEP_NUM_TASKS=4 PMI_SIZE=4 sbatch --wait 'out/a 100% b/jobs/1/job.sh'")
   check.equal(status, 0)
   output, status = signorini(folder, "--on local") -- only gathers
   check.equal(status, 0)

@@ -52,6 +52,8 @@ end
 local function script_of(job) return job.place .. "/job.sh" end
 
 --- Writes the script of an array with one task per chunk. It becomes the program, which therefore gets Slurm's signals.
+--- It forgets the step of several processes in which sbatch may have been called, because the program refuses to be one
+--- of several.
 function slurm.prepare(job, options)
   local log = job.place:gsub('[\\"]', "\\%0"):gsub("%%", "%%%%") .. "/task-%a.log"
   local words = { ("--job-name=%s"):format(job.study:gsub("[^%w.=+()-]+", "_")),
@@ -66,8 +68,8 @@ function slurm.prepare(job, options)
   local directives = lists.map(lists.joined(words, options.extra), function(word)
     return "#SBATCH " .. word .. "\n"
   end)
-  core.write_file(script_of(job), ("#!/bin/sh\n%s%s\n"):format(table.concat(directives),
-    jobs.command(job, '"$SLURM_ARRAY_TASK_ID"')), true)
+  core.write_file(script_of(job), ("#!/bin/sh\n%sunset SLURM_STEP_NUM_TASKS PMI_SIZE\n%s\n"):format(
+    table.concat(directives), jobs.command(job, '"$SLURM_ARRAY_TASK_ID"')), true)
   return ("sbatch --parsable '%s'"):format(script_of(job))
 end
 
