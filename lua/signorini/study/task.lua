@@ -30,10 +30,18 @@ local function check_same(job, now)
   end
 end
 
---- The hash of a case's checkpoint; "" without one.
+--- How far a case's checkpoint has come: the rows of its run; 0 without one; the hash of a file that no run has saved.
 local function saved(study, entry, now)
   local file = store.checkpoint(study, entry, now)
-  return core.exists(file) and core.hash(core.read_file(file)) or ""
+  if not core.exists(file) then return 0 end
+  local ok, rows = pcall(function() return #core.unpack(core.checkpoint_text(file))[2] end)
+  return ok and rows or core.hash(core.read_file(file))
+end
+
+--- Whether a checkpoint went on from `before` to `after`. A run that does not resume begins again at each start.
+local function went_on(before, after)
+  if type(before) == "number" and type(after) == "number" then return after > before end
+  return after ~= before
 end
 
 --- One start of a task: its study, job, name, inputs `now` and handle of the folder.
@@ -83,9 +91,11 @@ function Task:solve(list, at_once)
   if ended > 0 then return end
   for _, k in ipairs(stopped) do -- they had a whole start for themselves
     self.progress = self.progress + 1
-    if saved(self.study, entries[k], self.now) == before[k] then
-      local reason = ("not done within the time of a task%s, and no checkpoint was saved. Hint: raise time, or save "
-        .. "checkpoints, help \"sg.study\""):format(self.job.time and ", " .. self.job.time or "")
+    local after = saved(self.study, entries[k], self.now)
+    if not went_on(before[k], after) then
+      local what = after == 0 and "no checkpoint was saved" or "its checkpoint is not further than before"
+      local reason = ("not done within the time of a task%s, and %s. Hint: raise time, or save checkpoints and pass "
+        .. "resume = true, help \"sg.study\""):format(self.job.time and ", " .. self.job.time or "", what)
       self:write(entries[k], { outcome = "error", reason = reason, results = {}, wall = core.now() }, at_once)
       claims.release(self.study, entries[k])
     end
