@@ -13,7 +13,6 @@ local on_behalf_of = require "signorini.on_behalf_of"
 local lists = require "signorini.lists"
 local make_study = require("signorini.study").make
 local pictures = require "signorini.convergence_map.pictures"
-local progress = require "signorini.progress"
 local types = require "signorini.types"
 local values = require "signorini.study.values"
 
@@ -221,14 +220,22 @@ function Map:__tostring()
   return lost and ("%s\nerror at %s, %s: %s"):format(text, lost.x, lost.y, lost.report) or text
 end
 
+--- Raises an error if --on names another place than this machine.
+local function check_place()
+  if not core.on or core.on == "local" then return end
+  core.fail(("%s: --on %s cannot be followed, because the cells of a map are solved on this machine. Hint: leave out "
+    .. "--on, and pass on to study:execute for the studies of this script; or make the cells the cases of a study")
+    :format(where, core.on))
+end
+
 return function(options)
+  check_place()
   local map = new_map(options)
   if map.file and not is_there(where, map.file, map) then
     write_file(where, map.file, map) -- a file that cannot be written is reported now, not after the first cell
     map.study.fresh = true
   end
   map.study.on_record = function() gather(map) end
-  if core.on == "slurm" then progress(0):line(where .. ": the cells are solved on this machine, not with Slurm") end
   execute(where, map.study, options)
   return map
 end

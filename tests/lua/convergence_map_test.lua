@@ -338,6 +338,7 @@ check.case("wrong arguments are errors at the user's line that name the cure", f
   check.holds(map.cells[1].report, "scene must return a model, got the number 3")
   check.fails(function() make{ jobs = 0 } end, "jobs must be a whole number, 1 or more")
   check.fails(function() make{ limits = 3 } end, "unknown argument 'limits'", "did you mean 'limit'?")
+  check.fails(function() make{ on = "slurm" } end, "unknown argument 'on'")
   check.fails(function() sg.convergence_map() end, "sg.convergence_map")
   check.fails(function() make():cell("good", 5) end, "map:cell: y must be one of the values of steps, got the number 5")
 end)
@@ -356,6 +357,27 @@ check.case("piped, each cell is a line; quiet, there is none", function()
   local output = check.program { "-e", code }
   check.holds(output, "m: 1 of 2: a=1 b=5: ", "m: 2 of 2: a=2 b=5: failed: nan: step 2 ")
   check.equal(check.program { "-q", "-e", code }, "")
+end)
+
+check.case("--on another place is refused at the user's line, before anything is solved or written", function()
+  local folder = check.folder()
+  core.write_file(folder .. "/map.lua", [[
+local sg = require "signorini"
+local function solve() error "solved" end
+sg.convergence_map{ x = { name = "a", values = { 1 } }, y = { name = "b", values = { 2 } }, scene = solve, path = solve,
+                    file = "map.csv" }
+]])
+  local function run(words)
+    return check.shell(("cd '%s' && '%s' map.lua %s"):format(folder, arg[-1], words))
+  end
+  for _, place in ipairs { "slurm", "ssh:h1,ssh:h2" } do
+    local output, status = run("--on " .. place)
+    check.equal(status, 1)
+    check.holds(output, "map.lua:3: sg.convergence_map: --on " .. place .. " cannot be followed",
+      "Hint: leave out --on, and pass on to study:execute")
+    check.equal(core.exists(folder .. "/map.csv"), false)
+  end
+  check.holds(run "--on local", "a=1 b=2: map.lua:2: solved")
 end)
 
 check.done()
