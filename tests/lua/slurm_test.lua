@@ -148,7 +148,7 @@ local short = [[
 local sg = require "signorini"
 local exists = require "signorini.core".exists
 local options = sg.arguments{ cases = 6, chunk = 2, wait = true, dry_run = false, partition = "short", act = "print",
-                              memory = "100M", time = "5", notice = 120, extra = "--requeue" }
+                              memory = "100M", time = "5", notice = 120, extra = "--requeue", cores = 1 }
 local numbers = {}
 for n = 1, options.cases do numbers[n] = n end
 local study = sg.study{ name = "a \"short\" study", folder = "out/a 100% b", cases = sg.grid{ n = numbers },
@@ -162,7 +162,8 @@ elseif options.act == "watch" then
   print(#study:watch().rows)
 else
   study:execute{ partition = options.partition, chunk = options.chunk, memory = options.memory, time = options.time,
-                 notice = options.notice, wait = options.wait, dry_run = options.dry_run, extra = { options.extra } }
+                 notice = options.notice, wait = options.wait, dry_run = options.dry_run, cores = options.cores,
+                 extra = { options.extra } }
   if #study.rows > 0 then print(study:table{ columns = { "n", "square" } }) end
 end
 ]]
@@ -207,6 +208,31 @@ check.case("wait = false returns; the job is watched, gathered in part, not subm
   output, status = signorini(folder, "--on slurm")
   check.equal(status, 0)
   check.holds(output, "2 of 6 taken", "4 to solve", "6      36")
+end)
+
+--- Whether a case of the short study is claimed.
+local function begun(folder, n)
+  local _, status = check.shell(("ls '%s/out/a 100%% b/cases/n=%d'-*.claim"):format(folder, n))
+  return status == 0
+end
+
+check.case("a task solves `cores` cases at a time; Ctrl-C ends the waiting only, the same call waits again", function()
+  local folder = new_folder(short)
+  touch(folder, "hold")
+  local call = ("'%s' study.lua --on slurm chunk=6 cores=2"):format(arg[-1])
+  local waiting = shell(folder, ("exec %s >output 2>&1 & echo $!"):format(call)):match "%d+"
+  await("two cases at a time", function() return begun(folder, 3) and begun(folder, 4) end)
+  check.equal(begun(folder, 5), false)
+  check.shell("kill -INT " .. waiting)
+  await("the end of waiting", function() return check.shell("ps -o state= -p " .. waiting):find "^[^Z]" == nil end)
+  check.holds(core.read_file(folder .. "/output"), "no longer waiting; the jobs continue. Hint: the same call waits",
+    "study.lua:17: interrupted")
+  check.equal(begun(folder, 3) and begun(folder, 4), true)
+  os.remove(folder .. "/hold")
+  local output, status = shell(folder, call)
+  check.equal(status, 0)
+  check.holds(output, "6      36")
+  check.equal(output:find "sbatch" or output:find "of 6: n=1: ", nil) -- what was done before is not told again
 end)
 
 check.case("what cannot be submitted is refused at the user's line, and nothing is submitted", function()

@@ -179,13 +179,6 @@ local function refresh(study)
   os.remove(file)
 end
 
---- The tasks of the cases of jobs, by the cases' positions.
-local function pending_cases(study, open)
-  local by_case, pending = tasks_by_case(open), {}
-  for i, entry in ipairs(study.cases) do pending[i] = by_case[entry.id] end
-  return pending
-end
-
 --- The first record of a case that one of its tasks has made or need not make; nil if there is none yet.
 local function record_of(study, entry, tasks)
   local job
@@ -194,6 +187,17 @@ local function record_of(study, entry, tasks)
     if record then return record end
     job = at.job
   end
+end
+
+--- The tasks of the cases of jobs that the study does not have yet, by the cases' positions.
+local function pending_cases(study, open)
+  local by_case, pending = tasks_by_case(open), {}
+  for i, entry in ipairs(study.cases) do
+    local tasks = by_case[entry.id]
+    local record = tasks and study.records[i] and record_of(study, entry, tasks)
+    if record then study.records[i] = record else pending[i] = tasks end
+  end
+  return pending
 end
 
 --- Takes new records of pending cases into the study.
