@@ -285,5 +285,31 @@ check.case("tasks report other versions, changed scripts and folders that are no
   check.holds(output, "the script ended without executing the study of ")
 end)
 
+check.case("the task of a node that fails returns to the queue and continues on the other node", function()
+  local folder = new_folder(short)
+  touch(folder, "hold")
+  local output, status = signorini(folder, "--on slurm chunk=6 wait=no")
+  check.equal(status, 0)
+  await("case 3", function() return begun(folder, 3) end)
+  local job, node = output:match "job (%d+)", shell(folder, "squeue -h -o %N"):match "n%d"
+  -- All of the node's processes end: slurmd, the task's slurmstepd, the task and its case. Slurm would notice after its
+  -- SlurmdTimeout.
+  local list = shell(folder, ("scontrol listpids %s %s"):format(job, node))
+  local task, others = list:match "\n(%d+) +%d+ +batch +0", {}
+  for process in list:gmatch "\n(%d+)" do others[#others + 1] = process end
+  shell(folder, ("kill -KILL $(cat '%s/slurmd.%s.pid') $(ps -o ppid= -p %s) %s"):format(cluster, node, task,
+    table.concat(others, " ")))
+  shell(folder, ("scontrol update nodename=%s state=down reason=test"):format(node))
+  await("the queue", function() return shell(folder, "squeue -h -o '%i %T'") == job .. "_1 PENDING\n" end)
+  os.remove(folder .. "/hold")
+  shell(folder, ("scontrol update jobid=%s_1 starttime=now+2"):format(job)) -- as above
+  output, status = signorini(folder, "--on slurm")
+  check.equal(status, 0)
+  check.holds(output, "2 of 6 taken", "4 cases with Slurm, job", "6      36")
+  check.equal(output:find "sbatch", nil)
+  local log = core.read_file(folder .. "/out/a 100% b/jobs/1/task-1.log")
+  check.equal(select(2, log:gsub("n=3: done", "")), 1)
+end)
+
 check.shell(("'%s/slurm/cluster' stop '%s'"):format(here, cluster))
 check.done()
