@@ -4,7 +4,8 @@ local core = require "signorini.core"
 local check = require "check"
 
 check.case("every name of core in the Lua part is registered or assigned there", function()
-  local used, assigned = {}, { traceback = true } -- the prompt sets it after an error
+  local used = {}
+  local assigned = { traceback = true, on = true, chunk = true } -- after an error; the options --on and --chunk
   for file in io.popen(("find '%s/lua' -name '*.lua'"):format(core.home)):lines() do
     local text = core.read_file(file)
     for name in text:gmatch "%f[%w_.]core%.([%a_]+)" do used[name] = file end
