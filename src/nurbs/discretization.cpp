@@ -225,6 +225,12 @@ ElementFunctions Discretization::row_functions(int e, int j) const {
 }
 
 ElementBasis Discretization::basis(int e, const VectorX& xi) const {
+  ElementBasis result;
+  basis(e, xi, result);
+  return result;
+}
+
+void Discretization::basis(int e, const VectorX& xi, ElementBasis& result) const {
   const int dimensions = parametric_dimension();
   const int layer = element_index(e, through_);
   const std::span<const int> layer_rows = stack_.functions_on(layer);
@@ -233,40 +239,42 @@ ElementBasis Discretization::basis(int e, const VectorX& xi) const {
   // Factors of a product: first in the thickness direction, then along the row.
   const std::size_t t = at(through_), u = t == 0 ? 1 : 0, v = t == 2 ? 1 : 2;
 
-  ElementBasis result;
-  std::vector<double> values;                                 // w_A N_A(ξ)
-  std::vector<std::vector<double>> gradients(at(dimensions)); // ∂(w_A N_A)/∂ξ^d
+  std::array<ElementFunctions, max_degree + 1> rows;
+  int size = 0;
   for (std::size_t k = 0; k < layer_rows.size(); ++k) {
-    const int j = layer_rows[k];
-    const ElementFunctions functions = row_functions(e, j);
+    rows[k] = row_functions(e, layer_rows[k]);
+    size += rows[k].count(0) * rows[k].count(1) * rows[k].count(2);
+  }
+  result.functions.resize(at(size));
+  result.values.resize(size);      // w_A N_A(ξ), later R_A(ξ)
+  MatrixX rates(size, dimensions); // ∂(w_A N_A)/∂ξ^d
+  result.gradients.resize(dimensions, size);
+  int a = 0;
+  for (std::size_t k = 0; k < layer_rows.size(); ++k) {
+    const Row& row = rows_[at(layer_rows[k])];
     double n[3][2 * (max_degree + 1)] = {{1}, {1}, {1}}; // values along each direction, then derivatives
     for (int d = 0; d < dimensions; ++d)
-      if (d != through_) basis_derivatives(rows_[at(j)].direction(in_row(d)), element_index(e, d), xi(d), 1, n[d]);
+      if (d != through_) basis_derivatives(row.direction(in_row(d)), element_index(e, d), xi(d), 1, n[d]);
     n[t][0] = through[k];
     n[t][1] = through[layer_rows.size() + k];
-    functions.each([&](int function, const std::array<int, 3>& i) {
-      const double w = homogeneous_(dimension(), function);
-      result.functions.push_back(function);
-      values.push_back(w * n[t][i[t]] * n[u][i[u]] * n[v][i[v]]);
+    rows[k].each([&](int function, const std::array<int, 3>& i) {
+      const double w = homogeneous_(dimensions, function);
+      result.functions[at(a)] = function;
+      result.values(a) = w * n[t][i[t]] * n[u][i[u]] * n[v][i[v]];
       for (int d = 0; d < dimensions; ++d) {
         std::array<int, 3> rate = i;
-        rate[at(d)] += functions.count(d);
-        gradients[at(d)].push_back(w * n[t][rate[t]] * n[u][rate[u]] * n[v][rate[v]]);
+        rate[at(d)] += rows[k].count(d);
+        rates(a, d) = w * n[t][rate[t]] * n[u][rate[u]] * n[v][rate[v]];
       }
+      ++a;
     });
   }
 
   // R_A = w_A N_A / W,  ∂R_A = (∂(w_A N_A) − R_A ∂W) / W
-  const int size = static_cast<int>(values.size());
-  result.values = Eigen::Map<const VectorX>(values.data(), size);
   const double weight = result.values.sum();
   result.values /= weight;
-  result.gradients.resize(dimensions, size);
-  for (int d = 0; d < dimensions; ++d) {
-    const auto raw = Eigen::Map<const VectorX>(gradients[at(d)].data(), size);
-    result.gradients.row(d) = (raw - result.values * raw.sum()).transpose() / weight;
-  }
-  return result;
+  for (int d = 0; d < dimensions; ++d)
+    result.gradients.row(d) = (rates.col(d) - result.values * rates.col(d).sum()).transpose() / weight;
 }
 
 std::vector<int> Discretization::row_end(int j, int a, bool at_end) const {

@@ -79,6 +79,8 @@ public:
   /// The element that contains xi. Throws Error if xi is outside the patch.
   int find_element(const VectorX& xi) const;
   ElementBasis basis(int e, const VectorX& xi) const;
+  /// The same into a value whose memory is reused.
+  void basis(int e, const VectorX& xi, ElementBasis& result) const;
   /// The functions of row j on element e; one in the thickness direction.
   ElementFunctions row_functions(int e, int j) const;
 

@@ -54,9 +54,11 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material mater
   require(D == 2 || kind_ == Kind::plane_strain, "solid.body.axisymmetric", {{"dimension", D}});
   if (kind_ == Kind::axisymmetric) check_radii(*space_);
   const MatrixX points = space_->points();
+  volumes_ = VectorX::Zero(functions());
+  nurbs::ElementBasis basis;
   for (int e = 0; e < space_->elements(); ++e) {
     require(!interrupted(), "solid.body.interrupted");
-    add_element(e, points);
+    add_element(e, points, basis);
   }
   // Kernels read whole vectors.
   gradients_.resize(gradients_.size() + vector_padding);
@@ -67,7 +69,7 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material mater
 
 template <int D> std::size_t Body<D>::memory() const {
   return sizeof(double) * (weights_.size() + gradients_.size() + hoops_.size() + constants_.size()) +
-         sizeof(int) * functions_.size() + sizeof(ElementTable) * elements_.size();
+         sizeof(double) * volumes_.size() + sizeof(int) * functions_.size() + sizeof(ElementTable) * elements_.size();
 }
 
 template <int D>
@@ -86,34 +88,42 @@ template <int D> KernelArguments Body<D>::arguments(int e) const {
   return arguments;
 }
 
-template <int D> void Body<D>::add_element(int e, const MatrixX& points) {
+template <int D> void Body<D>::add_element(int e, const MatrixX& points, nurbs::ElementBasis& basis) {
   const ElementQuadrature rule = element_quadrature(*space_, e);
   const int count = static_cast<int>(rule.weights.size());
   ElementTable table{0, count, functions_.size(), weights_.size(), gradients_.size(), constants_.size(), {}};
   for (int q = 0; q < table.points; ++q) {
-    const nurbs::ElementBasis basis = space_->basis(e, rule.points.col(q));
+    space_->basis(e, rule.points.col(q), basis);
     if (q == 0) {
       table.functions = static_cast<int>(basis.functions.size());
       functions_.insert(functions_.end(), basis.functions.begin(), basis.functions.end());
       table.kernels = material_.kernels<D>(kind_, table.functions);
     }
     // ∂X/∂ξ = Σ_A X_A ⊗ ∂R_A/∂ξ,  ∂R/∂X = ∂R/∂ξ (∂X/∂ξ)⁻¹
-    const VectorX place = basis.combine(points);
+    Vec<D> place = Vec<D>::Zero();
     Mat<D> jacobian = Mat<D>::Zero();
-    for (int a = 0; a < table.functions; ++a)
-      jacobian += points.col(basis.functions[at(a)]) * basis.gradients.col(a).transpose();
+    for (int a = 0; a < table.functions; ++a) {
+      const auto point = points.template block<D, 1>(0, basis.functions[at(a)]);
+      place += basis.values(a) * point;
+      jacobian += point * basis.gradients.template block<D, 1>(0, a).transpose();
+    }
     const double determinant = jacobian.determinant();
     check_jacobian(jacobian, determinant, place);
     double weight = rule.weights(q) * determinant;
-    const MatrixX gradients = jacobian.inverse().transpose() * basis.gradients;
-    for (int k = 0; k < D; ++k)
-      for (int a = 0; a < table.functions; ++a) gradients_.push_back(gradients(k, a));
+    const Mat<D> inverse = jacobian.inverse();
+    const std::size_t first = gradients_.size();
+    gradients_.resize(first + at(D * table.functions));
+    for (int a = 0; a < table.functions; ++a) {
+      const Vec<D> gradient = inverse.transpose() * basis.gradients.template block<D, 1>(0, a);
+      for (int k = 0; k < D; ++k) gradients_[first + at(k * table.functions + a)] = gradient(k);
+    }
     if (kind_ == Kind::axisymmetric) {
       require_radius(0, place);
       weight *= 2 * std::numbers::pi * place(0);
       for (int a = 0; a < table.functions; ++a) hoops_.push_back(basis.values(a) / place(0));
     }
     weights_.push_back(weight);
+    for (int a = 0; a < table.functions; ++a) volumes_(basis.functions[at(a)]) += weight * basis.values(a);
   }
   constants_.resize(constants_.size() + at(table.kernels.constant_blocks * table.functions * table.functions));
   most_functions_ = std::max(most_functions_, table.functions);

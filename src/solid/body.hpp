@@ -65,6 +65,8 @@ public:
   /// Quadrature weight times reference volume per Gauss point; includes the circumference 2πR in a body of revolution.
   const double* weights_of(int e) const { return weights_.data() + element(e).point; }
   const double* gradients_of(int e) const { return gradients_.data() + element(e).gradient; }
+  /// ∫ R_A dV over the reference volume, per function; the sum is the body's volume.
+  const VectorX& volumes() const { return volumes_; }
   /// R_A/R per Gauss point, n values each, for the hoop stretch 1 + Σ_A u_rA R_A/R; null in plane strain and 3D.
   const double* hoops_of(int e) const { return hoops_.empty() ? nullptr : hoops_.data() + element(e).gradient / D; }
   /// Kernel arguments of an element; the caller adds displacements, results and work arrays.
@@ -73,7 +75,7 @@ public:
   VectorX reference_point(int e, int q) const;
 
 private:
-  void add_element(int e, const MatrixX& points);
+  void add_element(int e, const MatrixX& points, nurbs::ElementBasis& basis);
   void add_constant(const ElementTable& table, KernelArguments arguments);
 
   std::shared_ptr<const nurbs::Discretization> space_;
@@ -82,6 +84,7 @@ private:
   std::vector<ElementTable> elements_;
   std::vector<int> functions_;
   std::vector<double> weights_, gradients_, hoops_, constants_;
+  VectorX volumes_;
   int most_functions_ = 0, most_points_ = 0, internal_variables_ = 0;
 };
 
