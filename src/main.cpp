@@ -12,11 +12,14 @@
 #include "repl/prompt.hpp"
 
 #include <iostream>
+#include <malloc.h>
 #include <unistd.h>
 
 using namespace signorini;
 
 namespace {
+
+constexpr int kept_memory = 64 << 20, large_block = 16 << 20; // bytes
 
 enum Status { success = 0, failure = 1, wrong_usage = 2, stopped_by_user = 130 };
 
@@ -48,6 +51,9 @@ bool run(const repl::CommandLine& line, const std::string& program) {
 } // namespace
 
 int main(int argc, char** argv) {
+  // Freed memory stays with the process: bodies and matrices are made again and again, and a fresh page costs a fault.
+  mallopt(M_TRIM_THRESHOLD, kept_memory);
+  mallopt(M_MMAP_THRESHOLD, large_block);
   try {
     if (!bind::leads_ranks()) return success;
     const repl::CommandLine line = repl::parse({argv + 1, argv + argc});

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini::model {
 
@@ -50,8 +51,24 @@ template <int D> void Assembly<D>::build_bulk() {
 
   // Positions in the order in which scatter() reads ElementArrays::blocks
   int trash = bulk_pattern_.entries(), first_trash = trash;
-  const auto find = [&](int row, int column) {
-    return row < 0 || column < 0 ? trash : bulk_pattern_.find(row, column);
+  std::size_t positions = 0;
+  for (const Nodes& group : groups) positions += group.size() * group.size();
+  bulk_positions_.reserve(positions);
+  std::vector<int> found; // of an element, column by column
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  const auto find = [&](const Nodes& group) {
+    found.clear();
+    for (const int column : group)
+      for (std::size_t first = 0; first < group.size(); first += D)
+        // The free components of a node follow each other in every column.
+        for (std::size_t i = first, next = none; i < first + D; ++i) {
+          if (group[i] < 0 || column < 0) {
+            found.push_back(trash);
+            continue;
+          }
+          if (next == none) next = at(bulk_pattern_.find(group[i], column));
+          found.push_back(static_cast<int>(next++));
+        }
   };
   std::size_t g = 0;
   for (std::size_t body = 0; body < scene_.bodies.size(); ++body) {
@@ -60,15 +77,17 @@ template <int D> void Assembly<D>::build_bulk() {
     for (int e = 0; e < scene_.bodies[body].body->elements(); ++e, ++g) {
       trash = first_trash + shares.share[at(e)];
       const Nodes& group = groups[g];
+      find(group);
       const int n = scene_.bodies[body].body->element(e).functions;
+      const auto add = [&](int row, int column) { bulk_positions_.push_back(found[at(column * D * n + row)]); };
       first_position_.back().push_back(bulk_positions_.size());
       for (int i = 0; i < D; ++i)
         for (int j = i; j < D; ++j) {
           for (int a = 0; a < n; ++a)
-            for (int b = 0; b < n; ++b) bulk_positions_.push_back(find(group[at(D * a + i)], group[at(D * b + j)]));
+            for (int b = 0; b < n; ++b) add(D * a + i, D * b + j);
           if (i == j) continue;
           for (int a = 0; a < n; ++a)
-            for (int b = 0; b < n; ++b) bulk_positions_.push_back(find(group[at(D * b + j)], group[at(D * a + i)]));
+            for (int b = 0; b < n; ++b) add(D * b + j, D * a + i);
         }
     }
     first_trash += static_cast<int>(shares.heads.size());

@@ -58,7 +58,8 @@ System<D>::System(Scene<D> given)
   for (const auto& named : scene.bodies) {
     const MatrixX points = named.body->space().points();
     size = std::max(size, points.cwiseAbs().maxCoeff());
-    const double radius = (points.colwise() - points.rowwise().mean()).colwise().norm().maxCoeff();
+    const Vec<D> middle = points.rowwise().mean();
+    const double radius = (points.colwise() - middle).colwise().norm().maxCoeff();
     extent = std::max(extent, 2 * radius);
   }
 }

@@ -59,6 +59,11 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material mater
   for (int e = 0; e < space_->elements(); ++e) {
     require(!interrupted(), "solid.body.interrupted");
     add_element(e, points, basis);
+    if (e > 0) continue;
+    // Most bodies have the same number of values in every element.
+    for (auto* table : {&weights_, &gradients_, &hoops_, &constants_})
+      table->reserve(table->size() * at(space_->elements()) + vector_padding);
+    functions_.reserve(functions_.size() * at(space_->elements()));
   }
   // Kernels read whole vectors.
   gradients_.resize(gradients_.size() + vector_padding);

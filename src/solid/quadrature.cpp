@@ -8,8 +8,12 @@
 
 namespace signorini::solid {
 
-QuadratureRule gauss_legendre(int n, double a, double b) {
-  require(n >= 1, "solid.quadrature.points", {{"count", n}});
+namespace {
+
+constexpr int most_known = 16;
+
+/// Points x of a rule on [−1, 1], and (1 − x²) P_n'(x)² for its weights.
+QuadratureRule roots(int n) {
   QuadratureRule rule{std::vector<double>(at(n)), std::vector<double>(at(n))};
   for (int i = 0; i < n; ++i) {
     // Newton's method on P_n from Tricomi's estimate; the three-term recurrence gives P_n and P_{n−1}.
@@ -26,9 +30,31 @@ QuadratureRule gauss_legendre(int n, double a, double b) {
       x -= step;
       if (std::abs(step) < 1e-15) break;
     }
-    rule.points[at(i)] = 0.5 * (a + b) + 0.5 * (b - a) * x;
-    // w_i = 2 / ((1 − x²) P_n'²)
-    rule.weights[at(i)] = (b - a) / ((1 - x * x) * slope * slope);
+    rule.points[at(i)] = x;
+    rule.weights[at(i)] = (1 - x * x) * slope * slope;
+  }
+  return rule;
+}
+
+/// The same, computed once for the rules of usual elements.
+const QuadratureRule& known_roots(int n) {
+  static const std::vector<QuadratureRule> known = [] {
+    std::vector<QuadratureRule> rules(1);
+    for (int count = 1; count <= most_known; ++count) rules.push_back(roots(count));
+    return rules;
+  }();
+  return known[at(n)];
+}
+
+} // namespace
+
+QuadratureRule gauss_legendre(int n, double a, double b) {
+  require(n >= 1, "solid.quadrature.points", {{"count", n}});
+  QuadratureRule rule = n <= most_known ? known_roots(n) : roots(n);
+  for (int i = 0; i < n; ++i) {
+    rule.points[at(i)] = 0.5 * (a + b) + 0.5 * (b - a) * rule.points[at(i)];
+    // w_i = 2 / ((1 − x²) P_n'²), times (b − a) / 2
+    rule.weights[at(i)] = (b - a) / rule.weights[at(i)];
   }
   return rule;
 }
