@@ -91,9 +91,9 @@ void SchurCholesky::analyze_in_order(cholmod_sparse& matrix, const std::vector<i
 
 bool SchurCholesky::order_by_degree(cholmod_sparse& matrix) {
   std::vector<int> order(at(size())), sets(at(size()), 0);
-  // CSYMAMD expects set numbers from 0 without gaps.
+  // CAMD expects set numbers below the number of unknowns.
   if (interior() > 0) sets.assign(last_.begin(), last_.end());
-  if (!cholmod_csymamd(&matrix, sets.data(), order.data(), &common_)) return false;
+  if (!cholmod_camd(&matrix, nullptr, 0, sets.data(), order.data(), &common_)) return false;
   analyze_in_order(matrix, order, false); // a postorder would move the border forward
   return true;
 }
