@@ -204,12 +204,31 @@ int write_method(lua_State* L) {
   return 0;
 }
 
+/// core.picture_bytes(picture, format, most): the bytes of a file, format "png", "svg" or "pdf". most: {width, height}
+/// in pixels, into which the picture is laid out with its own ratio of sides; nil for its own size.
+int picture_bytes(lua_State* L) {
+  luaL_checkany(L, 1);
+  const Picture* given = test_object<Picture>(L, 1);
+  require(given, "a picture is expected, got ", describe(L, 1));
+  Picture picture = *given;
+  if (!lua_isnoneornil(L, 3)) {
+    const auto most = to<std::array<int, 2>>(L, 3);
+    const double factor = std::min(1.0 * most[0] / picture.size[0], 1.0 * most[1] / picture.size[1]);
+    for (int& side : picture.size) side = static_cast<int>(factor * side + 0.5);
+  }
+  const view::Format format = view::format_of(text("picture.", to<std::string>(L, 2)));
+  push(L, view::bytes_of(figures_of({picture})(0), format, picture.transparent));
+  return 1;
+}
+
 int picture_tostring(lua_State* L) {
   push(L, self<Picture>(L).description);
   return 1;
 }
 
 constexpr Function picture_functions[] = {{"picture", picture}, {"sheet", sheet}, {"film", film}};
+
+constexpr Function picture_core[] = {{"picture_bytes", picture_bytes}};
 
 constexpr Function picture_methods[] = {{"write", write_method}, {"__tostring", picture_tostring}};
 
@@ -223,6 +242,7 @@ int push_picture(lua_State* L, Picture picture, const std::string& file) {
 
 void open_picture(lua_State* L) {
   register_functions(L, "sg", picture_functions);
+  register_functions(L, "core", picture_core);
   register_type<Picture>(L, picture_methods);
 }
 

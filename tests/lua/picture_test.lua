@@ -293,4 +293,19 @@ check.case("wrong arguments", function()
   check.fails(function() pictures[1]:write "a.gif" end, "picture:write: file 'a.gif' of a figure must end in .png")
 end)
 
+check.case("the bytes of a picture fit into a given size", function()
+  local function size_of(picture, most)
+    local bytes = core.picture_bytes(picture, "png", most)
+    return { string.unpack(">I4I4", bytes, 17) }
+  end
+  local state = sg.picture{ model = model, size = { 600, 400 } }
+  local chart = sg.chart{ { x = { 1, 2 }, y = { 1, 4 } }, size = { 800, 400 } }
+  check.equal({ table.unpack(size_of(state), 1, 2) }, { 600, 400 })
+  local width, height = table.unpack(size_of(state, { 300, 300 }))
+  check.equal({ width <= 300, height <= 300, width == 300 or height == 300 }, { true, true, true })
+  check.equal({ table.unpack(size_of(chart, { 400, 300 }), 1, 2) }, { 400, 200 })
+  check.holds(core.picture_bytes(chart, "svg"), "<svg")
+  check.fails(function() core.picture_bytes({}, "png") end, "a picture is expected")
+end)
+
 check.done()
