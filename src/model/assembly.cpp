@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace signorini::model {
 
@@ -55,20 +54,21 @@ template <int D> void Assembly<D>::build_bulk() {
   for (const Nodes& group : groups) positions += group.size() * group.size();
   bulk_positions_.reserve(positions);
   std::vector<int> found; // of an element, column by column
-  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   const auto find = [&](const Nodes& group) {
     found.clear();
-    for (const int column : group)
-      for (std::size_t first = 0; first < group.size(); first += D)
-        // The free components of a node follow each other in every column.
-        for (std::size_t i = first, next = none; i < first + D; ++i) {
-          if (group[i] < 0 || column < 0) {
-            found.push_back(trash);
-            continue;
-          }
-          if (next == none) next = at(bulk_pattern_.find(group[i], column));
-          found.push_back(static_cast<int>(next++));
+    for (const int column : group) {
+      int before = -2, next = 0; // the last unknown, and the position after it
+      for (const int row : group) {
+        if (row < 0 || column < 0) {
+          found.push_back(trash);
+          continue;
         }
+        // Unknowns with consecutive numbers, such as a node's free components, follow each other in every column.
+        const int position = row == before + 1 ? next : bulk_pattern_.find(row, column);
+        found.push_back(position);
+        before = row, next = position + 1;
+      }
+    }
   };
   std::size_t g = 0;
   for (std::size_t body = 0; body < scene_.bodies.size(); ++body) {
