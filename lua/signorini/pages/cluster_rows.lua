@@ -4,7 +4,7 @@ local core = require "signorini.core"
 local t = require "signorini.types"
 
 local rows = {
-  { "on", t.either(t.choice { "local", "slurm" }, t.list(t.text, nil, 1)), [[where the cases are solved: on
+  { "on", t.either(t.choice { "local", "slurm" }, t.one_or_more(t.text)), [[where the cases are solved: on
 this machine, by Slurm, or on hosts reached by ssh, { "ssh:host1", "ssh:host2" }; --on of the command line takes
 precedence]],
     default = "local" },
@@ -28,9 +28,9 @@ half of this; the task then returns to the queue]], unit = "seconds", default = 
 
 --- What is wrong with the values of these rows; nil if nothing is.
 function rows.conflict(given)
-  for i, host in ipairs(type(given.on) == "table" and given.on or {}) do
+  for _, host in ipairs(type(given.on) == "table" and given.on or {}) do
     if not host:find "^ssh:[^%s%-,][^%s,]*$" then
-      return ('on[%d] must be the name of a host such as "ssh:host1", got %s'):format(i, core.describe(host))
+      return ('on must be "local", "slurm" or hosts such as { "ssh:host1" }, got %s'):format(core.describe(host))
     end
   end
   local seconds = given.time and require("signorini.study.slurm").seconds(given.time)
