@@ -68,6 +68,7 @@ study:execute()
 print(study)
 study:csv(files "starter.csv")
 study:chart{ x = "mesh", y = "force", series = "order", file = files "force.png" }
+study:report(files "report.html")      -- a page for the browser, with charts, table and this script
 files:report()
 
 return study

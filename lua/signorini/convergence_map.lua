@@ -196,6 +196,8 @@ end
 
 function Map:csv(name) write_file("map:csv", name, self) end
 
+function Map:report(options) return require "signorini.report.map"(self, options) end
+
 function Map:compare(other)
   local result = { recovered = {}, lost = {}, both = 0, neither = 0 }
   for _, y in ipairs(self.y.values) do

@@ -279,7 +279,7 @@ function Run:finish(model, early)
   energy_balance.note(self.energies, model)
   jumps.close(self.jumps)
   self.warnings = run_warnings.of_run(self, model, early)
-  self.energies, self.jumps = nil, nil
+  self.jumps = nil
   return self
 end
 
@@ -320,6 +320,8 @@ function Run:csv(file)
   on_behalf_of("run:csv", "sg.csv.write", csv.write, file,
     { columns = self.names, rows = rows, comments = { self.report } })
 end
+
+function Run:html(options) return require "signorini.report.run"(self, options) end
 
 local function work_row(name, work, cutbacks)
   local mean = work.steps > 0 and work.iterations / work.steps or nil

@@ -122,8 +122,10 @@ int chart(lua_State* L) {
   }
   if (series.empty()) a.fail("at least one curve is needed, got none: add { y = {…}, label = … }");
   const std::string curves = text(series.size(), series.size() == 1 ? " curve" : " curves");
-  return push_flat(L, a, options, text("chart of ", curves),
-                   [series](const view::ChartOptions& sized) { return view::chart_figure(series, sized); });
+  return push_flat(
+      L, a, options, text("chart of ", curves),
+      [series](const view::ChartOptions& sized) { return view::chart_figure(series, sized); },
+      [series](const view::ChartOptions& sized) { return view::chart_spots(series, sized); });
 }
 
 constexpr Function chart_functions[] = {{"chart", chart}};

@@ -1,4 +1,5 @@
 #include "base/archive.hpp"
+#include "base/base64.hpp"
 #include "base/claim.hpp"
 #include "base/interrupt.hpp"
 #include "base/lock.hpp"
@@ -73,6 +74,11 @@ bool exists(const std::string& path) {
 /// it survives a power failure.
 void write_file(const std::string& file, const std::string& bytes, bool durable) {
   write_atomically(file, bytes, durable);
+}
+
+/// core.base64(bytes): their Base64 encoding on one line.
+std::string core_base64(const std::string& bytes) {
+  return base64(bytes);
 }
 
 /// core.list_folder(folder): the sorted names of its entries.
@@ -154,6 +160,7 @@ constexpr Function core_entries[] = {
     {"describe", core_describe},
     {"nearest", call<core_nearest>},
     {"number_text", core_number_text},
+    {"base64", call<core_base64>},
     {"kind", kind},
 };
 

@@ -200,8 +200,10 @@ int heatmap(lua_State* L) {
   const std::vector<view::Heat> maps = read_maps(a, options);
   // Several maps in as many rows as needed
   options.size = {1600, maps.size() == 1 ? 1000 : maps.size() <= 3 ? 850 : 1400};
-  return push_flat(L, a, options, text("heat map of ", options.x.size(), " x ", options.y.size(), " cells"),
-                   [maps](const view::HeatmapOptions& sized) { return view::heatmap_figure(maps, sized); });
+  return push_flat(
+      L, a, options, text("heat map of ", options.x.size(), " x ", options.y.size(), " cells"),
+      [maps](const view::HeatmapOptions& sized) { return view::heatmap_figure(maps, sized); },
+      [maps](const view::HeatmapOptions& sized) { return view::heatmap_spots(maps, sized); });
 }
 
 constexpr Function heatmap_functions[] = {{"heatmap", heatmap}};

@@ -204,20 +204,43 @@ int write_method(lua_State* L) {
   return 0;
 }
 
+/// The picture at `index`, made to fit into the size {width, height} in pixels at `most` with its own ratio of sides;
+/// nil for its own size.
+Picture read_sized(lua_State* L, int index, int most) {
+  luaL_checkany(L, index);
+  const Picture* given = test_object<Picture>(L, index);
+  require(given, "a picture is expected, got ", describe(L, index));
+  Picture picture = *given;
+  if (lua_isnoneornil(L, most)) return picture;
+  const auto limit = to<std::array<int, 2>>(L, most);
+  const double factor = std::min(1.0 * limit[0] / picture.size[0], 1.0 * limit[1] / picture.size[1]);
+  for (int& side : picture.size) side = static_cast<int>(factor * side + 0.5);
+  return picture;
+}
+
 /// core.picture_bytes(picture, format, most): the bytes of a file, format "png", "svg" or "pdf". most: {width, height}
 /// in pixels, into which the picture is laid out with its own ratio of sides; nil for its own size.
 int picture_bytes(lua_State* L) {
-  luaL_checkany(L, 1);
-  const Picture* given = test_object<Picture>(L, 1);
-  require(given, "a picture is expected, got ", describe(L, 1));
-  Picture picture = *given;
-  if (!lua_isnoneornil(L, 3)) {
-    const auto most = to<std::array<int, 2>>(L, 3);
-    const double factor = std::min(1.0 * most[0] / picture.size[0], 1.0 * most[1] / picture.size[1]);
-    for (int& side : picture.size) side = static_cast<int>(factor * side + 0.5);
-  }
+  const Picture picture = read_sized(L, 1, 3);
   const view::Format format = view::format_of(text("picture.", to<std::string>(L, 2)));
   push(L, view::bytes_of(figures_of({picture})(0), format, picture.transparent));
+  return 1;
+}
+
+/// core.picture_spots(picture, most): where a chart or a heat map of this size shows its points or cells: a list of {
+/// x, y, width, height, values = {{name, value}, …} } with the center in pixels from the top left corner. nil for other
+/// pictures.
+int picture_spots(lua_State* L) {
+  const Picture picture = read_sized(L, 1, 2);
+  const auto* flat = std::get_if<FlatPicture>(picture.content.get());
+  if (!flat) return 0;
+  push_list(L, flat->spots(picture.size), [&](const view::Spot& spot) {
+    const auto& [left, right, bottom, top] = spot.box;
+    push_fields(L, "x", 0.5 * (left + right), "y", picture.size[1] - 0.5 * (bottom + top), "width", right - left,
+                "height", top - bottom);
+    push_list(L, spot.values, [&](const auto& pair) { push(L, std::vector<std::string>(pair.begin(), pair.end())); });
+    lua_setfield(L, -2, "values");
+  });
   return 1;
 }
 
@@ -228,7 +251,7 @@ int picture_tostring(lua_State* L) {
 
 constexpr Function picture_functions[] = {{"picture", picture}, {"sheet", sheet}, {"film", film}};
 
-constexpr Function picture_core[] = {{"picture_bytes", picture_bytes}};
+constexpr Function picture_core[] = {{"picture_bytes", picture_bytes}, {"picture_spots", picture_spots}};
 
 constexpr Function picture_methods[] = {{"write", write_method}, {"__tostring", picture_tostring}};
 

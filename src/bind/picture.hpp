@@ -4,6 +4,7 @@
 #include "bind/functions.hpp"
 #include "view/picture.hpp"
 #include "view/series.hpp"
+#include "view/spot.hpp"
 
 #include <functional>
 #include <map>
@@ -33,6 +34,7 @@ struct SheetPicture {
 /// A chart or a heat map, which is laid out for any size in pixels.
 struct FlatPicture {
   std::function<view::Figure(const std::array<int, 2>& size)> make;
+  std::function<std::vector<view::Spot>(const std::array<int, 2>& size)> spots;
 };
 
 /// The value in Lua: a picture of any kind, and its size when drawn alone.
@@ -60,16 +62,20 @@ std::function<view::Figure(int picture)> figures_of(const std::vector<Picture>& 
 /// Pushes a picture, and writes it if the arguments name a file: called at the end of every function that makes one.
 int push_picture(lua_State* L, Picture picture, const std::string& file);
 
-/// The same for a chart or a heat map, drawn by draw(options) for a size in pixels; reads `size` and `file`.
-template <class Options, class Draw>
-int push_flat(lua_State* L, const Arguments& a, Options options, const std::string& description, Draw draw) {
+/// The same for a chart or a heat map, drawn by draw(options) for a size in pixels, with data points or cells at
+/// spots(options); reads `size` and `file`.
+template <class Options, class Draw, class Spots>
+int push_flat(lua_State* L, const Arguments& a, Options options, const std::string& description, Draw draw,
+              Spots spots) {
   a.read("size", options.size);
-  const auto make = [options, draw](const std::array<int, 2>& pixels) {
-    Options sized = options;
-    sized.size = pixels;
-    return draw(sized);
+  const auto sized = [options](const std::array<int, 2>& pixels) {
+    Options changed = options;
+    changed.size = pixels;
+    return changed;
   };
-  Picture picture = make_picture(FlatPicture{make}, description);
+  Picture picture = make_picture(FlatPicture{[=](const std::array<int, 2>& pixels) { return draw(sized(pixels)); },
+                                             [=](const std::array<int, 2>& pixels) { return spots(sized(pixels)); }},
+                                 description);
   picture.size = options.size;
   return push_picture(L, std::move(picture), a.get<std::string>("file"));
 }

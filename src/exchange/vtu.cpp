@@ -1,5 +1,6 @@
 #include "exchange/vtu.hpp"
 
+#include "base/base64.hpp"
 #include "base/error.hpp"
 
 #include <array>
@@ -13,20 +14,6 @@ namespace signorini::exchange {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the header says LittleEndian");
-
-std::string base64(std::string_view bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string result;
-  result.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::array<std::uint32_t, 3> byte{};
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    for (std::size_t k = 0; k < count; ++k) byte[k] = static_cast<unsigned char>(bytes[i + k]);
-    const std::uint32_t all = byte[0] << 16 | byte[1] << 8 | byte[2];
-    for (std::size_t k = 0; k < 4; ++k) result += k <= count ? digits[all >> (18 - 6 * k) & 63] : '=';
-  }
-  return result;
-}
 
 template <class T> constexpr const char* type_name() {
   return sizeof(T) == 1 ? "UInt8" : sizeof(T) == 4 ? "Int32" : std::is_integral_v<T> ? "Int64" : "Float64";

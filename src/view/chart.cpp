@@ -1,6 +1,7 @@
 #include "view/chart.hpp"
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "base/warning.hpp"
 #include "view/curves.hpp"
 #include "view/legend.hpp"
@@ -157,8 +158,13 @@ Range with_room(const Range& ys, bool log, bool below) {
   return {ys.low, log ? ys.high * grown : ys.high + grown};
 }
 
-Drawing draw(const std::vector<Series>& series, const ChartOptions& options) {
-  const Style style = style_for(options.size);
+/// The layout of everything in a chart.
+struct ChartPlan {
+  ChartLayout layout;
+  std::optional<PlacedInset> inset;
+};
+
+ChartPlan plan(const std::vector<Series>& series, const ChartOptions& options, const Style& style) {
   const Range xs = chart_xrange(series, options), ys = chart_yrange(series, options, xs);
   const auto within = lay_out_within(series, options, xs, ys, style);
   ChartLayout layout = within ? *within : lay_out(series, options, xs, ys, style);
@@ -172,7 +178,12 @@ Drawing draw(const std::vector<Series>& series, const ChartOptions& options) {
       inset = place_inset(series, options, layout.frame, style, layout.legend.within);
     }
   }
+  return {std::move(layout), std::move(inset)};
+}
 
+Drawing draw(const std::vector<Series>& series, const ChartOptions& options) {
+  const Style style = style_for(options.size);
+  const auto [layout, inset] = plan(series, options, style);
   const Frame& frame = layout.frame;
   Drawing drawing{options.size, {}};
   draw_grid(drawing, frame, style);
@@ -191,12 +202,37 @@ Drawing draw(const std::vector<Series>& series, const ChartOptions& options) {
   return drawing;
 }
 
+/// The position of a point along x: the name of the tick there, or the number.
+std::string place_text(double x, const std::vector<Name>& ticks) {
+  const auto tick = std::find_if(ticks.begin(), ticks.end(), [&](const Name& name) { return name.at == x; });
+  return tick == ticks.end() ? text(x) : tick->text;
+}
+
 } // namespace
 
 Figure chart_figure(const std::vector<Series>& series, const ChartOptions& options) {
   check(series, options);
   check_names(options);
   return figure_of({draw(series, options)});
+}
+
+std::vector<Spot> chart_spots(const std::vector<Series>& series, const ChartOptions& options) {
+  check(series, options);
+  check_names(options);
+  const auto [layout, inset] = plan(series, options, style_for(options.size));
+  std::vector<Spot> spots;
+  for (const Series& s : series)
+    for (std::size_t i = 0; i < s.x.size(); ++i) {
+      if (!drawn(s, i)) continue;
+      const Vec2 at = {layout.frame.x(s.x[i]), layout.frame.y(s.y[i])};
+      if (!holds(enlarged(layout.frame.box, 0.5), at) || (inset && holds(inset->outer, at))) continue;
+      Spot& spot = spots.emplace_back(Spot{{at[0], at[0], at[1], at[1]}});
+      spot.add(options.legend_title, s.label);
+      spot.add(options.xlabel, place_text(s.x[i], options.xticks));
+      spot.add(options.ylabel, text(s.y[i]));
+      if (!s.marks.empty()) spot.add(options.marks_title, options.marks[static_cast<std::size_t>(s.marks[i])]);
+    }
+  return spots;
 }
 
 } // namespace signorini::view

@@ -2,6 +2,7 @@
 // Line and scatter charts as PNG, SVG or PDF, drawn off-screen.
 
 #include "view/figure.hpp"
+#include "view/spot.hpp"
 
 #include <array>
 #include <optional>
@@ -65,5 +66,8 @@ struct ChartOptions {
 /// data without finite points, values ≤ 0 on a log axis, ticks that do not ascend, more marks than markers, or an inset
 /// without data.
 Figure chart_figure(const std::vector<Series>& series, const ChartOptions& options);
+
+/// The visible data points of the same figure, curve by curve, in their order. Throws like chart_figure().
+std::vector<Spot> chart_spots(const std::vector<Series>& series, const ChartOptions& options);
 
 } // namespace signorini::view

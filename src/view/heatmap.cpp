@@ -1,6 +1,7 @@
 #include "view/heatmap.hpp"
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "view/colorbar.hpp"
 #include "view/legend.hpp"
 #include "view/text.hpp"
@@ -68,6 +69,12 @@ Colors make_colors(const std::vector<Heat>& maps, const HeatmapOptions& options)
     require(!options.log || colors.range[0] > 0, "view.heatmap.range", {{"low", colors.range[0]}});
   }
   return colors;
+}
+
+/// None for categories.
+std::optional<Colors> colors_of(const std::vector<Heat>& maps, const HeatmapOptions& options) {
+  if (!options.categories.empty()) return std::nullopt;
+  return make_colors(maps, options);
 }
 
 std::vector<Category> present(const std::vector<Heat>& maps, const std::vector<Category>& categories) {
@@ -246,8 +253,7 @@ void draw_ticks(Drawing& drawing, const Frame& frame, const HeatmapOptions& opti
 
 Drawing draw(const std::vector<Heat>& maps, const HeatmapOptions& options) {
   const Style style = style_for(options.size);
-  std::optional<Colors> colors;
-  if (options.categories.empty()) colors = make_colors(maps, options);
+  const std::optional<Colors> colors = colors_of(maps, options);
   const HeatmapLayout layout = lay_out(maps, options, colors, style);
   const auto columns = static_cast<Eigen::Index>(options.x.size()), rows = static_cast<Eigen::Index>(options.y.size());
   const double size = text_size(maps, Cells{layout.frames[0].box, columns, rows}(0, 0), style);
@@ -281,6 +287,30 @@ Drawing draw(const std::vector<Heat>& maps, const HeatmapOptions& options) {
 Figure heatmap_figure(const std::vector<Heat>& maps, const HeatmapOptions& options) {
   check(maps, options);
   return figure_of({draw(maps, options)});
+}
+
+std::vector<Spot> heatmap_spots(const std::vector<Heat>& maps, const HeatmapOptions& options) {
+  check(maps, options);
+  const HeatmapLayout layout = lay_out(maps, options, colors_of(maps, options), style_for(options.size));
+  std::vector<Spot> spots;
+  for (std::size_t m = 0; m < maps.size(); ++m) {
+    const MatrixX& values = maps[m].values;
+    const Cells cells{layout.frames[m].box, values.cols(), values.rows()};
+    for (Eigen::Index j = 0; j < values.rows(); ++j)
+      for (Eigen::Index i = 0; i < values.cols(); ++i) {
+        const double value = values(j, i);
+        if (!std::isfinite(value)) continue;
+        const auto row = static_cast<std::size_t>(j), column = static_cast<std::size_t>(i);
+        const bool named = !options.categories.empty();
+        Spot& spot = spots.emplace_back(Spot{cells(j, i)});
+        spot.add("", maps[m].title);
+        spot.add(options.xlabel, options.x[column]);
+        spot.add(options.ylabel, options.y[row]);
+        spot.add(options.label, named ? options.categories[static_cast<std::size_t>(value)].name : text(value));
+        if (named && !maps[m].texts.empty()) spot.add("", maps[m].texts[row][column]);
+      }
+  }
+  return spots;
 }
 
 } // namespace signorini::view

@@ -4,6 +4,7 @@
 #include "base/eigen.hpp"
 #include "view/categories.hpp"
 #include "view/figure.hpp"
+#include "view/spot.hpp"
 
 #include <optional>
 
@@ -32,5 +33,8 @@ struct HeatmapOptions {
 /// their cell are omitted. Requires values and texts that match the names, and an ascending range. Throws Error on
 /// values ≤ 0 on a logarithmic scale, no finite values, or texts that leave no space for cells.
 Figure heatmap_figure(const std::vector<Heat>& maps, const HeatmapOptions& options);
+
+/// The cells of the same figure that are not blank, map by map and row by row. Throws like heatmap_figure().
+std::vector<Spot> heatmap_spots(const std::vector<Heat>& maps, const HeatmapOptions& options);
 
 } // namespace signorini::view

@@ -8,8 +8,8 @@ check.case("every name of core in the Lua part is registered or assigned there",
   local assigned = { traceback = true, on = true, chunk = true } -- after an error; the options --on and --chunk
   for file in io.popen(("find '%s/lua' -name '*.lua'"):format(core.home)):lines() do
     local text = core.read_file(file)
-    for name in text:gmatch "%f[%w_.]core%.([%a_]+)" do used[name] = file end
-    for name in text:gmatch "%f[%w_.]core%.([%a_]+)%s*=[^=]" do assigned[name] = true end
+    for name in text:gmatch "%f[%w_.]core%.([%a_][%w_]*)" do used[name] = file end
+    for name in text:gmatch "%f[%w_.]core%.([%a_][%w_]*)%s*=[^=]" do assigned[name] = true end
   end
   check.equal(used.fail ~= nil, true)
   for name, file in pairs(used) do

@@ -15,8 +15,8 @@ check.case("the starter runs as it is written", function()
   check.equal(output, "Written: study.lua; run it with: signorini study.lua\n")
   output, status = run "-q study.lua steps=3 meshes=1,2 orders=N2"
   check.equal(status, 0)
-  check.holds(output, "starter: 2 of 2 cases are done", "Written: out/starter/starter.csv", "force.png")
-  for _, name in ipairs { "starter.csv", "force.png", "N2_mesh1.png", "N2_mesh2.csv" } do
+  check.holds(output, "starter: 2 of 2 cases are done", "Written: out/starter/starter.csv", "force.png", "report.html")
+  for _, name in ipairs { "starter.csv", "force.png", "report.html", "N2_mesh1.png", "N2_mesh2.csv" } do
     check.equal(core.exists(folder .. "/out/starter/" .. name), true)
   end
   local force = require("signorini").csv.read(folder .. "/out/starter/starter.csv"):column "force"

@@ -69,7 +69,7 @@ local function draw(chart, maps, titles, panel)
   local map = maps[1]
   chart.x, chart.y, chart.xlabel, chart.ylabel = map.x.values, map.y.values, map.x.name, map.y.name
   local panels = lists.map(maps, function(one, i) return lists.merged(panel(one), { title = titles[i] }) end)
-  core.sg.heatmap(lists.merged(chart, #maps == 1 and panels[1] or { panels = panels }))
+  return core.sg.heatmap(lists.merged(chart, #maps == 1 and panels[1] or { panels = panels }))
 end
 
 --- The fixed outcomes as categories, followed by those that only these maps have.
@@ -82,8 +82,8 @@ function pictures.outcomes(map, options)
   local where = "map:picture"
   local maps, titles = read_maps(where, map, options)
   check_name(where, "text", maps, options.text)
-  draw({ file = options.file, size = options.size, categories = categories(maps), title = options.title or map.name },
-    maps, titles, function(one)
+  return draw({ file = options.file, size = options.size, categories = categories(maps),
+                title = options.title or map.name }, maps, titles, function(one)
       return { values = grid(one, function(cell) return cell.outcome end), texts = texts(one, options.text) }
     end)
 end
@@ -93,10 +93,11 @@ function pictures.heatmap(map, options)
   local maps, titles = read_maps(where, map, options)
   check_name(where, "name", maps, name)
   local label = options.label or name
-  draw({ file = options.file, size = options.size, range = options.range, colormap = options.colormap, label = label,
-         log = options.log, title = options.title or map.name .. ": " .. label }, maps, titles, function(one)
-    return { values = grid(one, function(cell) return number(cell, name) end), texts = texts(one, name) }
-  end)
+  return draw({ file = options.file, size = options.size, range = options.range, colormap = options.colormap,
+                label = label, log = options.log, title = options.title or map.name .. ": " .. label }, maps, titles,
+    function(one)
+      return { values = grid(one, function(cell) return number(cell, name) end), texts = texts(one, name) }
+    end)
 end
 
 return pictures

@@ -86,6 +86,9 @@ return {
     "sg.heatmap", "sg.film" },
   { "export, output, write results, results file", "Results are written as CSV tables, VTU files for ParaView, and "
     .. "pictures.", "run:csv", "sg.csv.write", "sg.vtu", "sg.pvd", "picture:write", "sg.nurbs.write" },
+  { "html page, web page, run report, dashboard, share results",
+    "A report is one HTML page with charts, tables, failures and the script.", "study:report", "run:html",
+    "map:report" },
   { "reaction force, contact force, contact pressure, contact stress", "Forces and pressures are results of the model, "
     .. "and columns of a run.", "model:reaction", "model:contact_resultant", "model:profile", "run:column" },
   { "python, numpy, matlab, julia, api",

@@ -2,7 +2,8 @@
 
 local chart_rows = require "signorini.pages.chart_rows"
 local cluster_rows = require "signorini.pages.cluster_rows"
-local joined = require("signorini.lists").joined
+local lists = require "signorini.lists"
+local filter, joined = lists.filter, lists.joined
 local t = require "signorini.types"
 
 local column_or_function = t.either(t.column, t.callback)
@@ -51,7 +52,31 @@ local function strings(study, column)
   end
   return list
 end
-local filter = t.either({ kind = "map", of = { kind = "any", of = strings }, names = t.column.of }, t.callback)
+local wanted = t.either({ kind = "map", of = { kind = "any", of = strings }, names = t.column.of }, t.callback)
+
+local chart_arguments = joined({
+  { "x", column_or_function, "column, or function of a row" },
+  { "y", column_or_function, "column, or function of a row" },
+  { "series", column_or_function, "column, or function of a row, with one curve per value", optional = true },
+  file,
+  "For all curves, as in sg.chart:",
+  { "markers", t.flag, "marker at each point", default = true },
+}, chart_rows.pick(chart_rows.curve, "dashed line width", {}), { "As in sg.chart:" },
+  of_chart("xlabel ylabel log title legend legend_title xrange yrange xticks hlines vlines inset size",
+    { xlabel = "the column and its unit", ylabel = "the column and its unit", title = "the study's name",
+      legend_title = "the column of series" }))
+
+local heatmap_arguments = joined({
+  { "x", parameter, "parameter" }, { "y", parameter, "parameter" },
+  { "value", column_or_function, "column, or function of a row" }, file,
+  { "texts", t.flag, [[numbers in the cells; "failed" or "error" for cases without results]], default = true },
+  "As in sg.heatmap:",
+}, of_heatmap("xlabel ylabel title label range log colormap size",
+  { xlabel = "the parameter and its unit", ylabel = "the parameter and its unit", title = "the study's name",
+    label = "the column and its unit" }))
+
+--- The rows of a picture in a report, which has no file of its own.
+local function of_reports(rows) return filter(rows, function(row) return row ~= file end) end
 
 return {
   title = "Studies",
@@ -109,17 +134,7 @@ table. Methods that select, group or add return a new study that has rows only.]
 y or series have no point. Strings and tables along x are in the order of first occurrence; a parameter with few integer
 values has ticks at these. Several rows of one curve at the same value of a parameter along x are an error unless line =
 false: select rows with study:where, or give series.]],
-    named = joined({
-      { "x", column_or_function, "column, or function of a row" },
-      { "y", column_or_function, "column, or function of a row" },
-      { "series", column_or_function, "column, or function of a row, with one curve per value", optional = true },
-      file,
-      "For all curves, as in sg.chart:",
-      { "markers", t.flag, "marker at each point", default = true },
-    }, chart_rows.pick(chart_rows.curve, "dashed line width", {}), { "As in sg.chart:" },
-      of_chart("xlabel ylabel log title legend legend_title xrange yrange xticks hlines vlines inset size",
-        { xlabel = "the column and its unit", ylabel = "the column and its unit", title = "the study's name",
-          legend_title = "the column of series" })),
+    named = chart_arguments, rows = of_reports(chart_arguments),
     example = [[study:chart{ x = "mesh", y = "error", series = "order", file = "error.png" }]] },
   { "study:cancel", [[Ends the jobs of Slurm and on hosts that solve cases of this study, and returns their number.
 Finished cases remain.]],
@@ -147,14 +162,7 @@ by other calls. study:watch() shows their state, study:cancel() ends the jobs.]]
     example = [[study:execute{ jobs = 2, rerun = "failed" }]] },
   { "study:heatmap", [[Draws a number over two parameters x and y, in the order of their values in the cases. More than
 one case in a cell is an error; select cases with study:where.]],
-    named = joined({
-      { "x", parameter, "parameter" }, { "y", parameter, "parameter" },
-      { "value", column_or_function, "column, or function of a row" }, file,
-      { "texts", t.flag, [[numbers in the cells; "failed" or "error" for cases without results]], default = true },
-      "As in sg.heatmap:",
-    }, of_heatmap("xlabel ylabel title label range log colormap size",
-      { xlabel = "the parameter and its unit", ylabel = "the parameter and its unit", title = "the study's name",
-        label = "the column and its unit" })),
+    named = heatmap_arguments, rows = of_reports(heatmap_arguments),
     example = [[study:heatmap{ x = "order", y = "mesh", value = "wall", log = true, file = "wall.png" }]] },
   { "study:median", [[Returns the study without one parameter: rows that differ only in it are replaced by one, with the
 medians of their numbers, each over the rows that have it. Use it for results that vary between repetitions, such as
@@ -167,7 +175,7 @@ be called while another process executes the study; inputs are not compared.]],
   { "study:row", [[Returns the row with these values, a table of parameters and results by name; it is an error if no
 row or several rows match.]],
     head = [[study:row{ <column> = value, … }]],
-    arguments = { { "wanted", filter, "as in study:where" } },
+    arguments = { { "wanted", wanted, "as in study:where" } },
     example = [[study:row{ order = "N2", mesh = 1 }.force]] },
   { "study:table", [[Returns the text of an aligned table, with units. For cases without results, the columns outcome
 (failed, error, crashed or time) and reason are added. Texts of more than 60 characters are shortened; study.rows and
@@ -181,7 +189,7 @@ study have ended or Ctrl-C is pressed, and returns the study with the cases done
   { "study:where", [[Returns the part of a study with these values, as a study that has rows only. A value that no case
 has is an error, except with a function.]],
     head = [[study:where{ <column> = value, … } or study:where(function(row) … end)]],
-    arguments = { { "wanted", filter,
+    arguments = { { "wanted", wanted,
                     "values, or lists of values, by column, or a function of a row that returns true" } },
     example = [[study:where{ order = "N2", mesh = {1, 2} }]] },
   { "study:with", "Returns the study with an additional result, computed from each row.",

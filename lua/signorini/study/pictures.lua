@@ -113,7 +113,9 @@ function pictures.chart(study, options)
   local is_parameter = lists.holds(study.parameters, x.pick)
   local x_of, names = read_places(where, x, rows)
   local curves = read_curves(where, study, rows, x_of, y, series, is_parameter and options.line and x.pick or nil)
-  if #curves == 0 then nothing_to_draw(where, study, ("both %s and %s"):format(x.name, y.name), options.file) end
+  if #curves == 0 then
+    nothing_to_draw(where, study, ("both %s and %s"):format(x.name, y.name), options.file or "the chart")
+  end
 
   local chart = passed_on(study, options, own_options, { xlabel = x, ylabel = y })
   chart.xticks = chart.xticks or names
@@ -181,7 +183,7 @@ function pictures.heatmap(study, options)
       if texts then chart.texts[j][i] = row and cell_text(row, number) end
     end
   end
-  if not any then nothing_to_draw(where, study, value.name, options.file) end
+  if not any then nothing_to_draw(where, study, value.name, options.file or "the map") end
   return core.sg.heatmap(chart)
 end
 
