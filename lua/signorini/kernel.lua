@@ -6,8 +6,9 @@ local show = require "signorini.show"
 
 local kernel = {}
 
---- The pixels of a picture per CSS pixel: sharp on screens with a high resolution.
-local resolution = 2
+--- The pixels of a picture per CSS pixel, for screens with a high resolution, and its largest width in CSS pixels: the
+--- classic notebook shrinks no SVG to the available width.
+local resolution, widest = 2, 720
 
 -- ── Values ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -39,21 +40,23 @@ end
 --- The formats of a value that does not become `_`.
 function kernel.value(...) return formats((...)) end
 
---- An SVG of half the size. Its definitions get other names than those of other pictures: a page that contains both
+--- An SVG of this size. Its definitions get other names than those of other pictures, because a page that contains both
 --- would mix them up.
 local pictures = 0
 local function scaled_svg(bytes, width, height)
   pictures = pictures + 1
   local prefix = ("picture%d-"):format(pictures)
   bytes = bytes:gsub(' id="', ' id="' .. prefix):gsub('href="#', 'href="#' .. prefix):gsub("url%(#", "url(#" .. prefix)
-  return (bytes:gsub('width="%d+px" height="%d+px"', ('width="%d" height="%d"'):format(width, height), 1))
+  local size = ('width="%d" height="%d"'):format(width, height)
+  return (bytes:gsub('width="%d+px" height="%d+px"', size, 1))
 end
 
 --- Shows a picture in the front end; charts and heat maps also as SVG.
 local function show_picture(picture)
   local png = core.picture_bytes(picture, "png")
   local width, height = string.unpack(">I4I4", png, 17)
-  width, height = width // resolution, height // resolution
+  local factor = math.min(1 / resolution, widest / width)
+  width, height = math.floor(factor * width + 0.5), math.floor(factor * height + 0.5)
   local text = tostring(picture)
   local is_flat = text:find "^chart" or text:find "^heat map"
   core.front_end.show { ["image/png"] = png, ["text/plain"] = text, width = width, height = height,

@@ -27,7 +27,7 @@ def look(address, screenshot, profile):
     options = webdriver.ChromeOptions()
     options.binary_location = "/usr/bin/chromium"
     for argument in ("headless", "no-sandbox", "disable-gpu", "disable-quic", "no-first-run", "disable-background-networking",
-                     "disable-component-update", "disable-sync", "disable-dev-shm-usage", "window-size=1100,3600",
+                     "disable-component-update", "disable-sync", "disable-dev-shm-usage", "window-size=1100,3000",
                      f"user-data-dir={profile}/profile"):
         options.add_argument("--" + argument)
     driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)

@@ -66,11 +66,13 @@ class Cells(Case):
         self.assertEqual(chart["metadata"]["image/png"], {"width": 400, "height": 250})
         self.assertHolds(chart["data"]["image/svg+xml"], 'width="400" height="250"')
         self.assertEqual(chart["data"]["text/plain"], "chart of 1 curve")
+        self.assertNotIn("image/svg+xml", chart["metadata"])
         self.assertEqual(self.run_cell("tostring(_)").value, '"chart of 1 curve"')
         # Names in two charts differ, because a page contains both.
         other = self.run_cell("sg.chart{ x = {1, 2}, { y = {1, 2} } }").contents("display_data")[0]
         name = chart["data"]["image/svg+xml"].split(' id="')[1].split('"')[0]
         self.assertNotIn(f'id="{name}"', other["data"]["image/svg+xml"])
+        self.assertEqual(other["metadata"]["image/png"], {"width": 720, "height": 450})
 
     def test_picture_of_a_model(self):
         result = self.run_cell("""

@@ -26,11 +26,11 @@ nl::json data_of(const Display& display) {
   return data;
 }
 
-/// The size of images on the screen: they have more pixels, for screens with a high resolution.
+/// The size of images on the screen: they have more pixels, for screens with a high resolution. SVG files state theirs.
 nl::json metadata_of(const Display& display) {
   nl::json metadata = nl::json::object();
   for (const auto& [type, bytes] : display.formats)
-    if (display.width > 0 && type.starts_with("image/"))
+    if (display.width > 0 && type == "image/png")
       metadata[type] = {{"width", display.width}, {"height", display.height}};
   return metadata;
 }
