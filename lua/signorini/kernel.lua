@@ -65,9 +65,9 @@ end
 
 -- ── Requests while typing ────────────────────────────────────────────────────────────────────────────────────────────
 
---- The code before and behind a position, which counts characters.
+--- The code before and behind a position, which counts characters; without one, a negative number, all is before it.
 local function parted(code, cursor)
-  local at = utf8.offset(code, cursor + 1) or #code + 1
+  local at = cursor >= 0 and utf8.offset(code, cursor + 1) or #code + 1
   return code:sub(1, at - 1), code:sub(at)
 end
 
@@ -84,7 +84,8 @@ function kernel.complete(code, cursor)
   end
   local word = before:sub(word_begin)
   local found = require "signorini.complete"(word, before:sub(1, word_begin - 1))
-  return found, utf8.len(before) - utf8.len(word), cursor
+  local word_end = utf8.len(before)
+  return found, word_end - utf8.len(word), word_end
 end
 
 --- The help page of the name at the cursor, otherwise of the function in whose arguments it is.

@@ -21,13 +21,20 @@ scene = """
 """
 
 
-def is_alive(pid):
-    """Whether a process exists and has not ended."""
+def status_of(pid):
+    """State and parent of a process; None if there is none."""
     try:
         with open(f"/proc/{pid}/stat") as file:
-            return file.read().rpartition(")")[2].split()[0] != "Z"
+            state, parent = file.read().rpartition(")")[2].split()[:2]
+            return state, int(parent)
     except OSError:
-        return False
+        return None
+
+
+def is_alive(pid):
+    """Whether a process exists and has not ended."""
+    status = status_of(pid)
+    return status is not None and status[0] != "Z"
 
 
 def wait_until(condition):
@@ -39,10 +46,8 @@ def wait_until(condition):
 
 
 def descendants(pid):
-    found = []
-    for child in subprocess.run(["pgrep", "-P", str(pid)], capture_output=True, text=True).stdout.split():
-        found += [int(child)] + descendants(int(child))
-    return found
+    children = [int(name) for name in os.listdir("/proc") if name.isdigit() and (status_of(name) or (0, 0))[1] == pid]
+    return children + [each for child in children for each in descendants(child)]
 
 
 class Interrupts(Case):
@@ -119,7 +124,7 @@ class Life(Case):
 
     def test_end(self):
         for code in ("", "print 'on' while true do end", """
-                sg.study{ name = "s", folder = os.tmpname() .. ".d", cases = sg.grid{ a = {1, 2} },
+                sg.study{ name = "s", folder = os.getenv "JUPYTER_DATA_DIR" .. "/study", cases = sg.grid{ a = {1, 2} },
                   run = function() print "on" while true do end end }:execute()"""):
             kernel = Kernel()
             if code:

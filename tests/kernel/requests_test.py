@@ -187,6 +187,8 @@ class Typing(Case):
         self.assertEqual(self.complete("my_v"), (["my_variable"], 0, 4))
         self.assertEqual(self.complete("xyz_unknown"), ([], 0, 11))
         self.assertIn("sg", self.complete("")[0])
+        self.assertEqual(self.complete("sg.med", 1000), (["sg.median"], 0, 6))
+        self.assertEqual(self.complete("sg.med", -1), (["sg.median"], 0, 6))
 
     def test_arguments_in_a_cell_of_several_lines(self):
         code = 'print("größe")\nbody = sg.body{ order = "N2",\n  mate }\nprint(1)'
