@@ -8,6 +8,8 @@
 #include "repl/command_line.hpp"
 #include "repl/interpreter.hpp"
 #include "repl/interrupt.hpp"
+#include "repl/kernel.hpp"
+#include "repl/kernel_spec.hpp"
 #include "repl/line_editor.hpp"
 #include "repl/prompt.hpp"
 
@@ -22,6 +24,13 @@ namespace {
 constexpr int kept_memory = 64 << 20, large_block = 16 << 20; // bytes
 
 enum Status { success = 0, failure = 1, wrong_usage = 2, stopped_by_user = 130 };
+
+[[noreturn]] void serve(const repl::CommandLine& line, const std::string& program) {
+  repl::Interpreter interpreter({line.quiet, line.threads, line.jobs, line.on, {}});
+  repl::catch_interrupts(interpreter.state());
+  interpreter.set_arguments(program, "", {});
+  repl::serve_kernel(interpreter, line.connection, line.code);
+}
 
 bool run(const repl::CommandLine& line, const std::string& program) {
   repl::Interpreter interpreter({line.quiet, line.threads, line.jobs, line.on, line.chunk});
@@ -67,11 +76,20 @@ int main(int argc, char** argv) {
       std::cout << repl::usage();
       return success;
     case repl::CommandLine::Action::doctor:
-      return bind::doctor(std::cout, line.threads, repl::readline_version()) ? success : failure;
+      return bind::doctor(std::cout, line.threads,
+                          {{"readline", repl::readline_version}, {"Jupyter", repl::kernel_description}})
+                 ? success
+                 : failure;
     case repl::CommandLine::Action::new_study:
       bind::write_new_study(line.new_study);
       std::cout << "Written: " << line.new_study << "; run it with: signorini " << line.new_study << "\n";
       return success;
+    case repl::CommandLine::Action::install_kernel:
+      std::cout << "Written: " << repl::install_kernel(repl::common_options(line)).string()
+                << "; notebooks offer the kernel Signorini\n";
+      return success;
+    case repl::CommandLine::Action::kernel:
+      serve(line, argv[0]);
     case repl::CommandLine::Action::run:
       break;
     }

@@ -138,9 +138,14 @@ local function word_page(word)
   return answer or found or no_page(word)
 end
 
-local function value_page(value)
+--- The name of the page of a function, or of the type of a value.
+local function page_name(value)
   local methods = type(value) == "table" and getmetatable(value) or nil
-  local text = pages.text(core.names[value] or core.names[methods] or core.kind(value))
+  return core.names[value] or core.names[methods] or core.kind(value)
+end
+
+local function value_page(value)
+  local text = pages.text(page_name(value))
   if text then return text end
   return type(value) == "table" and table_page(value) or ("There is no help page for a %s."):format(core.kind(value))
 end
@@ -171,6 +176,12 @@ local function look_up(path)
     value = entry
   end
   return value
+end
+
+--- What a path of names such as "sg.body" or "m:run" denotes: its value, and the page of it or of its type, or nil.
+function help.about(path)
+  local value = look_up(path)
+  return value, pages.find(path) or value ~= nil and pages.find(page_name(value)) or nil
 end
 
 --- Answers ?query at the prompt: the page of that name, else of the value with that name, else a search.

@@ -1,5 +1,5 @@
 -- Progress of a long run, on stderr: a bar that is redrawn on a terminal, one line per finished stage elsewhere,
--- nothing when the program runs quietly (-q).
+-- nothing when the program runs quietly (-q). Front ends that replace texts show both (core.replace_text).
 
 local core = require "signorini.core"
 local counted = require "signorini.counted"
@@ -19,7 +19,15 @@ end
 --- A progress display over `total` steps.
 local function start(total)
   local now = core.now()
-  return setmetatable({ total = total, done = 0, began = now, drawn = now, terminal = core.terminal }, Progress)
+  local display = { total = total, done = 0, began = now, drawn = now, terminal = core.terminal }
+  if core.replace_text then return require "signorini.kernel.progress"(display, Progress) end
+  return setmetatable(display, Progress)
+end
+
+--- The text of a bar.
+function Progress.bar_text(name, part, text)
+  local filled = math.floor(bar_width * part)
+  return ("%s [%s%s] %s"):format(name, ("#"):rep(filled), ("."):rep(bar_width - filled), text)
 end
 
 function Progress:clear()
@@ -33,8 +41,7 @@ function Progress:draw(name, part, text)
   local now = core.now()
   if now - self.drawn < redraw_after then return end
   self.drawn, self.visible = now, true
-  local filled = math.floor(bar_width * part)
-  io.stderr:write(("\r\27[K%s [%s%s] %s"):format(name, ("#"):rep(filled), ("."):rep(bar_width - filled), text))
+  io.stderr:write("\r\27[K", self.bar_text(name, part, text))
   io.stderr:flush()
 end
 

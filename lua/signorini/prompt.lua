@@ -6,11 +6,16 @@ local show = require "signorini.show"
 local prompt = {}
 core.line_locals = {}
 
+--- Assigns the first result to `_`, unless it is nil.
+function prompt.keep(...)
+  if (...) ~= nil then rawset(_G, "_", (...)) end
+end
+
 --- Shows the results of a line; the first one is then `_`, unless it is nil.
 function prompt.results(...)
   if select("#", ...) == 0 then return end
   if select("#", ...) == 1 and ... == core.sg.help then return core.sg.help() end
-  if (...) ~= nil then rawset(_G, "_", (...)) end
+  prompt.keep(...)
   show.print(...)
 end
 

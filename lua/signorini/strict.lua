@@ -26,7 +26,8 @@ local function cure(name, level)
   end
   if name == "_" then return "; at the prompt it is the last result, once there is one" end
   if core.line_locals and core.line_locals[name] then
-    return "; it was local to its line: leave out `local` at the prompt"
+    return core.front_end and "; it was local to its cell: leave out `local`"
+      or "; it was local to its line: leave out `local` at the prompt"
   end
   return require "signorini.meant"(name, names_in_sight(level + 1))
 end

@@ -74,7 +74,7 @@ std::vector<std::pair<std::string, std::string>> versions() {
           {"kernel", solid::instruction_names[static_cast<int>(solid::widest_instructions())]}};
 }
 
-bool doctor(std::ostream& out, int threads, const std::string& readline) {
+bool doctor(std::ostream& out, int threads, const std::vector<OtherLibrary>& others) {
   const auto row = [&](const char* name, const std::string& value) {
     out << std::left << std::setw(14) << name << value << std::endl;
   };
@@ -90,7 +90,7 @@ bool doctor(std::ostream& out, int threads, const std::string& readline) {
   for (const auto& [name, version] : versions()) row(name.c_str(), version);
   attempt("library", [] { return find_home().string(); });
   row("threads", std::to_string(threads));
-  row("readline", readline);
+  for (const auto& [name, description] : others) attempt(name, description);
   attempt("MUMPS", [] {
     return solve::has_mumps() ? solve::mumps_description() : "not installed, linear = \"mumps\" is not available";
   });

@@ -12,8 +12,14 @@ namespace signorini::bind {
 /// set of the element kernels. Throws Error when SIGNORINI_KERNEL names an instruction set that this machine lacks.
 std::vector<std::pair<std::string, std::string>> versions();
 
-/// `signorini --doctor`: prints these, and whether the program can draw; `readline`: version of that library. Returns
-/// whether everything works.
-bool doctor(std::ostream& out, int threads, const std::string& readline);
+/// A library of a module right of this one, and a function that describes it.
+struct OtherLibrary {
+  const char* name;
+  std::string (*description)();
+};
+
+/// `signorini --doctor`: prints these, other libraries, and whether the program can draw. Returns whether everything
+/// works.
+bool doctor(std::ostream& out, int threads, const std::vector<OtherLibrary>& others);
 
 } // namespace signorini::bind

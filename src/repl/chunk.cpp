@@ -28,9 +28,9 @@ bool is_no_statement(const std::string& code, std::string message) {
 }
 
 /// Pushes the compiled code, or an error message.
-bool compiles(lua_State* L, const std::string& code) {
+bool compiles(lua_State* L, const std::string& code, const std::string& name) {
   const std::string line = code + "\n"; // an unclosed quotation mark is an error of its own line
-  return luaL_loadbufferx(L, line.data(), line.size(), "=prompt", "t") == LUA_OK;
+  return luaL_loadbufferx(L, line.data(), line.size(), ("=" + name).c_str(), "t") == LUA_OK;
 }
 
 /// Inserts a return before the last line: several pasted lines may end with an expression.
@@ -72,19 +72,19 @@ bool asks_to_leave(lua_State* L, const std::string& line) {
   return is_free;
 }
 
-Chunk load(lua_State* L, const std::string& code) {
+Chunk load(lua_State* L, const std::string& code, const std::string& name) {
   lua_settop(L, 0);
   if (const auto wanted = query(code)) {
     push_library_function(L, "signorini.help", "ask");
     bind::push(L, *wanted);
     return Chunk::statements;
   }
-  if (compiles(L, text("return nil, ", code))) return Chunk::expression;
-  const bool well = compiles(L, code);
+  if (compiles(L, text("return nil, ", code), name)) return Chunk::expression;
+  const bool well = compiles(L, code, name);
   lua_remove(L, well || !is_no_statement(code, lua_tostring(L, -1)) ? 1 : 2);
   if (well) return Chunk::statements;
   if (unfinished(lua_tostring(L, 1))) return Chunk::unfinished;
-  const bool has_result = code.find('\n') != std::string::npos && compiles(L, with_result(code));
+  const bool has_result = code.find('\n') != std::string::npos && compiles(L, with_result(code), name);
   if (has_result) lua_insert(L, 1);
   lua_settop(L, 1);
   return has_result ? Chunk::expression : Chunk::statements;

@@ -31,8 +31,9 @@ std::string parse_place(const std::string& word) {
 } // namespace
 
 CommandLine parse(const std::vector<std::string>& words) {
-  const std::vector<std::string> known = {"-e",      "-i",    "-q",        "--threads", "--jobs",  "--on",
-                                          "--chunk", "--new", "--version", "--help",    "--doctor"};
+  const std::vector<std::string> known = {"-e",        "-i",      "-q",      "--threads", "--jobs",
+                                          "--on",      "--chunk", "--new",   "--kernel",  "--install-kernel",
+                                          "--version", "--help",  "--doctor"};
   CommandLine line;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
@@ -66,7 +67,12 @@ CommandLine parse(const std::vector<std::string>& words) {
     else if (word == "--new") {
       line.action = CommandLine::Action::new_study;
       line.new_study = value("the name of a file, such as study.lua");
-    } else if (word == "--version")
+    } else if (word == "--kernel") {
+      line.action = CommandLine::Action::kernel;
+      line.connection = value("a connection file, which Jupyter writes");
+    } else if (word == "--install-kernel")
+      line.action = CommandLine::Action::install_kernel;
+    else if (word == "--version")
       line.action = CommandLine::Action::version;
     else if (word == "--help" || word == "-h")
       line.action = CommandLine::Action::help;
@@ -84,7 +90,32 @@ CommandLine parse(const std::vector<std::string>& words) {
     } else
       line.script = word;
   }
+  const bool serves = line.action == CommandLine::Action::kernel;
+  if (serves || line.action == CommandLine::Action::install_kernel) {
+    const std::string other = line.interactive       ? "-i"
+                              : !line.script.empty() ? text("the script '", line.script, "'")
+                              : !line.chunk.empty()  ? "--chunk"
+                                                     : "";
+    if (!other.empty())
+      throw UsageError(text(serves ? "--kernel" : "--install-kernel", " cannot be combined with ", other,
+                            serves ? ". Hint: dofile \"study.lua\" in a cell runs a script"
+                                   : ". Hint: JUPYTER_DATA_DIR in the environment sets the folder of Jupyter"));
+  }
   return line;
+}
+
+std::vector<std::string> common_options(const CommandLine& line) {
+  std::vector<std::string> words;
+  const auto add = [&](const std::string& option, const std::string& value) {
+    words.push_back(option);
+    words.push_back(value);
+  };
+  if (line.quiet) words.push_back("-q");
+  if (line.threads != 1) add("--threads", std::to_string(line.threads));
+  if (line.jobs > 0) add("--jobs", std::to_string(line.jobs));
+  if (!line.on.empty()) add("--on", line.on);
+  for (const std::string& code : line.code) add("-e", code);
+  return words;
 }
 
 const char* usage() {
@@ -103,6 +134,10 @@ const char* usage() {
          "  --on WHERE      where studies are solved, also after the script: slurm, local, or ssh:host1,ssh:host2\n"
          "  --chunk FILE:N  solve chunk N of a job's cases; tasks of Slurm and hosts run this\n"
          "  --new FILE      write a commented starter study, such as study.lua\n"
+         "  --install-kernel\n"
+         "                  make this program a kernel of Jupyter notebooks, with the options -q, -e, --threads,\n"
+         "                  --jobs and --on given with it\n"
+         "  --kernel FILE   serve a notebook; Jupyter runs this with a connection file\n"
          "  --version       version\n"
          "  --help          this text\n"
          "  --doctor        versions of all libraries, and a test picture\n"

@@ -14,11 +14,12 @@ public:
 };
 
 struct CommandLine {
-  enum class Action { run, version, help, doctor, new_study };
+  enum class Action { run, version, help, doctor, new_study, kernel, install_kernel };
   Action action = Action::run;
   std::vector<std::string> code;      ///< of each -e
   std::string script;                 ///< a file, "-" for standard input, or empty
   std::string new_study;              ///< the file of --new
+  std::string connection;             ///< the file of --kernel
   std::vector<std::string> arguments; ///< of the script
   bool interactive = false;           ///< -i
   bool quiet = false;                 ///< -q
@@ -30,6 +31,9 @@ struct CommandLine {
   /// Whether only the prompt is to run.
   bool prompt_only() const { return code.empty() && script.empty(); }
 };
+
+/// The options that apply to every script, as words of a command line.
+std::vector<std::string> common_options(const CommandLine& line);
 
 /// Throws UsageError with a hint.
 CommandLine parse(const std::vector<std::string>& words);

@@ -14,6 +14,7 @@
 #include <sstream>
 #include <string_view>
 #include <unistd.h>
+#include <utility>
 
 namespace signorini::repl {
 
@@ -27,15 +28,31 @@ bool is_refusal(lua_State* L) {
   return found;
 }
 
-/// The names of library and C frames in tracebacks.
+/// The number of frames on the stack.
+int stack_depth(lua_State* L) {
+  lua_Debug frame;
+  int known = 0, beyond = 1;
+  while (lua_getstack(L, beyond, &frame)) known = std::exchange(beyond, 2 * beyond);
+  while (beyond - known > 1) {
+    const int middle = known + (beyond - known) / 2;
+    (lua_getstack(L, middle, &frame) ? known : beyond) = middle;
+  }
+  return beyond;
+}
+
+/// The names of library and C frames in tracebacks, which list the first and the last frames of a deep stack.
 std::set<std::string> library_places(lua_State* L) {
+  constexpr int listed = 12; // at each end, at least
   bind::push_table(L, "core");
   lua_getfield(L, -1, "home");
   const std::string library = text("@", lua_tostring(L, -1), "/lua/");
   lua_pop(L, 2);
   std::set<std::string> places;
   lua_Debug frame;
-  for (int level = 1; lua_getstack(L, level, &frame); ++level) {
+  const int depth = stack_depth(L);
+  for (int level = 1; level < depth; ++level) {
+    if (level > listed && level < depth - listed) level = depth - listed;
+    lua_getstack(L, level, &frame);
     lua_getinfo(L, "S", &frame);
     if (*frame.what == 'C' || std::string_view(frame.source).starts_with(library))
       places.insert(text(frame.short_src, ":"));
@@ -64,20 +81,17 @@ std::string users_frames(lua_State* L, const std::string& traceback) {
 }
 
 /// Message handler: converts any error value to text, followed by the script's traceback except for interrupts and
-/// errors without traceback; the complete traceback if it is stored for later.
+/// errors without traceback, or if it is shown later only. core.traceback is the complete one.
 int add_traceback(lua_State* L) {
   const bool later = lua_toboolean(L, lua_upvalueindex(1)), refusal = is_refusal(L);
   bind::push_error_text(L, 1);
   if (interrupted() || refusal) return 1;
   luaL_traceback(L, L, lua_tostring(L, -1), 1);
-  if (!later) {
-    bind::push(L, users_frames(L, lua_tostring(L, -1)));
-    return 1;
-  }
+  const std::string traceback = lua_tostring(L, -1);
   bind::push_table(L, "core");
-  lua_insert(L, -2);
-  lua_setfield(L, -2, "traceback");
-  lua_pop(L, 1);
+  bind::set_field(L, "traceback", traceback);
+  lua_pop(L, 2);
+  if (!later) bind::push(L, users_frames(L, traceback));
   return 1;
 }
 

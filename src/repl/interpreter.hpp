@@ -29,7 +29,7 @@ public:
   bool lost_cases() const;
 
   /// Calls the function below `arguments` values on the stack: true with all its results on the stack, or false with
-  /// the message and the traceback, which is stored in core.traceback instead if it is kept for later.
+  /// the message and, unless keep_traceback, the user's frames of the traceback, which is stored in core.traceback.
   bool call(int arguments, bool keep_traceback = false);
 
 private:

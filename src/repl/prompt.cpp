@@ -1,13 +1,10 @@
 #include "repl/prompt.hpp"
 
-#include "base/interrupt.hpp"
-#include "bind/stack.hpp"
 #include "repl/chunk.hpp"
 #include "repl/color.hpp"
-#include "repl/interrupt.hpp"
+#include "repl/execution.hpp"
 #include "repl/line_editor.hpp"
 
-#include <cstdio>
 #include <iostream>
 #include <optional>
 #include <unistd.h>
@@ -16,35 +13,12 @@ namespace signorini::repl {
 
 namespace {
 
-/// Records local variables of a line for error messages about undefined variables.
-void note_locals(lua_State* L, const std::string& code) {
-  push_library_function(L, "signorini.prompt", "note_locals");
-  bind::push(L, code);
-  lua_call(L, 1, 0);
-}
-
 /// Runs the result of load() and prints its results.
-bool run(Interpreter& interpreter, Chunk chunk) {
-  lua_State* L = interpreter.state();
-  if (!lua_isfunction(L, 1)) add_syntax_hint(L);
-  bool ok = lua_isfunction(L, 1) && interpreter.call(lua_gettop(L) - 1, true);
-  if (ok) {
-    if (chunk == Chunk::expression) lua_remove(L, 1);
-    push_library_function(L, "signorini.prompt", "results");
-    lua_insert(L, 1);
-    ok = interpreter.call(lua_gettop(L) - 1, true);
-  }
-  std::fflush(stdout);
-  const bool stopped = interrupted();
-  ok = ok && !stopped;
-  forget_interrupt(L);
-  if (stopped) {
-    push_library_function(L, "signorini.prompt", "interrupted");
-    interpreter.call(0, true);
-  }
-  if (!ok) std::cerr << painted(lua_tostring(L, -1), Color::red, STDERR_FILENO) << std::endl;
-  lua_settop(L, 0);
-  return ok;
+bool run(Interpreter& interpreter, Chunk chunk, const std::string& code) {
+  const Execution execution = execute(interpreter, chunk, code, {"signorini.prompt", "results"}, true);
+  if (!execution.ok) std::cerr << painted(execution.message, Color::red, STDERR_FILENO) << std::endl;
+  lua_settop(interpreter.state(), 0);
+  return execution.ok;
 }
 
 } // namespace
@@ -86,9 +60,8 @@ bool prompt(Interpreter& interpreter, bool quiet) {
     }
     const Chunk chunk = load(L, code);
     if (chunk == Chunk::unfinished) continue;
-    note_locals(L, code);
+    all_well = run(interpreter, chunk, code) && all_well;
     code.clear();
-    all_well = run(interpreter, chunk) && all_well;
   }
   if (!code.empty()) {
     std::cerr << "prompt: the input ends inside a statement" << std::endl;

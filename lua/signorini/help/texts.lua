@@ -11,7 +11,7 @@ signorini: isogeometric contact mechanics.
   help "orders"           order labels of discretizations such as N2-N2.2
   help "geometry"         patches and how to make them
   help "contact"          parts of a scene and its path; also support, load, material, stage
-  help "prompt"           commands and keys of the prompt
+  help "prompt"           commands and keys of the prompt; also notebook
   help "examples"         the scene used by the examples of help
   help "solving"          the pages on a subject: patches, bodies, solving, results, methods, pictures, studies, scripts
   help(sg.shapes)         the functions in a table
@@ -30,6 +30,14 @@ At the prompt:
   traceback()             shows the traceback of the last error
 A statement may extend over several lines. Local variables are lost after their line: omit `local`. The history is saved
 in ~/.local/state/signorini/history. NO_COLOR in the environment turns colors off.]],
+  notebook = [[
+Notebooks: signorini --install-kernel makes this program a kernel of Jupyter, which then offers "Signorini" notebooks.
+  the last expression     of a cell is shown; _ is the last such value
+  pictures, charts        appear below the cell if they are its last value
+  Tab, Shift-Tab          complete names and arguments, show the help page at the cursor
+  interrupt               stops a run after the current iteration; _ is the run so far
+  local x                 belongs to its cell; omit `local` for variables of the notebook
+See share/doc/notebook.md.]],
   examples = [[
 The examples use this scene, which can be typed or copied to the prompt:
 

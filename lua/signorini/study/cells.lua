@@ -1,4 +1,4 @@
--- The cells of a study's table, for texts, CSV files and reports.
+-- The cells of a study's table, for texts, CSV files, reports and notebooks.
 
 local lists = require "signorini.lists"
 local values = require "signorini.study.values"

@@ -11,14 +11,16 @@ end
 return function(bar, study, todo)
   local all, ended, failed = #study.cases, 0, 0
   local function done() return all - todo + ended end
-  return function(running)
+  local function look(running)
     bar:draw(study.name, done() / all, ("%d of %d done, %d failed, %d running, %s"):format(done(), all, failed, running,
       bar:to_go(ended / todo)))
-  end, function(entry, record)
+  end
+  return look, function(entry, record)
     ended = ended + 1
     if record.outcome ~= "done" then failed = failed + 1 end
-    if record.outcome ~= "done" or not core.terminal then
+    if record.outcome ~= "done" or not (core.terminal or core.replace_text) then
       bar:line(("%s: %d of %d: %s: %s"):format(study.name, done(), all, entry.text, outcome_text(record)))
     end
+    if ended == todo then look(0) end
   end
 end
