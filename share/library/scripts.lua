@@ -116,7 +116,7 @@ function sg.mkdir(path) end
 ---names (a list of strings)
 ---@field columns string[]
 ---nil where missing (a list of rows: each a list of numbers, strings, true or false)
----@field rows (number|string|boolean)[][]
+---@field rows table<integer|string, (number|string|boolean)[]>
 ---second header line (a list of strings; optional)
 ---@field units? string[]
 ---patterns of string.format by position or name of a column (any value; optional)
@@ -157,7 +157,7 @@ function sg.csv.read(file) end
 ---@field columns? string[]
 ---values; without rows, give lists of equal length by the names of columns (a list of rows: each a list of numbers,
 ---strings, true or false; optional)
----@field rows? (number|string|boolean)[][]
+---@field rows? table<integer|string, (number|string|boolean)[]>
 ---comment lines at the top (a list of strings; optional)
 ---@field comments? string[]
 ---@field [string] (number|string|boolean)[]
@@ -172,6 +172,37 @@ function sg.csv.read(file) end
 ---@param file string # name of the file (a string)
 ---@param data? sg.csv.write.data # the table (a table of named arguments)
 function sg.csv.write(file, data) end
+
+---@class sg.json
+sg.json = {}
+
+---Writes a value to a JSON file, atomically, names sorted; numbers are read back bitwise identical.
+---
+---A table is either a list without gaps or has names as keys. nil is not written: a name without a value is missing in
+---the file. nan and infinity are not part of JSON; leave them out. Strings must be valid UTF-8.
+---
+---Example:
+---```lua
+---sg.json.write("limits.json", { force = 0.02, meshes = {1, 2} })
+---sg.json.write("forces.json", { step = run:column "step", fy = run:column "grip.fy" })
+---```
+---@param file string # name of the file (a string)
+---@param value number|string|boolean|table # lists become arrays, tables with names objects; an empty table becomes an empty array (plain data (finite numbers, strings, true, false, or tables of these))
+function sg.json.write(file, value) end
+
+---Returns the value in a JSON file: a table, a string, a number, true, false or nil.
+---
+---Objects and arrays become tables, an empty one of either the same {}; null becomes nil, so that an array with null
+---has a gap. Numbers without fraction and exponent are integers, unless they are beyond 64 bits. Errors name the line
+---and the column of the file.
+---
+---Example:
+---```lua
+---sg.json.read("limits.json").meshes[2]  --> 2
+---```
+---@param file string # name of the file (a string)
+---@return any
+function sg.json.read(file) end
 
 ---Returns a published table supplied with the program, as sg.csv.read does; the first comment names its source and
 ---corrections.

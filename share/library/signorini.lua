@@ -4,6 +4,7 @@
 ---Isogeometric contact mechanics: what `require "signorini"` returns.
 ---@class sg
 ---@field csv sg.csv
+---@field json sg.json
 ---@field nurbs sg.nurbs
 ---@field rigid sg.rigid
 ---@field shapes sg.shapes

@@ -79,7 +79,7 @@ end
 
 function texts.data() return "number|string|boolean|table" end
 function texts.cells() return "(number|string|boolean)[]" end
-function texts.rows() return "(number|string|boolean)[][]" end
+function texts.rows() return "table<integer|string, (number|string|boolean)[]>" end
 
 local coordinates = { "[number]", "[number, number]", "[number, number, number]" }
 function texts.point(of) return union(table.move(coordinates, of.low, of.high, 1, {})) end

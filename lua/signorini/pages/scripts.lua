@@ -6,6 +6,7 @@ local model = { "model", t.object "model", "" }
 local deformed = { "deformed", t.flag, "current shape; false: reference shape", default = true }
 local file = { "file", t.text, "name of the file" }
 
+local plain_data = t.worded(t.data, "plain data (finite numbers, strings, true, false, or tables of these)")
 local help_words = t.name(function() return require("signorini.help").words() end)
 
 return {
@@ -90,6 +91,25 @@ value is written as an empty field, which is read as nil; so is an empty string.
         { "comments", t.list(t.text), "comment lines at the top", optional = true } }, t.cells), "the table" } },
     returns = {},
     example = [[sg.csv.write("a.csv", { columns = {"step", "fx"}, rows = {{1, 0.2}, {2, 0.3}} })]] },
+  { "sg.json.write", [[Writes a value to a JSON file, atomically, names sorted; numbers are read back bitwise
+identical.]],
+    arguments = { file, { "value", plain_data,
+      "lists become arrays, tables with names objects; an empty table becomes an empty array" } },
+    more = [[
+A table is either a list without gaps or has names as keys. nil is not written: a name without a value is missing in the
+file. nan and infinity are not part of JSON; leave them out. Strings must be
+valid UTF-8.]],
+    returns = {},
+    example = { [[sg.json.write("limits.json", { force = 0.02, meshes = {1, 2} })]],
+                [[sg.json.write("forces.json", { step = run:column "step", fy = run:column "grip.fy" })]] } },
+  { "sg.json.read", [[Returns the value in a JSON file: a table, a string, a number, true, false or nil.]],
+    arguments = { file },
+    more = [[
+Objects and arrays become tables, an empty one of either the same {}; null becomes nil, so that an array with null has a
+gap. Numbers without fraction and exponent are integers, unless they are beyond 64 bits. Errors name the line and the
+column of the file.]],
+    returns = t.any,
+    example = [[sg.json.read("limits.json").meshes[2]  --> 2]] },
   { "sg.reference", [[Returns a published table supplied with the program, as sg.csv.read does; the first comment names
 its source and corrections.]],
     arguments = { { "name", t.name(function() return require("signorini.reference").names() end),
