@@ -102,7 +102,7 @@ const char* usage() {
          "  --jobs N        parallel cases of a study, also after the script (default: number of processors)\n"
          "  --on WHERE      where studies are solved, also after the script: slurm, local, or ssh:host1,ssh:host2\n"
          "  --chunk FILE:N  solve chunk N of a job's cases; tasks of Slurm and hosts run this\n"
-         "  --new FILE      write a commented starter study, such as study.lua\n"
+         "  --new FILE      write a commented starter study, such as study.lua, and settings for editors\n"
          "  --version       version\n"
          "  --help          this text\n"
          "  --doctor        versions of all libraries, and a test picture\n"
