@@ -69,8 +69,11 @@ types.interval = { kind = "tuple", of = { types.number, types.number }, least = 
 function types.named(rows, rest, names) return { kind = "named", rows = rows, rest = rest, names = names } end
 
 --- The last argument of a function with positional arguments: named arguments, which messages name without a prefix. It
---- may be omitted if none of them is required.
-function types.options(rows, rest) return { kind = "named", rows = rows, rest = rest, last = true } end
+--- may be omitted if none of them is required. `or_result_of`: the page of a function whose result can be given as it
+--- is, for editors.
+function types.options(rows, rest, or_result_of)
+  return { kind = "named", rows = rows, rest = rest, last = true, or_result_of = or_result_of }
+end
 
 --- A table with any names as keys and values of one type.
 function types.map(of, least) return { kind = "map", of = of, least = least } end

@@ -170,7 +170,7 @@ function sg.csv.read(file) end
 ---sg.csv.write("a.csv", { columns = {"step", "fx"}, rows = {{1, 0.2}, {2, 0.3}} })
 ---```
 ---@param file string # name of the file (a string)
----@param data? sg.csv.write.data # the table (a table of named arguments)
+---@param data? sg.csv.write.data|sg.model.profile.result # the table, or a contact profile (a table of named arguments)
 function sg.csv.write(file, data) end
 
 ---@class sg.json

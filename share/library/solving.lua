@@ -7,7 +7,7 @@ local sg = {}
 
 ---@class (exact) sg.model.arguments
 ---the bodies (a table of names { name = … })
----@field bodies table<string, sg.body>
+---@field bodies table<string, sg.body|nil>
 ---supports of bodies and obstacles; entries with traction or pressure are loads (a table of names { name = … };
 ---optional)
 ---@field supports? table<string, (sg.support|sg.load)|nil>

@@ -124,6 +124,7 @@ function texts.named(of, place, found)
     local whole = annotation.class(place, of, found) -- which adds to `found`, too
     found[#found + 1] = whole
   end
+  if of.or_result_of then return union { class, annotation.place(of.or_result_of) .. ".result" } end
   return of.short and union { text_of(of.short[2], place, found), class } or class
 end
 

@@ -166,7 +166,7 @@ return {
 as keys. Plane strain has unit depth; in an axisymmetric model x is the radius, y the axis, and forces refer to the full
 circle.]],
     named = {
-      { "bodies", t.map(t.object "body", 1), "the bodies" },
+      { "bodies", t.map(t.or_nil(t.object "body"), 1), "the bodies" },
       { "supports", t.map(t.or_nil(t.either(t.named "support", t.named "load"))),
         "supports of bodies and obstacles; entries with traction or pressure are loads",
         optional = true },

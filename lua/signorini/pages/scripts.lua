@@ -88,7 +88,8 @@ value is written as an empty field, which is read as nil; so is an empty string.
         { "columns", t.list(t.text, nil, 1), "names of the columns", otherwise = "those of the lists, sorted" },
         { "rows", t.rows, "values; without rows, give lists of equal length by the names of columns",
           optional = true },
-        { "comments", t.list(t.text), "comment lines at the top", optional = true } }, t.cells), "the table" } },
+        { "comments", t.list(t.text), "comment lines at the top", optional = true } }, t.cells, "model:profile"),
+        "the table, or a contact profile" } },
     returns = {},
     example = [[sg.csv.write("a.csv", { columns = {"step", "fx"}, rows = {{1, 0.2}, {2, 0.3}} })]] },
   { "sg.json.write", [[Writes a value to a JSON file, atomically, names sorted; numbers are read back bitwise
