@@ -5,6 +5,7 @@ local sg, types = core.sg, core.types
 
 sg.help = require("signorini.help").show
 sg.csv = require "signorini.csv"
+sg.json = require "signorini.json"
 sg.table = require "signorini.table"
 sg.arguments = require "signorini.script_arguments"
 sg.files = require "signorini.files"
@@ -50,7 +51,7 @@ local function strict(entries, path)
       require "signorini.meant"(tostring(key), sorted_names(entries))))
   end, __tostring = function() return language.of_table(entries, path) end })
 end
-for _, name in ipairs { "shapes", "nurbs", "rigid", "csv" } do strict(sg[name], "sg." .. name) end
+for _, name in ipairs { "shapes", "nurbs", "rigid", "csv", "json" } do strict(sg[name], "sg." .. name) end
 strict(sg, "sg")
 
 print = core.offered(require "signorini.print")

@@ -1,20 +1,23 @@
 -- The tables of the functions: one page each, used for checks of calls (check.lua), help, Tab completion, the
 -- reference, and the tests of wrong calls. A page is
 --
---     { "sg.f", "What it does.", named = rows or arguments = rows, more = …, example = … }
+--     { "sg.f", "What it does.", named = rows or arguments = rows, more = …, returns = type, example = … }
 --
 -- named: the rows of one table of named arguments, sg.f{ … }; arguments: those of positional arguments, sg.f(a, b);
--- neither: it has no arguments. After loading it also has the fields `name` and `text`. may_be_empty: the table may be
--- omitted. repeats: the last row describes any number of further arguments. unchecked: the function checks its
--- arguments itself. head: the first line, if it cannot be made from the rows. more: text after the rows. example: code
--- or a list of it. The page of a type, such as "run", has fields: rows of the fields of its objects. as_given: the
--- function receives the table as it was given, checked, without defaults. rows: rows that other pages use by the page's
--- name. entries = { noun, type, text }: entries of the table of named arguments without a name. A row is { key, type,
--- text, default = …, otherwise = "the default in words", optional = true, unit = …, derived = function(values) }:
--- without one of the first three the argument is required; `derived` returns a default that depends on the values of
--- the rows before. needs, excludes: keys of which one must, or none may, be given with it, { "patch", why = "it is for
--- models" }. hidden: help and Tab do not show the row. A row that is a string is a heading. A list of rows may have
--- conflict = function(values, given), which returns nil, or a sentence if the values contradict each other.
+-- neither: it has no arguments. rest: the type of named arguments with other keys, which are errors without it. After
+-- loading it also has the fields `name` and `text`. may_be_empty: the table may be omitted. repeats: the last row
+-- describes any number of further arguments. unchecked: the function checks its arguments itself. head: the first line,
+-- if it cannot be made from the rows. more: text after the rows. example: code or a list of it. returns: the type of
+-- the result, or a list of the types of several results, {} for none; a function that returns a table of its own may
+-- have fields instead, their rows. The page of a type, such as "run", has fields: rows of the fields of its objects,
+-- and arguments and returns if these can be called. as_given: the function receives the table as it was given, checked,
+-- without defaults. rows: rows that other pages use by the page's name. entries = { noun, type, text }: entries of the
+-- table of named arguments without a name. A row is { key, type, text, default = …, otherwise = "the default in words",
+-- optional = true, unit = …, derived = function(values) }: without one of the first three the argument is required;
+-- `derived` returns a default that depends on the values of the rows before. needs, excludes: keys of which one must,
+-- or none may, be given with it, { "patch", why = "it is for models" }. hidden: help and Tab do not show the row. A row
+-- that is a string is a heading. A list of rows may have conflict = function(values, given), which returns nil, or a
+-- sentence if the values contradict each other.
 
 local core = require "signorini.core"
 local describe = require "signorini.describe"
@@ -111,10 +114,23 @@ end
 
 --- The rows of a page as help shows them: those without a name come first, as <curves>.
 function pages.shown(page)
-  local rows = pages.rows(page.named or page.arguments or page.fields or {})
+  local rows = lists.joined(pages.rows(page.named or page.arguments or {}), page.fields or {})
   if not page.entries then return rows end
   local noun, of, text = table.unpack(page.entries)
   return lists.joined({ { ("<%s>"):format(noun), of, text } }, rows)
+end
+
+--- The types of a function's results; nil if its page does not have them.
+function pages.results(page)
+  if not page.returns then return page.fields and { { kind = "named", rows = page.fields, is_result = true } } end
+  return page.returns.kind and { page.returns } or page.returns
+end
+
+--- The name of the page of a type, by the name of its objects in messages: "map" of a convergence map.
+function pages.of_objects(name)
+  for key, methods in pairs(core.types) do
+    if key == name or rawget(methods, "__name") == name then return key end
+  end
 end
 
 --- Whether the argument of a row must be given.

@@ -43,7 +43,7 @@ local function per_direction(of, endings)
     local count, dimension = sizes(owner, given)
     if not owner and count ~= dimension then return nil end -- not a body's shape, which is the better message
     return list[count]
-  end)
+  end, t.one_or_more(of))
 end
 
 --- One entry per direction.

@@ -69,8 +69,11 @@ types.interval = { kind = "tuple", of = { types.number, types.number }, least = 
 function types.named(rows, rest, names) return { kind = "named", rows = rows, rest = rest, names = names } end
 
 --- The last argument of a function with positional arguments: named arguments, which messages name without a prefix. It
---- may be omitted if none of them is required.
-function types.options(rows, rest) return { kind = "named", rows = rows, rest = rest, last = true } end
+--- may be omitted if none of them is required. `or_result_of`: the page of a function whose result can be given as it
+--- is, for editors.
+function types.options(rows, rest, or_result_of)
+  return { kind = "named", rows = rows, rest = rest, last = true, or_result_of = or_result_of }
+end
 
 --- A table with any names as keys and values of one type.
 function types.map(of, least) return { kind = "map", of = of, least = least } end
@@ -92,8 +95,9 @@ function types.either(...) return { kind = "either", ... } end
 
 --- A type that depends on the call: help, Tab and the tests use `general`; the call is checked against the type that
 --- special(owner, given, raw) returns, or against `general` if that is nil. owner: the object on which a method is
---- called; given: the named arguments of the rows before; raw: all of them, unchecked.
-function types.by(general, special) return merged(general, { special = special }) end
+--- called; given: the named arguments of the rows before; raw: all of them, unchecked. every: a type that covers all of
+--- these, if `general` does not, for editors.
+function types.by(general, special, every) return merged(general, { special = special, every = every }) end
 
 --- A point or vector with as many coordinates as the argument `key` of a row before.
 function types.point_like(key)
@@ -101,5 +105,28 @@ function types.point_like(key)
     return #given[key] == 2 and types.plane_point or types.space_point
   end)
 end
+
+-- ── Results and callbacks ────────────────────────────────────────────────────────────────────────────────────────────
+
+--- A table with these fields, as a result: names and their type in turn, record("from to", t.number, "why?", t.text); a
+--- name with a question mark may be missing.
+function types.record(...)
+  local rows, given = {}, { ... }
+  for i = 1, #given, 2 do
+    for name in given[i]:gmatch "%S+" do
+      rows[#rows + 1] = { name:match "^[^?]*", given[i + 1], optional = name:find("?", 1, true) ~= nil }
+    end
+  end
+  return { kind = "named", rows = rows, is_result = true }
+end
+
+--- A result, or an entry of a table that a script fills, that may be nil.
+function types.or_nil(of) return merged(of, { may_be_nil = true }) end
+
+--- A function: rows of its parameters, { name, type }, and the types of its results.
+function types.callback_of(takes, ...) return { kind = "function", takes = takes, gives = { ... } } end
+
+--- A function of a row or a case of a study, a table by name.
+function types.of_row(...) return types.callback_of({ { "row", types.map(types.any) } }, ...) end
 
 return types

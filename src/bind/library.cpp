@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <thread>
 #include <unistd.h>
 #include <vector>
@@ -73,6 +74,21 @@ void write_new_study(const std::string& file) {
   require(!std::filesystem::exists(file), "--new: the file '", file,
           "' exists already and is not overwritten: choose another name");
   write_atomically(file, read_file((find_share() / "starter.lua").string()));
+}
+
+std::string write_editor_settings(const std::string& study) {
+  using Json = nlohmann::ordered_json;
+  const fs::path folder = fs::path(study).parent_path();
+  for (const char* name : {".luarc.json", ".luarc.jsonc"}) {
+    const fs::path file = folder / name;
+    if (fs::exists(file)) return text("Kept: ", file.string(), ", the settings of editors; see share/doc/editor.md");
+  }
+  const Json settings = {{"runtime.version", "Lua 5.4"},
+                         {"workspace.library", Json::array({fs::weakly_canonical(find_share() / "library").string()})},
+                         {"workspace.checkThirdParty", false}};
+  const std::string file = (folder / ".luarc.json").string();
+  write_atomically(file, settings.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return text("Written: ", file, ", by which editors with a Lua language server complete and check scripts");
 }
 
 void open_library(lua_State* L, const Settings& settings) {

@@ -31,6 +31,10 @@ std::string find_script(const std::string& name);
 /// name does not end with .lua, or it cannot be written.
 void write_new_study(const std::string& file);
 
+/// Writes .luarc.json next to a study, which tells Lua language servers where the definitions of this library are;
+/// existing settings are kept. Returns a line about what was done.
+std::string write_editor_settings(const std::string& study);
+
 /// Opens Lua's own libraries, the bindings (module "signorini.core"), and package.path: the library first, the supplied
 /// scripts last.
 void open_library(lua_State* L, const Settings& settings);

@@ -133,7 +133,7 @@ const char* usage() {
          "  --jobs N        parallel cases of a study, also after the script (default: number of processors)\n"
          "  --on WHERE      where studies are solved, also after the script: slurm, local, or ssh:host1,ssh:host2\n"
          "  --chunk FILE:N  solve chunk N of a job's cases; tasks of Slurm and hosts run this\n"
-         "  --new FILE      write a commented starter study, such as study.lua\n"
+         "  --new FILE      write a commented starter study, such as study.lua, and settings for editors\n"
          "  --install-kernel\n"
          "                  make this program a kernel of Jupyter notebooks, with the options -q, -e, --threads,\n"
          "                  --jobs and --on given with it\n"

@@ -1,6 +1,8 @@
--- A harness of one page: cases with names, a few comparisons, and the program run as a user runs it.
+-- A harness of one page: cases with names, a few comparisons, and the program run as a user runs it. All valid calls of
+-- a test must conform to the definitions for editors.
 
 local core = require "signorini.core"
+require("conformity").watch_calls()
 
 local check = {}
 

@@ -119,7 +119,10 @@ end)
 
 check.case("every example runs on the scene of the examples, with the stated results", function()
   local folder = check.folder()
-  local lines = { "sg = require 'signorini' help = sg.help", "local text = require('signorini.show').text",
+  local lines = { "sg = require 'signorini' help = sg.help",
+    ("package.path = %q .. package.path"):format(core.home .. "/tests/lua/?.lua;"),
+    "require('conformity').watch_calls() require('conformity').watch_results()",
+    "local text = require('signorini.show').text",
     require("signorini.help.texts").scene, [[
     local function example(name, code, expected)
       local own = setmetatable({}, { __index = _G })
@@ -151,6 +154,15 @@ check.case("every example runs on the scene of the examples, with the stated res
   end
   check.equal(status, 0)
   check.equal(count > 60, true)
+end)
+
+check.case("every page of a function has the types of its results", function()
+  for _, name in ipairs(pages.names()) do
+    if (type(names.value(name)) == "function" or name == "traceback") and not pages.results(pages.find(name)) then
+      error(("%s: its page lacks returns = <type of the result>, or {} if there is none; see lua/signorini/pages.lua")
+        :format(name))
+    end
+  end
 end)
 
 check.case("every function has an example", function()

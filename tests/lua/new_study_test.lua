@@ -1,4 +1,4 @@
--- signorini --new: the study that it writes runs, and nothing that exists is overwritten.
+-- signorini --new: the study that it writes runs, editors find the definitions, and nothing that exists is overwritten.
 
 local check = require "check"
 local core = require "signorini.core"
@@ -12,7 +12,8 @@ end
 check.case("the starter runs as it is written", function()
   local output, status = run "--new study.lua"
   check.equal(status, 0)
-  check.equal(output, "Written: study.lua; run it with: signorini study.lua\n")
+  check.equal(output, "Written: study.lua; run it with: signorini study.lua\nWritten: .luarc.json, by which editors "
+    .. "with a Lua language server complete and check scripts\n")
   output, status = run "-q study.lua steps=3 meshes=1,2 orders=N2"
   check.equal(status, 0)
   check.holds(output, "starter: 2 of 2 cases are done", "Written: out/starter/starter.csv", "force.png", "report.html")
@@ -28,6 +29,29 @@ check.case("the starter runs as it is written", function()
     check.equal(record.results.wall > 0 and record.results.wall < record.wall, true)
   end
   check.holds(run "study.lua help", "orders", "meshes", "steps")
+end)
+
+check.case("settings for editors: the definitions are where they say, and existing settings are kept", function()
+  local text = core.read_file(folder .. "/.luarc.json")
+  local settings = core.read_json(text)
+  local shown = core.read_file(core.home .. "/share/doc/editor.md"):match "```json\n(.-)```"
+  local function installed() return settings["workspace.library"][1] end
+  check.equal(shown:gsub("<prefix>/share/signorini/library", installed), text)
+  check.equal(settings["runtime.version"], "Lua 5.4")
+  check.equal(#settings["workspace.library"], 1)
+  check.equal(settings["workspace.library"][1]:sub(1, 1), "/")
+  check.holds(core.read_file(settings["workspace.library"][1] .. "/signorini.lua"), "---@meta signorini")
+  core.write_file(folder .. "/.luarc.json", "{}")
+  local output, status = run "--new second.lua"
+  check.equal(status, 0)
+  check.holds(output, "Written: second.lua", "Kept: .luarc.json, the settings of editors")
+  check.equal(core.read_file(folder .. "/.luarc.json"), "{}")
+  core.mkdir(folder .. "/other")
+  core.write_file(folder .. "/other/.luarc.jsonc", "{} // mine")
+  check.holds(run "--new other/study.lua", "Written: other/study.lua", "Kept: other/.luarc.jsonc")
+  check.equal(core.exists(folder .. "/other/.luarc.json"), false)
+  core.mkdir(folder .. "/third")
+  check.holds(run "--new third/study.lua", "Written: third/study.lua", "Written: third/.luarc.json")
 end)
 
 check.case("a file that exists stays, a folder must be there, and the name ends with .lua", function()

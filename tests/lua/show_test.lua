@@ -80,7 +80,7 @@ check.case("functions by the head of their page or their place, tables of the la
   check.equal(show.text(sg.csv), "sg.csv: see help(sg.csv)\n  read, write")
   check.equal(tostring(sg), show.text(sg))
   check.holds(tostring(sg), "sg: see help(sg)\n  arguments, body,",
-    "\n  csv:\n    read, write\n  nurbs:\n    arc, circle,")
+    "\n  csv:\n    read, write\n  json:\n    read, write\n  nurbs:\n    arc, circle,")
 end)
 
 check.case("print begins a line for each value where one has a text of its own, else it is Lua's", function()

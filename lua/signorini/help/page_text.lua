@@ -85,7 +85,16 @@ local function add_rows(lines, rows, indent)
   end
 end
 
-local page_text = {}
+--- Where to read about the object that a function returns, if it does.
+local function result_text(page)
+  local of = page.returns and pages.results(page)[1]
+  local object = of and of.kind == "list" and of.of or of
+  if not object or object.kind ~= "object" then return nil end
+  local name = pages.of_objects(object.name)
+  return not page.name:find("^" .. name .. ":") and ('Result: see help "%s".'):format(name) or nil
+end
+
+local page_text = { row = row_text }
 
 --- The code of a page's examples, a list.
 function page_text.examples(page)
@@ -104,6 +113,7 @@ function page_text.whole(page, without_examples)
     add_rows(lines, pages.shown(page), "")
   end
   if page.more then add_text(lines, page.more) end
+  lines[#lines + 1] = result_text(page)
   for _, code in ipairs(without_examples and {} or page_text.examples(page)) do
     lines[#lines + 1] = "Example: " .. code:gsub("\n", "\n         ")
   end

@@ -84,16 +84,20 @@ return {
   { "plot, plotting, graph, image, visualization, postprocessing, animation",
     "sg.picture draws states, sg.chart curves, sg.heatmap maps, sg.film animations.", "sg.picture", "sg.chart",
     "sg.heatmap", "sg.film" },
-  { "export, output, write results, results file", "Results are written as CSV tables, VTU files for ParaView, and "
-    .. "pictures.", "run:csv", "sg.csv.write", "sg.vtu", "sg.pvd", "picture:write", "sg.nurbs.write" },
+  { "export, output, write results, results file", "Results are written as CSV tables, JSON, VTU files for ParaView, "
+    .. "and pictures.", "run:csv", "sg.csv.write", "sg.json.write", "sg.vtu", "sg.pvd", "picture:write",
+    "sg.nurbs.write" },
   { "html page, web page, run report, dashboard, share results",
     "A report is one HTML page with charts, tables, failures and the script.", "study:report", "run:html",
     "map:report" },
   { "reaction force, contact force, contact pressure, contact stress", "Forces and pressures are results of the model, "
     .. "and columns of a run.", "model:reaction", "model:contact_resultant", "model:profile", "run:column" },
   { "python, numpy, matlab, julia, api",
-    "Scripts are in Lua only. CSV and VTU files of results can be read in Python and other programs.", "run:csv",
-    "sg.vtu" },
+    "Scripts are in Lua only. CSV, JSON and VTU files of results can be read in Python and other programs.", "run:csv",
+    "sg.json.write", "sg.vtu" },
+  { "editor, ide, vscode, vs code, neovim, helix, language server, autocomplete, linter",
+    "Editors with a Lua language server complete and check scripts by the settings that signorini --new writes: "
+    .. "share/doc/editor.md.", "sg.help" },
   { "gui, graphical interface", "A graphical interface is not available: use scripts or the prompt, and pictures or "
     .. "ParaView.", "sg.picture", "sg.vtu" },
 }

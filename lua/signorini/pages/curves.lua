@@ -24,14 +24,17 @@ return {
     named = { { "degree", patch_types.degree, "polynomial degree" },
               { "knots", t.numbers(), "open knot vector" }, points, weights },
     more = "The ends of an open knot vector are repeated degree + 1 times; it has points + degree + 1 knots in all.",
+    returns = patch,
     example = "sg.nurbs.curve{ degree = 2, knots = {0, 0, 0, 1, 1, 1}, points = {{0, 0}, {1, 2}, {2, 0}} }" },
   { "sg.nurbs.surface", "Returns a tensor-product NURBS surface in 2D or 3D.",
     named = tensor(2),
+    returns = patch,
     example = [[
 sg.nurbs.surface{ degrees = {1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}},
                   points = {{0, 0}, {1, 0}, {0, 1}, {1, 1}} }]] },
   { "sg.nurbs.volume", "Returns a tensor-product NURBS volume; points run fastest in xi1, then in xi2.",
     named = tensor(3),
+    returns = patch,
     example = [[
 sg.nurbs.volume{ degrees = {1, 1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}},
                  points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
@@ -39,23 +42,28 @@ sg.nurbs.volume{ degrees = {1, 1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0
   { "sg.nurbs.line", "Returns a straight line of degree 1.",
     named = { { "from", t.point, "first end", unit = "length" },
               { "to", t.point_like "from", "other end", unit = "length" } },
+    returns = patch,
     example = "sg.nurbs.line{ from = {0, 0}, to = {3, 0} }" },
   { "sg.nurbs.arc", [[Returns an exact circular arc of degree 2, one segment per 90 degrees or part of them;
 counterclockwise if the angle increases. A center in 3D gives an arc parallel to the x-y plane.]],
     named = { radius, { "from", t.number, "first angle", unit = "degrees" },
               { "to", t.number, "last angle", unit = "degrees" }, center },
+    returns = patch,
     example = "sg.nurbs.arc{ radius = 0.5, from = 180, to = 360 }" },
   { "sg.nurbs.circle", "Returns a full circle of four exact quarter arcs of degree 2.",
     named = { radius, center },
+    returns = patch,
     example = "sg.nurbs.circle{ radius = 1 }" },
   { "sg.nurbs.ruled", [[Returns the ruled surface between two curves, or the ruled volume between two surfaces, which
 are first brought to common degrees and knots; the new direction is the last one.]],
     named = { { "a", patch, "start" }, { "b", patch, "end" } },
+    returns = patch,
     example = "sg.nurbs.ruled{ a = sg.nurbs.circle{ radius = 2 }, b = sg.nurbs.circle{ radius = 1 } }" },
   { "sg.nurbs.extrude", "Extrudes a curve or a surface along a vector; the new direction is the last one, of degree 1.",
     named = { { "patch", patch, "curve or surface to extrude" },
               { "along", t.point, "extrusion vector; if it has 3 numbers, a plane patch is placed in z = 0",
                 unit = "length" } },
+    returns = patch,
     example = { "sg.nurbs.extrude{ patch = sg.nurbs.line{ from = {0, 0}, to = {1, 0} }, along = {0, 2} }",
                 "sg.nurbs.extrude{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 2 }, along = {0, 0, 1} }" } },
   { "sg.nurbs.revolve", "Revolves a curve or a surface about an axis, exactly; the new direction is the last one.",
@@ -67,6 +75,7 @@ are first brought to common degrees and knots; the new direction is the last one
               { "angle", t.number, "", default = 360, unit = "degrees" } },
     more = [[With the default axis of a plane patch, x is the radius as in axisymmetric models, and a right-handed patch
 at x > 0 gives a right-handed volume.]],
+    returns = patch,
     example = {
       "sg.nurbs.revolve{ patch = sg.nurbs.line{ from = {1, 0, 0}, to = {1, 0, 2} }, angle = 180 }",
       "sg.nurbs.revolve{ patch = sg.shapes.rectangle{ width = 1, height = 2, corner = {3, 0} }, angle = 90 }" } },
@@ -76,6 +85,7 @@ boundary surfaces, whose corners meet. west and east run along xi2, south and no
               { "south", patch, "where xi2 starts" }, { "north", patch, "where xi2 ends" },
               { "front", patch, "where xi3 starts; for volumes", optional = true },
               { "back", patch, "where xi3 ends; for volumes", optional = true } },
+    returns = patch,
     example = [[
 line = sg.nurbs.line
 sg.nurbs.coons{ west = line{ from = {0, 0}, to = {0, 1} }, east = line{ from = {1, 0}, to = {1, 2} },
@@ -89,6 +99,7 @@ beginning of the file:]],
   the text file of GeoPDEs and the NURBS toolbox, versions 0.7, 1.0 and 2.1, one or several patches
   MFEM NURBS mesh v1.0 with a section `patches`
 Interfaces between patches and boundaries are not read. Errors in a file are reported with file and line.]],
+    returns = t.list(patch),
     example = [=[
 sg.shapes.half_annulus{ inner = 1, outer = 2 }:write "bracket.xml"
 bracket = sg.nurbs.read("bracket.xml")[1]]=] },
@@ -100,5 +111,6 @@ read back bitwise identical.]],
   "geopdes": .txt, text file of GeoPDEs, version 2.1, without interfaces
   "mfem":    .mesh, MFEM NURBS mesh v1.0 of one patch; the attributes of its sides are west 1, east 2, south 3, north 4,
              front 5, back 6]],
+    returns = {},
     example = 'sg.nurbs.write("annulus.txt", sg.shapes.half_annulus{ inner = 1, outer = 2 })' },
 }

@@ -122,6 +122,7 @@ are directions of view, not names of faces]],
     },
     more = [[In .svg and .pdf, lines and texts are vectors, fields and surfaces are images. Surfaces of solids are
 slightly shaded: those that face the light have the colors of the bar.]],
+    returns = t.object "picture",
     example = {
       [[sg.picture{ model = model, field = "uy", file = "die.png" }]],
       [[sg.picture{ model = model, field = "syy", contours = true, mesh = false, file = "levels.png" }]],
@@ -143,6 +144,7 @@ color bar share a range of colors; "own": each has its own range and bar; {low, 
 all]], default = "shared" },
       (paper "1600 x 2000"), scale, transparent, file,
     },
+    returns = t.object "picture",
     example = {
       [[local pictures = {}
 model:run(stages, { on_step = function(info)
@@ -163,6 +165,7 @@ and range of colors, unless given otherwise. They must have the same contents an
       { "size", size, "as in sg.picture", otherwise = "that of the first picture", unit = "pixels" },
       scale, transparent,
     },
+    returns = {},
     example = [[local pictures = {}
 for i, state in ipairs(run:states()) do pictures[i] = sg.picture{ state = state, field = "uy", size = 800 } end
 sg.film{ pictures, fps = 5, file = "press.ogv" }]] },
@@ -171,5 +174,6 @@ model. picture:write writes it; sg.sheet and sg.film combine it with others.]],
     example = [[print(sg.picture{ model = model, field = "uy" })]] },
   { "picture:write", "Writes the picture to a file, atomically.",
     arguments = { { "file", t.text, "file name that ends with .png, .svg or .pdf" } },
+    returns = {},
     example = [[sg.picture{ model = model, field = "uy" }:write "die.pdf"]] },
 }

@@ -6,14 +6,18 @@ local t = require "signorini.types"
 local a_contact = { "contact", t.name(function(model) return model:contact_names() end), "name of a contact" }
 local a_tie = { "tie", t.name(function(model) return model:tie_names() end), "name of a tie" }
 local profile = t.table("a contact profile", "use the result of model:profile")
-local coordinate = { "coordinate", t.worded(t.either(t.text, t.callback),
+local coordinate = { "coordinate", t.worded(t.either(t.text, t.callback_of({ { "point", t.map(t.any) } }, t.number)),
   "the name of a column such as \"x\", or a function of a point"), [[a column such as "x" (deformed) or "X" (reference),
 or a function of a point { x =, y =, pressure =, … }; it is the s of the integral. It must increase along the contact
 zone; points beyond, where it decreases, are left out]], default = "x" }
 
+local force = t.record("fx fy fz? moment?", t.number)
+force.entries = { "component", t.number }
+
 local error_rows = {
   { "profile", profile, "the measured profile" },
-  { "reference", t.worded(t.either(t.table(), t.callback), "a contact profile"), [[another profile, or a function of the
+  { "reference", t.worded(t.either(t.table(), t.callback_of({ { "s", t.number } }, t.number)),
+    "a contact profile"), [[another profile, or a function of the
 coordinate]] },
   coordinate,
   { "value", t.choice { "pressure", "traction" }, "compared quantity", default = "pressure" },
@@ -50,6 +54,8 @@ area.
 In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is `traction`; -t_T acts
 on the slave. Reading any other field is an error.]],
     arguments = { a_contact },
+    returns = t.record("x y X Y area pressure traction gap", t.numbers(), "state", t.list(t.text), "z? Z? tx? ty? tz?",
+      t.numbers()),
     example = "model:profile(\"interface\").pressure" },
   { "model:sample", "Returns a field's value at a parametric point of a body.",
     arguments = {
@@ -59,12 +65,14 @@ on the slave. Reading any other field is an error.]],
 of a slave face, on which xi must be]] },
       { "xi", t.worded(t.point, "a list of 2 numbers {xi1, xi2}, in 3D of 3"), "parametric coordinates" },
     },
+    returns = t.number,
     example = "model:sample(\"slab\", \"uy\", {0.5, 1})" },
   { "model:energy", [[Returns { stored, contact, friction, work, area_growth }: strain energy of the bodies; energy of
 penalty springs or of adhesion; and, summed over all accepted steps (trapezoidal rule), dissipation by friction; work of
 supports and loads; energy of the springs times the growth of the area on which they act, zero for contacts with per =
 "reference". Per unit depth in plane strain. work + area_growth = stored + contact + friction in the limit of small
 steps (with friction: and of small penetration): see share/doc/theory.md, Output quantities.]],
+    returns = t.record("stored contact friction work area_growth", t.number),
     example = "model:energy().stored" },
   { "model:reaction", [[Returns the force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, followed,
 for a support that rotates, by the moment about its center (in 3D about the axis); for a load, its force. Also by name:
@@ -73,12 +81,15 @@ fx, fy, fz, moment.]],
       local names = model:support_names()
       return table.move(model:load_names(), 1, #model:load_names(), #names + 1, names)
     end), "a support or a load" } },
+    returns = force,
     example = "model:reaction(\"grip\").fy" },
   { "model:contact_law", [[Returns the constants of a contact: { method, enforcement, per, points, penalty,
 default_penalty }, as given to sg.model or by default; default_penalty is true where the penalty is from material and
 mesh. With friction also mu, friction_penalty; with method = "mortar" multipliers; with adhesion { method, per, points,
 hamaker, r0 }. print(model) shows them.]],
     arguments = { a_contact },
+    returns = t.record("method per", t.text, "enforcement? multipliers?", t.text, "points", t.count,
+      "penalty? mu? friction_penalty? hamaker? r0?", t.number, "default_penalty?", t.flag),
     example = "model:contact_law(\"interface\").penalty" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, per,
 unsettled, crossed }: the force on the slave (fz in 3D), the current area in contact (with method = "mortar" and with
@@ -90,6 +101,9 @@ or slip point ended at the limit of iterations; unsettled_at is the reference po
 crossed, crossed_at: the same for points that passed through the master
 since the previous state without contact.]],
     arguments = { a_contact },
+    returns = t.record("fx fy", t.number, "fz?", t.number, "area max_pressure max_penetration", t.number,
+      "weighted_penetration? imbalance?", t.number, "active slipping unsettled crossed", t.integer(0), "per", t.text,
+      "unsettled_at? crossed_at?", t.point),
     example = "model:contact_resultant(\"interface\").area" },
   { "model:tie_profile", [[Returns lists along the slave face of a tie, one entry per quadrature point opposite the
 master: x, y (current), X, Y (reference), area (reference area with the point's weight), tx, ty (traction of the master
@@ -98,22 +112,26 @@ on the slave per reference area), pressure (its part against the slave's current
 two faces have moved apart, which vanishes in the weighted mean only). In 3D also z, Z, tz. Points are ordered by
 elements of the slave face, which are divided at the borders of the master's elements.]],
     arguments = { a_tie },
+    returns = t.record("x y X Y area tx ty pressure traction jump z? Z? tz?", t.numbers()),
     example = "coated:tie_profile(\"seam\").pressure" },
   { "model:tie_resultant", [[Returns { fx, fy, fz, area, part, distance }: the force of the master on the slave (fz in
 3D), the tied reference area, its fraction of the slave face, and the largest distance of the two faces in the reference
 shape (relative to the elements there).]],
     arguments = { a_tie },
+    returns = t.record("fx fy fz? area part distance", t.number),
     example = "coated:tie_resultant(\"seam\").fy" },
   { "sg.profile_error", [[Returns the L2 error sqrt(integral of ((p - p_ref)/N)^2 ds) of a contact profile against a
 reference, and { from, to, points, scale, covered }: the range and the number of points of the integral, N, and the
 fraction of the zone (where either one touches) that the range covers. Ranges that do not overlap are an error.]],
     named = error_rows,
     more = "Source: V. Agrawal, thesis, IIT Guwahati 2020, eq. (7.2), which leaves the points of the integral open.",
+    returns = { t.number, t.record("from to", t.number, "points", t.count, "scale covered", t.number) },
     example = [[
 sg.profile_error{ profile = model:profile "interface", reference = finer:profile "interface", normalize = "max" }]] },
   { "sg.profile_edges", [[Returns the ends of the contact zone of a profile: { from, to, from_spacing, to_spacing }. An
 edge is where the gap, linear between the last point in contact and the first open one, is zero; the spacing is the
 distance of these two points, the accuracy of the edge. Without spacing, contact extends to the profile's end.]],
     named = { { "profile", profile, "the measured profile" }, coordinate },
+    returns = t.record("from to from_spacing? to_spacing?", t.number),
     example = "half_width = sg.profile_edges{ profile = model:profile \"interface\" }.to" },
 }

@@ -15,8 +15,9 @@ slave.cure = function(value)
     or nil
 end
 
-local region = { kind = "function", cure = "write a function of a reference position of the slave face, as in "
-  .. "function(X) return X[1] <= 150 end" }
+local region = t.callback_of({ { "X", t.numbers() } }, t.any)
+region.cure = "write a function of a reference position of the slave face, as in "
+  .. "function(X) return X[1] <= 150 end"
 
 local contact = {
   { "slave", slave, [[face over which contact is integrated; pressures are computed at its contact points. Use the finer
@@ -165,17 +166,18 @@ return {
 as keys. Plane strain has unit depth; in an axisymmetric model x is the radius, y the axis, and forces refer to the full
 circle.]],
     named = {
-      { "bodies", t.map(t.object "body", 1), "the bodies" },
-      { "supports", t.map(t.either(t.named "support", t.named "load")),
+      { "bodies", t.map(t.or_nil(t.object "body"), 1), "the bodies" },
+      { "supports", t.map(t.or_nil(t.either(t.named "support", t.named "load"))),
         "supports of bodies and obstacles; entries with traction or pressure are loads",
         optional = true },
-      { "loads", t.map(t.named "load"), "external forces", optional = true },
-      { "contacts", t.map(t.named "contact"), "pairs of faces that may touch", optional = true },
-      { "ties", t.map(t.named "tie"), "pairs of faces that move as one", optional = true },
+      { "loads", t.map(t.or_nil(t.named "load")), "external forces", optional = true },
+      { "contacts", t.map(t.or_nil(t.named "contact")), "pairs of faces that may touch", optional = true },
+      { "ties", t.map(t.or_nil(t.named "tie")), "pairs of faces that move as one", optional = true },
       { "kind", t.choice { "plane_strain", "axisymmetric" }, "plane strain, or a section of bodies of revolution",
         otherwise = '"plane_strain" for plane bodies' },
     },
     more = 'The load path: help "stage".',
+    returns = t.object "model",
     example = { [[
 sg.model{
   bodies   = { die = die, slab = slab },

@@ -34,6 +34,7 @@ path; help "results" and help "methods" list the other methods.]] },
 these, too): bodies that overlap before the first step by more than 1 % of the thickness of the thinner one, Poisson's
 ratios that lock, mu above 3, penalties above 1e8 times the stiffness of an element, contacts that act twice. About the
 current state: inverted linear elastic bodies. run.warnings starts with these.]],
+    returns = t.list(t.text),
     example = "model:warnings()  --> {}" },
   { "model:run", [[Solves a model along its load path and returns a run. A further run continues from the
 model's state; its steps are counted from 1 again.]],
@@ -68,6 +69,7 @@ increments, iterations, wall; <support>.fx, .fy, in 3D .fz, .moment if it rotate
 Source: Newton's steps (4.33) to (4.35), freeze_active_set 4.5.2 of V. Agrawal, thesis, IIT Guwahati, 2020;
 augmentation: J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992); arc_length: E. Riks, J. Appl. Mech. 39 (1972), H. B.
 Keller, in Applications of Bifurcation Theory, Academic Press, 1977.]],
+    returns = t.object "run",
     example = "model:run{ { name = \"press\", steps = 46, grip = {0, -0.23} } }" },
   { "stage", "A part of the load path: leads in equal steps to the values at its end.",
     head = "model:run{ { name, steps, <support or load> = {…} }, … }: stages, a list",
@@ -75,6 +77,7 @@ Keller, in Applications of Bifurcation Theory, Academic Press, 1977.]],
       { "name", t.text, "name in reports and on_step", otherwise = '"stage 1" and so on' },
       { "steps", t.count, "number of steps" },
     },
+    rest = t.any,
     more = [[
 Any other key is the name of a driven support or a load: the values at the stage's end, in the order of its driven
 components (lengths, then the angle in degrees) or of the traction; a single value needs no braces. Supports and loads
@@ -90,11 +93,13 @@ model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
 Use it to keep these controls with arc_length = true, which otherwise switches them off: they are then tried before arc
 length, and may leave the path that arc length would follow.]], named = "model:run", may_be_empty = true, as_given =
 true,
+    returns = t.named "model:run",
     example = "model:run(stages, sg.robust{ arc_length = true, step = { adaptive = true, min = 1/256 } })" },
   { "sg.plain", [[Returns options of model:run for plain Newton iterations: each step is solved once, as a whole, from
 the last accepted state (predictor = "tangent", fallback = false, step = { adaptive = false }). Given options replace
 these. Use it to compare with other programs or published iteration counts, and to find where Newton's method fails.]],
     named = "model:run", may_be_empty = true, as_given = true,
+    returns = t.named "model:run",
     example = "model:run(stages, sg.plain{ newton = { iterations = 50 } })" },
   { "run", [[The result of model:run; print(run) shows a short table, with fallbacks, cuts and other controls. Methods:
 run:column, run:columns, run:csv, run:states, run:attempts, run:residuals.]],
@@ -120,26 +125,33 @@ branch of solutions (solved by certain fallbacks) or probably have (judged by di
 whose energy balance lacks more than a tenth of the work]] },
     } },
   { "run:columns", "Returns the names of all columns, in order.",
+    returns = t.list(t.text),
     example = "for _, name in ipairs(run:columns()) do print(name) end" },
   { "run:column", [[Returns the values of a column, one per converged step, with arc_length = true also for
 increments between steps, so that the last value is column[#column]: "step", its "increments", "iterations" and
 "wall" (s) including failed attempts, "<support>.fx" (reaction), "<support>.ux" (value of a driven component),
 "<contact>.area" and so on; columns that on_step returns are nan where it returned none.]],
     arguments = { { "name", t.name(function(run) return run:columns() end), "a column" } },
+    returns = t.numbers(nil, true),
     example = "run:column \"grip.fy\"" },
   { "run:attempts", [[Returns the attempts at a converged or failed step: a list of { from, to, converged, reason,
 iterations, residuals, fallback, restarted }, where from and to are fractions of the step, and restarted tells whether
 the attempt started at the step's start although a part was accepted.]],
     arguments = { a_step },
+    returns = t.list(t.record("from to", t.number, "converged", t.flag, "reason", t.text, "iterations", t.integer(0),
+      "residuals", t.numbers(nil, true), "fallback?", t.text, "restarted?", t.flag)),
     example = "run:attempts(1)[1].iterations" },
   { "run:residuals", "Returns the residual norms of the iterations of a step's last attempt.",
     arguments = { a_step },
+    returns = t.numbers(nil, true),
     example = "run:residuals(run.steps)" },
   { "run:states", [[Returns the states that a run has stored, in order, for sg.picture{ states = run:states() }: those
 selected by the option `states` of model:run; by default the start, the end of each stage and the last accepted one.]],
+    returns = t.list(t.object "state"),
     example = "sg.picture{ states = run:states(), field = \"uy\", file = \"states.png\" }" },
   { "run:csv", "Writes all columns to a CSV file; a value that on_step did not return is an empty field.",
     arguments = { { "file", t.text, "name of the file" } },
+    returns = {},
     example = "run:csv \"run.csv\"" },
   { "state", "An entry of run:states().",
     fields = { { "step", t.integer(0), "number of the step; 0 is the start" },
@@ -177,10 +189,12 @@ from the pattern in nested-dissection order]] },
 and a loaded copy give bitwise identical results; for this the model discards factorizations and patterns, so that the
 next step takes slightly longer. It is an error if a step, targets or penalties are not accepted yet.]],
     arguments = { { "path", t.text, "the checkpoint's file" } },
+    returns = {},
     example = "model:save \"pressed.sgn\"" },
   { "sg.load", [[Returns the model that model:save(path), or a run with checkpoints, has saved: bodies, supports, loads,
 contacts, and the accepted state with its contact history. It does not need the script that made it, and its results are
 bitwise identical to those of the saved model.]],
     arguments = { { "path", t.text, "the checkpoint's file" } },
+    returns = t.object "model",
     example = "model = sg.load \"pressed.sgn\"" },
 }

@@ -124,6 +124,13 @@ end
 
 local file = { "file", t.text, "the checkpoint's file" }
 
+--- What callbacks return, and what on_step and on_iteration are called with.
+local answer = t.choice { "stop", "cut" }
+local info = t.record("step", t.number, "stage", t.text, "residual?", t.number)
+info.rest = t.number
+local iteration = t.record("step", t.count, "stage", t.text, "from to", t.number, "iteration", t.count,
+  "residual energy", t.number, "reason", t.text)
+
 --- The options of model:run.
 rows.run = {
   { "arc_length", t.flag, [[where a step fails, arc-length continuation follows the path, also past turning points,
@@ -155,14 +162,16 @@ step]], optional = true },
   { "resume", t.flag, [[continues from the checkpoint's file if it exists, with results bitwise identical to an
 uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding error. The file of a
 finished run returns that run at once. Scene and stages must be the same]], default = false },
-  { "states", t.worded(t.either(t.integer(2), t.list(t.integer(0)), t.callback),
+  { "states", t.worded(t.either(t.integer(2), t.list(t.integer(0)), t.callback_of({ { "info", info } }, t.any)),
     "a number of states from 2, a list of steps, or a function"), [[states stored for run:states(): this number, evenly
 from start to end, those of the listed steps (0 is the start), or those for which function(info) returns true; a resumed
 run has those since its resumption]], otherwise = "the start and the end of each stage" },
-  { "on_step", t.callback, [[function(info), called after each step with info.step, info.stage, info["grip.fx"] …;
+  { "on_step", t.callback_of({ { "info", info } }, t.or_nil(t.either(answer, t.map(t.number)))),
+    [[function(info), called after each step with info.step, info.stage, info["grip.fx"] …;
 returns nothing, "stop" to end the run, "cut" to repeat the step in halves, or a table of numbers, which become columns
 of the run (nan elsewhere)]], optional = true },
-  { "on_iteration", t.callback, [[function(info), called after each iteration with stage, step, from, to (parts of the
+  { "on_iteration", t.callback_of({ { "info", iteration } }, t.or_nil(answer)),
+    [[function(info), called after each iteration with stage, step, from, to (parts of the
 step), iteration, residual, energy, reason; returns nothing, "stop", or "cut" to abandon the attempt]],
     optional = true },
 }

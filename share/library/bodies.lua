@@ -1,0 +1,283 @@
+---@meta _
+-- Generated from the help pages by scripts/reference; read by editors, not by the program.
+-- Materials, bodies, obstacles
+
+---@class sg
+local sg = {}
+
+---@class (exact) sg.neo_hookean.arguments
+---Young's modulus (a positive number; force per area)
+---@field E number
+---Poisson's ratio (a number above -1 and below 0.5)
+---@field nu number
+---@field [string] sg.unknown_argument
+
+---Returns a compressible neo-Hookean material, W = lambda/2 (ln J)^2 + mu/2 (tr C - 3) - mu ln J. In 2D the material is
+---in plane strain, unless the model is axisymmetric.
+---
+---```text
+---sg.neo_hookean{ E, nu }
+---```
+---
+---Source: (3.29) of V. Agrawal, thesis, IIT Guwahati, 2020.
+---
+---Example:
+---```lua
+---sg.neo_hookean{ E = 1, nu = 0.3 }
+---```
+---@param arguments sg.neo_hookean.arguments
+---@return sg.material
+function sg.neo_hookean(arguments) end
+
+---@class (exact) sg.linear_elastic.arguments
+---Young's modulus (a positive number; force per area)
+---@field E number
+---Poisson's ratio (a number above -1 and below 0.5)
+---@field nu number
+---@field [string] sg.unknown_argument
+
+---Returns a linear elastic material (Hooke's law of small strains), sigma = lambda tr(eps) I + 2 mu eps; contact still
+---follows the deformed surface. In 2D the material is in plane strain, unless the model is axisymmetric.
+---
+---```text
+---sg.linear_elastic{ E, nu }
+---```
+---
+---Source: linear elasticity; its use: share/doc/theory.md, Bodies.
+---
+---Example:
+---```lua
+---sg.linear_elastic{ E = 1, nu = 0.3 }
+---```
+---@param arguments sg.linear_elastic.arguments
+---@return sg.material
+function sg.linear_elastic(arguments) end
+
+---The result of sg.neo_hookean or sg.linear_elastic; print(material) shows law and constants.
+---@class sg.material
+local material = {}
+
+---@alias sg.body.arguments.order.choice "N1"|"N2"|"N3"|"N4"|"N2-N2.1"|"N2-N2.2"|"N2-N4"|"L1"|"L2"|string
+
+---@alias sg.body.arguments.contact.choice "west"|"east"|"south"|"north"|"front"|"back"|string
+
+---@class (exact) sg.body.arguments.grading
+---fraction of the elements (a number above 0 and below 1)
+---@field elements number
+---fraction of the knot length that they fill (a number above 0 and below 1)
+---@field length number
+---the end with the small elements ('start' or 'end')
+---@field at "start"|"end"
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.body.arguments
+---shape: a surface in the plane, a volume in 3D (a patch)
+---@field patch sg.patch
+---knot spans (a list of whole numbers from 1 to 1000000, one per direction)
+---@field elements integer|integer[]
+---discretization label such as "N2-N2.2", help "orders" (a label or a list of labels, one per direction (along the
+---contact face, if any))
+---@field order sg.body.arguments.order.choice|sg.body.arguments.order.choice[]
+---a face name or a list of at least one face name; by default none. Face that carries the layer, or two opposite ones;
+---required for orders with a layer. Any face can be slave or master of a contact
+---@field contact? sg.body.arguments.contact.choice|sg.body.arguments.contact.choice[]
+---the material (a material)
+---@field material sg.material
+---a whole number from 1 to 15; by default that of the label's bulk. Degree in the thickness direction, from the contact
+---face to the opposite one, at least the geometry's own. Degree 1, as in the published studies, has fewer unknowns and
+---takes about half of the time, but locks in bending and for nu near 0.5
+---@field thickness_degree? integer
+---where elements are concentrated; false: uniform (a list of entries: each a table of named arguments or false, one per
+---direction; by default uniform elements)
+---@field grading? sg.body.arguments.grading|false|(sg.body.arguments.grading|false)[]
+---@field [string] sg.unknown_argument
+
+---Returns a solid body: a patch with a discretization and a material.
+---
+---```text
+---sg.body{ patch, elements, order, contact, material, thickness_degree, grading }
+---```
+---
+---Where two opposite faces of the patch coincide, as in a full ring, the body is joined at this seam. print(body) shows
+---the degrees and the closed directions.
+---
+---Source: k-refinement 2.3.3, varying-order layers (5.1) to (5.6) of V. Agrawal, thesis, IIT Guwahati, 2020.
+---
+---Example:
+---```lua
+---sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2-N2.2",
+---         contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+---sg.body{ patch = sg.shapes.block{ size = {4, 4, 2} }, elements = {4, 4, 2}, order = {"N2-N4", "N2"},
+---         contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+---```
+---@param arguments sg.body.arguments
+---@return sg.body
+function sg.body(arguments) end
+
+---The result of sg.body, an immutable value. print(body) shows elements and degrees per direction (per row of control
+---points where these differ) and the size; tostring(body) shows the first line only.
+---
+---Methods: face, edge, corner, dofs, points.
+---@class sg.body
+local body = {}
+
+---@class (exact) sg.body.dofs.result
+---@field interface integer
+---@field bulk integer
+---@field total integer
+
+---Returns the numbers of degrees of freedom { interface, bulk, total }: those of the contact faces' control points, of
+---all others, of all.
+---
+---Example:
+---```lua
+---slab:dofs().total
+---```
+---@return sg.body.dofs.result
+function body:dofs() end
+
+---Returns a face for supports, loads and contacts.
+---
+---Example:
+---```lua
+---slab:face "north"
+---```
+---@param name string # west, east (ends of xi1), south, north (xi2), front, back (xi3) (a face name)
+---@return sg.face
+function body:face(name) end
+
+---Returns the control points where two faces of a solid body meet, for supports.
+---
+---Example:
+---```lua
+---cube:edge "south-front"
+---```
+---@param name string # both faces, such as "south-front" (an edge name)
+---@return sg.face
+function body:edge(name) end
+
+---Returns the control point of a corner, for supports.
+---
+---Example:
+---```lua
+---slab:corner "south-west"
+---```
+---@param name string # its faces: "south-west", in 3D "west-south-front" (a corner name)
+---@return sg.face
+function body:corner(name) end
+
+---Returns the control points {{x, y}, …} of the undeformed body, row after row from south to north, or from west to
+---east where the contact face is west or east; in 3D {{x, y, z}, …}, layer after layer from front to back, or along the
+---direction of the contact face.
+---
+---Example:
+---```lua
+---slab:points()[1]  --> {0.0, 0.0}
+---```
+---@return ([number, number]|[number, number, number])[]
+function body:points() end
+
+---A face, edge or corner of a body, for supports, loads and contacts; print(face) shows which one it is.
+---@class sg.face
+local face = {}
+
+---@class sg.rigid
+sg.rigid = {}
+
+---@class (exact) sg.rigid.plane.arguments
+---a point of the plane (a list of 2 or 3 numbers; length)
+---@field point [number, number]|[number, number, number]
+---direction out of the obstacle, towards the body (a list of 2 or 3 numbers)
+---@field normal [number, number]|[number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a rigid half space in 2D or 3D as an obstacle, the master of a contact. A support can move it: see help
+---"obstacle".
+---
+---```text
+---sg.rigid.plane{ point, normal }
+---```
+---
+---Example:
+---```lua
+---sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }
+---sg.rigid.plane{ point = {0, 0, -1}, normal = {0, 0, 1} }
+---```
+---@param arguments sg.rigid.plane.arguments
+---@return sg.obstacle
+function sg.rigid.plane(arguments) end
+
+---@class (exact) sg.rigid.cylinder.arguments
+---a point of the axis (a list of 2 or 3 numbers; length)
+---@field center [number, number]|[number, number, number]
+---direction of the axis; needed in 3D, not allowed in 2D (a list of 3 numbers {x, y, z}; optional)
+---@field axis? [number, number, number]
+---a positive number; length
+---@field radius number
+---@field [string] sg.unknown_argument
+
+---Returns a rigid cylinder of infinite length as an obstacle; in the plane, a disc. A support can move it: see help
+---"obstacle".
+---
+---```text
+---sg.rigid.cylinder{ center, axis, radius }
+---```
+---
+---Example:
+---```lua
+---sg.rigid.cylinder{ center = {0, 2}, radius = 1 }
+---sg.rigid.cylinder{ center = {0, 0, 2}, axis = {0, 1, 0}, radius = 1 }
+---```
+---@param arguments sg.rigid.cylinder.arguments
+---@return sg.obstacle
+function sg.rigid.cylinder(arguments) end
+
+---@class (exact) sg.rigid.sphere.arguments
+---a list of 2 or 3 numbers; length
+---@field center [number, number]|[number, number, number]
+---a positive number; length
+---@field radius number
+---@field [string] sg.unknown_argument
+
+---Returns a rigid sphere in 3D, or on the axis of an axisymmetric model, as an obstacle. A support can move it: see
+---help "obstacle".
+---
+---```text
+---sg.rigid.sphere{ center, radius }
+---```
+---
+---Example:
+---```lua
+---sg.rigid.sphere{ center = {0, 0, 2}, radius = 1 }
+---```
+---@param arguments sg.rigid.sphere.arguments
+---@return sg.obstacle
+function sg.rigid.sphere(arguments) end
+
+---Returns an obstacle bounded by a NURBS: a curve in the plane, whose outside is on the right of its direction, or a
+---surface in 3D, whose outward normal is the cross product of its tangents along xi1 and xi2. patch:reverse(1)
+---exchanges inside and outside. A support can move it: see help "obstacle".
+---
+---Example:
+---```lua
+---sg.rigid.surface(sg.nurbs.arc{ center = {0, 0}, radius = 1, from = 0, to = 180 })
+---sg.rigid.surface(sg.shapes.block{ size = {9, 9, 1}, corner = {0, 0, -1} }:face "back")
+---```
+---@param patch sg.patch # curve in the plane, or surface in 3D (a patch)
+---@return sg.obstacle
+function sg.rigid.surface(patch) end
+
+---The result of sg.rigid.\*: a rigid master without unknowns; print(obstacle) shows its shape. It is fixed unless a
+---support drives it: supports = { push = { on = obstacle, drive = "y" } }; stages then give its displacement, push =
+---{-0.1}, and run:column "push.fy" returns the force that the support exerts on the obstacle, which equals the contact
+---force on the slave, run:column "touch.fy".
+---
+---Example:
+---```lua
+---disc = sg.rigid.cylinder{ center = {1.5, 2}, radius = 1 }
+---sg.model{ bodies = { slab = slab },
+---  supports = { bed = { on = slab:face "south", fix = "xy" }, push = { on = disc, drive = "y" } },
+---  contacts = { touch = { slave = slab:face "north", master = disc, penalty = 100 } } }
+---```
+---@class sg.obstacle
+local obstacle = {}

@@ -1,0 +1,833 @@
+---@meta _
+-- Generated from the help pages by scripts/reference; read by editors, not by the program.
+-- Shapes and patches
+
+---@class sg
+local sg = {}
+
+---@class sg.shapes
+sg.shapes = {}
+
+---@class (exact) sg.shapes.rectangle.arguments
+---size along x (a positive number; length)
+---@field width number
+---size along y (a positive number; length)
+---@field height number
+---lower left corner (a list of 2 numbers {x, y}; length; default {0, 0})
+---@field corner? [number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a rectangle of degree 1; xi1 along x, xi2 along y.
+---
+---```text
+---sg.shapes.rectangle{ width, height, corner = {0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.rectangle{ width = 3, height = 1 }
+---```
+---@param arguments sg.shapes.rectangle.arguments
+---@return sg.patch
+function sg.shapes.rectangle(arguments) end
+
+---@class (exact) sg.shapes.half_annulus.arguments
+---inner radius (a positive number; length)
+---@field inner number
+---outer radius (a positive number; length)
+---@field outer number
+---center of the circles (a list of 2 numbers {x, y}; length; default {0, 0})
+---@field center? [number, number]
+---@field [string] sg.unknown_argument
+
+---Returns the lower half of a ring: xi1 along the arc from the left end over the bottom to the right end (two quarter
+---arcs, degree 2), xi2 from the outer (south) to the inner radius (north). The flat ends are west and east.
+---
+---```text
+---sg.shapes.half_annulus{ inner, outer, center = {0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} }
+---```
+---@param arguments sg.shapes.half_annulus.arguments
+---@return sg.patch
+function sg.shapes.half_annulus(arguments) end
+
+---@class (exact) sg.shapes.quarter_annulus.arguments
+---inner radius (a positive number; length)
+---@field inner number
+---outer radius (a positive number; length)
+---@field outer number
+---center of the circles (a list of 2 numbers {x, y}; length; default {0, 0})
+---@field center? [number, number]
+---angle of the first end (a number; degrees; default 270)
+---@field start? number
+---@field [string] sg.unknown_argument
+
+---Returns a quarter ring, counterclockwise: xi1 along the arc (degree 2), xi2 from the outer (south) to the inner
+---radius (north).
+---
+---```text
+---sg.shapes.quarter_annulus{ inner, outer, center = {0, 0}, start = 270 }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.quarter_annulus{ inner = 0.5, outer = 1, start = 0 }
+---```
+---@param arguments sg.shapes.quarter_annulus.arguments
+---@return sg.patch
+function sg.shapes.quarter_annulus(arguments) end
+
+---@class (exact) sg.shapes.block.arguments
+---sizes along x, y, z (a list of 3 numbers {x, y, z}; length)
+---@field size [number, number, number]
+---corner with the smallest x, y, z (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---@field corner? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a block of degree 1; xi1, xi2, xi3 along x, y, z.
+---
+---```text
+---sg.shapes.block{ size, corner = {0, 0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.block{ size = {6, 4, 2} }
+---```
+---@param arguments sg.shapes.block.arguments
+---@return sg.patch
+function sg.shapes.block(arguments) end
+
+---@class (exact) sg.shapes.half_cylinder_shell.arguments
+---inner radius (a positive number; length)
+---@field inner number
+---outer radius (a positive number; length)
+---@field outer number
+---size along y (a positive number; length)
+---@field width number
+---start of the axis (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---@field center? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns the lower half of a pipe along y: xi1 along the arc (degree 2), xi2 along y, xi3 from the outer (front) to
+---the inner radius (back). With its center at the origin, west (x \< 0) and east (x > 0) are in z = 0, south in y = 0,
+---north in y = width.
+---
+---```text
+---sg.shapes.half_cylinder_shell{ inner, outer, width, center = {0, 0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.half_cylinder_shell{ inner = 0.3, outer = 0.5, width = 2 }
+---```
+---@param arguments sg.shapes.half_cylinder_shell.arguments
+---@return sg.patch
+function sg.shapes.half_cylinder_shell(arguments) end
+
+---@class (exact) sg.shapes.sphere_octant.arguments
+---inner radius (a positive number; length)
+---@field inner number
+---outer radius (a positive number; length)
+---@field outer number
+---center of the spheres (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---@field center? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns the lower octant of a hollow sphere: xi1 around the z axis, xi2 from the equator to the pole, xi3 from the
+---outer (front) to the inner radius (back). With its center at the origin it occupies x, y > 0 and z \< 0: west is in y
+---= 0, east in x = 0, south in z = 0; north is the axis x = y = 0, where the map is degenerate. For symmetry, fix west
+---along y and east along x.
+---
+---```text
+---sg.shapes.sphere_octant{ inner, outer, center = {0, 0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.sphere_octant{ inner = 0.5, outer = 1 }
+---```
+---@param arguments sg.shapes.sphere_octant.arguments
+---@return sg.patch
+function sg.shapes.sphere_octant(arguments) end
+
+---@class (exact) sg.shapes.hollow_hemisphere.arguments
+---inner radius (a positive number; length)
+---@field inner number
+---outer radius (a positive number; length)
+---@field outer number
+---center of the spheres (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---@field center? [number, number, number]
+---'ends' or 'bottom'; default "ends". "ends": at both ends of the ring's diameter along y, none where it touches a
+---plane below. xi1 runs from -x over the bottom to x, xi2 from -y to y; the flat ring on top, in z = 0 with the center
+---at the origin, is two faces, west (x \< 0) and east (x > 0); south and north are degenerate, on the line x = z = 0.
+---"bottom": one pole, at the lowest point. xi1 runs once around the z axis (at least 4 elements), xi2 from the ring
+---down to the pole; the flat ring in z = 0 is one face, south, and the mesh the same at every angle; north is the axis
+---x = y = 0, west and east are the seam in y = 0.
+---@field poles? "ends"|"bottom"
+---@field [string] sg.unknown_argument
+
+---Returns the lower half of a hollow sphere, exact, of degree 2; xi3 from the outer (front) to the inner radius (back).
+---The map has poles, where an edge collapses to a point.
+---
+---```text
+---sg.shapes.hollow_hemisphere{ inner, outer, center = {0, 0, 0}, poles = "ends" }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.hollow_hemisphere{ inner = 2/3, outer = 1, center = {0, 0, 3} }
+---```
+---@param arguments sg.shapes.hollow_hemisphere.arguments
+---@return sg.patch
+function sg.shapes.hollow_hemisphere(arguments) end
+
+---@class (exact) sg.shapes.spherical_indenter.arguments
+---size along x (a positive number; length)
+---@field width number
+---size along y (a positive number; length)
+---@field depth number
+---from the cap's lowest point to the flat top (a positive number; length)
+---@field height number
+---radius of the cap (a positive number; length)
+---@field radius number
+---spans of the cap in each direction (a whole number, 1 or more)
+---@field elements integer
+---x, y of the corner and z of the lowest point (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---@field corner? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a block with a flat top whose bottom (front) is a spherical cap, approximated by biquadratic spans that
+---interpolate the sphere. west, east, south and north are in x = 0, x = width, y = 0 and y = depth, back in z = height.
+---The cap's own knots keep their continuity with every order label; with elements = 1, labels have the same functions
+---as on a block.
+---
+---```text
+---sg.shapes.spherical_indenter{ width, depth, height, radius, elements, corner = {0, 0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.spherical_indenter{ width = 1, depth = 1, height = 0.6, radius = 2, elements = 4 }
+---```
+---@param arguments sg.shapes.spherical_indenter.arguments
+---@return sg.patch
+function sg.shapes.spherical_indenter(arguments) end
+
+---@class sg.nurbs
+sg.nurbs = {}
+
+---@class (exact) sg.nurbs.curve.arguments
+---polynomial degree (a whole number from 1 to 15)
+---@field degree integer
+---open knot vector (a list of numbers)
+---@field knots number[]
+---control points, fastest in xi1 (a list of points {{x, y}, …}; length)
+---@field points ([number, number]|[number, number, number])[]
+---one per control point (a list of numbers; by default 1 each)
+---@field weights? number[]
+---@field [string] sg.unknown_argument
+
+---Returns a NURBS curve in 2D or 3D.
+---
+---```text
+---sg.nurbs.curve{ degree, knots, points, weights }
+---```
+---
+---The ends of an open knot vector are repeated degree + 1 times; it has points + degree + 1 knots in all.
+---
+---Example:
+---```lua
+---sg.nurbs.curve{ degree = 2, knots = {0, 0, 0, 1, 1, 1}, points = {{0, 0}, {1, 2}, {2, 0}} }
+---```
+---@param arguments sg.nurbs.curve.arguments
+---@return sg.patch
+function sg.nurbs.curve(arguments) end
+
+---@class (exact) sg.nurbs.surface.arguments
+---polynomial degrees, one per direction (a list of 2 whole numbers from 1 to 15)
+---@field degrees [integer, integer]
+---open knot vectors, one per direction (a list of 2 lists of numbers)
+---@field knots [number[], number[]]
+---control points, fastest in xi1 (a list of points {{x, y}, …}; length)
+---@field points ([number, number]|[number, number, number])[]
+---one per control point (a list of numbers; by default 1 each)
+---@field weights? number[]
+---@field [string] sg.unknown_argument
+
+---Returns a tensor-product NURBS surface in 2D or 3D.
+---
+---```text
+---sg.nurbs.surface{ degrees, knots, points, weights }
+---```
+---
+---Example:
+---```lua
+---sg.nurbs.surface{ degrees = {1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}},
+---                  points = {{0, 0}, {1, 0}, {0, 1}, {1, 1}} }
+---```
+---@param arguments sg.nurbs.surface.arguments
+---@return sg.patch
+function sg.nurbs.surface(arguments) end
+
+---@class (exact) sg.nurbs.volume.arguments
+---polynomial degrees, one per direction (a list of 3 whole numbers from 1 to 15)
+---@field degrees [integer, integer, integer]
+---open knot vectors, one per direction (a list of 3 lists of numbers)
+---@field knots [number[], number[], number[]]
+---control points, fastest in xi1 (a list of points {{x, y}, …}; length)
+---@field points ([number, number]|[number, number, number])[]
+---one per control point (a list of numbers; by default 1 each)
+---@field weights? number[]
+---@field [string] sg.unknown_argument
+
+---Returns a tensor-product NURBS volume; points run fastest in xi1, then in xi2.
+---
+---```text
+---sg.nurbs.volume{ degrees, knots, points, weights }
+---```
+---
+---Example:
+---```lua
+---sg.nurbs.volume{ degrees = {1, 1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}},
+---                 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
+---                           {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 2}} }
+---```
+---@param arguments sg.nurbs.volume.arguments
+---@return sg.patch
+function sg.nurbs.volume(arguments) end
+
+---@class (exact) sg.nurbs.line.arguments
+---first end (a list of 2 or 3 numbers; length)
+---@field from [number, number]|[number, number, number]
+---other end (a list of 2 or 3 numbers; length)
+---@field to [number, number]|[number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a straight line of degree 1.
+---
+---```text
+---sg.nurbs.line{ from, to }
+---```
+---
+---Example:
+---```lua
+---sg.nurbs.line{ from = {0, 0}, to = {3, 0} }
+---```
+---@param arguments sg.nurbs.line.arguments
+---@return sg.patch
+function sg.nurbs.line(arguments) end
+
+---@class (exact) sg.nurbs.arc.arguments
+---a positive number; length
+---@field radius number
+---first angle (a number; degrees)
+---@field from number
+---last angle (a number; degrees)
+---@field to number
+---center of the circle (a list of 2 or 3 numbers; length; default {0, 0})
+---@field center? [number, number]|[number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns an exact circular arc of degree 2, one segment per 90 degrees or part of them; counterclockwise if the angle
+---increases. A center in 3D gives an arc parallel to the x-y plane.
+---
+---```text
+---sg.nurbs.arc{ radius, from, to, center = {0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.nurbs.arc{ radius = 0.5, from = 180, to = 360 }
+---```
+---@param arguments sg.nurbs.arc.arguments
+---@return sg.patch
+function sg.nurbs.arc(arguments) end
+
+---@class (exact) sg.nurbs.circle.arguments
+---a positive number; length
+---@field radius number
+---center of the circle (a list of 2 or 3 numbers; length; default {0, 0})
+---@field center? [number, number]|[number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a full circle of four exact quarter arcs of degree 2.
+---
+---```text
+---sg.nurbs.circle{ radius, center = {0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.nurbs.circle{ radius = 1 }
+---```
+---@param arguments sg.nurbs.circle.arguments
+---@return sg.patch
+function sg.nurbs.circle(arguments) end
+
+---@class (exact) sg.nurbs.ruled.arguments
+---start (a patch)
+---@field a sg.patch
+---end (a patch)
+---@field b sg.patch
+---@field [string] sg.unknown_argument
+
+---Returns the ruled surface between two curves, or the ruled volume between two surfaces, which are first brought to
+---common degrees and knots; the new direction is the last one.
+---
+---```text
+---sg.nurbs.ruled{ a, b }
+---```
+---
+---Example:
+---```lua
+---sg.nurbs.ruled{ a = sg.nurbs.circle{ radius = 2 }, b = sg.nurbs.circle{ radius = 1 } }
+---```
+---@param arguments sg.nurbs.ruled.arguments
+---@return sg.patch
+function sg.nurbs.ruled(arguments) end
+
+---@class (exact) sg.nurbs.extrude.arguments
+---curve or surface to extrude (a patch)
+---@field patch sg.patch
+---extrusion vector; if it has 3 numbers, a plane patch is placed in z = 0 (a list of 2 or 3 numbers; length)
+---@field along [number, number]|[number, number, number]
+---@field [string] sg.unknown_argument
+
+---Extrudes a curve or a surface along a vector; the new direction is the last one, of degree 1.
+---
+---```text
+---sg.nurbs.extrude{ patch, along }
+---```
+---
+---Example:
+---```lua
+---sg.nurbs.extrude{ patch = sg.nurbs.line{ from = {0, 0}, to = {1, 0} }, along = {0, 2} }
+---sg.nurbs.extrude{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 2 }, along = {0, 0, 1} }
+---```
+---@param arguments sg.nurbs.extrude.arguments
+---@return sg.patch
+function sg.nurbs.extrude(arguments) end
+
+---@class (exact) sg.nurbs.revolve.arguments
+---curve or surface to revolve; a plane patch is placed in z = 0 (a patch)
+---@field patch sg.patch
+---a point of the axis (a list of 2 or 3 numbers; length; by default the origin)
+---@field point? [number, number]|[number, number, number]
+---direction of the axis (a list of 2 or 3 numbers; by default {0, 0, 1}, for a plane patch {0, -1, 0})
+---@field axis? [number, number]|[number, number, number]
+---a number; degrees; default 360
+---@field angle? number
+---@field [string] sg.unknown_argument
+
+---Revolves a curve or a surface about an axis, exactly; the new direction is the last one.
+---
+---```text
+---sg.nurbs.revolve{ patch, point, axis, angle = 360 }
+---```
+---
+---With the default axis of a plane patch, x is the radius as in axisymmetric models, and a right-handed patch at x > 0
+---gives a right-handed volume.
+---
+---Example:
+---```lua
+---sg.nurbs.revolve{ patch = sg.nurbs.line{ from = {1, 0, 0}, to = {1, 0, 2} }, angle = 180 }
+---sg.nurbs.revolve{ patch = sg.shapes.rectangle{ width = 1, height = 2, corner = {3, 0} }, angle = 90 }
+---```
+---@param arguments sg.nurbs.revolve.arguments
+---@return sg.patch
+function sg.nurbs.revolve(arguments) end
+
+---@class (exact) sg.nurbs.coons.arguments
+---where xi1 starts (a patch)
+---@field west sg.patch
+---where xi1 ends (a patch)
+---@field east sg.patch
+---where xi2 starts (a patch)
+---@field south sg.patch
+---where xi2 ends (a patch)
+---@field north sg.patch
+---where xi3 starts; for volumes (a patch; optional)
+---@field front? sg.patch
+---where xi3 ends; for volumes (a patch; optional)
+---@field back? sg.patch
+---@field [string] sg.unknown_argument
+
+---Returns a Coons patch: the surface between four boundary curves, or the volume between six boundary surfaces, whose
+---corners meet. west and east run along xi2, south and north along xi1.
+---
+---```text
+---sg.nurbs.coons{ west, east, south, north, front, back }
+---```
+---
+---Example:
+---```lua
+---line = sg.nurbs.line
+---sg.nurbs.coons{ west = line{ from = {0, 0}, to = {0, 1} }, east = line{ from = {1, 0}, to = {1, 2} },
+---                south = line{ from = {0, 0}, to = {1, 0} }, north = line{ from = {0, 1}, to = {1, 2} } }
+---```
+---@param arguments sg.nurbs.coons.arguments
+---@return sg.patch
+function sg.nurbs.coons(arguments) end
+
+---Returns all patches of a file as a list, in the file's order. The format is detected from the beginning of the file:
+---
+---```text
+---  G+Smo's XML: geometries BSpline, Nurbs, TensorBSpline2 and 3, TensorNurbs2 and 3
+---  the text file of GeoPDEs and the NURBS toolbox, versions 0.7, 1.0 and 2.1, one or several patches
+---  MFEM NURBS mesh v1.0 with a section `patches`
+---```
+---Interfaces between patches and boundaries are not read. Errors in a file are reported with file and line.
+---
+---Example:
+---```lua
+---sg.shapes.half_annulus{ inner = 1, outer = 2 }:write "bracket.xml"
+---bracket = sg.nurbs.read("bracket.xml")[1]
+---```
+---@param file string # name of the patch file (a string)
+---@return sg.patch[]
+function sg.nurbs.read(file) end
+
+---Writes a patch or a list of patches to a file, atomically; knots, weights and control points are read back bitwise
+---identical.
+---
+---```text
+---  "gismo":   .xml, G+Smo's XML
+---  "geopdes": .txt, text file of GeoPDEs, version 2.1, without interfaces
+---  "mfem":    .mesh, MFEM NURBS mesh v1.0 of one patch; the attributes of its sides are west 1, east 2, south 3, north 4,
+---             front 5, back 6
+---```
+---
+---Example:
+---```lua
+---sg.nurbs.write("annulus.txt", sg.shapes.half_annulus{ inner = 1, outer = 2 })
+---```
+---@param file string # name of the patch file (a string)
+---@param patches sg.patch|sg.patch[] # patches to write (a patch or a list of at least one patch)
+---@param form? "gismo"|"geopdes"|"mfem" # format of the file ('gismo', 'geopdes' or 'mfem'; by default by the file's ending)
+function sg.nurbs.write(file, patches, form) end
+
+---A NURBS curve, surface or volume, an immutable value: methods that change something return a new patch. sg.shapes.\*
+---and sg.nurbs.\* make patches. Called as a function, a patch returns the point at xi, {x, y} or {x, y, z}.
+---
+---```text
+---patch(xi)
+---```
+---
+---Methods: evaluate, derivatives, basis, insert, elevate, refine, face, degrees, elements, knots, points, weights,
+---translate, rotate, scale, mirror, reverse, swap, to_plane, to_space, write; see for example help "patch:refine".
+---
+---Example:
+---```lua
+---sg.shapes.rectangle{ width = 3, height = 1 }{0.5, 0.5}  --> {1.5, 0.5}
+---```
+---@class sg.patch
+---@overload fun(xi: number|number[]): [number, number]|[number, number, number]
+local patch = {}
+
+---Returns the point at xi, {x, y} or {x, y, z}, as patch(xi) does.
+---
+---Example:
+---```lua
+---patch:evaluate{0.5, 0.5}  --> {1.5, 0.5}
+---```
+---@param xi number|number[] # parametric coordinates (a list of numbers {xi1, xi2})
+---@return [number, number]|[number, number, number]
+function patch:evaluate(xi) end
+
+---@class (exact) sg.patch.derivatives.result
+---@field orders integer[]
+---@field value [number, number]|[number, number, number]
+
+---Returns all partial derivatives of the map at xi up to total order n: a list of { orders = {1, 0}, value = {x, y} },
+---sorted by total order, then by decreasing order in xi1.
+---
+---Source: Piegl & Tiller, The NURBS Book, eq. (4.20).
+---
+---Example:
+---```lua
+---patch:derivatives({0.5, 0.5}, 1)[2].value  --> {3.0, 0.0}
+---```
+---@param xi number|number[] # parametric coordinates (a list of numbers {xi1, xi2})
+---@param n integer # highest total order (a whole number from 0 to 15)
+---@return sg.patch.derivatives.result[]
+function patch:derivatives(xi, n) end
+
+---@class (exact) sg.patch.basis.result
+---@field index integer
+---@field value number
+
+---Returns the rational basis functions that are nonzero at xi, as a list of { index, value }; index is the number of
+---the control point from 1, fastest in xi1. The values add up to 1.
+---
+---Example:
+---```lua
+---patch:basis({0.5, 0.5})[1].value  --> 0.25
+---```
+---@param xi number|number[] # parametric coordinates (a list of numbers {xi1, xi2})
+---@return sg.patch.basis.result[]
+function patch:basis(xi) end
+
+---Inserts knots in one direction; the shape is unchanged.
+---
+---Example:
+---```lua
+---patch:insert(1, {0.25, 0.5}):elements()  --> {3, 1}
+---```
+---@param dir integer # parametric direction (a whole number from 1 to 3)
+---@param knots number[] # knots to insert, with repetitions (a list of numbers)
+---@return sg.patch
+function patch:insert(dir, knots) end
+
+---Raises the degree in one direction and keeps the continuity; the shape is unchanged.
+---
+---Example:
+---```lua
+---patch:elevate(1, 2):degrees()  --> {3, 1}
+---```
+---@param dir integer # parametric direction (a whole number from 1 to 3)
+---@param times? integer # by how much (a whole number from 1 to 15; default 1)
+---@return sg.patch
+function patch:elevate(dir, times) end
+
+---@class (exact) sg.patch.refine.arguments.grading
+---fraction of the elements (a number above 0 and below 1)
+---@field elements number
+---fraction of the knot length that they fill (a number above 0 and below 1)
+---@field length number
+---the end with the small elements ('start' or 'end')
+---@field at "start"|"end"
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.patch.refine.arguments
+---knot spans (a list of whole numbers from 1 to 1000000, one per direction; by default the patch's own)
+---@field elements? integer|integer[]
+---polynomial degrees (a list of whole numbers from 1 to 15, one per direction; by default the patch's own)
+---@field degree? integer|integer[]
+---where elements are concentrated; false: uniform (a list of entries: each a table of named arguments or false, one per
+---direction; by default uniform elements)
+---@field grading? sg.patch.refine.arguments.grading|false|(sg.patch.refine.arguments.grading|false)[]
+---@field [string] sg.unknown_argument
+
+---Applies k-refinement: raises the degrees first, then inserts knots until each direction has the given number of
+---elements (nonempty knot spans); existing knots and the shape are unchanged. For a curve, arguments are values instead
+---of lists.
+---
+---```text
+---patch:refine{ elements, degree, grading }
+---```
+---
+---grading = { { elements = 0.8, length = 0.1, at = "start" }, false } puts 80 % of the elements of the first direction
+---into the first tenth of its length and leaves the second direction uniform.
+---
+---Example:
+---```lua
+---patch:refine{ elements = {8, 3}, degree = {2, 2} }
+---```
+---@param arguments sg.patch.refine.arguments
+---@return sg.patch
+function patch:refine(arguments) end
+
+---Returns a side as a patch of one direction less.
+---
+---Example:
+---```lua
+---patch:face "south"
+---```
+---@param name string # west, east (ends of xi1), south, north (xi2), front, back (xi3) (a face name)
+---@return sg.patch
+function patch:face(name) end
+
+---Returns the list of the polynomial degrees, one per direction.
+---
+---Example:
+---```lua
+---patch:degrees()  --> {1, 1}
+---```
+---@return integer[]
+function patch:degrees() end
+
+---Returns the list of the numbers of elements (nonempty knot spans), one per direction.
+---
+---Example:
+---```lua
+---patch:elements()  --> {1, 1}
+---```
+---@return integer[]
+function patch:elements() end
+
+---Returns the knot vector of a direction.
+---
+---Example:
+---```lua
+---patch:knots(1)  --> {0.0, 0.0, 1.0, 1.0}
+---```
+---@param dir integer # parametric direction (a whole number from 1 to 3)
+---@return number[]
+function patch:knots(dir) end
+
+---Returns the control points {{x, y}, …}, fastest in xi1.
+---
+---Example:
+---```lua
+---patch:points()[4]  --> {3.0, 1.0}
+---```
+---@return ([number, number]|[number, number, number])[]
+function patch:points() end
+
+---Returns the weights of the control points, in the order of patch:points().
+---
+---Example:
+---```lua
+---patch:weights()[1]  --> 1.0
+---```
+---@return number[]
+function patch:weights() end
+
+---Moves the patch by a vector.
+---
+---Example:
+---```lua
+---patch:translate{1, 0}{0, 0}  --> {1.0, 0.0}
+---```
+---@param by [number, number]|[number, number, number] # displacement (a list of 2 or 3 numbers; length)
+---@return sg.patch
+function patch:translate(by) end
+
+---@class (exact) sg.patch.rotate.arguments
+---counterclockwise (a number; degrees)
+---@field angle number
+---direction of the axis; needed in 3D, not allowed in 2D (a list of 3 numbers {x, y, z}; optional)
+---@field axis? [number, number, number]
+---the fixed point (a list of 2 or 3 numbers; length; by default the origin)
+---@field center? [number, number]|[number, number, number]
+---@field [string] sg.unknown_argument
+
+---Rotates the patch about a center, in 3D about an axis through it.
+---
+---```text
+---patch:rotate{ angle, axis, center }
+---```
+---
+---Example:
+---```lua
+---patch:rotate{ angle = 30, center = {1.5, 0.5} }
+---```
+---@param arguments sg.patch.rotate.arguments
+---@return sg.patch
+function patch:rotate(arguments) end
+
+---@class (exact) sg.patch.scale.arguments
+---for all coordinates, or one for each in a list (a positive number or a list of 2 or 3 numbers)
+---@field factor number|[number, number]|[number, number, number]
+---the fixed point (a list of 2 or 3 numbers; length; by default the origin)
+---@field center? [number, number]|[number, number, number]
+---@field [string] sg.unknown_argument
+
+---Scales the patch about a center.
+---
+---```text
+---patch:scale{ factor, center }
+---```
+---
+---Example:
+---```lua
+---patch:scale{ factor = {2, 1} }{1, 1}  --> {6.0, 1.0}
+---```
+---@param arguments sg.patch.scale.arguments
+---@return sg.patch
+function patch:scale(arguments) end
+
+---@class (exact) sg.patch.mirror.arguments
+---normal of the mirror (a list of 2 or 3 numbers)
+---@field normal [number, number]|[number, number, number]
+---a point on the mirror (a list of 2 or 3 numbers; length; by default the origin)
+---@field point? [number, number]|[number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns the mirror image across a line, in 3D across a plane. The parametric direction closest to the normal is
+---reversed, so that the image of a body is right-handed again and an obstacle keeps its outside; curves in 3D keep
+---their direction.
+---
+---```text
+---patch:mirror{ normal, point }
+---```
+---
+---Example:
+---```lua
+---patch:mirror{ normal = {1, 0} }{0, 0}  --> {-3.0, 0.0}
+---```
+---@param arguments sg.patch.mirror.arguments
+---@return sg.patch
+function patch:mirror(arguments) end
+
+---Reverses a parametric direction; the shape is unchanged, the two faces at its ends exchange their names. A
+---left-handed patch becomes right-handed, as sg.body requires, and for sg.rigid.surface inside and outside are
+---exchanged.
+---
+---Source: as nrbreverse of the NURBS toolbox.
+---
+---Example:
+---```lua
+---patch:reverse(1){0, 0}  --> {3.0, 0.0}
+---```
+---@param dir integer # parametric direction (a whole number from 1 to 3)
+---@return sg.patch
+function patch:reverse(dir) end
+
+---Exchanges two parametric directions; the shape is unchanged. A right-handed patch becomes left-handed and vice versa;
+---patch:reverse undoes this.
+---
+---Source: as nrbpermute and nrbtransp of the NURBS toolbox for two directions.
+---
+---Example:
+---```lua
+---patch:swap(1, 2){1, 0}  --> {0.0, 1.0}
+---```
+---@param i integer # parametric direction (a whole number from 1 to 3)
+---@param j integer # parametric direction (a whole number from 1 to 3)
+---@return sg.patch
+function patch:swap(i, j) end
+
+---Converts a flat curve or surface in 3D with constant z to the plane, for plane bodies: programs such as G+Smo write
+---flat patches with three coordinates. It is an error if z is not constant; a plane patch is returned unchanged.
+---
+---Example:
+---```lua
+---sg.nurbs.line{ from = {0, 0, 4}, to = {3, 1, 4} }:to_plane()(1)  --> {3.0, 1.0}
+---```
+---@return sg.patch
+function patch:to_plane() end
+
+---@class (exact) sg.patch.to_space.arguments
+---z of all points (a number; length; default 0)
+---@field z? number
+---@field [string] sg.unknown_argument
+
+---Converts a curve or surface in the plane to 3D.
+---
+---```text
+---patch:to_space{ z = 0 }
+---```
+---
+---Example:
+---```lua
+---patch:to_space{ z = 2 }{1, 1}  --> {3.0, 1.0, 2.0}
+---```
+---@param arguments? sg.patch.to_space.arguments
+---@return sg.patch
+function patch:to_space(arguments) end
+
+---Writes the patch to a file for other programs, as sg.nurbs.write does.
+---
+---Example:
+---```lua
+---patch:write "slab.xml"
+---```
+---@param file string # name of the file (a string)
+---@param form? "gismo"|"geopdes"|"mfem" # format of the file ('gismo', 'geopdes' or 'mfem'; by default by the file's ending)
+function patch:write(file, form) end

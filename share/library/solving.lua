@@ -1,0 +1,694 @@
+---@meta _
+-- Generated from the help pages by scripts/reference; read by editors, not by the program.
+-- Models and load paths
+
+---@class sg
+local sg = {}
+
+---@class (exact) sg.model.arguments
+---the bodies (a table of names { name = … })
+---@field bodies table<string, sg.body|nil>
+---supports of bodies and obstacles; entries with traction or pressure are loads (a table of names { name = … };
+---optional)
+---@field supports? table<string, (sg.support|sg.load)|nil>
+---external forces (a table of names { name = … }; optional)
+---@field loads? table<string, sg.load|nil>
+---pairs of faces that may touch (a table of names { name = … }; optional)
+---@field contacts? table<string, sg.contact|nil>
+---pairs of faces that move as one (a table of names { name = … }; optional)
+---@field ties? table<string, sg.tie|nil>
+---plane strain, or a section of bodies of revolution ('plane_strain' or 'axisymmetric'; by default "plane_strain" for
+---plane bodies)
+---@field kind? "plane_strain"|"axisymmetric"
+---@field [string] sg.unknown_argument
+
+---Returns a model: a scene of plane bodies or of solids with its state. All parts are tables with names as keys. Plane
+---strain has unit depth; in an axisymmetric model x is the radius, y the axis, and forces refer to the full circle.
+---
+---```text
+---sg.model{ bodies, supports, loads, contacts, ties, kind }
+---```
+---
+---The load path: help "stage".
+---
+---Example:
+---```lua
+---sg.model{
+---  bodies   = { die = die, slab = slab },
+---  supports = { bed  = { on = slab:face "south", fix = "xy" },
+---               grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
+---  contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
+---                             friction = { mu = 0.2, penalty = 100 } } } }
+---sg.model{ bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "x", drive = "y" } },
+---          contacts = { roof = { slave = slab:face "north", penalty = 100,
+---                                master = sg.rigid.plane{ point = {0, 1}, normal = {0, -1} } } } }
+---sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", traction = {0, 0, -1} } },
+---          supports = { bed = { on = cube:face "front", fix = "xyz" },
+---                       grip = { on = cube:face "back", drive = "z", fix = "xy", rotate = "z" } } }
+---```
+---@param arguments sg.model.arguments
+---@return sg.model
+function sg.model(arguments) end
+
+---@alias sg.support.fix.choice "x"|"y"|"z"|"xy"|"xz"|"yz"|"xyz"
+
+---@alias sg.support.drive.choice "x"|"y"|"z"|"xy"|"xz"|"yz"|"xyz"
+
+---@alias sg.support.free.choice "x"|"y"|"z"|"xy"|"xz"|"yz"|"xyz"
+
+---Fixes or prescribes displacements of faces, edges, corners or obstacles; at least one component.
+---
+---```text
+---supports = { <name> = { on, fix, drive, free, rotate, symmetry } }, in sg.model{ … }
+---```
+---
+---model:reaction(name) is the force that it exerts, followed by the moment if it rotates; the columns of a run are
+---\<name>.fx, .fy, .fz, .moment, and for driven components \<name>.ux … .angle.
+---
+---Example:
+---```lua
+---supports = { bed  = { on = slab:face "south", fix = "xy" },
+---             grip = { on = { die:face "west", die:face "east" }, drive = "xy" } }
+---```
+---@class (exact) sg.support
+---where; the reaction of a list is the sum (a face or a list of faces, an edge, a corner or an obstacle)
+---@field on sg.face|sg.obstacle|(sg.face|sg.obstacle)[]
+---components with zero displacement ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; optional)
+---@field fix? sg.support.fix.choice
+---components that stages prescribe ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; length; optional)
+---@field drive? sg.support.drive.choice
+---free components, for documentation: unlisted components are free ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; optional)
+---@field free? sg.support.free.choice
+---true in the plane; in 3D 'x', 'y', 'z' or a vector {ax, ay, az}; by default no rotation. The face rotates as a rigid
+---body about its centroid, in 3D about the axis through it, by an angle in degrees that stages give after the driven
+---components; in 3D a list of faces rotates as one, in the plane it must be one face. fix and drive then refer to the
+---centroid, whose other components are free: rotate = true, fix = "xy" rotates the face about a fixed point
+---@field rotate? boolean|"x"|"y"|"z"|[number, number, number]
+---true or false; default false. Fixes the normal component on flat faces in a plane of symmetry x, y or z = c, in an
+---axisymmetric model on the axis or y = c. Each plane of symmetry halves the scene and its forces; on the axis forces
+---remain those of the full circle
+---@field symmetry? boolean
+---@field [string] sg.unknown_argument
+
+---Applies a dead load to faces: neither direction nor magnitude follows the deformation.
+---
+---```text
+---loads = { <name> = { on, traction or pressure } }, in sg.model{ … }
+---```
+---
+---The value given here is that at the start of the path; stages change it linearly to theirs. A load that no stage
+---names acts in full from the first step; to increase one from zero, give 0 here and its value in a stage.
+---model:reaction(name) is the force; the columns of a run are \<name>.fx …, and .tx … or .pressure.
+---
+---Example:
+---```lua
+---loads = { push = { on = die:face "east", traction = {0, -1} } }
+---```
+---@class (exact) sg.load
+---loaded faces (a face or a list of faces)
+---@field on sg.face|sg.face[]
+---dead load {tx, ty}, in 3D {tx, ty, tz} (a list of 2 or 3 numbers; force per reference area; optional)
+---@field traction? [number, number]|[number, number, number]
+---dead load against the outward normal of the reference shape (a number; force per reference area; optional)
+---@field pressure? number
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.contact.friction
+---Coulomb's coefficient of friction, tan of the angle of friction, not the angle (a number, 0 or more)
+---@field mu number
+---a positive number; pressure per length; by default that of the contact; required with enforcement = "penalty".
+---Tangential penalty, stiffness of elastic slip, which remains with method = "gpts" also where pressures are augmented
+---@field penalty? number
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.contact.adhesion
+---Hamaker's constant (a positive number; force times length)
+---@field hamaker number
+---equilibrium distance of the potential (a positive number; length)
+---@field r0 number
+---@field [string] sg.unknown_argument
+
+---Defines contact between the face of a body and another body or an obstacle.
+---
+---```text
+---contacts = { <name> = { slave, master, penalty, friction, method, enforcement, … } }, in sg.model{ … }
+---```
+---
+---Results: model:profile(name), model:contact_resultant(name), the columns \<name>.fx … of a run (force on the slave).
+---Two half passes have two names: \<name> is the pass over the slave face, \<name>.master that over the master face.
+---
+---Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85)
+---to (3.89), points 7.1.1 of V. Agrawal, thesis, IIT Guwahati, 2020. More in share/doc/theory.md.
+---
+---Example:
+---```lua
+---contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
+---                           friction = { mu = 0.2, penalty = 100 } } }
+---```
+---@class (exact) sg.contact
+---a face. Face over which contact is integrated; pressures are computed at its contact points. Use the finer mesh, of
+---equal meshes the softer body (the published ironing studies use the stiff die)
+---@field slave sg.face
+---a face or an obstacle. Face of the other body onto which these points are projected, or an obstacle. Beyond its edges
+---(a closed ring has none along its arc) the master is extended by 0.3 of its last element; there the traction
+---decreases to zero
+---@field master sg.face|sg.obstacle
+---a positive number; pressure per length; by default from material and mesh; required with enforcement = "penalty",
+---except with adhesion. Normal penalty: p = -penalty g where the gap g is negative. 10 to 1000 times E / h of the
+---softer body is usual, h its element size; model:contact_resultant(name).max_penetration is the penetration that
+---remains. With enforcement = "augmented" it determines the number of augmentations, not the result, and with
+---"multipliers" it only scales the equations; it is then 10 E / h by default, with h the (harmonic) mean size of the
+---slave's elements in the contact, and print(model) shows it
+---@field penalty? number
+---Coulomb friction (a table of named arguments; by default none)
+---@field friction? sg.contact.friction
+---'gpts', 'mortar' or 'half_passes'; default "gpts". gpts: Gauss-point-to-surface, penalty at the contact points.
+---mortar: penalty on gaps and slips that are weighted by functions on the slave face (multipliers); a high penalty then
+---does not over-constrain. half_passes: as gpts, with `multipliers` as mortar, but each of the two faces is slave once
+---and receives only the force of its own pass: no choice of slave biases the result, twice the points, unsymmetric
+---tangents, and action equals reaction only up to the discretization error, imbalance in model:contact_resultant
+---@field method? "gpts"|"mortar"|"half_passes"
+---'penalty', 'augmented' or 'multipliers'; default "penalty". penalty: penetrations in proportion to the pressure
+---remain. augmented: augmented Lagrangian method (Uzawa), the pressures are corrected until penetrations are below a
+---tolerance, augmentation.penetration of model:run; with method = "gpts" every contact point becomes a constraint, and
+---friction keeps its penalty. multipliers: Lagrange multipliers as unknowns, no penetration of the weighted gaps. gpts
+---has penalty and augmented, mortar all, half_passes penalty
+---@field enforcement? "penalty"|"augmented"|"multipliers"
+---'equal' or 'reduced'; by default "equal" with method = "mortar"; without it half passes act at contact points.
+---Functions of the multipliers of mortar contact, in half passes of either face. equal: those of the slave face.
+---reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element), proven stable (inf-sup);
+---for degree p >= 2
+---@field multipliers? "equal"|"reduced"
+---'current' or 'reference'; by default "current", with method = "mortar" or adhesion "reference". Area of the slave
+---face on which tractions act, and to which penalty and friction.penalty refer. "current" is that of the published
+---studies; with "reference" and without friction the forces derive from an energy, and the tangent is symmetric. method
+---= "mortar" and adhesion act per reference area, half passes per current area, also with multipliers
+---@field per? "current"|"reference"
+---Gauss points per slave element and direction (a whole number from 1 to 100; by default 3 (p + 1), p the degree along
+---the slave face, that of its layer if it has one, in 3D the higher one)
+---@field points? integer
+---a table of named arguments; optional. Van der Waals forces in place of penalty and friction; the force is zero at the
+---distance 15^(-1/6) r0
+---@field adhesion? sg.contact.adhesion
+---a function; by default everywhere. function(X) that returns true where the contact acts; X = {x, y}, in 3D {x, y, z},
+---is a reference position of the slave face, with half passes of either face. Called when the model is made
+---@field where? fun(X: number[]): any
+---@field [string] sg.unknown_argument
+
+---Ties two faces whose meshes need not match: they neither open nor slip.
+---
+---```text
+---ties = { <name> = { slave, master, multipliers } }, in sg.model{ … }
+---```
+---
+---The tractions across the seam are unknowns (Lagrange multipliers); there is no penalty to choose. The tie holds in
+---the mean: for each multiplier function M the integral of M (u_master - u_slave) over the slave face is zero, with
+---closest points of the reference shape. Faces of curved meshes may lie up to 10 % of an element's length apart: since
+---displacements are tied, they start without stress, but a distance d resists large rotations, so refine until d is
+---small (model:tie_resultant(name).distance). The part of the slave face that is not opposite the master remains free,
+---with a warning. Results: model:tie_profile(name), model:tie_resultant(name). Source: E. Brivadis, A. Buffa, B.
+---Wohlmuth, L. Wunderlich, Comput. Methods Appl. Mech. Engrg. 284 (2015), arXiv:1407.8313. More in share/doc/theory.md.
+---
+---Example:
+---```lua
+---ties = { seam = { slave = coating:face "south", master = block:face "north" } }
+---```
+---@class (exact) sg.tie
+---face with the multipliers, over which the coupling is integrated; in general the finer mesh (a face)
+---@field slave sg.face
+---face of the other body that coincides with it, as a whole or in part (a face)
+---@field master sg.face
+---'equal' or 'reduced'; default "equal". Functions of the tractions. equal: those of the slave face, with optimal rates
+---of convergence. reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element), proven
+---stable (inf-sup), less accurate; for degree p >= 2
+---@field multipliers? "equal"|"reduced"
+---@field [string] sg.unknown_argument
+
+---A scene with its accepted and its current state, made by sg.model; print(model) shows its size and its parts, their
+---positions and the contacts that touch; tostring(model) shows its size. model:run solves it along a load path; help
+---"results" and help "methods" list the other methods.
+---@class sg.model
+local model = {}
+
+---Returns a list of sentences on what is probably unintended. About the scene (sg.model prints these, too): bodies that
+---overlap before the first step by more than 1 % of the thickness of the thinner one, Poisson's ratios that lock, mu
+---above 3, penalties above 1e8 times the stiffness of an element, contacts that act twice. About the current state:
+---inverted linear elastic bodies. run.warnings starts with these.
+---
+---Example:
+---```lua
+---model:warnings()  --> {}
+---```
+---@return string[]
+function model:warnings() end
+
+---@class (exact) sg.model.run.options.step
+---whether failed steps are cut; false: each step is solved as a whole, also by fallbacks (true or false; default true)
+---@field adaptive? boolean
+---largest increment, a fraction of the step (a number above 0 and at most 1; default 1)
+---@field max? number
+---smallest increment, a fraction of the step (a number above 0 and at most 1; by default 1/64, at most max)
+---@field min? number
+---growth factor after an increment that took at most half of newton.iterations (a number, 1 or more; default 2)
+---@field growth? number
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.model.run.options.newton
+---residual that counts as zero, relative to reactions and loads (a positive number; default 1e-10)
+---@field tolerance? number
+---maximum number of iterations per attempt (a whole number from 1 to 1000000; default 25)
+---@field iterations? integer
+---how Newton corrections are shortened: by the norm of the residual (non-monotone) or by the energy ('none', 'residual'
+---or 'energy'; default "none")
+---@field line_search? "none"|"residual"|"energy"
+---true, false or a number from 0 to 1; default false. Contact states are frozen until |f·Δu| has decreased to this
+---fraction of its first value; true is 0.01
+---@field freeze_active_set? boolean|number
+---a whole number from 0 to 1000000; default 0. A contact point that changes its state more than this number of times in
+---a step is fixed in it (a slipping one as sticking) until the others have converged; 0: never
+---@field active_set_changes? integer
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.model.run.options.mumps
+---a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default false)
+---@field reuse? boolean
+---a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the tangent:
+---approximate factors, with less memory and operations in large solids, which precondition GMRES
+---@field low_rank? number
+---of the factors; single ones precondition GMRES ('double' or 'single'; default "double")
+---@field precision? "double"|"single"
+---an existing folder in which each process stores its factors; on a local disk (a string; optional)
+---@field out_of_core? string
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.model.run.options.augmentation
+---largest penetration, as a fraction of the largest body's diagonal (a number above 0 and at most 1; default 1e-06)
+---@field penetration? number
+---maximum number of augmentations per step (a whole number from 1 to 1000000; default 100)
+---@field loops? integer
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.model.run.options.penalty
+---initial factor of all penalties (a number above 0 and at most 1)
+---@field start number
+---steps until it is 1 (a whole number, 1 or more)
+---@field steps integer
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.model.run.options.checkpoint
+---the checkpoint's file (a string)
+---@field file string
+---steps between two saves; the end is always saved (a whole number, 1 or more; default 1)
+---@field every? integer
+---synchronizes the disk at every save instead of once a second (true or false; default false)
+---@field durable? boolean
+---@field [string] sg.unknown_argument
+
+---@class sg.model.run.options.states.info
+---@field step number
+---@field stage string
+---@field residual? number
+---@field [string] number
+
+---@class sg.model.run.options.on_step.info
+---@field step number
+---@field stage string
+---@field residual? number
+---@field [string] number
+
+---@class (exact) sg.model.run.options.on_iteration.info
+---@field step integer
+---@field stage string
+---@field from number
+---@field to number
+---@field iteration integer
+---@field residual number
+---@field energy number
+---@field reason string
+
+---@class (exact) sg.model.run.options
+---true or false; default false. Where a step fails, arc-length continuation follows the path, also past turning points,
+---until the end of the step is passed; available after the model's first accepted step. Rows between steps have
+---fractional step numbers, run.controls lists where control changed
+---@field arc_length? boolean
+---a table of named arguments; by default { adaptive = true }, with arc_length = true { adaptive = false }. Step
+---cutting: a failed step is cut in half. A run still has one row per step; run.cutbacks counts the cuts, run:column
+---"increments" the increments of each step, run:attempts(step) lists all attempts
+---@field step? sg.model.run.options.step
+---true or false; by default true, with arc_length = true false. A failed step is tried again with fallbacks, one at a
+---time: the tangent predictor; damping, if an unconstrained body makes the tangent singular. If these fail, the step is
+---cut. When it cannot be cut further, these are tried: damping, if it was not tried before; a line search;
+---pseudo-transient continuation; a frozen active set. run.fallbacks counts their successes; run.warnings names steps
+---solved by fallbacks that may lead to another branch of solutions
+---@field fallback? boolean
+---predictor, the first guess of a step; "linear" extrapolates the last step ('tangent', 'constant' or 'linear'; by
+---default "linear", with arc_length = true "tangent")
+---@field predictor? "tangent"|"constant"|"linear"
+---Newton's method in each attempt (a table of named arguments; default {})
+---@field newton? sg.model.run.options.newton
+---'auto', 'klu', 'umfpack', 'condensed', 'reuse' or 'mumps'; default "auto". Linear solver. "klu", "umfpack": direct;
+---"reuse": a reused (lagged) factorization preconditions GMRES while that is cheaper than a new one; "condensed":
+---static condensation, for linear elastic bodies; "mumps": MUMPS, direct, in parallel under mpirun; "auto": automatic
+---choice
+---@field linear? "auto"|"klu"|"umfpack"|"condensed"|"reuse"|"mumps"
+---options of linear = "mumps" (a table of named arguments; optional)
+---@field mumps? sg.model.run.options.mumps
+---a table of named arguments; by default { penetration = 1e-6, loops = 100 }. Limits of contacts with enforcement =
+---"augmented": their pressures are augmented (Uzawa) until penetration and separation of closed points are within the
+---tolerance; in mortar contact those of the multipliers, whose friction is augmented as well. With method = "gpts" on a
+---deformable master, curved under the slave, the default tolerance is often not reached, and the step fails (run.cause
+---"penetration"). An error if no contact is augmented
+---@field augmentation? sg.model.run.options.augmentation
+---true or false; default false. Damps unconstrained bodies until contact holds them; the converged state is in
+---equilibrium without damping
+---@field damping? boolean
+---true or false; default false. pseudo-transient continuation: follows a damped motion, past a limit point, to a
+---distant equilibrium, in up to 40 times as many iterations; not with line_search
+---@field pseudo_transient? boolean
+---increases the penalties along the path (a table of named arguments; optional)
+---@field penalty? sg.model.run.options.penalty
+---threads of this and later runs; results do not depend on the number (a whole number from 1 to 1024; by default the
+---value of --threads)
+---@field threads? integer
+---a string or a table of named arguments; optional. Saves the model and the progress of the run, so that a killed
+---process leaves a file of its last saved step
+---@field checkpoint? string|sg.model.run.options.checkpoint
+---true or false; default false. Continues from the checkpoint's file if it exists, with results bitwise identical to an
+---uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding error. The file of a
+---finished run returns that run at once. Scene and stages must be the same
+---@field resume? boolean
+---a number of states from 2, a list of steps, or a function; by default the start and the end of each stage. States
+---stored for run:states(): this number, evenly from start to end, those of the listed steps (0 is the start), or those
+---for which function(info) returns true; a resumed run has those since its resumption
+---@field states? integer|integer[]|(fun(info: sg.model.run.options.states.info): any)
+---a function; optional. function(info), called after each step with info.step, info.stage, info["grip.fx"] …; returns
+---nothing, "stop" to end the run, "cut" to repeat the step in halves, or a table of numbers, which become columns of
+---the run (nan elsewhere)
+---@field on_step? fun(info: sg.model.run.options.on_step.info): (("stop"|"cut"|table<string, number>)|nil)
+---a function; optional. function(info), called after each iteration with stage, step, from, to (parts of the step),
+---iteration, residual, energy, reason; returns nothing, "stop", or "cut" to abandon the attempt
+---@field on_iteration? fun(info: sg.model.run.options.on_iteration.info): (("stop"|"cut")|nil)
+---@field [string] sg.unknown_argument
+
+---Solves a model along its load path and returns a run. A further run continues from the model's state; its steps are
+---counted from 1 again.
+---
+---A failed step ends the run; this is a result, not an error: run.failed, run.reason, run.cause (the reason behind
+---minimum_step), run.report (in words, with the worst places and what may help), run.places (for sg.picture's marks).
+---The model keeps the last accepted state. Reasons:
+---```text
+---  completed        all steps converged
+---  stopped          on_step or on_iteration returned "stop"
+---  interrupted      Ctrl-C
+---  cut              on_step returned "cut", and increments cannot be shorter
+---  minimum_step     an increment of the smallest size failed; run.cause is the reason
+---  iterations       no convergence within newton.iterations
+---  diverged         the residual grew beyond 1e12 times the forces of the run
+---  cycling          no convergence within newton.iterations, and contact points still change their states
+---  lost_projection  contact points alternately find and lose their closest point at an edge of the master
+---  inverted         an element is turned inside out (J ≤ 0)
+---  singular         the tangent is singular: an unconstrained body, or a turning point
+---  indefinite       no convergence, and the tangent has negative eigenvalues: beyond a turning point
+---  nan              the residual is not a finite number
+---  line_search      no step length reduces the residual
+---  penetration      augmentation does not reduce the penetration to its tolerance
+---  turning_point    the prescribed quantity cannot increase further on this path: see arc_length
+---  left_path        an arc-length increment converged on another part of the path
+---```
+---run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns: step,
+---increments, iterations, wall; \<support>.fx, .fy, in 3D .fz, .moment if it rotates, .ux, .uy, .uz, .angle if driven;
+---\<load>.fx …, .tx … or .pressure; \<contact>.fx … (force on the slave), .area, .max_pressure, .max_penetration.
+---
+---Source: Newton's steps (4.33) to (4.35), freeze_active_set 4.5.2 of V. Agrawal, thesis, IIT Guwahati, 2020;
+---augmentation: J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992); arc_length: E. Riks, J. Appl. Mech. 39 (1972), H.
+---B. Keller, in Applications of Bifurcation Theory, Academic Press, 1977.
+---
+---Example:
+---```lua
+---model:run{ { name = "press", steps = 46, grip = {0, -0.23} } }
+---```
+---@param stages sg.stage[] # parts of the load path (a list of stages)
+---@param options? sg.model.run.options # controls, records and files of the run (a table of named arguments; default {})
+---@return sg.run
+function model:run(stages, options) end
+
+---A part of the load path: leads in equal steps to the values at its end.
+---
+---```text
+---model:run{ { name, steps, <support or load> = {…} }, … }: stages, a list
+---```
+---
+---Any other key is the name of a driven support or a load: the values at the stage's end, in the order of its driven
+---components (lengths, then the angle in degrees) or of the traction; a single value needs no braces. Supports and
+---loads that a stage does not name keep their values. Values are measured from the reference state, not from the
+---previous stage. model:driven(name) lists the components. Options are the second argument, model:run({ … }, { step = {
+---min = 1/256 } }): help "model:run".
+---
+---Example:
+---```lua
+---model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
+---           { name = "slide", steps = 250, grip = {1.5, -0.23} } }
+---```
+---@class sg.stage
+---name in reports and on_step (a string; by default "stage 1" and so on)
+---@field name? string
+---number of steps (a whole number, 1 or more)
+---@field steps integer
+---@field [string] any
+
+---Returns the default controls of model:run explicitly: each step starts from the linear predictor (predictor =
+---"linear"), a failed step is tried again with the first fallbacks (fallback = true), then cut in half (step = {
+---adaptive = true }), and at the smallest increment tried with the other fallbacks. Given options replace these. Use it
+---to keep these controls with arc_length = true, which otherwise switches them off: they are then tried before arc
+---length, and may leave the path that arc length would follow.
+---
+---```text
+---sg.robust{ … }
+---```
+---
+---Example:
+---```lua
+---model:run(stages, sg.robust{ arc_length = true, step = { adaptive = true, min = 1/256 } })
+---```
+---@param arguments? sg.model.run.options
+---@return sg.model.run.options
+function sg.robust(arguments) end
+
+---Returns options of model:run for plain Newton iterations: each step is solved once, as a whole, from the last
+---accepted state (predictor = "tangent", fallback = false, step = { adaptive = false }). Given options replace these.
+---Use it to compare with other programs or published iteration counts, and to find where Newton's method fails.
+---
+---```text
+---sg.plain{ … }
+---```
+---
+---Example:
+---```lua
+---model:run(stages, sg.plain{ newton = { iterations = 50 } })
+---```
+---@param arguments? sg.model.run.options
+---@return sg.model.run.options
+function sg.plain(arguments) end
+
+---The result of model:run; print(run) shows a short table, with fallbacks, cuts and other controls. Methods:
+---run:column, run:columns, run:csv, run:states, run:attempts, run:residuals.
+---@class sg.run
+---whether a step failed (true or false)
+---@field failed boolean
+---reason why the run ended, see help "model:run" (a string)
+---@field reason string
+---reason behind "minimum_step", of a run that failed (a string)
+---@field cause string
+---the failure in words, of a run that failed (a string)
+---@field report string
+---worst places of a failure, { x, X, text, … }, for sg.picture's marks (a list of values)
+---@field places any[]
+---converged steps; with arc_length = true columns may have further rows between them (a whole number, 0 or more)
+---@field steps integer
+---Newton iterations, also of failed attempts (a whole number, 0 or more)
+---@field iterations integer
+---increments cut in half (a whole number, 0 or more)
+---@field cutbacks integer
+---steps solved by fallbacks (a whole number, 0 or more)
+---@field fallback_steps integer
+---successes of each fallback (a table of names { name = … })
+---@field fallbacks table<string, integer>
+---wall time (a number; s)
+---@field wall number
+---bulk, contact, linear, rest (a table of names { name = … }; s)
+---@field timings table<string, number>
+---{ name, steps, iterations, cutbacks, wall } of each stage (a list of values)
+---@field stages any[]
+---where arc length began or ended: { step, to, place, reason } each (a list of values)
+---@field controls any[]
+---a list of strings. Those of model:warnings(), and about: loads that act in full from the first step; newton.tolerance
+---above 1e-3; contacts that never touched; penetration above 2 % of the smallest body's size; closest points that were
+---not found; points that passed through the master in one step; steps that may have jumped to another branch of
+---solutions (solved by certain fallbacks) or probably have (judged by displacements and released energy); stages whose
+---energy balance lacks more than a tenth of the work
+---@field warnings string[]
+local run = {}
+
+---Returns the names of all columns, in order.
+---
+---Example:
+---```lua
+---for _, name in ipairs(run:columns()) do print(name) end
+---```
+---@return string[]
+function run:columns() end
+
+---Returns the values of a column, one per converged step, with arc_length = true also for increments between steps, so
+---that the last value is column[#column]: "step", its "increments", "iterations" and "wall" (s) including failed
+---attempts, "\<support>.fx" (reaction), "\<support>.ux" (value of a driven component), "\<contact>.area" and so on;
+---columns that on_step returns are nan where it returned none.
+---
+---Example:
+---```lua
+---run:column "grip.fy"
+---```
+---@param name string # a column (a string)
+---@return number[]
+function run:column(name) end
+
+---@class (exact) sg.run.attempts.result
+---@field from number
+---@field to number
+---@field converged boolean
+---@field reason string
+---@field iterations integer
+---@field residuals number[]
+---@field fallback? string
+---@field restarted? boolean
+
+---Returns the attempts at a converged or failed step: a list of { from, to, converged, reason, iterations, residuals,
+---fallback, restarted }, where from and to are fractions of the step, and restarted tells whether the attempt started
+---at the step's start although a part was accepted.
+---
+---Example:
+---```lua
+---run:attempts(1)[1].iterations
+---```
+---@param step integer # number of the step; a failed step follows the last row (a whole number, 1 or more)
+---@return sg.run.attempts.result[]
+function run:attempts(step) end
+
+---Returns the residual norms of the iterations of a step's last attempt.
+---
+---Example:
+---```lua
+---run:residuals(run.steps)
+---```
+---@param step integer # number of the step; a failed step follows the last row (a whole number, 1 or more)
+---@return number[]
+function run:residuals(step) end
+
+---Returns the states that a run has stored, in order, for sg.picture{ states = run:states() }: those selected by the
+---option `states` of model:run; by default the start, the end of each stage and the last accepted one.
+---
+---Example:
+---```lua
+---sg.picture{ states = run:states(), field = "uy", file = "states.png" }
+---```
+---@return sg.state[]
+function run:states() end
+
+---Writes all columns to a CSV file; a value that on_step did not return is an empty field.
+---
+---Example:
+---```lua
+---run:csv "run.csv"
+---```
+---@param file string # name of the file (a string)
+function run:csv(file) end
+
+---An entry of run:states().
+---
+---Example:
+---```lua
+---local states = run:states(); print(states[#states].title)
+---```
+---@class sg.state
+---number of the step; 0 is the start (a whole number, 0 or more)
+---@field step integer
+---name of the stage (a string)
+---@field stage string
+---of a picture (a string)
+---@field title string
+---the state, for model:restore(state.snapshot) (a snapshot)
+---@field snapshot sg.snapshot
+local state = {}
+
+---@class (exact) sg.model.cost.result.bodies
+---those of the body (a whole number, 0 or more)
+---@field unknowns integer
+---unknowns of the control points on contact faces (a whole number, 0 or more)
+---@field interface integer
+---all other unknowns (a whole number, 0 or more)
+---@field bulk integer
+---degrees of freedom that supports fix or drive (a whole number, 0 or more)
+---@field prescribed integer
+---elements (a whole number, 0 or more)
+---@field elements integer
+---Gauss points (a whole number, 0 or more)
+---@field gauss_points integer
+
+---@class (exact) sg.model.cost.result.contacts
+---contact points (a whole number, 0 or more)
+---@field points integer
+---whether the master is an obstacle (true or false)
+---@field rigid boolean
+
+---@class (exact) sg.model.cost.result
+---size of the linear system (a whole number, 0 or more)
+---@field unknowns integer
+---rigid obstacles (without unknowns) (a whole number, 0 or more)
+---@field obstacles integer
+---bodies by name (a table of names { name = … })
+---@field bodies table<string, sg.model.cost.result.bodies>
+---contacts by name (a table of names { name = … })
+---@field contacts table<string, sg.model.cost.result.contacts>
+---nonzeros of the tangent, which increase when contacts touch (a whole number, 0 or more)
+---@field nonzeros integer
+---sum of memory_of (a number; bytes)
+---@field memory number
+---a table of names { name = … }; bytes. Bodies (tables of Gauss points), contacts (points with their history), tangent
+---(with its patterns), factors
+---@field memory_of table<string, number>
+---linear solver (a string)
+---@field linear string
+---"measured" after a factorization; before that "counted" from the pattern in nested-dissection order ('measured' or
+---'counted')
+---@field factors_are "measured"|"counted"
+
+---Returns the size of a model in numbers, before a solve or after it; print(model:cost()) shows tables.
+---
+---Example:
+---```lua
+---print(model:cost())
+---```
+---@return sg.model.cost.result
+function model:cost() end
+
+---Writes the model with its accepted state to a file for sg.load, atomically. From here on the model and a loaded copy
+---give bitwise identical results; for this the model discards factorizations and patterns, so that the next step takes
+---slightly longer. It is an error if a step, targets or penalties are not accepted yet.
+---
+---Example:
+---```lua
+---model:save "pressed.sgn"
+---```
+---@param path string # the checkpoint's file (a string)
+function model:save(path) end
+
+---Returns the model that model:save(path), or a run with checkpoints, has saved: bodies, supports, loads, contacts, and
+---the accepted state with its contact history. It does not need the script that made it, and its results are bitwise
+---identical to those of the saved model.
+---
+---Example:
+---```lua
+---model = sg.load "pressed.sgn"
+---```
+---@param path string # the checkpoint's file (a string)
+---@return sg.model
+function sg.load(path) end
