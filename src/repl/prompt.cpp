@@ -27,7 +27,7 @@ void note_locals(lua_State* L, const std::string& code) {
 bool run(Interpreter& interpreter, Chunk chunk) {
   lua_State* L = interpreter.state();
   if (!lua_isfunction(L, 1)) add_syntax_hint(L);
-  bool ok = lua_isfunction(L, 1) && interpreter.call(lua_gettop(L) - 1, true);
+  bool ok = lua_isfunction(L, 1) && interpreter.call(0, true);
   if (ok) {
     if (chunk == Chunk::expression) lua_remove(L, 1);
     push_library_function(L, "signorini.prompt", "results");
@@ -74,21 +74,25 @@ bool prompt(Interpreter& interpreter, bool quiet) {
         input == Input::end && (!editor || code.empty()); // otherwise Ctrl-D discards the unfinished statement
     if (leave) break;
     if (input != Input::line) {
+      if (editor) editor->remember(code); // to be corrected
       code.clear();
       continue;
     }
-    if (editor) editor->remember(line);
-    if (code.empty() && asks_to_leave(L, line)) break;
+    if (code.empty() && asks_to_leave(L, line)) {
+      if (editor) editor->remember(line);
+      break;
+    }
     code += (code.empty() ? "" : "\n") + line;
     if (code.find_first_not_of(" \t\n") == std::string::npos) {
       code.clear();
       continue;
     }
-    const Chunk chunk = load(L, code);
-    if (chunk == Chunk::unfinished) continue;
+    if (load(L, code) == Chunk::unfinished) continue;
     note_locals(L, code);
+    if (editor)
+      for (const std::string& statement : statements(L, code)) editor->remember(statement);
+    all_well = run(interpreter, load(L, code)) && all_well;
     code.clear();
-    all_well = run(interpreter, chunk) && all_well;
   }
   if (!code.empty()) {
     std::cerr << "prompt: the input ends inside a statement" << std::endl;
