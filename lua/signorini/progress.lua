@@ -16,10 +16,10 @@ local function seconds_text(seconds)
   return ("%d:%02d min"):format(whole // 60, whole % 60)
 end
 
---- A progress display over `total` steps.
-local function start(total)
-  local now = core.now()
-  return setmetatable({ total = total, done = 0, began = now, drawn = now, terminal = core.terminal }, Progress)
+--- A progress display over `total` steps. `lines`: without the bar, because other output comes in between.
+local function start(total, lines)
+  local now, terminal = core.now(), core.terminal and not lines
+  return setmetatable({ total = total, done = 0, began = now, drawn = now, terminal = terminal }, Progress)
 end
 
 function Progress:clear()

@@ -15,7 +15,7 @@ end
 local program = arg[-1]
 if not program:find "^/" then arg[-1] = core.directory .. "/" .. program end
 
-check.case("?name and name? show the page of a function, of a variable's type, of a field and of an argument", function()
+check.case("?name and name? show the page of a function, a variable's type, a field and an argument", function()
   local output, status = typed [[
 r = sg.csv.read
 p = sg.shapes.rectangle{ width = 2, height = 1 }
