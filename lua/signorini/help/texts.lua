@@ -13,7 +13,7 @@ signorini: isogeometric contact mechanics.
   help "contact"          parts of a scene and its path; also support, load, material, stage
   help "prompt"           commands and keys of the prompt
   help "examples"         the scene used by the examples of help
-  help "solving"          the pages on a subject: patches, bodies, solving, results, methods, pictures, studies, scripts
+  help "solving"          a subject: patches, bodies, solving, results, methods, scenes, pictures, studies, scripts
   help(sg.shapes)         the functions in a table
   help(sg.shapes.block)   one function: arguments, units, defaults, an example
   help "refine"           all pages and scripts with a word, also for terms of other programs: help "boundary condition"
