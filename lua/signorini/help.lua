@@ -104,6 +104,7 @@ local function no_page(word)
     lists.map(scripts.all(), function(script) return script.name end))
   table.sort(known)
   local hint = meant(word, known)
+  if hint == "" then hint = meant(word:match "[^.:]*$", known) end
   return ("There is no page on '%s'%s"):format(word, hint ~= "" and hint or ". help() lists topics.")
 end
 
@@ -214,15 +215,16 @@ end
 --- Answers ?query at the prompt: the page of that name, of an argument, a field or a variable, else a search. Raises an
 --- error if nothing is found.
 function help.ask(query)
-  local word = query:match "^%s*(.-)[%s()]*$"
+  local word = query:match "^%s*(.-)[%s(){}]*$"
   if word == "" then return help.show() end
-  if word == "_" then return print(texts.prompt) end
+  if word == "_" or word:find "^[%%!]" then return print(texts.prompt) end
   if pages.find(word) or texts[word] then return help.show(word) end
   local value
   if word:find "^[%a_][%w_.:]*$" then value = look_up(word) end
   if value ~= nil and is_of_library(value) then return help.show(value) end
-  local text = row_text(word, value) or value ~= nil and variable_text(word, value)
-    or #word >= shortest and word_page(word)
+  local owner = word:match "^(.+)[.:][%w_]+$"
+  local is_searched = #word >= shortest and not (owner and look_up(owner) ~= nil)
+  local text = row_text(word, value) or value ~= nil and variable_text(word, value) or is_searched and word_page(word)
   if not text then core.fail(no_page(word)) end
   print(text)
 end

@@ -34,6 +34,12 @@ count?? ]]
     "sg.csv.read(file)", "count, a number: 4711\ncount, a number: 4711\n")
 end)
 
+check.case("? of a call's beginning, of a command, and of a variable without a page", function()
+  check.holds(typed "?sg.median{", "Returns the median of a list")
+  check.holds(typed "?%run", "At the prompt:")
+  check.holds(typed "t = { 1, 2 }\n?t\n?t.x", "t, a table: {1, 2}", "no page on 't.x'")
+end)
+
 check.case("? of an unknown name is an error with a suggestion", function()
   local output, status = typed "?sg.boddy\n?x"
   check.equal(status, 1)

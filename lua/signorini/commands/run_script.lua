@@ -31,6 +31,7 @@ end
 
 --- The file of a name, which may omit ".lua": in the present folder or below it, or a supplied script.
 local function find(name)
+  name = name:gsub("^~/", function() return (os.getenv "HOME" or "~") .. "/" end)
   for _, file in ipairs { name, name .. ".lua" } do
     local path = core.find_script(file)
     if core.exists(path) and not core.exists(path .. "/.") then return path end

@@ -19,6 +19,6 @@ return function(command)
   io.stdout:flush()
   local run = core.interactive and os.execute or piped
   local _, how, status = run(command)
-  if how == "signal" then print("ended by signal " .. status) end
+  if how == "signal" then print((core.interactive and "\n" or "") .. "ended by signal " .. status) end -- after ^C
   if how == "exit" and status ~= 0 then print("exit status " .. status) end
 end

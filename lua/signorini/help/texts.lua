@@ -8,6 +8,7 @@ local texts = {
   scene = scene,
   start = [[
 signorini: isogeometric contact mechanics.
+  sg.scenes.ironing{}     a scene to begin with: m, path = sg.scenes.ironing{}; m:run(path); help "scenes" lists more
   help "orders"           order labels of discretizations such as N2-N2.2
   help "geometry"         patches and how to make them
   help "contact"          parts of a scene and its path; also support, load, material, stage
