@@ -18,6 +18,7 @@ sg.convergence_map = require "signorini.convergence_map"
 sg.work_precision = require "signorini.work_precision"
 sg.cheapest = require "signorini.cheapest"
 sg.pvd = require "signorini.pvd"
+sg.scenes = require "signorini.scenes"
 local profile = require "signorini.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
 types.model.run = require "signorini.run"
@@ -51,7 +52,9 @@ local function strict(entries, path)
       require "signorini.meant"(tostring(key), sorted_names(entries))))
   end, __tostring = function() return language.of_table(entries, path) end })
 end
-for _, name in ipairs { "shapes", "nurbs", "rigid", "csv", "json" } do strict(sg[name], "sg." .. name) end
+for _, name in ipairs { "shapes", "nurbs", "rigid", "csv", "json", "scenes" } do
+  strict(sg[name], "sg." .. name)
+end
 strict(sg, "sg")
 
 print = core.offered(require "signorini.print")

@@ -109,6 +109,10 @@ end
 --- The completions of a word after a text, a list: of a path of names or, inside quotes, of a string. Where a named
 --- argument is possible and one begins like this, only those are offered.
 return function(word, before)
+  if before:find "%f[^\n\0]%s*[%%!?][^\n]*$" then
+    local found = require "signorini.complete.commands"(word, before, function() return candidates(word) end)
+    if found then return found end
+  end
   if before:find "[\"']$" and place.is_open(before) then return texts(word, before) end
   local divided, path = word:match "^(.*/)(.*)$"
   path = path or word

@@ -5,12 +5,14 @@ local core = require "signorini.core"
 local cut = require "signorini.cut"
 local pages = require "signorini.pages"
 local scripts = require "signorini.help.scripts"
+local show = require "signorini.show"
 local lists = require "signorini.lists"
 local meant = require "signorini.meant"
 local synonyms = require "signorini.help.synonyms"
 local texts = require "signorini.help.texts"
 local wrapped = require "signorini.show.wrapped"
 
+local shortest = 3 -- word that ?word searches for
 local width, widest_head = 118, 46 -- characters of a line, and of its left column
 
 --- Lines of two columns, { left, right } each.
@@ -102,6 +104,7 @@ local function no_page(word)
     lists.map(scripts.all(), function(script) return script.name end))
   table.sort(known)
   local hint = meant(word, known)
+  if hint == "" then hint = meant(word:match "[^.:]*$", known) end
   return ("There is no page on '%s'%s"):format(word, hint ~= "" and hint or ". help() lists topics.")
 end
 
@@ -135,18 +138,18 @@ local function word_page(word)
   if page then return page end
   local answer, found = synonym_page(word), search(word)
   if answer and found then return answer .. "\n\n" .. found end
-  return answer or found or no_page(word)
+  return answer or found
 end
 
---- The name of the page of a function, or of the type of a value.
-local function page_name(value)
+--- The page of a value: of a function, or of an object's type; nil for others.
+local function page_of(value)
   local methods = type(value) == "table" and getmetatable(value) or nil
-  return core.names[value] or core.names[methods] or core.kind(value)
+  return pages.find(core.names[value] or core.names[methods] or core.kind(value))
 end
 
 local function value_page(value)
-  local text = pages.text(page_name(value))
-  if text then return text end
+  local page = page_of(value)
+  if page then return pages.text(page.name) end
   return type(value) == "table" and table_page(value) or ("There is no help page for a %s."):format(core.kind(value))
 end
 
@@ -164,15 +167,18 @@ function help.show(...)
   local value = ...
   if select("#", ...) == 0 then return print(texts.start) end
   if value == nil then return print "help(nil): this name is not defined. help() lists topics." end
-  print(type(value) == "string" and word_page(value) or value_page(value))
+  print(type(value) == "string" and (word_page(value) or no_page(value)) or value_page(value))
 end
 
 --- The global value of a path of names such as "sg.shapes", "run:column" or "x.y", or nil.
 local function look_up(path)
   local value = _G
   for name in path:gmatch "[^.:]+" do
-    local found, entry = pcall(function() return value == _G and rawget(_G, name) or value ~= _G and value[name] end)
-    if not found or not entry then return nil end
+    local found, entry = pcall(function()
+      if value == _G then return rawget(_G, name) end
+      return value[name]
+    end)
+    if not found or entry == nil then return nil end
     value = entry
   end
   return value
@@ -181,17 +187,52 @@ end
 --- What a path of names such as "sg.body" or "m:run" denotes: its value, and the page of it or of its type, or nil.
 function help.about(path)
   local value = look_up(path)
-  return value, pages.find(path) or value ~= nil and pages.find(page_name(value)) or nil
+  return value, pages.find(path) or value ~= nil and page_of(value) or nil
 end
 
---- Answers ?query at the prompt: the page of that name, else of the value with that name, else a search.
+--- The text of an argument or a field, "sg.body.order" or "r.iterations"; with the value of a variable's field.
+local function row_text(word, value)
+  local owner, key = word:match "^(.+)[.:]([%w_]+)$"
+  local page = owner and (pages.find(owner) or pages.find("sg." .. owner) or page_of(look_up(owner)))
+  local rows = page and (page.named or page.arguments or page.fields)
+  local row = rows and pages.row(rows, key)
+  if not row then return nil end
+  local text = ("%s of %s\n%s"):format(page.fields and "Field" or "Argument", page.name,
+    require("signorini.help.page_text").row(row))
+  return value == nil and text or ("%s\nvalue: %s"):format(text, show.text(value))
+end
+
+--- Whether a value is a function of the library, or a table of them such as sg.shapes.
+local function is_of_library(value)
+  if value == core.sg or core.names[value] then return true end
+  for _, entry in next, core.sg do
+    if entry == value then return true end
+  end
+  return false
+end
+
+--- The text of a variable: its value in short, then the page of its type, if there is one.
+local function variable_text(name, value)
+  local page = page_of(value)
+  local text = ("%s, a %s: %s"):format(name, pages.kind(value), show.text(value))
+  return page and ("%s\n\n%s"):format(text, pages.text(page.name)) or text
+end
+
+--- Answers ?query at the prompt: the page of that name, of an argument, a field or a variable, else a search. Raises an
+--- error if nothing is found.
 function help.ask(query)
-  local word = query:match "^%s*(.-)[%s()]*$"
+  local word = query:match "^%s*(.-)[%s(){}]*$"
   if word == "" then return help.show() end
+  if word == "_" or word:find "^[%%!]" then return print(texts.prompt) end
   if pages.find(word) or texts[word] then return help.show(word) end
-  local value = word:find "^[%a_][%w_.:]*$" and look_up(word)
-  local known = value and (core.names[value] or type(value) == "table" or type(value) == "userdata")
-  help.show(known and type(value) ~= "string" and value or word)
+  local value
+  if word:find "^[%a_][%w_.:]*$" then value = look_up(word) end
+  if value ~= nil and is_of_library(value) then return help.show(value) end
+  local owner = word:match "^(.+)[.:][%w_]+$"
+  local is_searched = #word >= shortest and not (owner and look_up(owner) ~= nil)
+  local text = row_text(word, value) or value ~= nil and variable_text(word, value) or is_searched and word_page(word)
+  if not text then core.fail(no_page(word)) end
+  print(text)
 end
 
 return help

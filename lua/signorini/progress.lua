@@ -16,10 +16,10 @@ local function seconds_text(seconds)
   return ("%d:%02d min"):format(whole // 60, whole % 60)
 end
 
---- A progress display over `total` steps.
-local function start(total)
-  local now = core.now()
-  local display = { total = total, done = 0, began = now, drawn = now, terminal = core.terminal }
+--- A progress display over `total` steps. `lines`: without the bar, because other output comes in between.
+local function start(total, lines)
+  local now, terminal = core.now(), core.terminal and not lines
+  local display = { total = total, done = 0, began = now, drawn = now, terminal = terminal }
   if core.replace_text then return require "signorini.kernel.progress"(display, Progress) end
   return setmetatable(display, Progress)
 end

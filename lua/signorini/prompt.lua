@@ -1,10 +1,26 @@
--- Results and errors at the prompt (called by src/repl/prompt.cpp).
+-- Results and errors at the prompt (called by src/repl/prompt.cpp), and its variables.
 
 local core = require "signorini.core"
+local lists = require "signorini.lists"
 local show = require "signorini.show"
 
 local prompt = {}
 core.line_locals = {}
+
+--- The global names of Lua, with their values.
+prompt.standard = lists.merged(_G)
+
+--- The names that only the prompt defines.
+prompt.names = { sg = true, help = true, traceback = true, arg = true, _ = true }
+
+--- The user's variables, by name: new ones, and names of Lua with another value.
+function prompt.variables()
+  local own = {}
+  for name, value in next, _G do
+    if type(name) == "string" and not prompt.names[name] and prompt.standard[name] ~= value then own[name] = value end
+  end
+  return own
+end
 
 --- Assigns the first result to `_`, unless it is nil.
 function prompt.keep(...)

@@ -55,7 +55,7 @@ end
 local function read_options(model, options, path, total)
   options.augmented = augmented_contact(model, options)
   options.solver = lists.merged(options.newton)
-  for _, key in ipairs { "predictor", "linear", "mumps", "augmentation", "damping", "pseudo_transient" } do
+  for _, key in ipairs { "predictor", "linear", "mumps", "augmentation", "damping", "pseudo_transient", "verbose" } do
     options.solver[key] = options[key]
   end
   options.on, options.checkpoints = controls_on(options), checkpoint(options)
@@ -139,6 +139,7 @@ function Step:try(solver, to, fallback)
   local began = core.now()
   self:set_targets(to)
   self:set_penalty(to)
+  if solver.verbose then require("signorini.verbose").attempt(self, to, fallback) end
   local result = self:solve(solver, to)
   if result.converged then
     self.model:accept()
@@ -207,8 +208,9 @@ end
 function Step:solve_arc(length, iterations, diagnoses)
   self:set_next_targets()
   local model, solver, saved = self.model, self.solver, self.model:snapshot()
+  if solver.verbose then require("signorini.verbose").arc(self, length, diagnoses) end
   local result = model:solve_arc { length = length, iterations = iterations, tolerance = solver.tolerance,
-                                   linear = solver.linear }
+                                   linear = solver.linear, verbose = solver.verbose }
   if not result.converged and diagnoses and not steps.is_wanted(result) then
     result.diagnosis = model:diagnose(self.options.on)
   end
@@ -255,6 +257,7 @@ function Step:probe(to)
   local result
   for _, solver in ipairs { self.solver, differs and searching or nil } do
     self:set_targets(to)
+    if solver.verbose then require("signorini.verbose").probe(self, to) end
     result = self.model:solve_step(solver)
     if result.converged then self.model:accept() else self.model:rollback() end
     if result.converged or steps.is_wanted(result) then break end
@@ -348,7 +351,7 @@ return function(model, stages, options)
   local place = checkpoints:begin(model, run, path, policy)
   run.used = { predictor = options.predictor, fallback = options.fallback, adaptive = options.step.adaptive,
                arc_length = options.arc_length }
-  local display = progress(total - run.steps)
+  local display = progress(total - run.steps, options.verbose)
   if options.states.wants(run.steps) then run:store_state(model, path[place.stage].name) end
   for index = place.stage, #path do
     local stage = path[index]

@@ -8,6 +8,7 @@
 #include "base/whole_file.hpp"
 #include "bind/arguments.hpp"
 #include "bind/functions.hpp"
+#include "bind/library.hpp"
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
 
@@ -155,6 +156,7 @@ constexpr Function core_entries[] = {
     {"hash", call<hash>},
     {"lock", call<lock>},
     {"create_claim", call<create_claim>}, // (file, content): creates a file unless it exists; whether it did
+    {"find_script", call<find_script>},   // the path of a supplied script, otherwise the name as it is
     {"notice_given", call<notice_given>}, // whether Slurm has announced the end of this task
     {"set_threads", call<set_threads>},   // of the following solves; core.threads is the value of --threads
     {"describe", core_describe},

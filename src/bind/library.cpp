@@ -121,8 +121,9 @@ void open_library(lua_State* L, const Settings& settings) {
   fields.push_back("contact_pressure");
   const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   set_fields(L, "terminal", isatty(STDERR_FILENO) == 1, // where progress is displayed
-             "quiet", settings.quiet, "threads", settings.threads, "most_threads", most_threads, "processors",
-             processors, "at_once", settings.jobs > 0 ? settings.jobs : processors, "host", host_name(), "program",
+             "interactive", isatty(STDIN_FILENO) && isatty(STDOUT_FILENO), "quiet", settings.quiet, "threads",
+             settings.threads, "most_threads", most_threads, "processors", processors, "at_once",
+             settings.jobs > 0 ? settings.jobs : processors, "host", host_name(), "program",
              fs::read_symlink("/proc/self/exe").string(), "directory", working_directory(), "processor",
              processor_name(), "linear_solvers", solve::linear_names(), "mumps", solve::has_mumps(), "ranks",
              solve::started_ranks(), "fields", fields, "colormaps", view::colormaps(), "cameras", view::camera_names(),

@@ -1,5 +1,6 @@
 #include "base/index.hpp"
 #include "base/words.hpp"
+#include "bind/iteration_report.hpp"
 #include "bind/model.hpp"
 #include "bind/wording/wording.hpp"
 #include "model/arc.hpp"
@@ -47,7 +48,7 @@ template <int D> std::vector<double> target(const model::Model<D>& model, const 
 }
 
 /// Options that model:solve_arc has as well.
-model::StepOptions read_newton(const Arguments& a) {
+template <int D> model::StepOptions read_newton(const model::Model<D>& model, const Arguments& a, lua_State* L) {
   model::StepOptions options;
   options.newton.tolerance = a.get<double>("tolerance");
   options.newton.iterations = a.get<int>("iterations");
@@ -59,6 +60,7 @@ model::StepOptions read_newton(const Arguments& a) {
     options.mumps.settings.folder = how.get("out_of_core", std::string());
     options.mumps.reuse = how.get<bool>("reuse");
   }
+  if (a.get<bool>("verbose")) options.after_iteration = report_iterations(L, model, options.newton.tolerance);
   return options;
 }
 
@@ -69,8 +71,8 @@ model::Predictor read_predictor(const Arguments& a) {
                               : model::Predictor::linear;
 }
 
-template <int D> model::StepOptions read_step_options(const model::Model<D>& model, const Arguments& a) {
-  model::StepOptions options = read_newton(a);
+template <int D> model::StepOptions read_step_options(const model::Model<D>& model, const Arguments& a, lua_State* L) {
+  model::StepOptions options = read_newton(model, a, L);
   options.newton.line_search = solve::line_search_kind(a.get<std::string>("line_search"));
   options.predictor = read_predictor(a);
   options.active_set = {.freeze = a.get("freeze_active_set", 0.0), .changes = a.get<int>("active_set_changes")};
@@ -96,15 +98,15 @@ int push_report(lua_State* L, const solve::NewtonReport& report) {
 }
 
 template <int D> int solve_step(model::Model<D>& model, const Arguments& a, lua_State* L) {
-  return push_report(L, model::solve_step(model, read_step_options(model, a)));
+  return push_report(L, model::solve_step(model, read_step_options(model, a, L)));
 }
 
 template <int D> int iterate(model::Model<D>& model, const Arguments& a, lua_State* L) {
-  return push_report(L, model::iterate(model, read_step_options(model, a)));
+  return push_report(L, model::iterate(model, read_step_options(model, a, L)));
 }
 
 template <int D> int solve_arc(model::Model<D>& model, const Arguments& a, lua_State* L) {
-  push_report(L, model::solve_arc(model, read_newton(a), a.get<double>("length")));
+  push_report(L, model::solve_arc(model, read_newton(model, a, L), a.get<double>("length")));
   set_field(L, "fraction", model.step->fraction);
   return 1;
 }

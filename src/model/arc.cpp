@@ -75,7 +75,10 @@ template <int D> solve::NewtonReport solve_arc(Model<D>& model, const StepOption
     return evaluate(model, wanted ? &rate : nullptr, wanted, why);
   };
   const auto step = [&](double& energy) { return advance(model, options, arc, energy); };
-  model.step->report = solve::newton(newton_system<D>(model, assemble, step), options.newton, true);
+  const solve::NewtonSystem system = newton_system<D>(model, assemble, step);
+  while (solve::iterate(system, options.newton, true, model.step->report))
+    if (options.after_iteration) options.after_iteration();
+  if (options.after_iteration) options.after_iteration();
   model.targets = model.present.targets;
   return model.step->report;
 }

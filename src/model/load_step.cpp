@@ -194,6 +194,7 @@ template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepO
   solve::NewtonOptions limits = options.newton;
   if (options.pseudo_transient) limits.iterations *= most_moves_per_iteration;
   if (!solve::iterate(newton, limits, step.pending, report)) classify(model.active_set, report);
+  if (options.after_iteration) options.after_iteration();
   return report;
 }
 

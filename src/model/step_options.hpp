@@ -4,6 +4,8 @@
 #include "solve/linear.hpp"
 #include "solve/newton.hpp"
 
+#include <functional>
+
 namespace signorini::model {
 
 /// First guess of a step at new targets.
@@ -41,6 +43,7 @@ struct StepOptions {
   /// Pseudo-transient continuation (solve/pseudo_time.hpp), with up to 40 times newton.iterations moves; not combined
   /// with line search.
   bool pseudo_transient = false;
+  std::function<void()> after_iteration = {}; ///< called after each iteration, if given: to report it
 };
 
 } // namespace signorini::model

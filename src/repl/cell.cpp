@@ -34,11 +34,12 @@ std::string with_last_expression(lua_State* L, const std::string& code, bool who
 
 } // namespace
 
-Chunk load_cell(lua_State* L, const std::string& code, const std::string& name) {
-  const Chunk chunk = load(L, code, name);
+Chunk load_cell(lua_State* L, std::string code, const std::string& name) {
+  lua_settop(L, 0);
+  if (!translate_commands(L, code)) return Chunk::statements;
+  const Chunk chunk = load_lua(L, code, name);
   if (chunk == Chunk::expression) return chunk;
-  const bool whole = lua_gettop(L) == 1 && lua_isfunction(L, 1) && !lua_iscfunction(L, 1);
-  const std::string with_result = with_last_expression(L, code, whole);
+  const std::string with_result = with_last_expression(L, code, lua_isfunction(L, 1));
   if (with_result.empty()) return chunk;
   lua_settop(L, 0);
   luaL_loadbufferx(L, with_result.data(), with_result.size(), ("=" + name).c_str(), "t");

@@ -3,10 +3,8 @@
 #include "base/match.hpp"
 #include "bind/stack.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <cstring>
-#include <optional>
+#include <sstream>
 
 namespace signorini::repl {
 
@@ -39,17 +37,22 @@ std::string with_result(const std::string& code) {
   return text(code.substr(0, line), "return nil, ", code.substr(line));
 }
 
-/// The query of a line "?sg.body" or "help sg.body" (not valid Lua); empty for other lines.
-std::optional<std::string> query(const std::string& code) {
-  const auto begin = code.find_first_not_of(" \t");
-  if (code[begin] == '?') return code.substr(begin + 1);
-  if (code.compare(begin, 5, "help ") != 0) return {};
-  const auto first = code.find_first_not_of(' ', begin + 5), last = code.find_last_not_of(' ');
-  const std::string word = first == std::string::npos ? "" : code.substr(first, last + 1 - first);
-  const bool is_path = std::all_of(word.begin(), word.end(),
-                                   [](unsigned char c) { return std::isalnum(c) || (c && std::strchr("_.:", c)); });
-  return is_path && !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) ? std::optional(word)
-                                                                                            : std::nullopt;
+/// Whether a line may be a command, which is not valid Lua: it begins with %, ? or !, ends with ?, or is "help
+/// sg.body".
+bool may_hold_commands(const std::string& code) {
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line);) {
+    const auto first = line.find_first_not_of(" \t"), last = line.find_last_not_of(" \t");
+    if (first == std::string::npos) continue;
+    if (std::strchr("%?!", line[first]) || line[last] == '?' || line.compare(first, 5, "help ") == 0) return true;
+  }
+  return false;
+}
+
+/// Whether code runs on its own.
+bool is_whole(lua_State* L, const std::string& code) {
+  const Chunk chunk = load(L, code);
+  return chunk != Chunk::unfinished && lua_isfunction(L, 1);
 }
 
 } // namespace
@@ -72,13 +75,17 @@ bool asks_to_leave(lua_State* L, const std::string& line) {
   return is_free;
 }
 
-Chunk load(lua_State* L, const std::string& code, const std::string& name) {
-  lua_settop(L, 0);
-  if (const auto wanted = query(code)) {
-    push_library_function(L, "signorini.help", "ask");
-    bind::push(L, *wanted);
-    return Chunk::statements;
-  }
+bool translate_commands(lua_State* L, std::string& code) {
+  if (!may_hold_commands(code)) return true;
+  push_library_function(L, "signorini.commands", "translate");
+  bind::push(L, code);
+  if (lua_pcall(L, 1, 1, 0) != LUA_OK) return false;
+  code = lua_tostring(L, -1);
+  lua_pop(L, 1);
+  return true;
+}
+
+Chunk load_lua(lua_State* L, const std::string& code, const std::string& name) {
   if (compiles(L, text("return nil, ", code), name)) return Chunk::expression;
   const bool well = compiles(L, code, name);
   lua_remove(L, well || !is_no_statement(code, lua_tostring(L, -1)) ? 1 : 2);
@@ -88,6 +95,32 @@ Chunk load(lua_State* L, const std::string& code, const std::string& name) {
   if (has_result) lua_insert(L, 1);
   lua_settop(L, 1);
   return has_result ? Chunk::expression : Chunk::statements;
+}
+
+Chunk load(lua_State* L, std::string code, const std::string& name) {
+  lua_settop(L, 0);
+  return translate_commands(L, code) ? load_lua(L, code, name) : Chunk::statements;
+}
+
+std::vector<std::string> statements(lua_State* L, const std::string& code) {
+  std::vector<std::string> found;
+  std::istringstream lines(code);
+  std::string block;
+  for (std::string line; std::getline(lines, line);) {
+    block += (block.empty() ? "" : "\n") + line;
+    if (block.find_first_not_of(" \t\n") == std::string::npos) {
+      block.clear();
+    } else if (is_whole(L, block)) {
+      found.push_back(block);
+      block.clear();
+    } else if (!found.empty() && is_whole(L, found.back() + "\n" + block)) { // a line such as ".. text" continues it
+      found.back() += "\n" + block;
+      block.clear();
+    }
+  }
+  if (!block.empty()) found.push_back(block);
+  lua_settop(L, 0);
+  return found;
 }
 
 } // namespace signorini::repl

@@ -1,12 +1,14 @@
 #include "repl/line_editor.hpp"
 
 #include "base/interrupt.hpp"
+#include "repl/history.hpp"
 #include "repl/interrupt.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
+#include <initializer_list>
 #include <poll.h>
 #include <string_view>
 #include <vector>
@@ -16,27 +18,12 @@
 
 namespace signorini::repl {
 
-namespace fs = std::filesystem;
-
 namespace {
+
+constexpr int most_statements = 2000; ///< in the history in memory
 
 lua_State* state = nullptr;
 std::string above; ///< the lines of the unfinished statement
-
-/// $XDG_STATE_HOME/signorini/history, ~/.local/state/signorini/history, or empty without a home folder.
-std::string find_history() {
-  const char *state_home = std::getenv("XDG_STATE_HOME"), *home = std::getenv("HOME");
-  fs::path folder;
-  if (state_home && *state_home)
-    folder = state_home;
-  else if (home && *home)
-    folder = fs::path(home) / ".local/state";
-  else
-    return "";
-  std::error_code error;
-  fs::create_directories(folder / "signorini", error);
-  return error ? "" : (folder / "signorini/history").string();
-}
 
 /// All completions of `word` after `before` by signorini.complete; none if Ctrl-C interrupts the search.
 std::vector<std::string> completions(const char* word, const std::string& before) {
@@ -86,6 +73,54 @@ int tab(int count, int key) {
   if (left.find_first_not_of(" \t") == std::string_view::npos) return rl_insert(count, key);
   if (rl_last_func == tab) rl_last_func = rl_complete; // a second Tab lists the completions
   return rl_complete(count, key);
+}
+
+/// Where the line of a position begins in the buffer, which may hold several.
+int line_start(int position) {
+  while (position > 0 && rl_line_buffer[position - 1] != '\n') --position;
+  return position;
+}
+
+int line_end(int position) {
+  while (position < rl_end && rl_line_buffer[position] != '\n') ++position;
+  return position;
+}
+
+/// The position in the line from `start` that is as far from its beginning as the cursor is from that of its own line.
+int below_or_above(int start) {
+  return std::min(start + rl_point - line_start(rl_point), line_end(start));
+}
+
+/// Up moves to the line above in a block of several lines, otherwise to the previous statement of the history.
+int up(int count, int key) {
+  const int start = line_start(rl_point);
+  if (start == 0) return rl_get_previous_history(count, key);
+  rl_point = below_or_above(line_start(start - 1));
+  return 0;
+}
+
+int down(int count, int key) {
+  const int end = line_end(rl_point);
+  if (end == rl_end) return rl_get_next_history(count, key);
+  rl_point = below_or_above(end + 1);
+  return 0;
+}
+
+/// Home and End of the line in a block.
+int to_line_start(int, int) {
+  rl_point = line_start(rl_point);
+  return 0;
+}
+
+int to_line_end(int, int) {
+  rl_point = line_end(rl_point);
+  return 0;
+}
+
+/// Replaces a function of readline on its keys, except on those that ~/.inputrc has given another one.
+void replace(std::initializer_list<const char*> keys, rl_command_func_t* usual, rl_command_func_t* own) {
+  for (const char* key : keys)
+    if (rl_function_of_keyseq(key, nullptr, nullptr) == usual) rl_bind_keyseq(key, own);
 }
 
 bool finished = false;
@@ -138,16 +173,21 @@ LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
   state = L;
   rl_readline_name = "signorini";
   // Without the slash, because file names contain it; signorini.complete treats it as division.
-  rl_basic_word_break_characters = " \t\n\"'`@$><=;|&{}()[],+-*^%#~";
+  rl_basic_word_break_characters = " \t\n\"'`@$><=;|&{}()[],+-*^%#~?!";
   rl_completer_quote_characters = "\"'";
   rl_attempted_completion_function = complete;
+  rl_initialize(); // reads ~/.inputrc
   rl_bind_key('\t', tab);
+  replace({"\033[A", "\033OA"}, rl_get_previous_history, up);
+  replace({"\033[B", "\033OB"}, rl_get_next_history, down);
+  replace({"\001", "\033[H", "\033OH", "\033[1~"}, rl_beg_of_line, to_line_start); // Ctrl-A, Home
+  replace({"\005", "\033[F", "\033OF", "\033[4~"}, rl_end_of_line, to_line_end);   // Ctrl-E, End
   rl_catch_sigwinch = 0; // readline would handle it only with the next key
   std::signal(SIGWINCH, note_signal);
   std::signal(SIGCONT, note_signal);
   using_history();
-  stifle_history(2000);
-  if (!history_file_.empty()) read_history(history_file_.c_str());
+  stifle_history(most_statements);
+  for (const std::string& statement : load_history(history_file_, most_statements)) add_history(statement.c_str());
 }
 
 // readline() would discard keys that follow a Ctrl-C, hence this loop over keys.
@@ -177,17 +217,12 @@ Input LineEditor::read(const char* prompt, const std::string& before, std::strin
   return Input::line;
 }
 
-void LineEditor::remember(const std::string& line) {
-  if (line.find_first_not_of(" \t") == std::string::npos) return;
+void LineEditor::remember(const std::string& statement) {
+  if (statement.find_first_not_of(" \t\n") == std::string::npos) return;
   const HIST_ENTRY* last = history_get(history_base + history_length - 1);
-  if (last && line == last->line) return;
-  add_history(line.c_str());
-  if (history_file_.empty()) return;
-  // append_history requires an existing file
-  if (!fs::exists(history_file_))
-    write_history(history_file_.c_str());
-  else
-    append_history(1, history_file_.c_str());
+  if (last && statement == last->line) return;
+  add_history(statement.c_str());
+  if (!history_file_.empty()) save_statement(history_file_, statement);
 }
 
 } // namespace signorini::repl

@@ -7,7 +7,7 @@
 
 namespace signorini::repl {
 
-enum class Input { line, interrupted, end };
+enum class Input { line, interrupted, end }; ///< a line that was pasted or recalled may be a block of several
 
 /// Line editing on the terminal; only one instance at a time.
 class LineEditor {
@@ -15,8 +15,8 @@ public:
   explicit LineEditor(lua_State* L);
   /// `before`: previous lines of the unfinished statement, for completion.
   Input read(const char* prompt, const std::string& before, std::string& line);
-  /// Adds a line to the history, in memory and on disk.
-  void remember(const std::string& line);
+  /// Adds a statement, which may have several lines, to the history, in memory and on disk.
+  void remember(const std::string& statement);
 
 private:
   std::string history_file_;

@@ -48,19 +48,23 @@ bool prompt(Interpreter& interpreter, bool quiet) {
         input == Input::end && (!editor || code.empty()); // otherwise Ctrl-D discards the unfinished statement
     if (leave) break;
     if (input != Input::line) {
+      if (editor) editor->remember(code); // to be corrected
       code.clear();
       continue;
     }
-    if (editor) editor->remember(line);
-    if (code.empty() && asks_to_leave(L, line)) break;
+    if (code.empty() && asks_to_leave(L, line)) {
+      if (editor) editor->remember(line);
+      break;
+    }
     code += (code.empty() ? "" : "\n") + line;
     if (code.find_first_not_of(" \t\n") == std::string::npos) {
       code.clear();
       continue;
     }
-    const Chunk chunk = load(L, code);
-    if (chunk == Chunk::unfinished) continue;
-    all_well = run(interpreter, chunk, code) && all_well;
+    if (load(L, code) == Chunk::unfinished) continue;
+    if (editor)
+      for (const std::string& statement : statements(L, code)) editor->remember(statement);
+    all_well = run(interpreter, load(L, code), code) && all_well;
     code.clear();
   }
   if (!code.empty()) {

@@ -100,7 +100,8 @@ end)
 
 check.case("every argument of a table is read by the code, and no key occurs twice", function()
   local code = {}
-  for _, folder in ipairs { "src/bind", "lua/signorini", "lua/signorini/study", "lua/signorini/convergence_map" } do
+  for _, folder in ipairs { "src/bind", "lua/signorini", "lua/signorini/study", "lua/signorini/convergence_map",
+                            "lua/signorini/scenes" } do
     for _, file in ipairs(core.list_folder(core.home .. "/" .. folder)) do
       if file:find "%.[lch]" then code[#code + 1] = core.read_file(("%s/%s/%s"):format(core.home, folder, file)) end
     end

@@ -101,6 +101,13 @@ function page_text.examples(page)
   return type(page.example) == "table" and page.example or { page.example }
 end
 
+--- The text of one row.
+function page_text.row(row)
+  local lines = {}
+  add_rows(lines, { row }, "")
+  return table.concat(lines, "\n")
+end
+
 --- The text of a page, optionally without its examples.
 function page_text.whole(page, without_examples)
   local lines = {}

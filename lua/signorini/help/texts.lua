@@ -8,12 +8,13 @@ local texts = {
   scene = scene,
   start = [[
 signorini: isogeometric contact mechanics.
+  sg.scenes.ironing{}     a scene to begin with: m, path = sg.scenes.ironing{}; m:run(path); help "scenes" lists more
   help "orders"           order labels of discretizations such as N2-N2.2
   help "geometry"         patches and how to make them
   help "contact"          parts of a scene and its path; also support, load, material, stage
   help "prompt"           commands and keys of the prompt; also notebook
   help "examples"         the scene used by the examples of help
-  help "solving"          the pages on a subject: patches, bodies, solving, results, methods, pictures, studies, scripts
+  help "solving"          a subject: patches, bodies, solving, results, methods, scenes, pictures, studies, scripts
   help(sg.shapes)         the functions in a table
   help(sg.shapes.block)   one function: arguments, units, defaults, an example
   help "refine"           all pages and scripts with a word, also for terms of other programs: help "boundary condition"
@@ -21,15 +22,26 @@ signorini: isogeometric contact mechanics.
 Any consistent units can be used; angles are in degrees; directions and indices count from 1.]],
   prompt = [[
 At the prompt:
-  ?sg.body, ?refine       help on a name or a word
+  ?sg.body, sg.body?      help on a name, a word, a variable, a field (?run.failed) or an argument (?sg.body.order)
   2 * x                   shows the value of an expression; _ is the last such value
+  %time code              runs an expression or a statement and shows its wall-clock time and processor time
+  %who                    lists the variables with their types
+  %run file arguments     runs a script as from the command line, in a fresh state: it sees no variables of the prompt,
+                          and modules next to it are read again. Then its global variables (not its local ones) are
+                          those of the prompt, too, and _ is the first value that it returned
+  !command                runs a command of the shell
+  %help                   lists these commands
   Tab                     completes names, fields, methods, named arguments in name{ … }, texts and file names in quotes
+                          and after %run and !
+  Up, Down                return earlier statements, whole if they have several lines; inside such a block they move
+                          from line to line (Ctrl-P, Ctrl-N: always to another statement). Enter runs the block
   Ctrl-C                  stops a solve after the current iteration: the model keeps its last accepted state, and _ is
-                          the run; otherwise discards the line. It does not end the prompt
+                          the run; otherwise discards the statement, which Up returns. It does not end the prompt
   Ctrl-D, exit, quit      ends the prompt; within an unfinished statement, Ctrl-D discards the statement
   traceback()             shows the traceback of the last error
 A statement may extend over several lines. Local variables are lost after their line: omit `local`. The history is saved
-in ~/.local/state/signorini/history. NO_COLOR in the environment turns colors off.]],
+in ~/.local/state/signorini/history. NO_COLOR in the environment turns colors off. sg.scenes has models to begin with:
+m, path = sg.scenes.ironing{}; m:run(path).]],
   notebook = [[
 Notebooks: signorini --install-kernel makes this program a kernel of Jupyter, which then offers "Signorini" notebooks.
   the last expression     of a cell is shown; _ is the last such value

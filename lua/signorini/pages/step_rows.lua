@@ -71,9 +71,14 @@ local function conflict_of_moves(newton, values)
   end
 end
 
+local verbose = { "verbose", t.flag, [[prints each iteration when it ends: the residual, relative to the forces so that
+newton.tolerance is its goal; the energy |f·Δu| of the correction; contact points that are active, that slip and that
+have changed their state; the linear solver, where it has factored, or iterations of GMRES; a factor on the correction,
+augmentations, the reason of the end]], default = false }
+
 --- Of model:solve_step.
 rows.step = joined(loop, { { "predictor", predictors, first_guess, default = "tangent" }, linear, mumps,
-                           augmentation, damping, pseudo_transient })
+                           augmentation, damping, pseudo_transient, verbose })
 rows.step.conflict = function(values) return conflict_of_moves(values, values) or conflict_of_solver(values) end
 rows.step.hints = hints
 
@@ -81,7 +86,7 @@ rows.step.hints = hints
 rows.arc = {
   { "length", t.positive, "distance from the accepted state, root mean square of the displacement over all bodies",
     unit = "length" },
-  tolerance, iterations, linear, mumps,
+  tolerance, iterations, linear, mumps, verbose,
 }
 rows.arc.conflict = conflict_of_solver
 
@@ -146,7 +151,7 @@ active set. run.fallbacks counts their
 successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions]]),
   control("predictor", predictors, first_guess),
   { "newton", t.named(loop), "Newton's method in each attempt", default = {} },
-  linear, mumps, augmentation, damping, pseudo_transient,
+  linear, mumps, augmentation, damping, pseudo_transient, verbose,
   { "penalty", t.named {
     { "start", t.share, "initial factor of all penalties" },
     { "steps", t.count, "steps until it is 1" },
