@@ -98,7 +98,7 @@ local function timed(code)
     core.fail "%time must be followed by an expression or a statement. Hint: %time model:run(path)"
   end
   local start, after = module .. ".start()", code:find("--", 1, true) and "\n" or " " -- behind a comment
-  local expression = code:gsub("[%s;]+$", "")
+  local expression = code:gsub("[%s;]+$", ""):gsub("^%s*return%f[^%w_]", "")
   if load(("return %s\n"):format(expression), "=prompt", "t") then
     return ("%s.timed(%s, %s%s)"):format(module, start, expression, after)
   end

@@ -190,12 +190,19 @@ function help.about(path)
   return value, pages.find(path) or value ~= nil and page_of(value) or nil
 end
 
---- The text of an argument or a field, "sg.body.order" or "r.iterations"; with the value of a variable's field.
-local function row_text(word, value)
+--- The page, and its rows, of what precedes the last name in "sg.body.order" or "r.iterations", and that name; nil if
+--- there is none.
+local function rows_before(word)
   local owner, key = word:match "^(.+)[.:]([%w_]+)$"
   local page = owner and (pages.find(owner) or pages.find("sg." .. owner) or page_of(look_up(owner)))
   local rows = page and (page.named or page.arguments or page.fields)
-  local row = rows and pages.row(rows, key)
+  if rows then return page, rows, key end
+end
+
+--- The text of an argument or a field; with the value of a variable's field.
+local function row_text(word, value)
+  local page, rows, key = rows_before(word)
+  local row = page and pages.row(rows, key)
   if not row then return nil end
   local text = ("%s of %s\n%s"):format(page.fields and "Field" or "Argument", page.name,
     require("signorini.help.page_text").row(row))
@@ -221,7 +228,7 @@ end
 --- Answers ?query at the prompt: the page of that name, of an argument, a field or a variable, else a search. Raises an
 --- error if nothing is found.
 function help.ask(query)
-  local word = query:match "^%s*(.-)[%s(){}]*$"
+  local word = query:match "^%s*([%a_][%w_.:]*)%s*[({]" or query:match "^%s*(.-)%s*$"
   if word == "" then return help.show() end
   if word == "_" or word:find "^[%%!]" then return print(texts.prompt) end
   if pages.find(word) or texts[word] then return help.show(word) end
@@ -231,8 +238,11 @@ function help.ask(query)
   local owner = word:match "^(.+)[.:][%w_]+$"
   local is_searched = #word >= shortest and not (owner and look_up(owner) ~= nil)
   local text = row_text(word, value) or value ~= nil and variable_text(word, value) or is_searched and word_page(word)
-  if not text then core.fail(no_page(word)) end
-  print(text)
+  if text then return print(text) end
+  local page, rows, key = rows_before(word)
+  if not page then core.fail(no_page(word)) end
+  core.fail(("%s has no %s '%s'%s"):format(page.name, page.fields and "field" or "argument", key,
+    meant(key, pages.keys(rows))))
 end
 
 return help

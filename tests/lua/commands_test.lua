@@ -35,7 +35,7 @@ count?? ]]
 end)
 
 check.case("? of a call's beginning, of a command, and of a variable without a page", function()
-  check.holds(typed "?sg.median{", "Returns the median of a list")
+  check.holds(typed "?sg.median{ 1, 2 }", "Returns the median of a list")
   check.holds(typed "?%run", "At the prompt:")
   check.holds(typed "t = { 1, 2 }\n?t\n?t.x", "t, a table: {1, 2}", "no page on 't.x'")
 end)
@@ -44,10 +44,17 @@ check.case("? of an unknown name is an error with a suggestion", function()
   local output, status = typed "?sg.boddy\n?x"
   check.equal(status, 1)
   check.holds(output, "prompt:1: There is no page on 'sg.boddy'; did you mean 'sg.body'?", "no page on 'x'")
+  check.holds(typed "?run.filed\n?sg.body.ordr", "prompt:1: run has no field 'filed'; did you mean 'failed'?",
+    "sg.body has no argument 'ordr'; did you mean 'order'?")
 end)
 
 check.case("%time shows wall-clock and processor time, then the result", function()
-  local output, status = typed "%time 40 + 2\n_ + 1\n%time local x = 5; y = x -- a comment\ny\n%time 1, 2 -- two"
+  local output, status = typed [[
+%time 40 + 2
+_ + 1
+%time local x = 5; y = x -- a comment
+y
+%time return 1, 2 -- two]]
   check.equal(status, 0)
   check.equal((output:gsub("%d[%d.e-]* s", "… s")), ([[
 T
