@@ -32,7 +32,7 @@ sg.plain = require("signorini.controls").plain
 
 local methods = require "signorini.methods"
 methods.guard("model", "run cost energy profile")
-methods.guard("run", "attempts column columns csv residuals states")
+methods.guard("run", "attempts column columns csv hdf5 residuals states")
 methods.guard("study", "by cancel chart column csv execute heatmap median read row table watch where with")
 methods.guard("comparison", "front table")
 methods.guard("map", "cell compare converged csv heatmap picture table")
