@@ -12,19 +12,13 @@ local where = "model:run"
 
 --- Fields of a run that are rebuilt or written in another form; all others are saved as they are.
 local apart = { "failed", "reason", "cause", "report", "recorders", "before", "step", "names", "values", "histories",
-                "extra", "stored_states", "step_column", "increment_column", "iteration_column", "wall_column" }
+                "extra", "stored_states", "step_column", "increment_column", "iteration_column", "wall_column", "model",
+                "outline" }
 
 --- Calls a file function of the core; its errors become errors of model:run.
 local function call(name, ...) return on_behalf_of(where, "core." .. name, core[name], ...) end
 
 -- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
-
---- The data of a path, without what a run adds to it.
-local function outline(path)
-  return lists.map(path, function(stage)
-    return { name = stage.name, steps = stage.steps, targets = stage.targets }
-  end)
-end
 
 --- The difference between two paths, in words; nil if they are equal.
 local function difference(path, saved)
@@ -73,7 +67,7 @@ function Checkpoint:text(model, run, path, place, policy)
     if not lists.holds(apart, key) then record[key] = value end
   end
   local stage = path[place.stage]
-  local rest = core.pack { path = outline(path), place = place, starts = stage.starts or {},
+  local rest = core.pack { path = run.outline, place = place, starts = stage.starts or {},
                            memory = policy.memory or {}, names = run.names, record = record,
                            spent = seconds_spent(model, run.before) }
   return list { rest, grow(self.rows, run.rows, function(i) return row_of(run, i) end),
@@ -99,7 +93,7 @@ end
 -- ── Resuming ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The state of the run in a file, checked against the present path.
-function Checkpoint:read(path, run)
+function Checkpoint:read(run)
   local text = call("checkpoint_text", self.file)
   if text == "" then
     core.fail(("%s: '%s' was saved by model:save, not by a run. Hint: load it with sg.load, and run without resume")
@@ -111,7 +105,7 @@ function Checkpoint:read(path, run)
       "the program saved it. Hint: name another file, or remove this one to start again"):format(where, self.file))
   end
   local state, rows, histories = table.unpack(saved)
-  local differs = difference(outline(path), state.path)
+  local differs = difference(run.outline, state.path)
   if differs then
     core.fail(("%s: '%s' was saved on another path: %s. Hint: name another file, or remove this one to start again")
       :format(where, self.file, differs))
@@ -126,7 +120,7 @@ end
 
 --- Restores model, run and policy from the file. Returns the position on the path.
 function Checkpoint:resume_from_file(model, run, path, policy)
-  local state, rows, histories = self:read(path, run)
+  local state, rows, histories = self:read(run)
   call("restore", model, self.file)
   for key, value in pairs(state.record) do run[key] = value end
   for i, row in ipairs(rows) do

@@ -54,7 +54,8 @@ function Series:add(state)
   end
   local name = ("%s_%04d.vtu"):format(self.stem, #self + 1)
   on_behalf_of("series:add", "sg.vtu", core.sg.vtu,
-    { model = state.model, file = self.folder .. name, deformed = state.deformed })
+    { model = state.model, file = self.folder .. name, deformed = state.deformed, cells = state.cells,
+      subdivisions = state.subdivisions })
   self[#self + 1] = { time = time, name = name }
   write_list(self)
 end

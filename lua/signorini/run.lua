@@ -332,8 +332,9 @@ local function take(step, run, options, display)
 end
 
 --- Ends a run and prints its warnings except those in `said`. `early`: warnings about the path.
-local function close(run, model, display, said, early)
+local function close(run, model, display, said, early, record)
   run:finish(model, early)
+  if record then record:finish(run) end
   for _, warning in ipairs(run.warnings) do
     if not said[warning] then display:line(warning) end
   end
@@ -347,12 +348,14 @@ return function(model, stages, options)
   local policy, checkpoints = options.policy, options.checkpoints
   local said, early = {}, run_warnings.of_path(model, path, options.solver)
   for _, warning in ipairs(model:warnings()) do said[warning] = true end
-  local run = Run.new(model)
+  local run = Run.new(model, path)
   local place = checkpoints:begin(model, run, path, policy)
   run.used = { predictor = options.predictor, fallback = options.fallback, adaptive = options.step.adaptive,
                arc_length = options.arc_length }
   local display = progress(total - run.steps, options.verbose)
   if options.states.wants(run.steps) then run:store_state(model, path[place.stage].name) end
+  local record = options.hdf5
+    and require("signorini.hdf5").start(where, model, run, options, path[place.stage].name)
   for index = place.stage, #path do
     local stage = path[index]
     begin_stage(model, stage)
@@ -372,13 +375,14 @@ return function(model, stages, options)
         if options.states.wants(run.steps, function() return run:info(stage, result) end) then
           run:store_state(model, stage.name)
         end
+        if record then record:step(run, stage.name) end
         checkpoints:step(model, run, path, place, policy)
       end
       if run.reason == "interrupted" then core.interrupted_run = run end -- for the prompt
       if run.reason ~= "completed" then
         display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, number, stage.steps))
         if options.states.last then run:store_state(model, stage.name) end
-        return close(run, model, display, said, early)
+        return close(run, model, display, said, early, record)
       end
     end
     place.number = 0
@@ -386,5 +390,5 @@ return function(model, stages, options)
   end
   display:clear()
   if options.states.last then run:store_state(model, path[#path].name) end
-  return close(run, model, display, said, early)
+  return close(run, model, display, said, early, record)
 end

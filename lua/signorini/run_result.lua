@@ -21,7 +21,7 @@ Run.__name = "run"
 core.types.run = Run
 
 -- Fields that some runs have, or only until they end. All other unknown names are misspelled.
-local private = named.strict_type(Run, "run", "cause report timings recorders before step")
+local private = named.strict_type(Run, "run", "cause report timings recorders before step model outline")
 
 function Run:__newindex(name, value)
   if not (rawget(self, "recorders") or private[name]) then -- the run has ended
@@ -88,9 +88,17 @@ local function record_contact(run, model, contact)
   end
 end
 
+--- The data of a path, without what a run adds to it.
+local function outline(path)
+  return lists.map(path, function(stage)
+    return { name = stage.name, steps = stage.steps, targets = stage.targets }
+  end)
+end
+
 --- A run without steps. Columns are created once, so that a step only appends numbers.
-function Run.new(model)
+function Run.new(model, path)
   local run = setmetatable({
+    model = model, outline = outline(path),
     failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, fallback_steps = 0,
     wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, stored_states = {}, before = model:timings(),
@@ -322,6 +330,7 @@ function Run:csv(file)
 end
 
 function Run:html(options) return require "signorini.report.run"(self, options) end
+function Run:hdf5(file, options) require("signorini.hdf5").write(self, file, options) end
 
 local function work_row(name, work, cutbacks)
   local mean = work.steps > 0 and work.iterations / work.steps or nil

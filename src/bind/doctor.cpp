@@ -6,6 +6,7 @@
 #include "base/whole_file.hpp"
 #include "bind/library.hpp"
 #include "bind/threads.hpp"
+#include "exchange/hdf5.hpp"
 #include "solid/kernel.hpp"
 #include "solve/mumps.hpp"
 #include "view/figure.hpp"
@@ -93,6 +94,9 @@ bool doctor(std::ostream& out, int threads, const std::vector<OtherLibrary>& oth
   for (const auto& [name, description] : others) attempt(name, description);
   attempt("MUMPS", [] {
     return solve::has_mumps() ? solve::mumps_description() : "not installed, linear = \"mumps\" is not available";
+  });
+  attempt("HDF5", [] {
+    return exchange::has_hdf5() ? exchange::hdf5().description() : "not installed, run:hdf5 is not available";
   });
   attempt("renderer", [] { return view::renderer().description(); });
   attempt("drawing", [] { return view::flat_renderer().description(); });

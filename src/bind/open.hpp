@@ -18,6 +18,7 @@ void open_chart(lua_State* L);      ///< sg.chart
 void open_picture(lua_State* L);    ///< sg.picture
 void open_heatmap(lua_State* L);    ///< sg.heatmap
 void open_vtu(lua_State* L);        ///< sg.vtu
+void open_hdf5(lua_State* L);       ///< core.make_result_file, core.open_result_file and others
 void open_jobs(lua_State* L);       ///< core.jobs: parallel processes
 void open_json(lua_State* L);       ///< core.write_json, core.pack and others
 

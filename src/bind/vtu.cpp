@@ -1,4 +1,4 @@
-// sg.vtu: the present state of a model for ParaView, as exact rational Bézier cells.
+// sg.vtu: the present state of a model for ParaView, as exact rational Bézier cells, or as linear ones.
 
 #include "exchange/vtu.hpp"
 #include "base/index.hpp"
@@ -11,6 +11,7 @@
 #include "tessellation/bezier_cells.hpp"
 #include "view/figure.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace signorini::bind {
@@ -116,10 +117,20 @@ exchange::BezierGrid read_grid(const Arguments& a) {
   return grid_of(*a.object<Model<2>>("model"), deformed);
 }
 
+/// The highest degree of all cells, at least 2.
+int default_subdivisions(const exchange::BezierGrid& grid) {
+  int most = 2;
+  for (const std::vector<int>& degrees : grid.degrees)
+    for (int degree : degrees) most = std::max(most, degree);
+  return most;
+}
+
 void vtu(const Arguments& a) {
   const auto file = a.get<std::string>("file");
   if (view::file_ending(file) != ".vtu") a.refuse("file", "a name that ends with .vtu");
-  write_atomically(file, exchange::vtu(read_grid(a)));
+  const exchange::BezierGrid grid = read_grid(a);
+  if (a.get<std::string>("cells") == "bezier") return write_atomically(file, exchange::vtu(grid));
+  write_atomically(file, exchange::linear_vtu(grid, a.get("subdivisions", default_subdivisions(grid))));
 }
 
 constexpr Function vtu_entries[] = {{"vtu", call<vtu>}};

@@ -2,6 +2,7 @@
 
 #include "base/base64.hpp"
 #include "base/error.hpp"
+#include "exchange/sampled.hpp"
 
 #include <array>
 #include <bit>
@@ -60,6 +61,48 @@ std::vector<double> columns(const MatrixX& values, const std::vector<Eigen::Inde
   return result;
 }
 
+/// The cells of a file.
+struct Cells {
+  std::vector<Eigen::Index> points; ///< those of the grid, in the order of the file
+  std::vector<std::int64_t> connectivity, offsets;
+  std::vector<std::uint8_t> types;
+  std::vector<int> copies; ///< by cell of the grid the number of its cells in the file
+
+  void add(std::uint8_t type, std::int64_t end) {
+    types.push_back(type);
+    offsets.push_back(end);
+  }
+};
+
+/// Arrays of one kind of file: attributes of the section, and its text.
+struct OwnArrays {
+  std::string attributes, arrays;
+};
+
+std::string document(const BezierGrid& grid, const Cells& cells, const OwnArrays& at_points,
+                     const OwnArrays& in_cells) {
+  require(static_cast<Eigen::Index>(cells.points.size()) == grid.points.cols(), "exchange.vtu.points",
+          {{"cell_points", cells.points.size()}, {"grid_points", grid.points.cols()}});
+  std::string out = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
+                    "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <UnstructuredGrid>\n    <FieldData>\n";
+  for (const NameList& list : grid.names) out += string_array(list);
+  out += text("    </FieldData>\n    <Piece NumberOfPoints=\"", cells.points.size(), "\" NumberOfCells=\"",
+              cells.types.size(), "\">\n      <PointData", at_points.attributes, ">\n", at_points.arrays);
+  for (const PointArray& array : grid.point_arrays)
+    out += data_array(array.name, columns(array.values, cells.points), array.values.rows(), array.components);
+  out += text("      </PointData>\n      <CellData", in_cells.attributes, ">\n", in_cells.arrays);
+  for (const CellArray& array : grid.cell_arrays) {
+    std::vector<int> values;
+    for (std::size_t cell = 0; cell < array.values.size(); ++cell)
+      values.insert(values.end(), static_cast<std::size_t>(cells.copies[cell]), array.values[cell]);
+    out += data_array(array.name, values, 1);
+  }
+  out += "      </CellData>\n      <Points>\n" + data_array("Points", columns(grid.points, cells.points), 3);
+  out += "      </Points>\n      <Cells>\n" + data_array("connectivity", cells.connectivity) +
+         data_array("offsets", cells.offsets) + data_array("types", cells.types);
+  return out + "      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
+}
+
 } // namespace
 
 std::vector<int> vtk_order(const std::vector<int>& degrees) {
@@ -105,37 +148,53 @@ std::vector<int> vtk_order(const std::vector<int>& degrees) {
 
 std::string vtu(const BezierGrid& grid) {
   constexpr std::array<std::uint8_t, 3> cell_types = {75, 77, 79}; // VTK_BEZIER_CURVE, _QUADRILATERAL, _HEXAHEDRON
-  std::vector<Eigen::Index> order;
-  std::vector<std::int64_t> offsets;
-  std::vector<std::uint8_t> types;
+  Cells cells;
   std::vector<double> degrees; // VTK expects degrees as arrays with three components
   for (const std::vector<int>& cell : grid.degrees) {
-    const auto first = static_cast<Eigen::Index>(order.size());
-    for (int point : vtk_order(cell)) order.push_back(first + point);
-    offsets.push_back(static_cast<std::int64_t>(order.size()));
-    types.push_back(cell_types[cell.size() - 1]);
+    const auto first = static_cast<Eigen::Index>(cells.points.size());
+    for (int point : vtk_order(cell)) cells.points.push_back(first + point);
+    cells.add(cell_types[cell.size() - 1], static_cast<std::int64_t>(cells.points.size()));
     for (std::size_t d = 0; d < 3; ++d) degrees.push_back(d < cell.size() ? cell[d] : 0);
   }
-  require(static_cast<Eigen::Index>(order.size()) == grid.points.cols(), "exchange.vtu.points",
-          {{"cell_points", order.size()}, {"grid_points", grid.points.cols()}});
-  std::vector<std::int64_t> connectivity(order.size());
-  std::iota(connectivity.begin(), connectivity.end(), 0);
+  cells.connectivity.resize(cells.points.size());
+  std::iota(cells.connectivity.begin(), cells.connectivity.end(), 0);
+  cells.copies.assign(grid.degrees.size(), 1);
+  const std::string weights = data_array("RationalWeights", columns(grid.weights.transpose(), cells.points), 1);
+  return document(grid, cells, {" RationalWeights=\"RationalWeights\"", weights},
+                  {" HigherOrderDegrees=\"HigherOrderDegrees\"", data_array("HigherOrderDegrees", degrees, 3)});
+}
 
-  std::string out = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" "
-                    "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <UnstructuredGrid>\n    <FieldData>\n";
-  for (const NameList& list : grid.names) out += string_array(list);
-  out += text("    </FieldData>\n    <Piece NumberOfPoints=\"", order.size(), "\" NumberOfCells=\"", types.size(),
-              "\">\n      <PointData RationalWeights=\"RationalWeights\">\n");
-  out += data_array("RationalWeights", columns(grid.weights.transpose(), order), 1);
-  for (const PointArray& array : grid.point_arrays)
-    out += data_array(array.name, columns(array.values, order), array.values.rows(), array.components);
-  out += "      </PointData>\n      <CellData HigherOrderDegrees=\"HigherOrderDegrees\">\n";
-  out += data_array("HigherOrderDegrees", degrees, 3);
-  for (const CellArray& array : grid.cell_arrays) out += data_array(array.name, array.values, 1);
-  out += "      </CellData>\n      <Points>\n" + data_array("Points", columns(grid.points, order), 3);
-  out += "      </Points>\n      <Cells>\n" + data_array("connectivity", connectivity) +
-         data_array("offsets", offsets) + data_array("types", types);
-  return out + "      </Cells>\n    </Piece>\n  </UnstructuredGrid>\n</VTKFile>\n";
+std::string linear_vtu(const BezierGrid& grid, int subdivisions) {
+  constexpr std::array<std::uint8_t, 3> cell_types = {3, 9, 12}; // VTK_LINE, _QUAD, _HEXAHEDRON
+  // Corners of a part in VTK's order, as steps along ξ¹, ξ², ξ³
+  constexpr int corners[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                 {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  const BezierGrid samples = sampled(grid, subdivisions);
+  const int n = subdivisions, stride[3] = {1, n + 1, (n + 1) * (n + 1)};
+  Cells cells;
+  std::int64_t first = 0;
+  for (const std::vector<int>& cell : samples.degrees) {
+    const std::size_t dimension = cell.size();
+    int parts = 1, points = 1;
+    for (std::size_t d = 0; d < dimension; ++d) parts *= n, points *= n + 1;
+    for (int part = 0; part < parts; ++part) {
+      int corner = 0;
+      for (std::size_t d = 0, rest = static_cast<std::size_t>(part); d < dimension;
+           ++d, rest /= static_cast<std::size_t>(n))
+        corner += stride[d] * static_cast<int>(rest % static_cast<std::size_t>(n));
+      for (int k = 0; k < 1 << dimension; ++k) {
+        int point = corner;
+        for (std::size_t d = 0; d < dimension; ++d) point += stride[d] * corners[k][d];
+        cells.connectivity.push_back(first + point);
+      }
+      cells.add(cell_types[dimension - 1], static_cast<std::int64_t>(cells.connectivity.size()));
+    }
+    first += points;
+    cells.copies.push_back(parts);
+  }
+  cells.points.resize(static_cast<std::size_t>(first));
+  std::iota(cells.points.begin(), cells.points.end(), 0);
+  return document(samples, cells, {}, {});
 }
 
 } // namespace signorini::exchange

@@ -1,5 +1,6 @@
 #pragma once
-// VTK's XML files of unstructured grids whose cells are rational Bézier curves, quadrilaterals and hexahedra.
+// VTK's XML files of unstructured grids whose cells are rational Bézier curves, quadrilaterals and hexahedra, or linear
+// ones for programs without these.
 
 #include "base/eigen.hpp"
 
@@ -42,5 +43,9 @@ std::vector<int> vtk_order(const std::vector<int>& degrees);
 
 /// The contents of a .vtu file; numbers keep all bits.
 std::string vtu(const BezierGrid& grid);
+
+/// The same with each cell divided into linear ones, as many as `subdivisions` in each direction, with values at their
+/// corners, which lie on the exact geometry.
+std::string linear_vtu(const BezierGrid& grid, int subdivisions);
 
 } // namespace signorini::exchange

@@ -16,7 +16,8 @@ local function alike(run, other, model, other_model)
     if type(value) ~= "table" then return value end
     local copy = {}
     for key, entry in pairs(value) do
-      if key ~= "wall" and key ~= "timings" and key ~= "wall_column" and key ~= "stored_states" then
+      if key ~= "wall" and key ~= "timings" and key ~= "wall_column" and key ~= "stored_states"
+        and key ~= "model" then
         copy[key] = strip(entry)
       end
     end

@@ -46,7 +46,7 @@ void print_cell(vtkUnstructuredGrid* grid, vtkIdType number, const std::vector<d
   vtkCell* cell = grid->GetCell(number);
   std::printf("{type=%d,degrees={", cell->GetCellType());
   vtkDataArray* degrees = grid->GetCellData()->GetHigherOrderDegrees();
-  for (int c = 0; c < 3; ++c) print(degrees->GetComponent(number, c));
+  for (int c = 0; c < 3; ++c) print(degrees ? degrees->GetComponent(number, c) : c < cell->GetCellDimension());
   std::printf("},body=%g,contact=%g,points={\n", grid->GetCellData()->GetArray("body")->GetComponent(number, 0),
               grid->GetCellData()->GetArray("contact")->GetComponent(number, 0));
   const std::size_t n = places.size(), dimension = static_cast<std::size_t>(cell->GetCellDimension());

@@ -7,6 +7,18 @@ local deformed = { "deformed", t.flag, "current shape; false: reference shape", 
 local file = { "file", t.text, "name of the file" }
 
 local plain_data = t.worded(t.data, "plain data (finite numbers, strings, true, false, or tables of these)")
+--- The cells of .vtu files.
+local cells = { "cells", t.choice { "bezier", "linear" }, [["bezier": exact; "linear": each element is divided into
+linear quadrilaterals or hexahedra, for programs without Bezier cells, such as meshio, PyVista, older
+ParaViews]], default = "bezier" }
+local subdivisions = { "subdivisions", t.integer(1, 64), "linear cells per element and direction",
+                       otherwise = "the highest degree of all elements, at least 2" }
+local function conflict_of_cells(values)
+  if values.subdivisions and values.cells ~= "linear" then
+    return 'subdivisions is for linear cells: add cells = "linear", or omit it'
+  end
+end
+
 local help_words = t.name(function() return require("signorini.help").words() end)
 
 return {
@@ -138,7 +150,8 @@ the degrees of the element, so shape and displacement are exact, also where rows
       { "deformed", t.flag, "current shape; false: reference shape, for ParaView's Warp By Vector",
         otherwise = "true" },
       { "patch", t.one_or_more(t.object "patch"), [[patches instead of a model; cells have the number
-patch]], optional = true } },
+patch]], optional = true },
+      cells, subdivisions, conflict = conflict_of_cells },
     more = [[
 At points: displacement; stress (Cauchy: XX YY ZZ XY YZ XZ), von_mises, pressure (-tr sigma/3) and F (11 12 … 33), exact
 at the p + 1 Gauss points per direction of each element and not smoothed between elements. The slave faces of the
@@ -146,10 +159,13 @@ contacts follow after the bodies, as cells of one dimension less, with the same 
 bodies): a least-squares fit at the contact points of each element, which may be negative near the end of contact;
 model:profile has the values themselves. Cells have the numbers body and contact (0 for elements of bodies); body_names,
 contact_names list the names. VTK 9.1, ParaView 5.10 or newer. A plane model is in z = 0; in an axisymmetric model, ZZ
-is the hoop direction.]],
+is the hoop direction.
+Linear cells have the same arrays, with values at their corners, which lie on the exact geometry; elements do not share
+points.]],
     returns = {},
     example = { [[sg.vtu{ model = model, file = "state.vtu" }]],
-                [[sg.vtu{ patch = sg.nurbs.circle{ radius = 1 }, file = "circle.vtu" }]] } },
+                [[sg.vtu{ patch = sg.nurbs.circle{ radius = 1 }, file = "circle.vtu" }]],
+                [[sg.vtu{ model = model, file = "linear.vtu", cells = "linear", subdivisions = 4 }]] } },
   { "sg.pvd", [[Starts a time series for ParaView and returns it: a .pvd file that lists the .vtu files of states,
 <name>_0001.vtu and so on in the same folder; series:add adds them. The file can be opened during the run.]],
     arguments = {
@@ -162,7 +178,8 @@ needed with resume = true of model:run]], default = false } }, "" } },
 model:run(stages, { on_step = function(info) series:add{ model = model, time = info.step } end })]] },
   { "series", "A time series for ParaView, made by sg.pvd: a list of { time, name } of its states." },
   { "series:add", "Writes the model's current state as sg.vtu does and adds it to a time series; times must increase.",
-    named = { model, { "time", t.number, "time of the state" }, deformed },
+    named = { model, { "time", t.number, "time of the state" }, deformed, cells, subdivisions,
+              conflict = conflict_of_cells },
     returns = {},
     example = [[sg.pvd("ironing.pvd"):add{ model = model, time = 0 }]] },
   { "sg.median", "Returns the median of a list of numbers: the middle one, or the mean of the two middle ones.",

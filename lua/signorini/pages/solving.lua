@@ -102,7 +102,7 @@ these. Use it to compare with other programs or published iteration counts, and 
     returns = t.named "model:run",
     example = "model:run(stages, sg.plain{ newton = { iterations = 50 } })" },
   { "run", [[The result of model:run; print(run) shows a short table, with fallbacks, cuts and other controls. Methods:
-run:column, run:columns, run:csv, run:states, run:attempts, run:residuals.]],
+run:column, run:columns, run:csv, run:hdf5, run:states, run:attempts, run:residuals.]],
     fields = {
       { "failed", t.flag, "whether a step failed" },
       { "reason", t.text, "reason why the run ended, see help \"model:run\"" },
@@ -153,6 +153,13 @@ selected by the option `states` of model:run; by default the start, the end of e
     arguments = { { "file", t.text, "name of the file" } },
     returns = {},
     example = "run:csv \"run.csv\"" },
+  { "run:hdf5", [[Writes a run to a file of HDF5 for Python (h5py), Julia, MATLAB and other programs: all columns;
+displacements, contact profiles and energies of the states that the run has stored; geometry and basis of the bodies;
+outcome, warnings, script and versions. The option hdf5 of model:run writes the same as the run goes, with the profiles
+and energies of all steps. Contents: share/doc/results.md.]],
+    arguments = { { "file", t.text, "name of the file; an existing one is replaced" },
+                  { "options", t.options(rows.hdf5), "" } },
+    example = { "run:hdf5 \"run.h5\"", "run:hdf5(\"run.h5\", { units = { length = \"mm\", force = \"N\" } })" } },
   { "state", "An entry of run:states().",
     fields = { { "step", t.integer(0), "number of the step; 0 is the start" },
                { "stage", t.text, "name of the stage" },

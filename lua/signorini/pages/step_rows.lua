@@ -135,6 +135,12 @@ local info = t.record("step", t.number, "stage", t.text, "residual?", t.number)
 info.rest = t.number
 local iteration = t.record("step", t.count, "stage", t.text, "from to", t.number, "iteration", t.count,
   "residual energy", t.number, "reason", t.text)
+--- Of run:hdf5.
+rows.hdf5 = {
+  { "units", t.map(t.text), [[units by quantity or by the name of a column, { length = "mm", force = "N" }, for the
+attribute `unit` of arrays; quantities: angle, area, count, energy, force, length, moment, stress,
+time]], optional = true },
+}
 
 --- The options of model:run.
 rows.run = {
@@ -167,6 +173,18 @@ step]], optional = true },
   { "resume", t.flag, [[continues from the checkpoint's file if it exists, with results bitwise identical to an
 uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding error. The file of a
 finished run returns that run at once. Scene and stages must be the same]], default = false },
+  { "hdf5", t.short(joined({
+    { "file", t.text, "name of the file" },
+    { "every", t.count, [[steps between two writes; with 1 the file has the last accepted step at any moment. It is
+written before each save of a checkpoint and at the end, too]],
+      otherwise = "as few as take less than 2 % of the run's time" },
+    { "states", t.choice { "stored", "all" }, [[steps whose displacements the file has: "stored": those of
+run:states()]], default = "stored" },
+    { "profiles", t.choice { "stored", "all" }, "steps whose contact profiles and energies the file has",
+      default = "all" },
+  }, rows.hdf5), { "file", t.text }), [[a file of HDF5 for Python, Julia, MATLAB and others, written as the run goes and
+complete at any moment, also after kill -9; with resume = true it is continued. Contents: share/doc/results.md]],
+    optional = true },
   { "states", t.worded(t.either(t.integer(2), t.list(t.integer(0)), t.callback_of({ { "info", info } }, t.any)),
     "a number of states from 2, a list of steps, or a function"), [[states stored for run:states(): this number, evenly
 from start to end, those of the listed steps (0 is the start), or those for which function(info) returns true; a resumed
