@@ -6,9 +6,9 @@
 local sg = {}
 
 ---@class (exact) sg.neo_hookean.arguments
----Young's modulus (a positive number; force per area)
+---E: Young's modulus (a positive number; force per area)
 ---@field E number
----Poisson's ratio (a number above -1 and below 0.5)
+---nu: Poisson's ratio (a number above -1 and below 0.5)
 ---@field nu number
 ---@field [string] sg.unknown_argument
 
@@ -30,9 +30,9 @@ local sg = {}
 function sg.neo_hookean(arguments) end
 
 ---@class (exact) sg.linear_elastic.arguments
----Young's modulus (a positive number; force per area)
+---E: Young's modulus (a positive number; force per area)
 ---@field E number
----Poisson's ratio (a number above -1 and below 0.5)
+---nu: Poisson's ratio (a number above -1 and below 0.5)
 ---@field nu number
 ---@field [string] sg.unknown_argument
 
@@ -62,33 +62,46 @@ local material = {}
 ---@alias sg.body.arguments.contact.choice "west"|"east"|"south"|"north"|"front"|"back"|string
 
 ---@class (exact) sg.body.arguments.grading
----fraction of the elements (a number above 0 and below 1)
+---elements: fraction of the elements (a number above 0 and below 1)
 ---@field elements number
----fraction of the knot length that they fill (a number above 0 and below 1)
+---length: fraction of the knot length that they fill (a number above 0 and below 1)
 ---@field length number
----the end with the small elements ('start' or 'end')
+---at: the end with the small elements ('start' or 'end')
 ---@field at "start"|"end"
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.body.arguments
----shape: a surface in the plane, a volume in 3D (a patch)
+---patch: shape: a surface in the plane, a volume in 3D (a patch)
 ---@field patch sg.patch
----knot spans (a list of whole numbers from 1 to 1000000, one per direction)
+---elements: knot spans (a list of whole numbers from 1 to 1000000, one per direction)
 ---@field elements integer|integer[]
----discretization label such as "N2-N2.2", help "orders" (a label or a list of labels, one per direction (along the
----contact face, if any))
+---order: discretization label such as "N2-N2.2", help "orders" (a label or a list of labels, one per direction (along
+---```text
+---       the contact face, if any))
+---```
 ---@field order sg.body.arguments.order.choice|sg.body.arguments.order.choice[]
----a face name or a list of at least one face name; by default none. Face that carries the layer, or two opposite ones;
----required for orders with a layer. Any face can be slave or master of a contact
+---contact: a face name or a list of at least one face name; by default none. Face that carries the layer, or two
+---```text
+---         opposite ones; required for orders with a layer. Any face can be slave or master of a contact
+---```
 ---@field contact? sg.body.arguments.contact.choice|sg.body.arguments.contact.choice[]
----the material (a material)
+---material: the material (a material)
 ---@field material sg.material
----a whole number from 1 to 15; by default that of the label's bulk. Degree in the thickness direction, from the contact
----face to the opposite one, at least the geometry's own. Degree 1, as in the published studies, has fewer unknowns and
----takes about half of the time, but locks in bending and for nu near 0.5
+---thickness_degree: a whole number from 1 to 15; by default that of the label's bulk. Degree in the thickness
+---direction,
+---```text
+---              from the contact face to the opposite one, at least the geometry's own. Degree 1, as in the published
+---              studies, has fewer unknowns and takes about half of the time, but locks in bending and for nu near 0.5
+---```
 ---@field thickness_degree? integer
----where elements are concentrated; false: uniform (a list of entries: each a table of named arguments or false, one per
----direction; by default uniform elements)
+---grading: where elements are concentrated; false: uniform (a list of entries: each a table of named arguments or
+---false,
+---```text
+---         one per direction; by default uniform elements)
+---  elements: fraction of the elements (a number above 0 and below 1)
+---  length:   fraction of the knot length that they fill (a number above 0 and below 1)
+---  at:       the end with the small elements ('start' or 'end')
+---```
 ---@field grading? sg.body.arguments.grading|false|(sg.body.arguments.grading|false)[]
 ---@field [string] sg.unknown_argument
 
@@ -142,7 +155,7 @@ function body:dofs() end
 ---```lua
 ---slab:face "north"
 ---```
----@param name string # west, east (ends of xi1), south, north (xi2), front, back (xi3) (a face name)
+---@param name string # name: west, east (ends of xi1), south, north (xi2), front, back (xi3) (a face name)
 ---@return sg.face
 function body:face(name) end
 
@@ -152,7 +165,7 @@ function body:face(name) end
 ---```lua
 ---cube:edge "south-front"
 ---```
----@param name string # both faces, such as "south-front" (an edge name)
+---@param name string # name: both faces, such as "south-front" (an edge name)
 ---@return sg.face
 function body:edge(name) end
 
@@ -162,7 +175,7 @@ function body:edge(name) end
 ---```lua
 ---slab:corner "south-west"
 ---```
----@param name string # its faces: "south-west", in 3D "west-south-front" (a corner name)
+---@param name string # name: its faces: "south-west", in 3D "west-south-front" (a corner name)
 ---@return sg.face
 function body:corner(name) end
 
@@ -185,9 +198,9 @@ local face = {}
 sg.rigid = {}
 
 ---@class (exact) sg.rigid.plane.arguments
----a point of the plane (a list of 2 or 3 numbers; length)
+---point: a point of the plane (a list of 2 or 3 numbers; length)
 ---@field point [number, number]|[number, number, number]
----direction out of the obstacle, towards the body (a list of 2 or 3 numbers)
+---normal: direction out of the obstacle, towards the body (a list of 2 or 3 numbers)
 ---@field normal [number, number]|[number, number, number]
 ---@field [string] sg.unknown_argument
 
@@ -208,11 +221,11 @@ sg.rigid = {}
 function sg.rigid.plane(arguments) end
 
 ---@class (exact) sg.rigid.cylinder.arguments
----a point of the axis (a list of 2 or 3 numbers; length)
+---center: a point of the axis (a list of 2 or 3 numbers; length)
 ---@field center [number, number]|[number, number, number]
----direction of the axis; needed in 3D, not allowed in 2D (a list of 3 numbers {x, y, z}; optional)
+---axis: direction of the axis; needed in 3D, not allowed in 2D (a list of 3 numbers {x, y, z}; optional)
 ---@field axis? [number, number, number]
----a positive number; length
+---radius: a positive number; length
 ---@field radius number
 ---@field [string] sg.unknown_argument
 
@@ -233,9 +246,9 @@ function sg.rigid.plane(arguments) end
 function sg.rigid.cylinder(arguments) end
 
 ---@class (exact) sg.rigid.sphere.arguments
----a list of 2 or 3 numbers; length
+---center: a list of 2 or 3 numbers; length
 ---@field center [number, number]|[number, number, number]
----a positive number; length
+---radius: a positive number; length
 ---@field radius number
 ---@field [string] sg.unknown_argument
 
@@ -263,7 +276,7 @@ function sg.rigid.sphere(arguments) end
 ---sg.rigid.surface(sg.nurbs.arc{ center = {0, 0}, radius = 1, from = 0, to = 180 })
 ---sg.rigid.surface(sg.shapes.block{ size = {9, 9, 1}, corner = {0, 0, -1} }:face "back")
 ---```
----@param patch sg.patch # curve in the plane, or surface in 3D (a patch)
+---@param patch sg.patch # patch: curve in the plane, or surface in 3D (a patch)
 ---@return sg.obstacle
 function sg.rigid.surface(patch) end
 

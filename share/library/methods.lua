@@ -56,7 +56,7 @@ function model:tie_names() end
 ---```lua
 ---model:body "slab"
 ---```
----@param name string # name of a body (a string)
+---@param name string # name: name of a body (a string)
 ---@return sg.body
 function model:body(name) end
 
@@ -76,7 +76,7 @@ function model:driven_names() end
 ---```lua
 ---model:driven "grip"  --> {"x", "y"}
 ---```
----@param name string # a support or a load (a string)
+---@param name string # name: a support or a load (a string)
 ---@return string[]
 function model:driven(name) end
 
@@ -86,8 +86,8 @@ function model:driven(name) end
 ---```lua
 ---model:set_target("grip", {0, -0.11})
 ---```
----@param name string # a support or a load (a string)
----@param target number[] # one number per driven component (a list of numbers; lengths, degrees, force per area)
+---@param name string # name: a support or a load (a string)
+---@param target number[] # target: one number per driven component (a list of numbers; lengths, degrees, force per area)
 function model:set_target(name, target) end
 
 ---Returns the components of a support or load in the last accepted state.
@@ -96,65 +96,107 @@ function model:set_target(name, target) end
 ---```lua
 ---model:target "grip"
 ---```
----@param name string # a support or a load (a string)
+---@param name string # name: a support or a load (a string)
 ---@return number[]
 function model:target(name) end
 
 ---@class (exact) sg.model.solve_step.arguments.mumps
----a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default false)
+---reuse: a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default false)
 ---@field reuse? boolean
----a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the tangent:
----approximate factors, with less memory and operations in large solids, which precondition GMRES
+---low_rank: a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the tangent:
+---```text
+---          approximate factors, with less memory and operations in large solids, which precondition GMRES
+---```
 ---@field low_rank? number
----of the factors; single ones precondition GMRES ('double' or 'single'; default "double")
+---precision: of the factors; single ones precondition GMRES ('double' or 'single'; default "double")
 ---@field precision? "double"|"single"
----an existing folder in which each process stores its factors; on a local disk (a string; optional)
+---out_of_core: an existing folder in which each process stores its factors; on a local disk (a string; optional)
 ---@field out_of_core? string
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.model.solve_step.arguments.augmentation
----largest penetration, as a fraction of the largest body's diagonal (a number above 0 and at most 1; default 1e-06)
+---penetration: largest penetration, as a fraction of the largest body's diagonal (a number above 0 and at most 1;
+---```text
+---             default 1e-06)
+---```
 ---@field penetration? number
----maximum number of augmentations per step (a whole number from 1 to 1000000; default 100)
+---loops: maximum number of augmentations per step (a whole number from 1 to 1000000; default 100)
 ---@field loops? integer
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.model.solve_step.arguments
----residual that counts as zero, relative to reactions and loads (a positive number; default 1e-10)
+---tolerance: residual that counts as zero, relative to reactions and loads (a positive number; default 1e-10)
 ---@field tolerance? number
----maximum number of iterations per attempt (a whole number from 1 to 1000000; default 25)
+---iterations: maximum number of iterations per attempt (a whole number from 1 to 1000000; default 25)
 ---@field iterations? integer
----how Newton corrections are shortened: by the norm of the residual (non-monotone) or by the energy ('none', 'residual'
----or 'energy'; default "none")
+---line_search: how Newton corrections are shortened: by the norm of the residual (non-monotone) or by the energy
+---```text
+---             ('none', 'residual' or 'energy'; default "none")
+---```
 ---@field line_search? "none"|"residual"|"energy"
----true, false or a number from 0 to 1; default false. Contact states are frozen until |f·Δu| has decreased to this
----fraction of its first value; true is 0.01
+---freeze_active_set: true, false or a number from 0 to 1; default false. Contact states are frozen until |f·Δu| has
+---```text
+---              decreased to this fraction of its first value; true is 0.01
+---```
 ---@field freeze_active_set? boolean|number
----a whole number from 0 to 1000000; default 0. A contact point that changes its state more than this number of times in
----a step is fixed in it (a slipping one as sticking) until the others have converged; 0: never
+---active_set_changes: a whole number from 0 to 1000000; default 0. A contact point that changes its state more than
+---this
+---```text
+---              number of times in a step is fixed in it (a slipping one as sticking) until the others have converged;
+---              0: never
+---```
 ---@field active_set_changes? integer
----predictor, the first guess of a step; "linear" extrapolates the last step ('tangent', 'constant' or 'linear'; default
----"tangent")
+---predictor: predictor, the first guess of a step; "linear" extrapolates the last step ('tangent', 'constant' or
+---```text
+---           'linear'; default "tangent")
+---```
 ---@field predictor? "tangent"|"constant"|"linear"
----'auto', 'klu', 'umfpack', 'condensed', 'reuse' or 'mumps'; default "auto". Linear solver. "klu", "umfpack": direct;
----"reuse": a reused (lagged) factorization preconditions GMRES while that is cheaper than a new one; "condensed":
----static condensation, for linear elastic bodies; "mumps": MUMPS, direct, in parallel under mpirun; "auto": automatic
----choice
+---linear: 'auto', 'klu', 'umfpack', 'condensed', 'reuse' or 'mumps'; default "auto". Linear solver. "klu", "umfpack":
+---```text
+---        direct; "reuse": a reused (lagged) factorization preconditions GMRES while that is cheaper than a new one;
+---        "condensed": static condensation, for linear elastic bodies; "mumps": MUMPS, direct, in parallel under mpirun;
+---        "auto": automatic choice
+---```
 ---@field linear? "auto"|"klu"|"umfpack"|"condensed"|"reuse"|"mumps"
----options of linear = "mumps" (a table of named arguments; optional)
+---mumps: options of linear = "mumps" (a table of named arguments; optional)
+---```text
+---  reuse:       a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default
+---               false)
+---  low_rank:    a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the
+---               tangent: approximate factors, with less memory and operations in large solids, which precondition GMRES
+---  precision:   of the factors; single ones precondition GMRES ('double' or 'single'; default "double")
+---  out_of_core: an existing folder in which each process stores its factors; on a local disk (a string; optional)
+---```
 ---@field mumps? sg.model.solve_step.arguments.mumps
----a table of named arguments; by default { penetration = 1e-6, loops = 100 }. Limits of contacts with enforcement =
----"augmented": their pressures are augmented (Uzawa) until penetration and separation of closed points are within the
----tolerance; in mortar contact those of the multipliers, whose friction is augmented as well. With method = "gpts" on a
----deformable master, curved under the slave, the default tolerance is often not reached, and the step fails (run.cause
----"penetration"). An error if no contact is augmented
+---augmentation: a table of named arguments; by default { penetration = 1e-6, loops = 100 }. Limits of contacts with
+---```text
+---              enforcement = "augmented": their pressures are augmented (Uzawa) until penetration and separation of
+---              closed points are within the tolerance; in mortar contact those of the multipliers, whose friction is
+---              augmented as well. With method = "gpts" on a deformable master, curved under the slave, the default
+---              tolerance is often not reached, and the step fails (run.cause "penetration"). An error if no contact is
+---              augmented
+---  penetration: largest penetration, as a fraction of the largest body's diagonal (a number above 0 and at most 1;
+---               default 1e-06)
+---  loops:       maximum number of augmentations per step (a whole number from 1 to 1000000; default 100)
+---```
 ---@field augmentation? sg.model.solve_step.arguments.augmentation
----true or false; default false. Damps unconstrained bodies until contact holds them; the converged state is in
----equilibrium without damping
+---damping: true or false; default false. Damps unconstrained bodies until contact holds them; the converged state is in
+---```text
+---         equilibrium without damping
+---```
 ---@field damping? boolean
----true or false; default false. pseudo-transient continuation: follows a damped motion, past a limit point, to a
----distant equilibrium, in up to 40 times as many iterations; not with line_search
+---pseudo_transient: true or false; default false. pseudo-transient continuation: follows a damped motion, past a limit
+---```text
+---              point, to a distant equilibrium, in up to 40 times as many iterations; not with line_search
+---```
 ---@field pseudo_transient? boolean
+---verbose: true or false; default false. Prints each iteration when it ends: the residual, relative to the forces so
+---```text
+---         that newton.tolerance is its goal; the energy |f·Δu| of the correction; contact points that are active, that
+---         slip and that have changed their state; the linear solver, where it has factored, or iterations of GMRES; a
+---         factor on the correction, augmentations, the reason of the end
+---```
+---@field verbose? boolean
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.model.solve_step.result
@@ -175,7 +217,7 @@ function model:target(name) end
 ---```text
 ---model:solve_step{ tolerance = 1e-10, iterations = 25, line_search = "none", freeze_active_set = false,
 ---  active_set_changes = 0, predictor = "tangent", linear = "auto", mumps, augmentation, damping = false,
----  pseudo_transient = false }
+---  pseudo_transient = false, verbose = false }
 ---```
 ---
 ---Source of freeze_active_set: V. Agrawal, thesis, IIT Guwahati 2020, 4.5.2.
@@ -216,31 +258,53 @@ function model:solve_step(arguments) end
 function model:iterate(arguments) end
 
 ---@class (exact) sg.model.solve_arc.arguments.mumps
----a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default false)
+---reuse: a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default false)
 ---@field reuse? boolean
----a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the tangent:
----approximate factors, with less memory and operations in large solids, which precondition GMRES
+---low_rank: a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the tangent:
+---```text
+---          approximate factors, with less memory and operations in large solids, which precondition GMRES
+---```
 ---@field low_rank? number
----of the factors; single ones precondition GMRES ('double' or 'single'; default "double")
+---precision: of the factors; single ones precondition GMRES ('double' or 'single'; default "double")
 ---@field precision? "double"|"single"
----an existing folder in which each process stores its factors; on a local disk (a string; optional)
+---out_of_core: an existing folder in which each process stores its factors; on a local disk (a string; optional)
 ---@field out_of_core? string
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.model.solve_arc.arguments
----distance from the accepted state, root mean square of the displacement over all bodies (a positive number; length)
+---length: distance from the accepted state, root mean square of the displacement over all bodies (a positive number;
+---```text
+---        length)
+---```
 ---@field length number
----residual that counts as zero, relative to reactions and loads (a positive number; default 1e-10)
+---tolerance: residual that counts as zero, relative to reactions and loads (a positive number; default 1e-10)
 ---@field tolerance? number
----maximum number of iterations per attempt (a whole number from 1 to 1000000; default 25)
+---iterations: maximum number of iterations per attempt (a whole number from 1 to 1000000; default 25)
 ---@field iterations? integer
----'auto', 'klu', 'umfpack', 'condensed', 'reuse' or 'mumps'; default "auto". Linear solver. "klu", "umfpack": direct;
----"reuse": a reused (lagged) factorization preconditions GMRES while that is cheaper than a new one; "condensed":
----static condensation, for linear elastic bodies; "mumps": MUMPS, direct, in parallel under mpirun; "auto": automatic
----choice
+---linear: 'auto', 'klu', 'umfpack', 'condensed', 'reuse' or 'mumps'; default "auto". Linear solver. "klu", "umfpack":
+---```text
+---        direct; "reuse": a reused (lagged) factorization preconditions GMRES while that is cheaper than a new one;
+---        "condensed": static condensation, for linear elastic bodies; "mumps": MUMPS, direct, in parallel under mpirun;
+---        "auto": automatic choice
+---```
 ---@field linear? "auto"|"klu"|"umfpack"|"condensed"|"reuse"|"mumps"
----options of linear = "mumps" (a table of named arguments; optional)
+---mumps: options of linear = "mumps" (a table of named arguments; optional)
+---```text
+---  reuse:       a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default
+---               false)
+---  low_rank:    a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the
+---               tangent: approximate factors, with less memory and operations in large solids, which precondition GMRES
+---  precision:   of the factors; single ones precondition GMRES ('double' or 'single'; default "double")
+---  out_of_core: an existing folder in which each process stores its factors; on a local disk (a string; optional)
+---```
 ---@field mumps? sg.model.solve_arc.arguments.mumps
+---verbose: true or false; default false. Prints each iteration when it ends: the residual, relative to the forces so
+---```text
+---         that newton.tolerance is its goal; the energy |f·Δu| of the correction; contact points that are active, that
+---         slip and that have changed their state; the linear solver, where it has factored, or iterations of GMRES; a
+---         factor on the correction, augmentations, the reason of the end
+---```
+---@field verbose? boolean
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.model.solve_arc.result
@@ -260,7 +324,7 @@ function model:iterate(arguments) end
 ---model:solve_step and fraction: 0 at the accepted state, 1 at the targets.
 ---
 ---```text
----model:solve_arc{ length, tolerance = 1e-10, iterations = 25, linear = "auto", mumps }
+---model:solve_arc{ length, tolerance = 1e-10, iterations = 25, linear = "auto", mumps, verbose = false }
 ---```
 ---
 ---Example:
@@ -290,7 +354,7 @@ function model:last_length() end
 ---```lua
 ---model:set_penalty_factor(0.5)
 ---```
----@param factor number # of all penalty parameters (a positive number)
+---@param factor number # factor: of all penalty parameters (a positive number)
 function model:set_penalty_factor(factor) end
 
 ---Returns the factor set by model:set_penalty_factor; initially 1.
@@ -336,7 +400,7 @@ function model:snapshot() end
 ---```lua
 ---model:restore(model:snapshot())
 ---```
----@param snapshot sg.snapshot # made by model:snapshot() (a snapshot)
+---@param snapshot sg.snapshot # snapshot: made by model:snapshot() (a snapshot)
 function model:restore(snapshot) end
 
 ---A saved state of a model, made by model:snapshot, for model:restore.
@@ -406,7 +470,7 @@ function model:displacements() end
 ---model:move(zeros)
 ---model:rollback()
 ---```
----@param du number[] # increment of each unknown, in the order of model:residual (a list of numbers)
+---@param du number[] # du: increment of each unknown, in the order of model:residual (a list of numbers)
 function model:move(du) end
 
 ---Returns the names of the unconstrained bodies: those with rigid-body modes that no support prevents.
@@ -432,7 +496,7 @@ function model:unconstrained_bodies() end
 ---kind, body or contact, element or point, X, x, value, text }, the worst first: the inverted element, contact points
 ---whose states cycle or that leave the master, control points that move most in the critical direction of a singular or
 ---indefinite tangent; unbalanced: places of the largest unbalanced forces.
----@param on? sg.model.diagnose.on.choice[] # controls that your loop uses already, so that cure does not suggest them (a list of values among 'step', 'line_search', 'damping', 'active_set_changes', 'arc_length', 'penalty' and 'pseudo_transient'; default {})
+---@param on? sg.model.diagnose.on.choice[] # on: controls that your loop uses already, so that cure does not suggest them (a list of values among 'step', 'line_search', 'damping', 'active_set_changes', 'arc_length', 'penalty' and 'pseudo_transient'; default {})
 ---@return sg.model.diagnose.result
 function model:diagnose(on) end
 
@@ -463,7 +527,7 @@ function model:timings() end
 ---```lua
 ---model:time_search(true)
 ---```
----@param wanted boolean # whether to measure; initially false (true or false)
+---@param wanted boolean # wanted: whether to measure; initially false (true or false)
 function model:time_search(wanted) end
 
 ---@class (exact) sg.model.solver.result

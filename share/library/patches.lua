@@ -9,11 +9,11 @@ local sg = {}
 sg.shapes = {}
 
 ---@class (exact) sg.shapes.rectangle.arguments
----size along x (a positive number; length)
+---width: size along x (a positive number; length)
 ---@field width number
----size along y (a positive number; length)
+---height: size along y (a positive number; length)
 ---@field height number
----lower left corner (a list of 2 numbers {x, y}; length; default {0, 0})
+---corner: lower left corner (a list of 2 numbers {x, y}; length; default {0, 0})
 ---@field corner? [number, number]
 ---@field [string] sg.unknown_argument
 
@@ -32,11 +32,11 @@ sg.shapes = {}
 function sg.shapes.rectangle(arguments) end
 
 ---@class (exact) sg.shapes.half_annulus.arguments
----inner radius (a positive number; length)
+---inner: inner radius (a positive number; length)
 ---@field inner number
----outer radius (a positive number; length)
+---outer: outer radius (a positive number; length)
 ---@field outer number
----center of the circles (a list of 2 numbers {x, y}; length; default {0, 0})
+---center: center of the circles (a list of 2 numbers {x, y}; length; default {0, 0})
 ---@field center? [number, number]
 ---@field [string] sg.unknown_argument
 
@@ -56,13 +56,13 @@ function sg.shapes.rectangle(arguments) end
 function sg.shapes.half_annulus(arguments) end
 
 ---@class (exact) sg.shapes.quarter_annulus.arguments
----inner radius (a positive number; length)
+---inner: inner radius (a positive number; length)
 ---@field inner number
----outer radius (a positive number; length)
+---outer: outer radius (a positive number; length)
 ---@field outer number
----center of the circles (a list of 2 numbers {x, y}; length; default {0, 0})
+---center: center of the circles (a list of 2 numbers {x, y}; length; default {0, 0})
 ---@field center? [number, number]
----angle of the first end (a number; degrees; default 270)
+---start: angle of the first end (a number; degrees; default 270)
 ---@field start? number
 ---@field [string] sg.unknown_argument
 
@@ -82,9 +82,9 @@ function sg.shapes.half_annulus(arguments) end
 function sg.shapes.quarter_annulus(arguments) end
 
 ---@class (exact) sg.shapes.block.arguments
----sizes along x, y, z (a list of 3 numbers {x, y, z}; length)
+---size: sizes along x, y, z (a list of 3 numbers {x, y, z}; length)
 ---@field size [number, number, number]
----corner with the smallest x, y, z (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---corner: corner with the smallest x, y, z (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
 ---@field corner? [number, number, number]
 ---@field [string] sg.unknown_argument
 
@@ -103,13 +103,13 @@ function sg.shapes.quarter_annulus(arguments) end
 function sg.shapes.block(arguments) end
 
 ---@class (exact) sg.shapes.half_cylinder_shell.arguments
----inner radius (a positive number; length)
+---inner: inner radius (a positive number; length)
 ---@field inner number
----outer radius (a positive number; length)
+---outer: outer radius (a positive number; length)
 ---@field outer number
----size along y (a positive number; length)
+---width: size along y (a positive number; length)
 ---@field width number
----start of the axis (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---center: start of the axis (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
 ---@field center? [number, number, number]
 ---@field [string] sg.unknown_argument
 
@@ -130,11 +130,11 @@ function sg.shapes.block(arguments) end
 function sg.shapes.half_cylinder_shell(arguments) end
 
 ---@class (exact) sg.shapes.sphere_octant.arguments
----inner radius (a positive number; length)
+---inner: inner radius (a positive number; length)
 ---@field inner number
----outer radius (a positive number; length)
+---outer: outer radius (a positive number; length)
 ---@field outer number
----center of the spheres (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---center: center of the spheres (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
 ---@field center? [number, number, number]
 ---@field [string] sg.unknown_argument
 
@@ -156,18 +156,20 @@ function sg.shapes.half_cylinder_shell(arguments) end
 function sg.shapes.sphere_octant(arguments) end
 
 ---@class (exact) sg.shapes.hollow_hemisphere.arguments
----inner radius (a positive number; length)
+---inner: inner radius (a positive number; length)
 ---@field inner number
----outer radius (a positive number; length)
+---outer: outer radius (a positive number; length)
 ---@field outer number
----center of the spheres (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---center: center of the spheres (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
 ---@field center? [number, number, number]
----'ends' or 'bottom'; default "ends". "ends": at both ends of the ring's diameter along y, none where it touches a
----plane below. xi1 runs from -x over the bottom to x, xi2 from -y to y; the flat ring on top, in z = 0 with the center
----at the origin, is two faces, west (x \< 0) and east (x > 0); south and north are degenerate, on the line x = z = 0.
----"bottom": one pole, at the lowest point. xi1 runs once around the z axis (at least 4 elements), xi2 from the ring
----down to the pole; the flat ring in z = 0 is one face, south, and the mesh the same at every angle; north is the axis
----x = y = 0, west and east are the seam in y = 0.
+---poles: 'ends' or 'bottom'; default "ends". "ends": at both ends of the ring's diameter along y, none where it touches
+---```text
+---       a plane below. xi1 runs from -x over the bottom to x, xi2 from -y to y; the flat ring on top, in z = 0 with the
+---       center at the origin, is two faces, west (x < 0) and east (x > 0); south and north are degenerate, on the line
+---       x = z = 0. "bottom": one pole, at the lowest point. xi1 runs once around the z axis (at least 4 elements), xi2
+---       from the ring down to the pole; the flat ring in z = 0 is one face, south, and the mesh the same at every
+---       angle; north is the axis x = y = 0, west and east are the seam in y = 0.
+---```
 ---@field poles? "ends"|"bottom"
 ---@field [string] sg.unknown_argument
 
@@ -187,17 +189,17 @@ function sg.shapes.sphere_octant(arguments) end
 function sg.shapes.hollow_hemisphere(arguments) end
 
 ---@class (exact) sg.shapes.spherical_indenter.arguments
----size along x (a positive number; length)
+---width: size along x (a positive number; length)
 ---@field width number
----size along y (a positive number; length)
+---depth: size along y (a positive number; length)
 ---@field depth number
----from the cap's lowest point to the flat top (a positive number; length)
+---height: from the cap's lowest point to the flat top (a positive number; length)
 ---@field height number
----radius of the cap (a positive number; length)
+---radius: radius of the cap (a positive number; length)
 ---@field radius number
----spans of the cap in each direction (a whole number, 1 or more)
+---elements: spans of the cap in each direction (a whole number, 1 or more)
 ---@field elements integer
----x, y of the corner and z of the lowest point (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---corner: x, y of the corner and z of the lowest point (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
 ---@field corner? [number, number, number]
 ---@field [string] sg.unknown_argument
 
@@ -222,13 +224,13 @@ function sg.shapes.spherical_indenter(arguments) end
 sg.nurbs = {}
 
 ---@class (exact) sg.nurbs.curve.arguments
----polynomial degree (a whole number from 1 to 15)
+---degree: polynomial degree (a whole number from 1 to 15)
 ---@field degree integer
----open knot vector (a list of numbers)
+---knots: open knot vector (a list of numbers)
 ---@field knots number[]
----control points, fastest in xi1 (a list of points {{x, y}, …}; length)
+---points: control points, fastest in xi1 (a list of points {{x, y}, …}; length)
 ---@field points ([number, number]|[number, number, number])[]
----one per control point (a list of numbers; by default 1 each)
+---weights: one per control point (a list of numbers; by default 1 each)
 ---@field weights? number[]
 ---@field [string] sg.unknown_argument
 
@@ -249,13 +251,13 @@ sg.nurbs = {}
 function sg.nurbs.curve(arguments) end
 
 ---@class (exact) sg.nurbs.surface.arguments
----polynomial degrees, one per direction (a list of 2 whole numbers from 1 to 15)
+---degrees: polynomial degrees, one per direction (a list of 2 whole numbers from 1 to 15)
 ---@field degrees [integer, integer]
----open knot vectors, one per direction (a list of 2 lists of numbers)
+---knots: open knot vectors, one per direction (a list of 2 lists of numbers)
 ---@field knots [number[], number[]]
----control points, fastest in xi1 (a list of points {{x, y}, …}; length)
+---points: control points, fastest in xi1 (a list of points {{x, y}, …}; length)
 ---@field points ([number, number]|[number, number, number])[]
----one per control point (a list of numbers; by default 1 each)
+---weights: one per control point (a list of numbers; by default 1 each)
 ---@field weights? number[]
 ---@field [string] sg.unknown_argument
 
@@ -275,13 +277,13 @@ function sg.nurbs.curve(arguments) end
 function sg.nurbs.surface(arguments) end
 
 ---@class (exact) sg.nurbs.volume.arguments
----polynomial degrees, one per direction (a list of 3 whole numbers from 1 to 15)
+---degrees: polynomial degrees, one per direction (a list of 3 whole numbers from 1 to 15)
 ---@field degrees [integer, integer, integer]
----open knot vectors, one per direction (a list of 3 lists of numbers)
+---knots: open knot vectors, one per direction (a list of 3 lists of numbers)
 ---@field knots [number[], number[], number[]]
----control points, fastest in xi1 (a list of points {{x, y}, …}; length)
+---points: control points, fastest in xi1 (a list of points {{x, y}, …}; length)
 ---@field points ([number, number]|[number, number, number])[]
----one per control point (a list of numbers; by default 1 each)
+---weights: one per control point (a list of numbers; by default 1 each)
 ---@field weights? number[]
 ---@field [string] sg.unknown_argument
 
@@ -302,9 +304,9 @@ function sg.nurbs.surface(arguments) end
 function sg.nurbs.volume(arguments) end
 
 ---@class (exact) sg.nurbs.line.arguments
----first end (a list of 2 or 3 numbers; length)
+---from: first end (a list of 2 or 3 numbers; length)
 ---@field from [number, number]|[number, number, number]
----other end (a list of 2 or 3 numbers; length)
+---to: other end (a list of 2 or 3 numbers; length)
 ---@field to [number, number]|[number, number, number]
 ---@field [string] sg.unknown_argument
 
@@ -323,13 +325,13 @@ function sg.nurbs.volume(arguments) end
 function sg.nurbs.line(arguments) end
 
 ---@class (exact) sg.nurbs.arc.arguments
----a positive number; length
+---radius: a positive number; length
 ---@field radius number
----first angle (a number; degrees)
+---from: first angle (a number; degrees)
 ---@field from number
----last angle (a number; degrees)
+---to: last angle (a number; degrees)
 ---@field to number
----center of the circle (a list of 2 or 3 numbers; length; default {0, 0})
+---center: center of the circle (a list of 2 or 3 numbers; length; default {0, 0})
 ---@field center? [number, number]|[number, number, number]
 ---@field [string] sg.unknown_argument
 
@@ -349,9 +351,9 @@ function sg.nurbs.line(arguments) end
 function sg.nurbs.arc(arguments) end
 
 ---@class (exact) sg.nurbs.circle.arguments
----a positive number; length
+---radius: a positive number; length
 ---@field radius number
----center of the circle (a list of 2 or 3 numbers; length; default {0, 0})
+---center: center of the circle (a list of 2 or 3 numbers; length; default {0, 0})
 ---@field center? [number, number]|[number, number, number]
 ---@field [string] sg.unknown_argument
 
@@ -370,9 +372,9 @@ function sg.nurbs.arc(arguments) end
 function sg.nurbs.circle(arguments) end
 
 ---@class (exact) sg.nurbs.ruled.arguments
----start (a patch)
+---a: start (a patch)
 ---@field a sg.patch
----end (a patch)
+---b: end (a patch)
 ---@field b sg.patch
 ---@field [string] sg.unknown_argument
 
@@ -392,9 +394,9 @@ function sg.nurbs.circle(arguments) end
 function sg.nurbs.ruled(arguments) end
 
 ---@class (exact) sg.nurbs.extrude.arguments
----curve or surface to extrude (a patch)
+---patch: curve or surface to extrude (a patch)
 ---@field patch sg.patch
----extrusion vector; if it has 3 numbers, a plane patch is placed in z = 0 (a list of 2 or 3 numbers; length)
+---along: extrusion vector; if it has 3 numbers, a plane patch is placed in z = 0 (a list of 2 or 3 numbers; length)
 ---@field along [number, number]|[number, number, number]
 ---@field [string] sg.unknown_argument
 
@@ -414,13 +416,13 @@ function sg.nurbs.ruled(arguments) end
 function sg.nurbs.extrude(arguments) end
 
 ---@class (exact) sg.nurbs.revolve.arguments
----curve or surface to revolve; a plane patch is placed in z = 0 (a patch)
+---patch: curve or surface to revolve; a plane patch is placed in z = 0 (a patch)
 ---@field patch sg.patch
----a point of the axis (a list of 2 or 3 numbers; length; by default the origin)
+---point: a point of the axis (a list of 2 or 3 numbers; length; by default the origin)
 ---@field point? [number, number]|[number, number, number]
----direction of the axis (a list of 2 or 3 numbers; by default {0, 0, 1}, for a plane patch {0, -1, 0})
+---axis: direction of the axis (a list of 2 or 3 numbers; by default {0, 0, 1}, for a plane patch {0, -1, 0})
 ---@field axis? [number, number]|[number, number, number]
----a number; degrees; default 360
+---angle: a number; degrees; default 360
 ---@field angle? number
 ---@field [string] sg.unknown_argument
 
@@ -443,17 +445,17 @@ function sg.nurbs.extrude(arguments) end
 function sg.nurbs.revolve(arguments) end
 
 ---@class (exact) sg.nurbs.coons.arguments
----where xi1 starts (a patch)
+---west: where xi1 starts (a patch)
 ---@field west sg.patch
----where xi1 ends (a patch)
+---east: where xi1 ends (a patch)
 ---@field east sg.patch
----where xi2 starts (a patch)
+---south: where xi2 starts (a patch)
 ---@field south sg.patch
----where xi2 ends (a patch)
+---north: where xi2 ends (a patch)
 ---@field north sg.patch
----where xi3 starts; for volumes (a patch; optional)
+---front: where xi3 starts; for volumes (a patch; optional)
 ---@field front? sg.patch
----where xi3 ends; for volumes (a patch; optional)
+---back: where xi3 ends; for volumes (a patch; optional)
 ---@field back? sg.patch
 ---@field [string] sg.unknown_argument
 
@@ -488,7 +490,7 @@ function sg.nurbs.coons(arguments) end
 ---sg.shapes.half_annulus{ inner = 1, outer = 2 }:write "bracket.xml"
 ---bracket = sg.nurbs.read("bracket.xml")[1]
 ---```
----@param file string # name of the patch file (a string)
+---@param file string # file: name of the patch file (a string)
 ---@return sg.patch[]
 function sg.nurbs.read(file) end
 
@@ -506,9 +508,9 @@ function sg.nurbs.read(file) end
 ---```lua
 ---sg.nurbs.write("annulus.txt", sg.shapes.half_annulus{ inner = 1, outer = 2 })
 ---```
----@param file string # name of the patch file (a string)
----@param patches sg.patch|sg.patch[] # patches to write (a patch or a list of at least one patch)
----@param form? "gismo"|"geopdes"|"mfem" # format of the file ('gismo', 'geopdes' or 'mfem'; by default by the file's ending)
+---@param file string # file: name of the patch file (a string)
+---@param patches sg.patch|sg.patch[] # patches: patches to write (a patch or a list of at least one patch)
+---@param form? "gismo"|"geopdes"|"mfem" # form: format of the file ('gismo', 'geopdes' or 'mfem'; by default by the file's ending)
 function sg.nurbs.write(file, patches, form) end
 
 ---A NURBS curve, surface or volume, an immutable value: methods that change something return a new patch. sg.shapes.\*
@@ -535,7 +537,7 @@ local patch = {}
 ---```lua
 ---patch:evaluate{0.5, 0.5}  --> {1.5, 0.5}
 ---```
----@param xi number|number[] # parametric coordinates (a list of numbers {xi1, xi2})
+---@param xi number|number[] # xi: parametric coordinates (a list of numbers {xi1, xi2})
 ---@return [number, number]|[number, number, number]
 function patch:evaluate(xi) end
 
@@ -552,8 +554,8 @@ function patch:evaluate(xi) end
 ---```lua
 ---patch:derivatives({0.5, 0.5}, 1)[2].value  --> {3.0, 0.0}
 ---```
----@param xi number|number[] # parametric coordinates (a list of numbers {xi1, xi2})
----@param n integer # highest total order (a whole number from 0 to 15)
+---@param xi number|number[] # xi: parametric coordinates (a list of numbers {xi1, xi2})
+---@param n integer # n: highest total order (a whole number from 0 to 15)
 ---@return sg.patch.derivatives.result[]
 function patch:derivatives(xi, n) end
 
@@ -568,7 +570,7 @@ function patch:derivatives(xi, n) end
 ---```lua
 ---patch:basis({0.5, 0.5})[1].value  --> 0.25
 ---```
----@param xi number|number[] # parametric coordinates (a list of numbers {xi1, xi2})
+---@param xi number|number[] # xi: parametric coordinates (a list of numbers {xi1, xi2})
 ---@return sg.patch.basis.result[]
 function patch:basis(xi) end
 
@@ -578,8 +580,8 @@ function patch:basis(xi) end
 ---```lua
 ---patch:insert(1, {0.25, 0.5}):elements()  --> {3, 1}
 ---```
----@param dir integer # parametric direction (a whole number from 1 to 3)
----@param knots number[] # knots to insert, with repetitions (a list of numbers)
+---@param dir integer # dir: parametric direction (a whole number from 1 to 3)
+---@param knots number[] # knots: knots to insert, with repetitions (a list of numbers)
 ---@return sg.patch
 function patch:insert(dir, knots) end
 
@@ -589,27 +591,33 @@ function patch:insert(dir, knots) end
 ---```lua
 ---patch:elevate(1, 2):degrees()  --> {3, 1}
 ---```
----@param dir integer # parametric direction (a whole number from 1 to 3)
----@param times? integer # by how much (a whole number from 1 to 15; default 1)
+---@param dir integer # dir: parametric direction (a whole number from 1 to 3)
+---@param times? integer # times: by how much (a whole number from 1 to 15; default 1)
 ---@return sg.patch
 function patch:elevate(dir, times) end
 
 ---@class (exact) sg.patch.refine.arguments.grading
----fraction of the elements (a number above 0 and below 1)
+---elements: fraction of the elements (a number above 0 and below 1)
 ---@field elements number
----fraction of the knot length that they fill (a number above 0 and below 1)
+---length: fraction of the knot length that they fill (a number above 0 and below 1)
 ---@field length number
----the end with the small elements ('start' or 'end')
+---at: the end with the small elements ('start' or 'end')
 ---@field at "start"|"end"
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.patch.refine.arguments
----knot spans (a list of whole numbers from 1 to 1000000, one per direction; by default the patch's own)
+---elements: knot spans (a list of whole numbers from 1 to 1000000, one per direction; by default the patch's own)
 ---@field elements? integer|integer[]
----polynomial degrees (a list of whole numbers from 1 to 15, one per direction; by default the patch's own)
+---degree: polynomial degrees (a list of whole numbers from 1 to 15, one per direction; by default the patch's own)
 ---@field degree? integer|integer[]
----where elements are concentrated; false: uniform (a list of entries: each a table of named arguments or false, one per
----direction; by default uniform elements)
+---grading: where elements are concentrated; false: uniform (a list of entries: each a table of named arguments or
+---false,
+---```text
+---         one per direction; by default uniform elements)
+---  elements: fraction of the elements (a number above 0 and below 1)
+---  length:   fraction of the knot length that they fill (a number above 0 and below 1)
+---  at:       the end with the small elements ('start' or 'end')
+---```
 ---@field grading? sg.patch.refine.arguments.grading|false|(sg.patch.refine.arguments.grading|false)[]
 ---@field [string] sg.unknown_argument
 
@@ -638,7 +646,7 @@ function patch:refine(arguments) end
 ---```lua
 ---patch:face "south"
 ---```
----@param name string # west, east (ends of xi1), south, north (xi2), front, back (xi3) (a face name)
+---@param name string # name: west, east (ends of xi1), south, north (xi2), front, back (xi3) (a face name)
 ---@return sg.patch
 function patch:face(name) end
 
@@ -666,7 +674,7 @@ function patch:elements() end
 ---```lua
 ---patch:knots(1)  --> {0.0, 0.0, 1.0, 1.0}
 ---```
----@param dir integer # parametric direction (a whole number from 1 to 3)
+---@param dir integer # dir: parametric direction (a whole number from 1 to 3)
 ---@return number[]
 function patch:knots(dir) end
 
@@ -694,16 +702,16 @@ function patch:weights() end
 ---```lua
 ---patch:translate{1, 0}{0, 0}  --> {1.0, 0.0}
 ---```
----@param by [number, number]|[number, number, number] # displacement (a list of 2 or 3 numbers; length)
+---@param by [number, number]|[number, number, number] # by: displacement (a list of 2 or 3 numbers; length)
 ---@return sg.patch
 function patch:translate(by) end
 
 ---@class (exact) sg.patch.rotate.arguments
----counterclockwise (a number; degrees)
+---angle: counterclockwise (a number; degrees)
 ---@field angle number
----direction of the axis; needed in 3D, not allowed in 2D (a list of 3 numbers {x, y, z}; optional)
+---axis: direction of the axis; needed in 3D, not allowed in 2D (a list of 3 numbers {x, y, z}; optional)
 ---@field axis? [number, number, number]
----the fixed point (a list of 2 or 3 numbers; length; by default the origin)
+---center: the fixed point (a list of 2 or 3 numbers; length; by default the origin)
 ---@field center? [number, number]|[number, number, number]
 ---@field [string] sg.unknown_argument
 
@@ -722,9 +730,9 @@ function patch:translate(by) end
 function patch:rotate(arguments) end
 
 ---@class (exact) sg.patch.scale.arguments
----for all coordinates, or one for each in a list (a positive number or a list of 2 or 3 numbers)
+---factor: for all coordinates, or one for each in a list (a positive number or a list of 2 or 3 numbers)
 ---@field factor number|[number, number]|[number, number, number]
----the fixed point (a list of 2 or 3 numbers; length; by default the origin)
+---center: the fixed point (a list of 2 or 3 numbers; length; by default the origin)
 ---@field center? [number, number]|[number, number, number]
 ---@field [string] sg.unknown_argument
 
@@ -743,9 +751,9 @@ function patch:rotate(arguments) end
 function patch:scale(arguments) end
 
 ---@class (exact) sg.patch.mirror.arguments
----normal of the mirror (a list of 2 or 3 numbers)
+---normal: normal of the mirror (a list of 2 or 3 numbers)
 ---@field normal [number, number]|[number, number, number]
----a point on the mirror (a list of 2 or 3 numbers; length; by default the origin)
+---point: a point on the mirror (a list of 2 or 3 numbers; length; by default the origin)
 ---@field point? [number, number]|[number, number, number]
 ---@field [string] sg.unknown_argument
 
@@ -775,7 +783,7 @@ function patch:mirror(arguments) end
 ---```lua
 ---patch:reverse(1){0, 0}  --> {3.0, 0.0}
 ---```
----@param dir integer # parametric direction (a whole number from 1 to 3)
+---@param dir integer # dir: parametric direction (a whole number from 1 to 3)
 ---@return sg.patch
 function patch:reverse(dir) end
 
@@ -788,8 +796,8 @@ function patch:reverse(dir) end
 ---```lua
 ---patch:swap(1, 2){1, 0}  --> {0.0, 1.0}
 ---```
----@param i integer # parametric direction (a whole number from 1 to 3)
----@param j integer # parametric direction (a whole number from 1 to 3)
+---@param i integer # i: parametric direction (a whole number from 1 to 3)
+---@param j integer # j: parametric direction (a whole number from 1 to 3)
 ---@return sg.patch
 function patch:swap(i, j) end
 
@@ -804,7 +812,7 @@ function patch:swap(i, j) end
 function patch:to_plane() end
 
 ---@class (exact) sg.patch.to_space.arguments
----z of all points (a number; length; default 0)
+---z: z of all points (a number; length; default 0)
 ---@field z? number
 ---@field [string] sg.unknown_argument
 
@@ -828,6 +836,6 @@ function patch:to_space(arguments) end
 ---```lua
 ---patch:write "slab.xml"
 ---```
----@param file string # name of the file (a string)
----@param form? "gismo"|"geopdes"|"mfem" # format of the file ('gismo', 'geopdes' or 'mfem'; by default by the file's ending)
+---@param file string # file: name of the file (a string)
+---@param form? "gismo"|"geopdes"|"mfem" # form: format of the file ('gismo', 'geopdes' or 'mfem'; by default by the file's ending)
 function patch:write(file, form) end

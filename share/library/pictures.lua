@@ -14,18 +14,18 @@ local sg = {}
 ---@alias sg.picture.arguments.mirror.choice "x"|"y"|"z"|"xy"|"xz"|"yz"|"xyz"
 
 ---@class (exact) sg.picture.arguments.cut
----direction of the removed half ('x', 'y', 'z', '-x', '-y' or '-z' or a list of 3 numbers {x, y, z})
+---normal: direction of the removed half ('x', 'y', 'z', '-x', '-y' or '-z' or a list of 3 numbers {x, y, z})
 ---@field normal "x"|"y"|"z"|"-x"|"-y"|"-z"|[number, number, number]
----coordinate of the plane, if normal is an axis (a number; length; by default the middle of the bodies)
+---at: coordinate of the plane, if normal is an axis (a number; length; by default the middle of the bodies)
 ---@field at? number
----a point of the plane (a list of 3 numbers {x, y, z}; length; by default the middle of the bodies)
+---point: a point of the plane (a list of 3 numbers {x, y, z}; length; by default the middle of the bodies)
 ---@field point? [number, number, number]
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.picture.arguments.marks
----place in the current state (a list of 2 or 3 numbers; length)
+---x: place in the current state (a list of 2 or 3 numbers; length)
 ---@field x [number, number]|[number, number, number]
----short text next to it (a string; default "")
+---text: short text next to it (a string; default "")
 ---@field text? string
 ---@field kind? any
 ---@field body? any
@@ -39,102 +39,145 @@ local sg = {}
 ---@alias sg.picture.arguments.camera.choice "iso"|"front"|"back"|"left"|"right"|"top"|"bottom"
 
 ---@class (exact) sg.picture.arguments.camera
----direction from the model to the eye (a list of 3 numbers {x, y, z})
+---from: direction from the model to the eye (a list of 3 numbers {x, y, z})
 ---@field from [number, number, number]
----upward direction in the picture (a list of 3 numbers {x, y, z}; by default z; y if seen along z)
+---up: upward direction in the picture (a list of 3 numbers {x, y, z}; by default z; y if seen along z)
 ---@field up? [number, number, number]
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.picture.arguments
----shows its current state (a model; optional)
+---model: shows its current state (a model; optional)
 ---@field model? sg.model
----an entry of run:states() (a state; optional)
+---state: an entry of run:states() (a state; optional)
 ---@field state? sg.state
----patches in gray, all in the plane or all in 3D (a patch or a list of at least one patch; optional)
+---patch: patches in gray, all in the plane or all in 3D (a patch or a list of at least one patch; optional)
 ---@field patch? sg.patch|sg.patch[]
----a list of at least one state; optional. run:states(): one picture each, as in sg.sheet; or, depending on the file's
----name ("x-%04d.png", "x.ogv"), as in sg.film
+---states: a list of at least one state; optional. run:states(): one picture each, as in sg.sheet; or, depending on the
+---```text
+---        file's name ("x-%04d.png", "x.ogv"), as in sg.film
+---```
 ---@field states? sg.state[]
----fields side by side, each with its own color bar, as in sg.sheet (a list of at least one name; optional)
+---fields: fields side by side, each with its own color bar, as in sg.sheet (a list of at least one name; optional)
 ---@field fields? sg.picture.arguments.fields.choice[]
----pictures in a row (a whole number from 1 to 100; by default chosen for the largest pictures)
+---columns: pictures in a row (a whole number from 1 to 100; by default chosen for the largest pictures)
 ---@field columns? integer
----frames per second of a film, for .ogv a whole number (a positive number; default 10)
+---fps: frames per second of a film, for .ogv a whole number (a positive number; default 10)
 ---@field fps? number
----a string; by default gray. Displacements ux uy u (length); Cauchy stresses (force per area) sxx syy szz sxy,
----von_mises, pressure (-tr sigma/3), I1 (tr sigma: the first invariant of the stress, not of C); deformation gradient
----(no unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per current area, with
----adhesion per reference area) on slave faces, in the plane as a band along them. Stresses are evaluated at the points
----drawn, neither extrapolated nor averaged, so that jumps between elements are visible
+---field: a string; by default gray. Displacements ux uy u (length); Cauchy stresses (force per area) sxx syy szz sxy,
+---```text
+---       von_mises, pressure (-tr sigma/3), I1 (tr sigma: the first invariant of the stress, not of C); deformation
+---       gradient (no unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per
+---       current area, with adhesion per reference area) on slave faces, in the plane as a band along them. Stresses are
+---       evaluated at the points drawn, neither extrapolated nor averaged, so that jumps between elements are visible
+---```
 ---@field field? sg.picture.arguments.field.choice
----multiplies the field (a number; default 1)
+---factor: multiplies the field (a number; default 1)
 ---@field factor? number
----title of the color bar (a string; by default the field's name with its factor)
+---label: title of the color bar (a string; by default the field's name with its factor)
 ---@field label? string
----lowest and highest value of the colors, in the unit of the field times factor (a list of 2 increasing numbers {low,
----high}; by default that of the values, without the lowest and highest ones, up to 0.5 % of the points drawn)
+---range: lowest and highest value of the colors, in the unit of the field times factor (a list of 2 increasing numbers
+---```text
+---       {low, high}; by default that of the values, without the lowest and highest ones, up to 0.5 % of the points
+---       drawn)
+---```
 ---@field range? [number, number]
----true, a whole number from 1 to 100 or a list of at least one value; by default none. Contour lines: true: at the
----ticks of the color bar; a number: so many levels within the range; or a list of levels
+---contours: true, a whole number from 1 to 100 or a list of at least one value; by default none. Contour lines: true:
+---at
+---```text
+---          the ticks of the color bar; a number: so many levels within the range; or a list of levels
+---```
 ---@field contours? true|integer|number[]
----color bar of the range, with the field's extremes at its ends (true or false; default true)
+---bar: color bar of the range, with the field's extremes at its ends (true or false; default true)
 ---@field bar? boolean
----'coolwarm' suits values of both signs ('viridis', 'magma', 'inferno', 'plasma', 'cividis', 'gray' or 'coolwarm';
----default "viridis")
+---colormap: 'coolwarm' suits values of both signs ('viridis', 'magma', 'inferno', 'plasma', 'cividis', 'gray' or
+---```text
+---          'coolwarm'; default "viridis")
+---```
 ---@field colormap? sg.picture.arguments.colormap.choice
----names of the bodies (a list of at least one name; by default all)
+---bodies: names of the bodies (a list of at least one name; by default all)
 ---@field bodies? string[]
----current shape; false: reference shape (true or false; default true)
+---deformed: current shape; false: reference shape (true or false; default true)
 ---@field deformed? boolean
----also the reference shape, dashed, in 3D also translucent (true or false; default false)
+---undeformed: also the reference shape, dashed, in 3D also translucent (true or false; default false)
 ---@field undeformed? boolean
----element boundaries (true or false; default true)
+---mesh: element boundaries (true or false; default true)
 ---@field mesh? boolean
----control points and control net (true or false; default false)
+---control_points: control points and control net (true or false; default false)
 ---@field control_points? boolean
----'displacement' or 'traction'; by default none. arrows: displacements at points of a grid, or tractions (force per
----current area, mortar: reference area) at the contact points of slave faces, with a scale below the picture
+---vectors: 'displacement' or 'traction'; by default none. arrows: displacements at points of a grid, or tractions
+---(force
+---```text
+---         per current area, mortar: reference area) at the contact points of slave faces, with a scale below the
+---         picture
+---```
 ---@field vectors? "displacement"|"traction"
----rigid obstacles (true or false; default true)
+---obstacles: rigid obstacles (true or false; default true)
 ---@field obstacles? boolean
----'x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; by default none. Adds the mirror image about the plane x = 0, y = 0 or z =
----0 (solids), for "xy" about both; of a body that crosses the plane the larger part is mirrored
+---mirror: 'x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; by default none. Adds the mirror image about the plane x = 0, y = 0
+---```text
+---        or z = 0 (solids), for "xy" about both; of a body that crosses the plane the larger part is mirrored
+---```
 ---@field mirror? sg.picture.arguments.mirror.choice
----'x', 'y', 'z', '-x', '-y' or '-z' or a table { normal = …, at or point = … }; by default no cut. Solids: the half to
----remove. "y": larger y, "-y": smaller y, cut through the middle of the bodies. The cut face shows the field
+---cut: 'x', 'y', 'z', '-x', '-y' or '-z' or a table { normal = …, at or point = … }; by default no cut. Solids: the
+---half
+---```text
+---     to remove. "y": larger y, "-y": smaller y, cut through the middle of the bodies. The cut face shows the field
+---  normal: direction of the removed half ('x', 'y', 'z', '-x', '-y' or '-z' or a list of 3 numbers {x, y, z})
+---  at:     coordinate of the plane, if normal is an axis (a number; length; by default the middle of the bodies)
+---  point:  a point of the plane (a list of 3 numbers {x, y, z}; length; by default the middle of the bodies)
+---```
 ---@field cut? "x"|"y"|"z"|"-x"|"-y"|"-z"|sg.picture.arguments.cut
----rings at places, such as run.places; the first ones have priority where space is short (a list of marks { x = {…},
----text = … }; optional)
+---marks: rings at places, such as run.places; the first ones have priority where space is short (a list of marks { x =
+---```text
+---       {…}, text = … }; optional)
+---  x:       place in the current state (a list of 2 or 3 numbers; length)
+---  text:    short text next to it (a string; default "")
+---```
 ---@field marks? sg.picture.arguments.marks[]
----patches: names of faces, ξ¹ ξ² ξ³ along the directions, numbers of several patches (true or false; default true)
+---names: patches: names of faces, ξ¹ ξ² ξ³ along the directions, numbers of several patches (true or false; default
+---```text
+---       true)
+---```
 ---@field names? boolean
----title above the picture (a string; by default that of a stored state)
+---title: title above the picture (a string; by default that of a stored state)
 ---@field title? string
----a list of numbers; length; by default all. {xmin, xmax, ymin, ymax}: shows only this part; in 3D with zmin, zmax: the
----rectangle around this box as seen, with everything in front of and behind it
+---crop: a list of numbers; length; by default all. {xmin, xmax, ymin, ymax}: shows only this part; in 3D with zmin,
+---```text
+---      zmax: the rectangle around this box as seen, with everything in front of and behind it
+---```
 ---@field crop? number[]
----part in the same form, magnified in a box within the picture (a list of numbers; length; by default none)
+---inset: part in the same form, magnified in a box within the picture (a list of numbers; length; by default none)
 ---@field inset? number[]
----'iso', 'front', 'back', 'left', 'right', 'top' or 'bottom' or a table { from = …, up = … }; by default "iso", with a
----cut from the side on which the cut face is seen. Solids: the direction from which they are seen in parallel
----projection. "iso": from the front, the right and above; "front": from -y, z upwards; "left": from -x; "top": from +z,
----y upwards. These are directions of view, not names of faces
+---camera: 'iso', 'front', 'back', 'left', 'right', 'top' or 'bottom' or a table { from = …, up = … }; by default "iso",
+---```text
+---        with a cut from the side on which the cut face is seen. Solids: the direction from which they are seen in
+---        parallel projection. "iso": from the front, the right and above; "front": from -y, z upwards; "left": from -x;
+---        "top": from +z, y upwards. These are directions of view, not names of faces
+---  from: direction from the model to the eye (a list of 3 numbers {x, y, z})
+---  up:   upward direction in the picture (a list of 3 numbers {x, y, z}; by default z; y if seen along z)
+---```
 ---@field camera? sg.picture.arguments.camera.choice|sg.picture.arguments.camera
----unit of length such as "mm", shown at the axes and the ruler (a string; by default none)
+---unit: unit of length such as "mm", shown at the axes and the ruler (a string; by default none)
 ---@field unit? string
----names of the axes, one per direction: {"r in mm", "z in mm"} (a list of strings; by default x, y and z, with unit)
+---axes: names of the axes, one per direction: {"r in mm", "z in mm"} (a list of strings; by default x, y and z, with
+---```text
+---      unit)
+---```
 ---@field axes? string[]
----solids: a scale bar below the picture (true or false; by default true)
+---ruler: solids: a scale bar below the picture (true or false; by default true)
 ---@field ruler? boolean
----{width, height}, exactly; or the largest width: the height is as needed, at most twice the width (a whole number from
----160 to 5000 or a list of 2 whole numbers from 120 to 5000; pixels; by default at most 1600 x 1000, for several states
----or fields 1600 x 2000)
+---size: {width, height}, exactly; or the largest width: the height is as needed, at most twice the width (a whole
+---number
+---```text
+---      from 160 to 5000 or a list of 2 whole numbers from 120 to 5000; pixels; by default at most 1600 x 1000, for
+---      several states or fields 1600 x 2000)
+---```
 ---@field size? integer|[integer, integer]
----multiplies the size, including text and lines (a positive number; default 1)
+---scale: multiplies the size, including text and lines (a positive number; default 1)
 ---@field scale? number
----transparent background; not in films (true or false; default false)
+---transparent: transparent background; not in films (true or false; default false)
 ---@field transparent? boolean
----file name that ends with .png, .svg or .pdf (a string; by default not written)
+---file: file name that ends with .png, .svg or .pdf (a string; by default not written)
 ---@field file? string
 ---@field [string] sg.unknown_argument
 
@@ -166,23 +209,29 @@ local sg = {}
 function sg.picture(arguments) end
 
 ---@class (exact) sg.sheet.arguments
----pictures in a row (a whole number from 1 to 100; by default chosen for the largest pictures)
+---columns: pictures in a row (a whole number from 1 to 100; by default chosen for the largest pictures)
 ---@field columns? integer
----title above the sheet (a string; optional)
+---title: title above the sheet (a string; optional)
 ---@field title? string
----'shared' or 'own' or a list of 2 increasing numbers {low, high}; default "shared". "shared": pictures with the same
----title of the color bar share a range of colors; "own": each has its own range and bar; {low, high}: range of all
+---range: 'shared' or 'own' or a list of 2 increasing numbers {low, high}; default "shared". "shared": pictures with the
+---```text
+---       same title of the color bar share a range of colors; "own": each has its own range and bar; {low, high}: range
+---       of all
+---```
 ---@field range? "shared"|"own"|[number, number]
----{width, height}, exactly; or the largest width: the height is as needed, at most twice the width (a whole number from
----160 to 5000 or a list of 2 whole numbers from 120 to 5000; pixels; by default at most 1600 x 2000)
+---size: {width, height}, exactly; or the largest width: the height is as needed, at most twice the width (a whole
+---number
+---```text
+---      from 160 to 5000 or a list of 2 whole numbers from 120 to 5000; pixels; by default at most 1600 x 2000)
+---```
 ---@field size? integer|[integer, integer]
----multiplies the size, including text and lines (a positive number; default 1)
+---scale: multiplies the size, including text and lines (a positive number; default 1)
 ---@field scale? number
----transparent background; not in films (true or false; default false)
+---transparent: transparent background; not in films (true or false; default false)
 ---@field transparent? boolean
----file name that ends with .png, .svg or .pdf (a string; by default not written)
+---file: file name that ends with .png, .svg or .pdf (a string; by default not written)
 ---@field file? string
----pictures, or lists of them, in order (a picture or a list of pictures)
+---pictures: pictures, or lists of them, in order (a picture or a list of pictures)
 ---@field [integer] sg.picture|sg.picture[]
 ---@field [string] sg.unknown_argument
 
@@ -210,19 +259,23 @@ function sg.picture(arguments) end
 function sg.sheet(arguments) end
 
 ---@class (exact) sg.film.arguments
----a string. "x.mp4" (H.264, needs the program ffmpeg), "x.ogv" (Theora, needs no other program), or "x-%04d.png", .svg,
----.pdf: files numbered from 1
+---file: a string. "x.mp4" (H.264, needs the program ffmpeg), "x.ogv" (Theora, needs no other program), or "x-%04d.png",
+---```text
+---      .svg, .pdf: files numbered from 1
+---```
 ---@field file string
----frames per second of a film, for .ogv a whole number (a positive number; default 10)
+---fps: frames per second of a film, for .ogv a whole number (a positive number; default 10)
 ---@field fps? number
----as in sg.picture (a whole number from 160 to 5000 or a list of 2 whole numbers from 120 to 5000; pixels; by default
----that of the first picture)
+---size: as in sg.picture (a whole number from 160 to 5000 or a list of 2 whole numbers from 120 to 5000; pixels; by
+---```text
+---      default that of the first picture)
+---```
 ---@field size? integer|[integer, integer]
----multiplies the size, including text and lines (a positive number; default 1)
+---scale: multiplies the size, including text and lines (a positive number; default 1)
 ---@field scale? number
----transparent background; not in films (true or false; default false)
+---transparent: transparent background; not in films (true or false; default false)
 ---@field transparent? boolean
----pictures, or lists of them, in order (a picture or a list of pictures)
+---pictures: pictures, or lists of them, in order (a picture or a list of pictures)
 ---@field [integer] sg.picture|sg.picture[]
 ---@field [string] sg.unknown_argument
 
@@ -258,88 +311,125 @@ local picture = {}
 ---```lua
 ---sg.picture{ model = model, field = "uy" }:write "die.pdf"
 ---```
----@param file string # file name that ends with .png, .svg or .pdf (a string)
+---@param file string # file: file name that ends with .png, .svg or .pdf (a string)
 function picture:write(file) end
 
 ---@class (exact) sg.chart.arguments.inset
----part of the x axis (a list of 2 increasing numbers {low, high})
+---xrange: part of the x axis (a list of 2 increasing numbers {low, high})
 ---@field xrange [number, number]
----part of the y axis (a list of 2 increasing numbers {low, high}; by default that of the curves)
+---yrange: part of the y axis (a list of 2 increasing numbers {low, high}; by default that of the curves)
 ---@field yrange? [number, number]
----corner of the chart ('north-east', 'north-west', 'south-east' or 'south-west'; by default the emptiest one)
+---place: corner of the chart ('north-east', 'north-west', 'south-east' or 'south-west'; by default the emptiest one)
 ---@field place? "north-east"|"north-west"|"south-east"|"south-west"
 ---@field [string] sg.unknown_argument
 
 ---@alias sg.chart.arguments.curves.marker.choice "circle"|"square"|"triangle"|"diamond"|"triangle down"|"cross"|"pentagon"|"plus"|"open circle"|"open square"|"open triangle"|"open diamond"|"open triangle down"|"open hexagon"|"open pentagon"|"open pentagon down"|"none"
 
 ---@class (exact) sg.chart.arguments.curves
----values; nan and inf are gaps. A single point between gaps gets a marker (a list of numbers)
+---y: values; nan and inf are gaps. A single point between gaps gets a marker (a list of numbers)
 ---@field y number[]
----abscissae, one per value (a list of numbers; by default the chart's x)
+---x: abscissae, one per value (a list of numbers; by default the chart's x)
 ---@field x? number[]
----name in the legend; curves with the same label and style share a row (a string; by default none)
+---label: name in the legend; curves with the same label and style share a row (a string; by default none)
 ---@field label? string
----whether to draw the line (true or false; default true)
+---line: whether to draw the line (true or false; default true)
 ---@field line? boolean
----line width in pixels, in a chart of 1600 x 1000 (a positive number; default 3)
+---width: line width in pixels, in a chart of 1600 x 1000 (a positive number; default 3)
 ---@field width? number
----whether the line is dashed (true or false; default false)
+---dashed: whether the line is dashed (true or false; default false)
 ---@field dashed? boolean
----arrow heads in the order of the points, such as the direction of a hysteresis loop (true or false; default false)
+---arrows: arrow heads in the order of the points, such as the direction of a hysteresis loop (true or false; default
+---```text
+---        false)
+---```
 ---@field arrows? boolean
----a marker at each point; false: none (true or false; by default a few per curve, if several)
+---markers: a marker at each point; false: none (true or false; by default a few per curve, if several)
 ---@field markers? boolean
----shape of the markers ('circle', 'square', 'triangle', 'diamond', 'triangle down', 'cross', 'pentagon', 'plus', 'open
----circle', 'open square', 'open triangle', 'open diamond', 'open triangle down', 'open hexagon', 'open pentagon', 'open
----pentagon down' or 'none'; by default that of the curve's number)
+---marker: shape of the markers ('circle', 'square', 'triangle', 'diamond', 'triangle down', 'cross', 'pentagon',
+---'plus',
+---```text
+---        'open circle', 'open square', 'open triangle', 'open diamond', 'open triangle down', 'open hexagon', 'open
+---        pentagon', 'open pentagon down' or 'none'; by default that of the curve's number)
+---```
 ---@field marker? sg.chart.arguments.curves.marker.choice
----a list of strings; optional. The kind of each point, such as its mesh: one marker per kind in all curves; the legend
----lists them after the curves
+---marks: a list of strings; optional. The kind of each point, such as its mesh: one marker per kind in all curves; the
+---```text
+---       legend lists them after the curves
+---```
 ---@field marks? string[]
----the number of a curve or 'gray'; by default that of the curve's number. Color and dashes of the curve with this
----number, or gray; 40 curves can be distinguished, a warning reports more
+---color: the number of a curve or 'gray'; by default that of the curve's number. Color and dashes of the curve with
+---this
+---```text
+---       number, or gray; 40 curves can be distinguished, a warning reports more
+---```
 ---@field color? integer|"gray"
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.chart.arguments
----abscissae of the curves without x (a list of numbers; optional)
+---x: abscissae of the curves without x (a list of numbers; optional)
 ---@field x? number[]
----label of the x axis with its unit: "force (N)" (a string; by default none)
+---xlabel: label of the x axis with its unit: "force (N)" (a string; by default none)
 ---@field xlabel? string
----label of the y axis (a string; by default none)
+---ylabel: label of the y axis (a string; by default none)
 ---@field ylabel? string
----title above the chart (a string; by default none)
+---title: title above the chart (a string; by default none)
 ---@field title? string
----logarithmic axes ('x', 'y' or 'xy'; by default none)
+---log: logarithmic axes ('x', 'y' or 'xy'; by default none)
 ---@field log? "x"|"y"|"xy"
----limits of the x axis (a list of 2 increasing numbers {low, high}; by default those of the data)
+---xrange: limits of the x axis (a list of 2 increasing numbers {low, high}; by default those of the data)
 ---@field xrange? [number, number]
----limits of the y axis (a list of 2 increasing numbers {low, high}; by default those of the data within xrange)
+---yrange: limits of the y axis (a list of 2 increasing numbers {low, high}; by default those of the data within xrange)
 ---@field yrange? [number, number]
----tick labels instead of numbers, in increasing order (a list of pairs {position, text}; optional)
+---xticks: tick labels instead of numbers, in increasing order (a list of pairs {position, text}; optional)
 ---@field xticks? [number, string][]
----dotted horizontal reference lines (a list of numbers and pairs {position, text}; optional)
+---hlines: dotted horizontal reference lines (a list of numbers and pairs {position, text}; optional)
 ---@field hlines? (number|[number]|[number, string])[]
----dotted vertical reference lines (a list of numbers and pairs {position, text}; optional)
+---vlines: dotted vertical reference lines (a list of numbers and pairs {position, text}; optional)
 ---@field vlines? (number|[number]|[number, string])[]
----true or false or 'inside' or 'outside'; default true. Names of the curves. true: in the first corner without curves
----(north-east, north-west, south-east, south-west), otherwise, and with an inset, to the right of the chart, or below
----it if the names are long or many; "inside": in a corner; "outside": outside the axes; false: no legend
+---legend: true or false or 'inside' or 'outside'; default true. Names of the curves. true: in the first corner without
+---```text
+---        curves (north-east, north-west, south-east, south-west), otherwise, and with an inset, to the right of the
+---        chart, or below it if the names are long or many; "inside": in a corner; "outside": outside the axes; false:
+---        no legend
+---```
 ---@field legend? boolean|"inside"|"outside"
----title of the legend (a string; optional)
+---legend_title: title of the legend (a string; optional)
 ---@field legend_title? string
----order of the kinds of points (a list of strings; by default order of first occurrence)
+---marks: order of the kinds of points (a list of strings; by default order of first occurrence)
 ---@field marks? string[]
----title of the list of kinds (a string; optional)
+---marks_title: title of the list of kinds (a string; optional)
 ---@field marks_title? string
----a table of named arguments; optional. Magnifies a part of the chart in a box; if no corner is free, the y axis is
----extended, unless yrange is given
+---inset: a table of named arguments; optional. Magnifies a part of the chart in a box; if no corner is free, the y axis
+---```text
+---       is extended, unless yrange is given
+---  xrange: part of the x axis (a list of 2 increasing numbers {low, high})
+---  yrange: part of the y axis (a list of 2 increasing numbers {low, high}; by default that of the curves)
+---  place:  corner of the chart ('north-east', 'north-west', 'south-east' or 'south-west'; by default the emptiest one)
+---```
 ---@field inset? sg.chart.arguments.inset
----width and height (a list of 2 whole numbers from 120 to 5000; pixels; default {1600, 1000})
+---size: width and height (a list of 2 whole numbers from 120 to 5000; pixels; default {1600, 1000})
 ---@field size? [integer, integer]
----file name that ends with .png, .svg or .pdf (a string; by default not written)
+---file: file name that ends with .png, .svg or .pdf (a string; by default not written)
 ---@field file? string
----curves, as unnamed entries (a curve { y = {…} })
+---curves: curves, as unnamed entries (a curve { y = {…} })
+---```text
+---  y:       values; nan and inf are gaps. A single point between gaps gets a marker (a list of numbers)
+---  x:       abscissae, one per value (a list of numbers; by default the chart's x)
+---  label:   name in the legend; curves with the same label and style share a row (a string; by default none)
+---  line:    whether to draw the line (true or false; default true)
+---  width:   line width in pixels, in a chart of 1600 x 1000 (a positive number; default 3)
+---  dashed:  whether the line is dashed (true or false; default false)
+---  arrows:  arrow heads in the order of the points, such as the direction of a hysteresis loop (true or false; default
+---           false)
+---  markers: a marker at each point; false: none (true or false; by default a few per curve, if several)
+---  marker:  shape of the markers ('circle', 'square', 'triangle', 'diamond', 'triangle down', 'cross', 'pentagon',
+---           'plus', 'open circle', 'open square', 'open triangle', 'open diamond', 'open triangle down', 'open
+---           hexagon', 'open pentagon', 'open pentagon down' or 'none'; by default that of the curve's number)
+---  marks:   a list of strings; optional. The kind of each point, such as its mesh: one marker per kind in all curves;
+---           the legend lists them after the curves
+---  color:   the number of a curve or 'gray'; by default that of the curve's number. Color and dashes of the curve with
+---           this number, or gray; 40 curves can be distinguished, a warning reports more
+---```
 ---@field [integer] sg.chart.arguments.curves
 ---@field [string] sg.unknown_argument
 
@@ -361,65 +451,102 @@ function picture:write(file) end
 function sg.chart(arguments) end
 
 ---@class (exact) sg.heatmap.arguments.panels
----title above the map (a string; optional)
+---title: title above the map (a string; optional)
 ---@field title? string
----a list of values. values[j][i] belongs to y[j] and x[i]: a number, or the name of a category; nil, nan and inf are
----blank
+---values: a list of values. values[j][i] belongs to y[j] and x[i]: a number, or the name of a category; nil, nan and
+---inf
+---```text
+---        are blank
+---```
 ---@field values any[]
----rows of short strings or numbers printed in the cells, omitted where they do not fit (a list of values; optional)
+---texts: rows of short strings or numbers printed in the cells, omitted where they do not fit (a list of values;
+---```text
+---       optional)
+---```
 ---@field texts? any[]
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.heatmap.arguments.categories
----name as used in values (a string)
+---name: name as used in values (a string)
 ---@field name string
----whether the outcome is wanted: light green or blue (true or false; by default true for the first category if none
----sets it)
+---good: whether the outcome is wanted: light green or blue (true or false; by default true for the first category if
+---```text
+---      none sets it)
+---```
 ---@field good? boolean
----"#rrggbb", or the number of a style (a color such as "#d55e00", or the number of one from 1 to 21; by default the
----next style)
+---color: "#rrggbb", or the number of a style (a color such as "#d55e00", or the number of one from 1 to 21; by default
+---```text
+---       the next style)
+---```
 ---@field color? integer|string
 ---@field [string] sg.unknown_argument
 
 ---@alias sg.heatmap.arguments.colormap.choice "viridis"|"magma"|"inferno"|"plasma"|"cividis"|"gray"|"coolwarm"
 
 ---@class (exact) sg.heatmap.arguments
----names of the columns, in order (a list of at least one name or number)
+---x: names of the columns, in order (a list of at least one name or number)
 ---@field x (string|number)[]
----names of the rows, the first one at the bottom (a list of at least one name or number)
+---y: names of the rows, the first one at the bottom (a list of at least one name or number)
 ---@field y (string|number)[]
----a list of values; optional. values[j][i] belongs to y[j] and x[i]: a number, or the name of a category; nil, nan and
----inf are blank
+---values: a list of values; optional. values[j][i] belongs to y[j] and x[i]: a number, or the name of a category; nil,
+---```text
+---        nan and inf are blank
+---```
 ---@field values? any[]
----rows of short strings or numbers printed in the cells, omitted where they do not fit (a list of values; optional)
+---texts: rows of short strings or numbers printed in the cells, omitted where they do not fit (a list of values;
+---```text
+---       optional)
+---```
 ---@field texts? any[]
----several maps side by side, instead of values and texts (a list of at least one map { title = …, values = … };
----optional)
+---panels: several maps side by side, instead of values and texts (a list of at least one map { title = …, values = … };
+---```text
+---        optional)
+---  title:  title above the map (a string; optional)
+---  values: a list of values. values[j][i] belongs to y[j] and x[i]: a number, or the name of a category; nil, nan and
+---          inf are blank
+---  texts:  rows of short strings or numbers printed in the cells, omitted where they do not fit (a list of values;
+---          optional)
+---```
 ---@field panels? sg.heatmap.arguments.panels[]
----maps in a row (a whole number from 1 to 100; by default at most three; two for four maps)
+---columns: maps in a row (a whole number from 1 to 100; by default at most three; two for four maps)
 ---@field columns? integer
----a list of at least one category { name = … }; optional. Values are these names. The legend shows those that occur:
----good ones in light green and blue, others in warm and dark colors in the order of the list, hatched from the eighth
----on; they can also be distinguished without color
+---categories: a list of at least one category { name = … }; optional. Values are these names. The legend shows those
+---```text
+---            that occur: good ones in light green and blue, others in warm and dark colors in the order of the list,
+---            hatched from the eighth on; they can also be distinguished without color
+---  name:  name as used in values (a string)
+---  good:  whether the outcome is wanted: light green or blue (true or false; by default true for the first category if
+---         none sets it)
+---  color: "#rrggbb", or the number of a style (a color such as "#d55e00", or the number of one from 1 to 21; by default
+---         the next style)
+---```
 ---@field categories? (string|sg.heatmap.arguments.categories)[]
----title above the map (a string; by default none)
+---title: title above the map (a string; by default none)
 ---@field title? string
----label of the x axis with its unit (a string; by default none)
+---xlabel: label of the x axis with its unit (a string; by default none)
 ---@field xlabel? string
----label of the y axis with its unit (a string; by default none)
+---ylabel: label of the y axis with its unit (a string; by default none)
 ---@field ylabel? string
----title of the color bar, with the values' unit (a string; by default none)
+---label: title of the color bar, with the values' unit (a string; by default none)
 ---@field label? string
----lowest and highest value of the colors (a list of 2 increasing numbers {low, high}; by default that of the values)
+---range: lowest and highest value of the colors (a list of 2 increasing numbers {low, high}; by default that of the
+---```text
+---       values)
+---```
 ---@field range? [number, number]
----logarithmic color scale (true or false; default false)
+---log: logarithmic color scale (true or false; default false)
 ---@field log? boolean
----as in sg.picture ('viridis', 'magma', 'inferno', 'plasma', 'cividis', 'gray' or 'coolwarm'; default "viridis")
+---colormap: as in sg.picture ('viridis', 'magma', 'inferno', 'plasma', 'cividis', 'gray' or 'coolwarm'; default
+---```text
+---          "viridis")
+---```
 ---@field colormap? sg.heatmap.arguments.colormap.choice
----width and height (a list of 2 whole numbers from 120 to 5000; pixels; by default {1600, 1000}, of two or three panels
----{1600, 850}, of more {1600, 1400})
+---size: width and height (a list of 2 whole numbers from 120 to 5000; pixels; by default {1600, 1000}, of two or three
+---```text
+---      panels {1600, 850}, of more {1600, 1400})
+---```
 ---@field size? [integer, integer]
----file name that ends with .png, .svg or .pdf (a string; by default not written)
+---file: file name that ends with .png, .svg or .pdf (a string; by default not written)
 ---@field file? string
 ---@field [string] sg.unknown_argument
 

@@ -18,7 +18,7 @@ sg = require "signorini"
 ---```lua
 ---help(sg.nurbs.arc)
 ---```
----@param what? any|string # function, value or word (any value or a string; optional)
+---@param what? any|string # what: function, value or word (any value or a string; optional)
 function help(what) end
 
 ---Shows the traceback of the last error at the prompt: the functions that were being called.

@@ -35,7 +35,7 @@ local model = {}
 ---```lua
 ---model:profile("interface").pressure
 ---```
----@param contact string # name of a contact (a string)
+---@param contact string # contact: name of a contact (a string)
 ---@return sg.model.profile.result
 function model:profile(contact) end
 
@@ -47,9 +47,9 @@ function model:profile(contact) end
 ---```lua
 ---model:sample("slab", "uy", {0.5, 1})
 ---```
----@param body sg.body|string # a body or its name (a body or a string)
----@param field sg.model.sample.field.choice # 'ux', 'uy', 'u', 'sxx', 'syy', 'szz', 'sxy', 'von_mises', 'pressure', 'I1', 'F11', 'F12', 'F21', 'F22', 'uz', 'sxz', 'syz', 'F13', 'F23', 'F31', 'F32', 'F33' or 'contact_pressure'. As in sg.picture; contact_pressure is interpolated between the contact points of a slave face, on which xi must be
----@param xi [number, number]|[number, number, number] # parametric coordinates (a list of 2 numbers {xi1, xi2}, in 3D of 3)
+---@param body sg.body|string # body: a body or its name (a body or a string)
+---@param field sg.model.sample.field.choice # field: 'ux', 'uy', 'u', 'sxx', 'syy', 'szz', 'sxy', 'von_mises', 'pressure', 'I1', 'F11', 'F12', 'F21', 'F22', 'uz', 'sxz', 'syz', 'F13', 'F23', 'F31', 'F32', 'F33' or 'contact_pressure'. As in sg.picture; contact_pressure is interpolated between the contact points of a slave face, on which xi must be
+---@param xi [number, number]|[number, number, number] # xi: parametric coordinates (a list of 2 numbers {xi1, xi2}, in 3D of 3)
 ---@return number
 function model:sample(body, field, xi) end
 
@@ -88,7 +88,7 @@ function model:energy() end
 ---```lua
 ---model:reaction("grip").fy
 ---```
----@param name string # a support or a load (a string)
+---@param name string # name: a support or a load (a string)
 ---@return sg.model.reaction.result
 function model:reaction(name) end
 
@@ -114,7 +114,7 @@ function model:reaction(name) end
 ---```lua
 ---model:contact_law("interface").penalty
 ---```
----@param contact string # name of a contact (a string)
+---@param contact string # contact: name of a contact (a string)
 ---@return sg.model.contact_law.result
 function model:contact_law(contact) end
 
@@ -148,7 +148,7 @@ function model:contact_law(contact) end
 ---```lua
 ---model:contact_resultant("interface").area
 ---```
----@param contact string # name of a contact (a string)
+---@param contact string # contact: name of a contact (a string)
 ---@return sg.model.contact_resultant.result
 function model:contact_resultant(contact) end
 
@@ -178,7 +178,7 @@ function model:contact_resultant(contact) end
 ---```lua
 ---coated:tie_profile("seam").pressure
 ---```
----@param tie string # name of a tie (a string)
+---@param tie string # tie: name of a tie (a string)
 ---@return sg.model.tie_profile.result
 function model:tie_profile(tie) end
 
@@ -198,7 +198,7 @@ function model:tie_profile(tie) end
 ---```lua
 ---coated:tie_resultant("seam").fy
 ---```
----@param tie string # name of a tie (a string)
+---@param tie string # tie: name of a tie (a string)
 ---@return sg.model.tie_resultant.result
 function model:tie_resultant(tie) end
 
@@ -206,28 +206,38 @@ function model:tie_resultant(tie) end
 local sg = {}
 
 ---@class (exact) sg.profile_error.arguments
----the measured profile (a contact profile)
+---profile: the measured profile (a contact profile)
 ---@field profile table
----another profile, or a function of the coordinate (a contact profile)
+---reference: another profile, or a function of the coordinate (a contact profile)
 ---@field reference table|(fun(s: number): number)
----the name of a column such as "x", or a function of a point; default "x". A column such as "x" (deformed) or "X"
----(reference), or a function of a point { x =, y =, pressure =, … }; it is the s of the integral. It must increase
----along the contact zone; points beyond, where it decreases, are left out
+---coordinate: the name of a column such as "x", or a function of a point; default "x". A column such as "x" (deformed)
+---```text
+---            or "X" (reference), or a function of a point { x =, y =, pressure =, … }; it is the s of the integral. It
+---            must increase along the contact zone; points beyond, where it decreases, are left out
+---```
 ---@field coordinate? string|(fun(point: table<string, any>): number)
----compared quantity ('pressure' or 'traction'; default "pressure")
+---value: compared quantity ('pressure' or 'traction'; default "pressure")
 ---@field value? "pressure"|"traction"
----N; "max": the largest value of the reference (a positive number or "max"; default 1)
+---normalize: N; "max": the largest value of the reference (a positive number or "max"; default 1)
 ---@field normalize? number|"max"
----'profile', 'reference' or 'union'; default "profile". Points of the trapezoidal rule; the other profile is
----interpolated linearly; "union", the points of both, is exact for two polygons
+---quadrature: 'profile', 'reference' or 'union'; default "profile". Points of the trapezoidal rule; the other profile
+---is
+---```text
+---            interpolated linearly; "union", the points of both, is exact for two polygons
+---```
 ---@field quadrature? "profile"|"reference"|"union"
----'either' or 'both'; default "either". "either": where one of the two touches, with p = 0 at open points; "both": only
----where both touch, from edge point to edge point. If the contact of one ends earlier than that of the other, "both"
----leaves out the largest differences
+---zone: 'either' or 'both'; default "either". "either": where one of the two touches, with p = 0 at open points;
+---"both":
+---```text
+---      only where both touch, from edge point to edge point. If the contact of one ends earlier than that of the other,
+---      "both" leaves out the largest differences
+---```
 ---@field zone? "either"|"both"
----'point' or 'gap'; default "point". How a profile decreases to zero between its last point in contact and the next
----one: "point": linearly to that next one; "gap": to where the gap, linear between these two, is zero, which becomes a
----point of the integral
+---edge: 'point' or 'gap'; default "point". How a profile decreases to zero between its last point in contact and the
+---```text
+---      next one: "point": linearly to that next one; "gap": to where the gap, linear between these two, is zero, which
+---      becomes a point of the integral
+---```
 ---@field edge? "point"|"gap"
 ---@field [string] sg.unknown_argument
 
@@ -259,11 +269,13 @@ local sg = {}
 function sg.profile_error(arguments) end
 
 ---@class (exact) sg.profile_edges.arguments
----the measured profile (a contact profile)
+---profile: the measured profile (a contact profile)
 ---@field profile table
----the name of a column such as "x", or a function of a point; default "x". A column such as "x" (deformed) or "X"
----(reference), or a function of a point { x =, y =, pressure =, … }; it is the s of the integral. It must increase
----along the contact zone; points beyond, where it decreases, are left out
+---coordinate: the name of a column such as "x", or a function of a point; default "x". A column such as "x" (deformed)
+---```text
+---            or "X" (reference), or a function of a point { x =, y =, pressure =, … }; it is the s of the integral. It
+---            must increase along the contact zone; points beyond, where it decreases, are left out
+---```
 ---@field coordinate? string|(fun(point: table<string, any>): number)
 ---@field [string] sg.unknown_argument
 

@@ -22,8 +22,8 @@ local sg = {}
 ---options = sg.arguments{ orders = {"N2", "N4"}, steps = 10, penalty = { 100.0, above = 0 },
 ---                        out = "out/study" }
 ---```
----@param defaults table<string, any> # defaults by the name of the argument (a table of names { name = … })
----@param words? string[] # words name=value (a list of strings; by default those of the command line, or of the call of a script called as a function)
+---@param defaults table<string, any> # defaults: defaults by the name of the argument (a table of names { name = … })
+---@param words? string[] # words: words name=value (a list of strings; by default those of the command line, or of the call of a script called as a function)
 ---@return table<string, any>
 function sg.arguments(defaults, words) end
 
@@ -34,24 +34,26 @@ function sg.arguments(defaults, words) end
 ---<name> = { default, <restriction> = …, … }, in sg.arguments{ … }
 ---```
 ---@class (exact) sg.argument
----the allowed values (a list of at least one number or a string; optional)
+---choices: the allowed values (a list of at least one number or a string; optional)
 ---@field choices? (number|string)[]
----smallest allowed number (a number; optional)
+---at_least: smallest allowed number (a number; optional)
 ---@field at_least? number
----lower bound, excluded (a number; optional)
+---above: lower bound, excluded (a number; optional)
 ---@field above? number
----largest allowed number (a number; optional)
+---at_most: largest allowed number (a number; optional)
 ---@field at_most? number
----upper bound, excluded (a number; optional)
+---below: upper bound, excluded (a number; optional)
 ---@field below? number
----the word none gives the empty list (true or false; optional)
+---none: the word none gives the empty list (true or false; optional)
 ---@field none? boolean
----function of the value (or entry) and of all values that returns whether it is valid (a function; optional)
+---check: function of the value (or entry) and of all values that returns whether it is valid (a function; optional)
 ---@field check? fun(value: any, values: table<string, any>): any
----requirement of check, in words that follow "must be" (a string; optional)
+---expected: requirement of check, in words that follow "must be" (a string; optional)
 ---@field expected? string
----a table of names { name = … }; optional. Additional arguments by variant, listed before the common ones: variant = {
----"plain", variants = { plain = {…}, deep = { depth = 0.5 } } }
+---variants: a table of names { name = … }; optional. Additional arguments by variant, listed before the common ones:
+---```text
+---          variant = { "plain", variants = { plain = {…}, deep = { depth = 0.5 } } }
+---```
 ---@field variants? table<string, table<string, any>>
 ---@field [string] sg.unknown_argument
 
@@ -62,7 +64,7 @@ function sg.arguments(defaults, words) end
 ---```lua
 ---files = sg.files "out/study"; run:csv(files "N2.csv"); files:report()
 ---```
----@param folder string # name of the folder (a string)
+---@param folder string # folder: name of the folder (a string)
 ---@return sg.files
 function sg.files(folder) end
 
@@ -77,7 +79,7 @@ function sg.files(folder) end
 ---sg.files("out/study").folder  --> "out/study"
 ---```
 ---@class sg.files
----as given (a string)
+---folder: as given (a string)
 ---@field folder string
 ---@overload fun(name: string): string
 local files = {}
@@ -90,9 +92,9 @@ local files = {}
 ---  return run.steps > 1 and run:csv(path) == nil
 ---end)
 ---```
----@param name string # name of the file in the folder (a string)
----@param need string # what the file needs (a string)
----@param body fun(path: string): (any|nil) # function of the path that draws and returns whether it did (a function)
+---@param name string # name: name of the file in the folder (a string)
+---@param need string # need: what the file needs (a string)
+---@param body fun(path: string): (any|nil) # body: function of the path that draws and returns whether it did (a function)
 function files:draw(name, need, body) end
 
 ---Prints the list of files written; prints nothing if it is empty.
@@ -109,17 +111,17 @@ function files:report() end
 ---```lua
 ---sg.mkdir "out/study"
 ---```
----@param path string # name of the folder (a string)
+---@param path string # path: name of the folder (a string)
 function sg.mkdir(path) end
 
 ---@class (exact) sg.table.arguments
----names (a list of strings)
+---columns: names (a list of strings)
 ---@field columns string[]
----nil where missing (a list of rows: each a list of numbers, strings, true or false)
+---rows: nil where missing (a list of rows: each a list of numbers, strings, true or false)
 ---@field rows table<integer|string, (number|string|boolean)[]>
----second header line (a list of strings; optional)
+---units: second header line (a list of strings; optional)
 ---@field units? string[]
----patterns of string.format by position or name of a column (any value; optional)
+---formats: patterns of string.format by position or name of a column (any value; optional)
 ---@field formats? any
 ---@field [string] sg.unknown_argument
 
@@ -148,17 +150,19 @@ sg.csv = {}
 ---run:csv "run.csv"
 ---fx = sg.csv.read("run.csv"):column "grip.fx"
 ---```
----@param file string # name of the file (a string)
+---@param file string # file: name of the file (a string)
 ---@return sg.data
 function sg.csv.read(file) end
 
 ---@class sg.csv.write.data
----names of the columns (a list of at least one string; by default those of the lists, sorted)
+---columns: names of the columns (a list of at least one string; by default those of the lists, sorted)
 ---@field columns? string[]
----values; without rows, give lists of equal length by the names of columns (a list of rows: each a list of numbers,
----strings, true or false; optional)
+---rows: values; without rows, give lists of equal length by the names of columns (a list of rows: each a list of
+---```text
+---      numbers, strings, true or false; optional)
+---```
 ---@field rows? table<integer|string, (number|string|boolean)[]>
----comment lines at the top (a list of strings; optional)
+---comments: comment lines at the top (a list of strings; optional)
 ---@field comments? string[]
 ---@field [string] (number|string|boolean)[]
 
@@ -169,8 +173,8 @@ function sg.csv.read(file) end
 ---```lua
 ---sg.csv.write("a.csv", { columns = {"step", "fx"}, rows = {{1, 0.2}, {2, 0.3}} })
 ---```
----@param file string # name of the file (a string)
----@param data? sg.csv.write.data|sg.model.profile.result # the table, or a contact profile (a table of named arguments)
+---@param file string # file: name of the file (a string)
+---@param data? sg.csv.write.data|sg.model.profile.result # data: the table, or a contact profile (a table of named arguments) columns: names of the columns (a list of at least one string; by default those of the lists, sorted) rows: values; without rows, give lists of equal length by the names of columns (a list of rows: each a list of numbers, strings, true or false; optional) comments: comment lines at the top (a list of strings; optional)
 function sg.csv.write(file, data) end
 
 ---@class sg.json
@@ -186,8 +190,8 @@ sg.json = {}
 ---sg.json.write("limits.json", { force = 0.02, meshes = {1, 2} })
 ---sg.json.write("forces.json", { step = run:column "step", fy = run:column "grip.fy" })
 ---```
----@param file string # name of the file (a string)
----@param value number|string|boolean|table # lists become arrays, tables with names objects; an empty table becomes an empty array (plain data (finite numbers, strings, true, false, or tables of these))
+---@param file string # file: name of the file (a string)
+---@param value number|string|boolean|table # value: lists become arrays, tables with names objects; an empty table becomes an empty array (plain data (finite numbers, strings, true, false, or tables of these))
 function sg.json.write(file, value) end
 
 ---Returns the value in a JSON file: a table, a string, a number, true, false or nil.
@@ -200,7 +204,7 @@ function sg.json.write(file, value) end
 ---```lua
 ---sg.json.read("limits.json").meshes[2]  --> 2
 ---```
----@param file string # name of the file (a string)
+---@param file string # file: name of the file (a string)
 ---@return any
 function sg.json.read(file) end
 
@@ -211,17 +215,17 @@ function sg.json.read(file) end
 ---```lua
 ---#sg.reference("ironing2d_dofs_table7_2").rows  --> 8
 ---```
----@param name string # name of a file in share/reference; a wrong one lists them (a string)
+---@param name string # name: name of a file in share/reference; a wrong one lists them (a string)
 ---@return sg.data
 function sg.reference(name) end
 
 ---The result of sg.csv.read and sg.reference.
 ---@class sg.data
----their names (a list of strings)
+---columns: their names (a list of strings)
 ---@field columns string[]
----the values, in the order of the columns (a list of entries: each a list of numbers, strings, true or false)
+---rows: the values, in the order of the columns (a list of entries: each a list of numbers, strings, true or false)
 ---@field rows (number|string|boolean)[][]
----lines that begin with # (a list of strings)
+---comments: lines that begin with # (a list of strings)
 ---@field comments string[]
 local data = {}
 
@@ -232,7 +236,7 @@ local data = {}
 ---```lua
 ---sg.reference "hertz2d_dofs_table7_4":by "mesh"
 ---```
----@param name string # name of the column (a string)
+---@param name string # name: name of the column (a string)
 ---@return table
 function data:by(name) end
 
@@ -242,26 +246,36 @@ function data:by(name) end
 ---```lua
 ---sg.reference "ironing2d_oscillation_table7_3":column "discretization"
 ---```
----@param name string # name of the column (a string)
+---@param name string # name: name of the column (a string)
 ---@return any[]
 function data:column(name) end
 
 ---@class (exact) sg.vtu.arguments
----model made by sg.model; needed without `patch` (a model; optional)
+---model: model made by sg.model; needed without `patch` (a model; optional)
 ---@field model? sg.model
----name that ends with .vtu (a string)
+---file: name that ends with .vtu (a string)
 ---@field file string
----current shape; false: reference shape, for ParaView's Warp By Vector (true or false; by default true)
+---deformed: current shape; false: reference shape, for ParaView's Warp By Vector (true or false; by default true)
 ---@field deformed? boolean
----patches instead of a model; cells have the number patch (a patch or a list of at least one patch; optional)
+---patch: patches instead of a model; cells have the number patch (a patch or a list of at least one patch; optional)
 ---@field patch? sg.patch|sg.patch[]
+---cells: 'bezier' or 'linear'; default "bezier". "bezier": exact; "linear": each element is divided into linear
+---```text
+---       quadrilaterals or hexahedra, for programs without Bezier cells, such as meshio, PyVista, older ParaViews
+---```
+---@field cells? "bezier"|"linear"
+---subdivisions: linear cells per element and direction (a whole number from 1 to 64; by default the highest degree of
+---```text
+---              all elements, at least 2)
+---```
+---@field subdivisions? integer
 ---@field [string] sg.unknown_argument
 
 ---Writes a model's current state to a .vtu file for ParaView: every element is a rational Bezier cell with the degrees
 ---of the element, so shape and displacement are exact, also where rows of different degrees meet.
 ---
 ---```text
----sg.vtu{ model, file, deformed, patch }
+---sg.vtu{ model, file, deformed, patch, cells = "bezier", subdivisions }
 ---```
 ---
 ---At points: displacement; stress (Cauchy: XX YY ZZ XY YZ XZ), von_mises, pressure (-tr sigma/3) and F (11 12 … 33),
@@ -270,19 +284,23 @@ function data:column(name) end
 ---in bodies): a least-squares fit at the contact points of each element, which may be negative near the end of contact;
 ---model:profile has the values themselves. Cells have the numbers body and contact (0 for elements of bodies);
 ---body_names, contact_names list the names. VTK 9.1, ParaView 5.10 or newer. A plane model is in z = 0; in an
----axisymmetric model, ZZ is the hoop direction.
+---axisymmetric model, ZZ is the hoop direction. Linear cells have the same arrays, with values at their corners, which
+---lie on the exact geometry; elements do not share points.
 ---
 ---Example:
 ---```lua
 ---sg.vtu{ model = model, file = "state.vtu" }
 ---sg.vtu{ patch = sg.nurbs.circle{ radius = 1 }, file = "circle.vtu" }
+---sg.vtu{ model = model, file = "linear.vtu", cells = "linear", subdivisions = 4 }
 ---```
 ---@param arguments sg.vtu.arguments
 function sg.vtu(arguments) end
 
 ---@class (exact) sg.pvd.options
----true or false; default false. Keep the states of an existing file, up to the time of the first one that is added, as
----needed with resume = true of model:run
+---resume: true or false; default false. Keep the states of an existing file, up to the time of the first one that is
+---```text
+---        added, as needed with resume = true of model:run
+---```
 ---@field resume? boolean
 ---@field [string] sg.unknown_argument
 
@@ -294,7 +312,7 @@ function sg.vtu(arguments) end
 ---local series = sg.pvd "ironing.pvd"
 ---model:run(stages, { on_step = function(info) series:add{ model = model, time = info.step } end })
 ---```
----@param file string # name that ends with .pvd (a string)
+---@param file string # file: name that ends with .pvd (a string)
 ---@param options? sg.pvd.options
 ---@return sg.series
 function sg.pvd(file, options) end
@@ -304,18 +322,28 @@ function sg.pvd(file, options) end
 local series = {}
 
 ---@class (exact) sg.series.add.arguments
----a model
+---model: a model
 ---@field model sg.model
----time of the state (a number)
+---time: time of the state (a number)
 ---@field time number
----current shape; false: reference shape (true or false; default true)
+---deformed: current shape; false: reference shape (true or false; default true)
 ---@field deformed? boolean
+---cells: 'bezier' or 'linear'; default "bezier". "bezier": exact; "linear": each element is divided into linear
+---```text
+---       quadrilaterals or hexahedra, for programs without Bezier cells, such as meshio, PyVista, older ParaViews
+---```
+---@field cells? "bezier"|"linear"
+---subdivisions: linear cells per element and direction (a whole number from 1 to 64; by default the highest degree of
+---```text
+---              all elements, at least 2)
+---```
+---@field subdivisions? integer
 ---@field [string] sg.unknown_argument
 
 ---Writes the model's current state as sg.vtu does and adds it to a time series; times must increase.
 ---
 ---```text
----series:add{ model, time, deformed = true }
+---series:add{ model, time, deformed = true, cells = "bezier", subdivisions }
 ---```
 ---
 ---Example:
@@ -357,5 +385,5 @@ function sg.wall_time() end
 ---```lua
 ---help(sg.nurbs.arc)
 ---```
----@param what? any|string # function, value or word (any value or a string; optional)
+---@param what? any|string # what: function, value or word (any value or a string; optional)
 function sg.help(what) end

@@ -7,6 +7,7 @@
 ---@field json sg.json
 ---@field nurbs sg.nurbs
 ---@field rigid sg.rigid
+---@field scenes sg.scenes
 ---@field shapes sg.shapes
 local sg = {}
 

@@ -6,19 +6,33 @@
 local sg = {}
 
 ---@class (exact) sg.model.arguments
----the bodies (a table of names { name = … })
+---bodies: the bodies (a table of names { name = … })
 ---@field bodies table<string, sg.body|nil>
----supports of bodies and obstacles; entries with traction or pressure are loads (a table of names { name = … };
----optional)
+---supports: supports of bodies and obstacles; entries with traction or pressure are loads (a table of names { name = …
+---```text
+---          }; optional)
+---  see help "support"
+---```
 ---@field supports? table<string, (sg.support|sg.load)|nil>
----external forces (a table of names { name = … }; optional)
+---loads: external forces (a table of names { name = … }; optional)
+---```text
+---  see help "load"
+---```
 ---@field loads? table<string, sg.load|nil>
----pairs of faces that may touch (a table of names { name = … }; optional)
+---contacts: pairs of faces that may touch (a table of names { name = … }; optional)
+---```text
+---  see help "contact"
+---```
 ---@field contacts? table<string, sg.contact|nil>
----pairs of faces that move as one (a table of names { name = … }; optional)
+---ties: pairs of faces that move as one (a table of names { name = … }; optional)
+---```text
+---  see help "tie"
+---```
 ---@field ties? table<string, sg.tie|nil>
----plane strain, or a section of bodies of revolution ('plane_strain' or 'axisymmetric'; by default "plane_strain" for
----plane bodies)
+---kind: plane strain, or a section of bodies of revolution ('plane_strain' or 'axisymmetric'; by default "plane_strain"
+---```text
+---      for plane bodies)
+---```
 ---@field kind? "plane_strain"|"axisymmetric"
 ---@field [string] sg.unknown_argument
 
@@ -71,22 +85,32 @@ function sg.model(arguments) end
 ---             grip = { on = { die:face "west", die:face "east" }, drive = "xy" } }
 ---```
 ---@class (exact) sg.support
----where; the reaction of a list is the sum (a face or a list of faces, an edge, a corner or an obstacle)
+---on: where; the reaction of a list is the sum (a face or a list of faces, an edge, a corner or an obstacle)
 ---@field on sg.face|sg.obstacle|(sg.face|sg.obstacle)[]
----components with zero displacement ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; optional)
+---fix: components with zero displacement ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; optional)
 ---@field fix? sg.support.fix.choice
----components that stages prescribe ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; length; optional)
+---drive: components that stages prescribe ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; length; optional)
 ---@field drive? sg.support.drive.choice
----free components, for documentation: unlisted components are free ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; optional)
+---free: free components, for documentation: unlisted components are free ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz';
+---```text
+---      optional)
+---```
 ---@field free? sg.support.free.choice
----true in the plane; in 3D 'x', 'y', 'z' or a vector {ax, ay, az}; by default no rotation. The face rotates as a rigid
----body about its centroid, in 3D about the axis through it, by an angle in degrees that stages give after the driven
----components; in 3D a list of faces rotates as one, in the plane it must be one face. fix and drive then refer to the
----centroid, whose other components are free: rotate = true, fix = "xy" rotates the face about a fixed point
+---rotate: true in the plane; in 3D 'x', 'y', 'z' or a vector {ax, ay, az}; by default no rotation. The face rotates as
+---a
+---```text
+---        rigid body about its centroid, in 3D about the axis through it, by an angle in degrees that stages give after
+---        the driven components; in 3D a list of faces rotates as one, in the plane it must be one face. fix and drive
+---        then refer to the centroid, whose other components are free: rotate = true, fix = "xy" rotates the face about
+---        a fixed point
+---```
 ---@field rotate? boolean|"x"|"y"|"z"|[number, number, number]
----true or false; default false. Fixes the normal component on flat faces in a plane of symmetry x, y or z = c, in an
----axisymmetric model on the axis or y = c. Each plane of symmetry halves the scene and its forces; on the axis forces
----remain those of the full circle
+---symmetry: true or false; default false. Fixes the normal component on flat faces in a plane of symmetry x, y or z =
+---c,
+---```text
+---          in an axisymmetric model on the axis or y = c. Each plane of symmetry halves the scene and its forces; on
+---          the axis forces remain those of the full circle
+---```
 ---@field symmetry? boolean
 ---@field [string] sg.unknown_argument
 
@@ -105,26 +129,29 @@ function sg.model(arguments) end
 ---loads = { push = { on = die:face "east", traction = {0, -1} } }
 ---```
 ---@class (exact) sg.load
----loaded faces (a face or a list of faces)
+---on: loaded faces (a face or a list of faces)
 ---@field on sg.face|sg.face[]
----dead load {tx, ty}, in 3D {tx, ty, tz} (a list of 2 or 3 numbers; force per reference area; optional)
+---traction: dead load {tx, ty}, in 3D {tx, ty, tz} (a list of 2 or 3 numbers; force per reference area; optional)
 ---@field traction? [number, number]|[number, number, number]
----dead load against the outward normal of the reference shape (a number; force per reference area; optional)
+---pressure: dead load against the outward normal of the reference shape (a number; force per reference area; optional)
 ---@field pressure? number
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.contact.friction
----Coulomb's coefficient of friction, tan of the angle of friction, not the angle (a number, 0 or more)
+---mu: Coulomb's coefficient of friction, tan of the angle of friction, not the angle (a number, 0 or more)
 ---@field mu number
----a positive number; pressure per length; by default that of the contact; required with enforcement = "penalty".
----Tangential penalty, stiffness of elastic slip, which remains with method = "gpts" also where pressures are augmented
+---penalty: a positive number; pressure per length; by default that of the contact; required with enforcement =
+---```text
+---         "penalty". Tangential penalty, stiffness of elastic slip, which remains with method = "gpts" also where
+---         pressures are augmented
+---```
 ---@field penalty? number
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.contact.adhesion
----Hamaker's constant (a positive number; force times length)
+---hamaker: Hamaker's constant (a positive number; force times length)
 ---@field hamaker number
----equilibrium distance of the potential (a positive number; length)
+---r0: equilibrium distance of the potential (a positive number; length)
 ---@field r0 number
 ---@field [string] sg.unknown_argument
 
@@ -146,52 +173,85 @@ function sg.model(arguments) end
 ---                           friction = { mu = 0.2, penalty = 100 } } }
 ---```
 ---@class (exact) sg.contact
----a face. Face over which contact is integrated; pressures are computed at its contact points. Use the finer mesh, of
----equal meshes the softer body (the published ironing studies use the stiff die)
+---slave: a face. Face over which contact is integrated; pressures are computed at its contact points. Use the finer
+---```text
+---       mesh, of equal meshes the softer body (the published ironing studies use the stiff die)
+---```
 ---@field slave sg.face
----a face or an obstacle. Face of the other body onto which these points are projected, or an obstacle. Beyond its edges
----(a closed ring has none along its arc) the master is extended by 0.3 of its last element; there the traction
----decreases to zero
+---master: a face or an obstacle. Face of the other body onto which these points are projected, or an obstacle. Beyond
+---```text
+---        its edges (a closed ring has none along its arc) the master is extended by 0.3 of its last element; there the
+---        traction decreases to zero
+---```
 ---@field master sg.face|sg.obstacle
----a positive number; pressure per length; by default from material and mesh; required with enforcement = "penalty",
----except with adhesion. Normal penalty: p = -penalty g where the gap g is negative. 10 to 1000 times E / h of the
----softer body is usual, h its element size; model:contact_resultant(name).max_penetration is the penetration that
----remains. With enforcement = "augmented" it determines the number of augmentations, not the result, and with
----"multipliers" it only scales the equations; it is then 10 E / h by default, with h the (harmonic) mean size of the
----slave's elements in the contact, and print(model) shows it
+---penalty: a positive number; pressure per length; by default from material and mesh; required with enforcement =
+---```text
+---         "penalty", except with adhesion. Normal penalty: p = -penalty g where the gap g is negative. 10 to 1000 times
+---         E / h of the softer body is usual, h its element size; model:contact_resultant(name).max_penetration is the
+---         penetration that remains. With enforcement = "augmented" it determines the number of augmentations, not the
+---         result, and with "multipliers" it only scales the equations; it is then 10 E / h by default, with h the
+---         (harmonic) mean size of the slave's elements in the contact, and print(model) shows it
+---```
 ---@field penalty? number
----Coulomb friction (a table of named arguments; by default none)
+---friction: Coulomb friction (a table of named arguments; by default none)
+---```text
+---  mu:      Coulomb's coefficient of friction, tan of the angle of friction, not the angle (a number, 0 or more)
+---  penalty: a positive number; pressure per length; by default that of the contact; required with enforcement =
+---           "penalty". Tangential penalty, stiffness of elastic slip, which remains with method = "gpts" also where
+---           pressures are augmented
+---```
 ---@field friction? sg.contact.friction
----'gpts', 'mortar' or 'half_passes'; default "gpts". gpts: Gauss-point-to-surface, penalty at the contact points.
----mortar: penalty on gaps and slips that are weighted by functions on the slave face (multipliers); a high penalty then
----does not over-constrain. half_passes: as gpts, with `multipliers` as mortar, but each of the two faces is slave once
----and receives only the force of its own pass: no choice of slave biases the result, twice the points, unsymmetric
----tangents, and action equals reaction only up to the discretization error, imbalance in model:contact_resultant
+---method: 'gpts', 'mortar' or 'half_passes'; default "gpts". gpts: Gauss-point-to-surface, penalty at the contact
+---```text
+---        points. mortar: penalty on gaps and slips that are weighted by functions on the slave face (multipliers); a
+---        high penalty then does not over-constrain. half_passes: as gpts, with `multipliers` as mortar, but each of the
+---        two faces is slave once and receives only the force of its own pass: no choice of slave biases the result,
+---        twice the points, unsymmetric tangents, and action equals reaction only up to the discretization error,
+---        imbalance in model:contact_resultant
+---```
 ---@field method? "gpts"|"mortar"|"half_passes"
----'penalty', 'augmented' or 'multipliers'; default "penalty". penalty: penetrations in proportion to the pressure
----remain. augmented: augmented Lagrangian method (Uzawa), the pressures are corrected until penetrations are below a
----tolerance, augmentation.penetration of model:run; with method = "gpts" every contact point becomes a constraint, and
----friction keeps its penalty. multipliers: Lagrange multipliers as unknowns, no penetration of the weighted gaps. gpts
----has penalty and augmented, mortar all, half_passes penalty
+---enforcement: 'penalty', 'augmented' or 'multipliers'; default "penalty". penalty: penetrations in proportion to the
+---```text
+---             pressure remain. augmented: augmented Lagrangian method (Uzawa), the pressures are corrected until
+---             penetrations are below a tolerance, augmentation.penetration of model:run; with method = "gpts" every
+---             contact point becomes a constraint, and friction keeps its penalty. multipliers: Lagrange multipliers as
+---             unknowns, no penetration of the weighted gaps. gpts has penalty and augmented, mortar all, half_passes
+---             penalty
+---```
 ---@field enforcement? "penalty"|"augmented"|"multipliers"
----'equal' or 'reduced'; by default "equal" with method = "mortar"; without it half passes act at contact points.
----Functions of the multipliers of mortar contact, in half passes of either face. equal: those of the slave face.
----reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element), proven stable (inf-sup);
----for degree p >= 2
+---multipliers: 'equal' or 'reduced'; by default "equal" with method = "mortar"; without it half passes act at contact
+---```text
+---             points. Functions of the multipliers of mortar contact, in half passes of either face. equal: those of
+---             the slave face. reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element),
+---             proven stable (inf-sup); for degree p >= 2
+---```
 ---@field multipliers? "equal"|"reduced"
----'current' or 'reference'; by default "current", with method = "mortar" or adhesion "reference". Area of the slave
----face on which tractions act, and to which penalty and friction.penalty refer. "current" is that of the published
----studies; with "reference" and without friction the forces derive from an energy, and the tangent is symmetric. method
----= "mortar" and adhesion act per reference area, half passes per current area, also with multipliers
+---per: 'current' or 'reference'; by default "current", with method = "mortar" or adhesion "reference". Area of the
+---slave
+---```text
+---     face on which tractions act, and to which penalty and friction.penalty refer. "current" is that of the published
+---     studies; with "reference" and without friction the forces derive from an energy, and the tangent is symmetric.
+---     method = "mortar" and adhesion act per reference area, half passes per current area, also with multipliers
+---```
 ---@field per? "current"|"reference"
----Gauss points per slave element and direction (a whole number from 1 to 100; by default 3 (p + 1), p the degree along
----the slave face, that of its layer if it has one, in 3D the higher one)
+---points: Gauss points per slave element and direction (a whole number from 1 to 100; by default 3 (p + 1), p the
+---degree
+---```text
+---        along the slave face, that of its layer if it has one, in 3D the higher one)
+---```
 ---@field points? integer
----a table of named arguments; optional. Van der Waals forces in place of penalty and friction; the force is zero at the
----distance 15^(-1/6) r0
+---adhesion: a table of named arguments; optional. Van der Waals forces in place of penalty and friction; the force is
+---```text
+---          zero at the distance 15^(-1/6) r0
+---  hamaker: Hamaker's constant (a positive number; force times length)
+---  r0:      equilibrium distance of the potential (a positive number; length)
+---```
 ---@field adhesion? sg.contact.adhesion
----a function; by default everywhere. function(X) that returns true where the contact acts; X = {x, y}, in 3D {x, y, z},
----is a reference position of the slave face, with half passes of either face. Called when the model is made
+---where: a function; by default everywhere. function(X) that returns true where the contact acts; X = {x, y}, in 3D {x,
+---```text
+---       y, z}, is a reference position of the slave face, with half passes of either face. Called when the model is
+---       made
+---```
 ---@field where? fun(X: number[]): any
 ---@field [string] sg.unknown_argument
 
@@ -214,13 +274,15 @@ function sg.model(arguments) end
 ---ties = { seam = { slave = coating:face "south", master = block:face "north" } }
 ---```
 ---@class (exact) sg.tie
----face with the multipliers, over which the coupling is integrated; in general the finer mesh (a face)
+---slave: face with the multipliers, over which the coupling is integrated; in general the finer mesh (a face)
 ---@field slave sg.face
----face of the other body that coincides with it, as a whole or in part (a face)
+---master: face of the other body that coincides with it, as a whole or in part (a face)
 ---@field master sg.face
----'equal' or 'reduced'; default "equal". Functions of the tractions. equal: those of the slave face, with optimal rates
----of convergence. reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element), proven
----stable (inf-sup), less accurate; for degree p >= 2
+---multipliers: 'equal' or 'reduced'; default "equal". Functions of the tractions. equal: those of the slave face, with
+---```text
+---             optimal rates of convergence. reduced: of degree p - 2 on its elements, continuity two less (N2: constant
+---             per element), proven stable (inf-sup), less accurate; for degree p >= 2
+---```
 ---@field multipliers? "equal"|"reduced"
 ---@field [string] sg.unknown_argument
 
@@ -243,65 +305,104 @@ local model = {}
 function model:warnings() end
 
 ---@class (exact) sg.model.run.options.step
----whether failed steps are cut; false: each step is solved as a whole, also by fallbacks (true or false; default true)
+---adaptive: whether failed steps are cut; false: each step is solved as a whole, also by fallbacks (true or false;
+---```text
+---          default true)
+---```
 ---@field adaptive? boolean
----largest increment, a fraction of the step (a number above 0 and at most 1; default 1)
+---max: largest increment, a fraction of the step (a number above 0 and at most 1; default 1)
 ---@field max? number
----smallest increment, a fraction of the step (a number above 0 and at most 1; by default 1/64, at most max)
+---min: smallest increment, a fraction of the step (a number above 0 and at most 1; by default 1/64, at most max)
 ---@field min? number
----growth factor after an increment that took at most half of newton.iterations (a number, 1 or more; default 2)
+---growth: growth factor after an increment that took at most half of newton.iterations (a number, 1 or more; default 2)
 ---@field growth? number
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.model.run.options.newton
----residual that counts as zero, relative to reactions and loads (a positive number; default 1e-10)
+---tolerance: residual that counts as zero, relative to reactions and loads (a positive number; default 1e-10)
 ---@field tolerance? number
----maximum number of iterations per attempt (a whole number from 1 to 1000000; default 25)
+---iterations: maximum number of iterations per attempt (a whole number from 1 to 1000000; default 25)
 ---@field iterations? integer
----how Newton corrections are shortened: by the norm of the residual (non-monotone) or by the energy ('none', 'residual'
----or 'energy'; default "none")
+---line_search: how Newton corrections are shortened: by the norm of the residual (non-monotone) or by the energy
+---```text
+---             ('none', 'residual' or 'energy'; default "none")
+---```
 ---@field line_search? "none"|"residual"|"energy"
----true, false or a number from 0 to 1; default false. Contact states are frozen until |f·Δu| has decreased to this
----fraction of its first value; true is 0.01
+---freeze_active_set: true, false or a number from 0 to 1; default false. Contact states are frozen until |f·Δu| has
+---```text
+---              decreased to this fraction of its first value; true is 0.01
+---```
 ---@field freeze_active_set? boolean|number
----a whole number from 0 to 1000000; default 0. A contact point that changes its state more than this number of times in
----a step is fixed in it (a slipping one as sticking) until the others have converged; 0: never
+---active_set_changes: a whole number from 0 to 1000000; default 0. A contact point that changes its state more than
+---this
+---```text
+---              number of times in a step is fixed in it (a slipping one as sticking) until the others have converged;
+---              0: never
+---```
 ---@field active_set_changes? integer
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.model.run.options.mumps
----a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default false)
+---reuse: a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default false)
 ---@field reuse? boolean
----a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the tangent:
----approximate factors, with less memory and operations in large solids, which precondition GMRES
+---low_rank: a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the tangent:
+---```text
+---          approximate factors, with less memory and operations in large solids, which precondition GMRES
+---```
 ---@field low_rank? number
----of the factors; single ones precondition GMRES ('double' or 'single'; default "double")
+---precision: of the factors; single ones precondition GMRES ('double' or 'single'; default "double")
 ---@field precision? "double"|"single"
----an existing folder in which each process stores its factors; on a local disk (a string; optional)
+---out_of_core: an existing folder in which each process stores its factors; on a local disk (a string; optional)
 ---@field out_of_core? string
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.model.run.options.augmentation
----largest penetration, as a fraction of the largest body's diagonal (a number above 0 and at most 1; default 1e-06)
+---penetration: largest penetration, as a fraction of the largest body's diagonal (a number above 0 and at most 1;
+---```text
+---             default 1e-06)
+---```
 ---@field penetration? number
----maximum number of augmentations per step (a whole number from 1 to 1000000; default 100)
+---loops: maximum number of augmentations per step (a whole number from 1 to 1000000; default 100)
 ---@field loops? integer
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.model.run.options.penalty
----initial factor of all penalties (a number above 0 and at most 1)
+---start: initial factor of all penalties (a number above 0 and at most 1)
 ---@field start number
----steps until it is 1 (a whole number, 1 or more)
+---steps: steps until it is 1 (a whole number, 1 or more)
 ---@field steps integer
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.model.run.options.checkpoint
----the checkpoint's file (a string)
+---file: the checkpoint's file (a string)
 ---@field file string
----steps between two saves; the end is always saved (a whole number, 1 or more; default 1)
+---every: steps between two saves; the end is always saved (a whole number, 1 or more; default 1)
 ---@field every? integer
----synchronizes the disk at every save instead of once a second (true or false; default false)
+---durable: synchronizes the disk at every save instead of once a second (true or false; default false)
 ---@field durable? boolean
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.model.run.options.hdf5
+---file: name of the file (a string)
+---@field file string
+---every: a whole number, 1 or more; by default as few as take less than 2 % of the run's time. Steps between two
+---writes;
+---```text
+---       with 1 the file has the last accepted step at any moment. It is written before each save of a checkpoint and at
+---       the end, too
+---```
+---@field every? integer
+---states: steps whose displacements the file has: "stored": those of run:states() ('stored' or 'all'; default "stored")
+---@field states? "stored"|"all"
+---profiles: steps whose contact profiles and energies the file has ('stored' or 'all'; default "all")
+---@field profiles? "stored"|"all"
+---units: a table of names { name = … }; optional. Units by quantity or by the name of a column, { length = "mm", force
+---=
+---```text
+---       "N" }, for the attribute `unit` of arrays; quantities: angle, area, count, energy, force, length, moment,
+---       stress, time
+---```
+---@field units? table<string, string>
 ---@field [string] sg.unknown_argument
 
 ---@class sg.model.run.options.states.info
@@ -327,66 +428,153 @@ function model:warnings() end
 ---@field reason string
 
 ---@class (exact) sg.model.run.options
----true or false; default false. Where a step fails, arc-length continuation follows the path, also past turning points,
----until the end of the step is passed; available after the model's first accepted step. Rows between steps have
----fractional step numbers, run.controls lists where control changed
+---arc_length: true or false; default false. Where a step fails, arc-length continuation follows the path, also past
+---```text
+---            turning points, until the end of the step is passed; available after the model's first accepted step. Rows
+---            between steps have fractional step numbers, run.controls lists where control changed
+---```
 ---@field arc_length? boolean
----a table of named arguments; by default { adaptive = true }, with arc_length = true { adaptive = false }. Step
----cutting: a failed step is cut in half. A run still has one row per step; run.cutbacks counts the cuts, run:column
----"increments" the increments of each step, run:attempts(step) lists all attempts
+---step: a table of named arguments; by default { adaptive = true }, with arc_length = true { adaptive = false }. Step
+---```text
+---      cutting: a failed step is cut in half. A run still has one row per step; run.cutbacks counts the cuts,
+---      run:column "increments" the increments of each step, run:attempts(step) lists all attempts
+---  adaptive: whether failed steps are cut; false: each step is solved as a whole, also by fallbacks (true or false;
+---            default true)
+---  max:      largest increment, a fraction of the step (a number above 0 and at most 1; default 1)
+---  min:      smallest increment, a fraction of the step (a number above 0 and at most 1; by default 1/64, at most max)
+---  growth:   growth factor after an increment that took at most half of newton.iterations (a number, 1 or more; default
+---            2)
+---```
 ---@field step? sg.model.run.options.step
----true or false; by default true, with arc_length = true false. A failed step is tried again with fallbacks, one at a
----time: the tangent predictor; damping, if an unconstrained body makes the tangent singular. If these fail, the step is
----cut. When it cannot be cut further, these are tried: damping, if it was not tried before; a line search;
----pseudo-transient continuation; a frozen active set. run.fallbacks counts their successes; run.warnings names steps
----solved by fallbacks that may lead to another branch of solutions
+---fallback: true or false; by default true, with arc_length = true false. A failed step is tried again with fallbacks,
+---```text
+---          one at a time: the tangent predictor; damping, if an unconstrained body makes the tangent singular. If these
+---          fail, the step is cut. When it cannot be cut further, these are tried: damping, if it was not tried before;
+---          a line search; pseudo-transient continuation; a frozen active set. run.fallbacks counts their successes;
+---          run.warnings names steps solved by fallbacks that may lead to another branch of solutions
+---```
 ---@field fallback? boolean
----predictor, the first guess of a step; "linear" extrapolates the last step ('tangent', 'constant' or 'linear'; by
----default "linear", with arc_length = true "tangent")
+---predictor: predictor, the first guess of a step; "linear" extrapolates the last step ('tangent', 'constant' or
+---```text
+---           'linear'; by default "linear", with arc_length = true "tangent")
+---```
 ---@field predictor? "tangent"|"constant"|"linear"
----Newton's method in each attempt (a table of named arguments; default {})
+---newton: Newton's method in each attempt (a table of named arguments; default {})
+---```text
+---  tolerance:    residual that counts as zero, relative to reactions and loads (a positive number; default 1e-10)
+---  iterations:   maximum number of iterations per attempt (a whole number from 1 to 1000000; default 25)
+---  line_search:  how Newton corrections are shortened: by the norm of the residual (non-monotone) or by the energy
+---                ('none', 'residual' or 'energy'; default "none")
+---  freeze_active_set: true, false or a number from 0 to 1; default false. Contact states are frozen until |f·Δu| has
+---                decreased to this fraction of its first value; true is 0.01
+---  active_set_changes: a whole number from 0 to 1000000; default 0. A contact point that changes its state more than
+---                this number of times in a step is fixed in it (a slipping one as sticking) until the others have
+---                converged; 0: never
+---```
 ---@field newton? sg.model.run.options.newton
----'auto', 'klu', 'umfpack', 'condensed', 'reuse' or 'mumps'; default "auto". Linear solver. "klu", "umfpack": direct;
----"reuse": a reused (lagged) factorization preconditions GMRES while that is cheaper than a new one; "condensed":
----static condensation, for linear elastic bodies; "mumps": MUMPS, direct, in parallel under mpirun; "auto": automatic
----choice
+---linear: 'auto', 'klu', 'umfpack', 'condensed', 'reuse' or 'mumps'; default "auto". Linear solver. "klu", "umfpack":
+---```text
+---        direct; "reuse": a reused (lagged) factorization preconditions GMRES while that is cheaper than a new one;
+---        "condensed": static condensation, for linear elastic bodies; "mumps": MUMPS, direct, in parallel under mpirun;
+---        "auto": automatic choice
+---```
 ---@field linear? "auto"|"klu"|"umfpack"|"condensed"|"reuse"|"mumps"
----options of linear = "mumps" (a table of named arguments; optional)
+---mumps: options of linear = "mumps" (a table of named arguments; optional)
+---```text
+---  reuse:       a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default
+---               false)
+---  low_rank:    a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the
+---               tangent: approximate factors, with less memory and operations in large solids, which precondition GMRES
+---  precision:   of the factors; single ones precondition GMRES ('double' or 'single'; default "double")
+---  out_of_core: an existing folder in which each process stores its factors; on a local disk (a string; optional)
+---```
 ---@field mumps? sg.model.run.options.mumps
----a table of named arguments; by default { penetration = 1e-6, loops = 100 }. Limits of contacts with enforcement =
----"augmented": their pressures are augmented (Uzawa) until penetration and separation of closed points are within the
----tolerance; in mortar contact those of the multipliers, whose friction is augmented as well. With method = "gpts" on a
----deformable master, curved under the slave, the default tolerance is often not reached, and the step fails (run.cause
----"penetration"). An error if no contact is augmented
+---augmentation: a table of named arguments; by default { penetration = 1e-6, loops = 100 }. Limits of contacts with
+---```text
+---              enforcement = "augmented": their pressures are augmented (Uzawa) until penetration and separation of
+---              closed points are within the tolerance; in mortar contact those of the multipliers, whose friction is
+---              augmented as well. With method = "gpts" on a deformable master, curved under the slave, the default
+---              tolerance is often not reached, and the step fails (run.cause "penetration"). An error if no contact is
+---              augmented
+---  penetration: largest penetration, as a fraction of the largest body's diagonal (a number above 0 and at most 1;
+---               default 1e-06)
+---  loops:       maximum number of augmentations per step (a whole number from 1 to 1000000; default 100)
+---```
 ---@field augmentation? sg.model.run.options.augmentation
----true or false; default false. Damps unconstrained bodies until contact holds them; the converged state is in
----equilibrium without damping
+---damping: true or false; default false. Damps unconstrained bodies until contact holds them; the converged state is in
+---```text
+---         equilibrium without damping
+---```
 ---@field damping? boolean
----true or false; default false. pseudo-transient continuation: follows a damped motion, past a limit point, to a
----distant equilibrium, in up to 40 times as many iterations; not with line_search
+---pseudo_transient: true or false; default false. pseudo-transient continuation: follows a damped motion, past a limit
+---```text
+---              point, to a distant equilibrium, in up to 40 times as many iterations; not with line_search
+---```
 ---@field pseudo_transient? boolean
----increases the penalties along the path (a table of named arguments; optional)
+---verbose: true or false; default false. Prints each iteration when it ends: the residual, relative to the forces so
+---```text
+---         that newton.tolerance is its goal; the energy |f·Δu| of the correction; contact points that are active, that
+---         slip and that have changed their state; the linear solver, where it has factored, or iterations of GMRES; a
+---         factor on the correction, augmentations, the reason of the end
+---```
+---@field verbose? boolean
+---penalty: increases the penalties along the path (a table of named arguments; optional)
+---```text
+---  start: initial factor of all penalties (a number above 0 and at most 1)
+---  steps: steps until it is 1 (a whole number, 1 or more)
+---```
 ---@field penalty? sg.model.run.options.penalty
----threads of this and later runs; results do not depend on the number (a whole number from 1 to 1024; by default the
----value of --threads)
+---threads: threads of this and later runs; results do not depend on the number (a whole number from 1 to 1024; by
+---```text
+---         default the value of --threads)
+---```
 ---@field threads? integer
----a string or a table of named arguments; optional. Saves the model and the progress of the run, so that a killed
----process leaves a file of its last saved step
+---checkpoint: a string or a table of named arguments; optional. Saves the model and the progress of the run, so that a
+---```text
+---            killed process leaves a file of its last saved step
+---  file:    the checkpoint's file (a string)
+---  every:   steps between two saves; the end is always saved (a whole number, 1 or more; default 1)
+---  durable: synchronizes the disk at every save instead of once a second (true or false; default false)
+---```
 ---@field checkpoint? string|sg.model.run.options.checkpoint
----true or false; default false. Continues from the checkpoint's file if it exists, with results bitwise identical to an
----uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding error. The file of a
----finished run returns that run at once. Scene and stages must be the same
+---resume: true or false; default false. Continues from the checkpoint's file if it exists, with results bitwise
+---```text
+---        identical to an uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding
+---        error. The file of a finished run returns that run at once. Scene and stages must be the same
+---```
 ---@field resume? boolean
----a number of states from 2, a list of steps, or a function; by default the start and the end of each stage. States
----stored for run:states(): this number, evenly from start to end, those of the listed steps (0 is the start), or those
----for which function(info) returns true; a resumed run has those since its resumption
+---hdf5: a string or a table of named arguments; optional. A file of HDF5 for Python, Julia, MATLAB and others, written
+---```text
+---      as the run goes and complete at any moment, also after kill -9; with resume = true it is continued. Contents:
+---      share/doc/results.md
+---  file:     name of the file (a string)
+---  every:    a whole number, 1 or more; by default as few as take less than 2 % of the run's time. Steps between two
+---            writes; with 1 the file has the last accepted step at any moment. It is written before each save of a
+---            checkpoint and at the end, too
+---  states:   steps whose displacements the file has: "stored": those of run:states() ('stored' or 'all'; default
+---            "stored")
+---  profiles: steps whose contact profiles and energies the file has ('stored' or 'all'; default "all")
+---  units:    a table of names { name = … }; optional. Units by quantity or by the name of a column, { length = "mm",
+---            force = "N" }, for the attribute `unit` of arrays; quantities: angle, area, count, energy, force, length,
+---            moment, stress, time
+---```
+---@field hdf5? string|sg.model.run.options.hdf5
+---states: a number of states from 2, a list of steps, or a function; by default the start and the end of each stage.
+---```text
+---        States stored for run:states(): this number, evenly from start to end, those of the listed steps (0 is the
+---        start), or those for which function(info) returns true; a resumed run has those since its resumption
+---```
 ---@field states? integer|integer[]|(fun(info: sg.model.run.options.states.info): any)
----a function; optional. function(info), called after each step with info.step, info.stage, info["grip.fx"] …; returns
----nothing, "stop" to end the run, "cut" to repeat the step in halves, or a table of numbers, which become columns of
----the run (nan elsewhere)
+---on_step: a function; optional. function(info), called after each step with info.step, info.stage, info["grip.fx"] …;
+---```text
+---         returns nothing, "stop" to end the run, "cut" to repeat the step in halves, or a table of numbers, which
+---         become columns of the run (nan elsewhere)
+---```
 ---@field on_step? fun(info: sg.model.run.options.on_step.info): (("stop"|"cut"|table<string, number>)|nil)
----a function; optional. function(info), called after each iteration with stage, step, from, to (parts of the step),
----iteration, residual, energy, reason; returns nothing, "stop", or "cut" to abandon the attempt
+---on_iteration: a function; optional. function(info), called after each iteration with stage, step, from, to (parts of
+---```text
+---              the step), iteration, residual, energy, reason; returns nothing, "stop", or "cut" to abandon the attempt
+---```
 ---@field on_iteration? fun(info: sg.model.run.options.on_iteration.info): (("stop"|"cut")|nil)
 ---@field [string] sg.unknown_argument
 
@@ -427,8 +615,8 @@ function model:warnings() end
 ---```lua
 ---model:run{ { name = "press", steps = 46, grip = {0, -0.23} } }
 ---```
----@param stages sg.stage[] # parts of the load path (a list of stages)
----@param options? sg.model.run.options # controls, records and files of the run (a table of named arguments; default {})
+---@param stages sg.stage[] # stages: parts of the load path (a list of stages) see help "stage"
+---@param options? sg.model.run.options # options: controls, records and files of the run (a table of named arguments; default {}) arc_length: true or false; default false. Where a step fails, arc-length continuation follows the path, also past turning points, until the end of the step is passed; available after the model's first accepted step. Rows between steps have fractional step numbers, run.controls lists where control changed step: a table of named arguments; by default { adaptive = true }, with arc_length = true { adaptive = false }. Step cutting: a failed step is cut in half. A run still has one row per step; run.cutbacks counts the cuts, run:column "increments" the increments of each step, run:attempts(step) lists all attempts adaptive: whether failed steps are cut; false: each step is solved as a whole, also by fallbacks (true or false; default true) max: largest increment, a fraction of the step (a number above 0 and at most 1; default 1) min: smallest increment, a fraction of the step (a number above 0 and at most 1; by default 1/64, at most max) growth: growth factor after an increment that took at most half of newton.iterations (a number, 1 or more; default 2) fallback: true or false; by default true, with arc_length = true false. A failed step is tried again with fallbacks, one at a time: the tangent predictor; damping, if an unconstrained body makes the tangent singular. If these fail, the step is cut. When it cannot be cut further, these are tried: damping, if it was not tried before; a line search; pseudo-transient continuation; a frozen active set. run.fallbacks counts their successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions predictor: predictor, the first guess of a step; "linear" extrapolates the last step ('tangent', 'constant' or 'linear'; by default "linear", with arc_length = true "tangent") newton: Newton's method in each attempt (a table of named arguments; default {}) tolerance: residual that counts as zero, relative to reactions and loads (a positive number; default 1e-10) iterations: maximum number of iterations per attempt (a whole number from 1 to 1000000; default 25) line_search: how Newton corrections are shortened: by the norm of the residual (non-monotone) or by the energy ('none', 'residual' or 'energy'; default "none") freeze_active_set: true, false or a number from 0 to 1; default false. Contact states are frozen until |f·Δu| has decreased to this fraction of its first value; true is 0.01 active_set_changes: a whole number from 0 to 1000000; default 0. A contact point that changes its state more than this number of times in a step is fixed in it (a slipping one as sticking) until the others have converged; 0: never linear: 'auto', 'klu', 'umfpack', 'condensed', 'reuse' or 'mumps'; default "auto". Linear solver. "klu", "umfpack": direct; "reuse": a reused (lagged) factorization preconditions GMRES while that is cheaper than a new one; "condensed": static condensation, for linear elastic bodies; "mumps": MUMPS, direct, in parallel under mpirun; "auto": automatic choice mumps: options of linear = "mumps" (a table of named arguments; optional) reuse: a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default false) low_rank: a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the tangent: approximate factors, with less memory and operations in large solids, which precondition GMRES precision: of the factors; single ones precondition GMRES ('double' or 'single'; default "double") out_of_core: an existing folder in which each process stores its factors; on a local disk (a string; optional) augmentation: a table of named arguments; by default { penetration = 1e-6, loops = 100 }. Limits of contacts with enforcement = "augmented": their pressures are augmented (Uzawa) until penetration and separation of closed points are within the tolerance; in mortar contact those of the multipliers, whose friction is augmented as well. With method = "gpts" on a deformable master, curved under the slave, the default tolerance is often not reached, and the step fails (run.cause "penetration"). An error if no contact is augmented penetration: largest penetration, as a fraction of the largest body's diagonal (a number above 0 and at most 1; default 1e-06) loops: maximum number of augmentations per step (a whole number from 1 to 1000000; default 100) damping: true or false; default false. Damps unconstrained bodies until contact holds them; the converged state is in equilibrium without damping pseudo_transient: true or false; default false. pseudo-transient continuation: follows a damped motion, past a limit point, to a distant equilibrium, in up to 40 times as many iterations; not with line_search verbose: true or false; default false. Prints each iteration when it ends: the residual, relative to the forces so that newton.tolerance is its goal; the energy |f·Δu| of the correction; contact points that are active, that slip and that have changed their state; the linear solver, where it has factored, or iterations of GMRES; a factor on the correction, augmentations, the reason of the end penalty: increases the penalties along the path (a table of named arguments; optional) start: initial factor of all penalties (a number above 0 and at most 1) steps: steps until it is 1 (a whole number, 1 or more) threads: threads of this and later runs; results do not depend on the number (a whole number from 1 to 1024; by default the value of --threads) checkpoint: a string or a table of named arguments; optional. Saves the model and the progress of the run, so that a killed process leaves a file of its last saved step file: the checkpoint's file (a string) every: steps between two saves; the end is always saved (a whole number, 1 or more; default 1) durable: synchronizes the disk at every save instead of once a second (true or false; default false) resume: true or false; default false. Continues from the checkpoint's file if it exists, with results bitwise identical to an uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding error. The file of a finished run returns that run at once. Scene and stages must be the same hdf5: a string or a table of named arguments; optional. A file of HDF5 for Python, Julia, MATLAB and others, written as the run goes and complete at any moment, also after kill -9; with resume = true it is continued. Contents: share/doc/results.md file: name of the file (a string) every: a whole number, 1 or more; by default as few as take less than 2 % of the run's time. Steps between two writes; with 1 the file has the last accepted step at any moment. It is written before each save of a checkpoint and at the end, too states: steps whose displacements the file has: "stored": those of run:states() ('stored' or 'all'; default "stored") profiles: steps whose contact profiles and energies the file has ('stored' or 'all'; default "all") units: a table of names { name = … }; optional. Units by quantity or by the name of a column, { length = "mm", force = "N" }, for the attribute `unit` of arrays; quantities: angle, area, count, energy, force, length, moment, stress, time states: a number of states from 2, a list of steps, or a function; by default the start and the end of each stage. States stored for run:states(): this number, evenly from start to end, those of the listed steps (0 is the start), or those for which function(info) returns true; a resumed run has those since its resumption on_step: a function; optional. function(info), called after each step with info.step, info.stage, info["grip.fx"] …; returns nothing, "stop" to end the run, "cut" to repeat the step in halves, or a table of numbers, which become columns of the run (nan elsewhere) on_iteration: a function; optional. function(info), called after each iteration with stage, step, from, to (parts of the step), iteration, residual, energy, reason; returns nothing, "stop", or "cut" to abandon the attempt
 ---@return sg.run
 function model:run(stages, options) end
 
@@ -450,9 +638,9 @@ function model:run(stages, options) end
 ---           { name = "slide", steps = 250, grip = {1.5, -0.23} } }
 ---```
 ---@class sg.stage
----name in reports and on_step (a string; by default "stage 1" and so on)
+---name: name in reports and on_step (a string; by default "stage 1" and so on)
 ---@field name? string
----number of steps (a whole number, 1 or more)
+---steps: number of steps (a whole number, 1 or more)
 ---@field steps integer
 ---@field [string] any
 
@@ -491,41 +679,43 @@ function sg.robust(arguments) end
 function sg.plain(arguments) end
 
 ---The result of model:run; print(run) shows a short table, with fallbacks, cuts and other controls. Methods:
----run:column, run:columns, run:csv, run:states, run:attempts, run:residuals.
+---run:column, run:columns, run:csv, run:hdf5, run:states, run:attempts, run:residuals.
 ---@class sg.run
----whether a step failed (true or false)
+---failed: whether a step failed (true or false)
 ---@field failed boolean
----reason why the run ended, see help "model:run" (a string)
+---reason: reason why the run ended, see help "model:run" (a string)
 ---@field reason string
----reason behind "minimum_step", of a run that failed (a string)
+---cause: reason behind "minimum_step", of a run that failed (a string)
 ---@field cause string
----the failure in words, of a run that failed (a string)
+---report: the failure in words, of a run that failed (a string)
 ---@field report string
----worst places of a failure, { x, X, text, … }, for sg.picture's marks (a list of values)
+---places: worst places of a failure, { x, X, text, … }, for sg.picture's marks (a list of values)
 ---@field places any[]
----converged steps; with arc_length = true columns may have further rows between them (a whole number, 0 or more)
+---steps: converged steps; with arc_length = true columns may have further rows between them (a whole number, 0 or more)
 ---@field steps integer
----Newton iterations, also of failed attempts (a whole number, 0 or more)
+---iterations: Newton iterations, also of failed attempts (a whole number, 0 or more)
 ---@field iterations integer
----increments cut in half (a whole number, 0 or more)
+---cutbacks: increments cut in half (a whole number, 0 or more)
 ---@field cutbacks integer
----steps solved by fallbacks (a whole number, 0 or more)
+---fallback_steps: steps solved by fallbacks (a whole number, 0 or more)
 ---@field fallback_steps integer
----successes of each fallback (a table of names { name = … })
+---fallbacks: successes of each fallback (a table of names { name = … })
 ---@field fallbacks table<string, integer>
----wall time (a number; s)
+---wall: wall time (a number; s)
 ---@field wall number
----bulk, contact, linear, rest (a table of names { name = … }; s)
+---timings: bulk, contact, linear, rest (a table of names { name = … }; s)
 ---@field timings table<string, number>
----{ name, steps, iterations, cutbacks, wall } of each stage (a list of values)
+---stages: { name, steps, iterations, cutbacks, wall } of each stage (a list of values)
 ---@field stages any[]
----where arc length began or ended: { step, to, place, reason } each (a list of values)
+---controls: where arc length began or ended: { step, to, place, reason } each (a list of values)
 ---@field controls any[]
----a list of strings. Those of model:warnings(), and about: loads that act in full from the first step; newton.tolerance
----above 1e-3; contacts that never touched; penetration above 2 % of the smallest body's size; closest points that were
----not found; points that passed through the master in one step; steps that may have jumped to another branch of
----solutions (solved by certain fallbacks) or probably have (judged by displacements and released energy); stages whose
----energy balance lacks more than a tenth of the work
+---warnings: a list of strings. Those of model:warnings(), and about: loads that act in full from the first step;
+---```text
+---          newton.tolerance above 1e-3; contacts that never touched; penetration above 2 % of the smallest body's size;
+---          closest points that were not found; points that passed through the master in one step; steps that may have
+---          jumped to another branch of solutions (solved by certain fallbacks) or probably have (judged by
+---          displacements and released energy); stages whose energy balance lacks more than a tenth of the work
+---```
 ---@field warnings string[]
 local run = {}
 
@@ -547,7 +737,7 @@ function run:columns() end
 ---```lua
 ---run:column "grip.fy"
 ---```
----@param name string # a column (a string)
+---@param name string # name: a column (a string)
 ---@return number[]
 function run:column(name) end
 
@@ -569,7 +759,7 @@ function run:column(name) end
 ---```lua
 ---run:attempts(1)[1].iterations
 ---```
----@param step integer # number of the step; a failed step follows the last row (a whole number, 1 or more)
+---@param step integer # step: number of the step; a failed step follows the last row (a whole number, 1 or more)
 ---@return sg.run.attempts.result[]
 function run:attempts(step) end
 
@@ -579,7 +769,7 @@ function run:attempts(step) end
 ---```lua
 ---run:residuals(run.steps)
 ---```
----@param step integer # number of the step; a failed step follows the last row (a whole number, 1 or more)
+---@param step integer # step: number of the step; a failed step follows the last row (a whole number, 1 or more)
 ---@return number[]
 function run:residuals(step) end
 
@@ -599,8 +789,32 @@ function run:states() end
 ---```lua
 ---run:csv "run.csv"
 ---```
----@param file string # name of the file (a string)
+---@param file string # file: name of the file (a string)
 function run:csv(file) end
+
+---@class (exact) sg.run.hdf5.options
+---units: a table of names { name = … }; optional. Units by quantity or by the name of a column, { length = "mm", force
+---=
+---```text
+---       "N" }, for the attribute `unit` of arrays; quantities: angle, area, count, energy, force, length, moment,
+---       stress, time
+---```
+---@field units? table<string, string>
+---@field [string] sg.unknown_argument
+
+---Writes a run to a file of HDF5 for Python (h5py), Julia, MATLAB and other programs: all columns; displacements,
+---contact profiles and energies of the states that the run has stored; geometry and basis of the bodies; outcome,
+---warnings, script and versions. The option hdf5 of model:run writes the same as the run goes, with the profiles and
+---energies of all steps. Contents: share/doc/results.md.
+---
+---Example:
+---```lua
+---run:hdf5 "run.h5"
+---run:hdf5("run.h5", { units = { length = "mm", force = "N" } })
+---```
+---@param file string # file: name of the file; an existing one is replaced (a string)
+---@param options? sg.run.hdf5.options
+function run:hdf5(file, options) end
 
 ---An entry of run:states().
 ---
@@ -609,56 +823,72 @@ function run:csv(file) end
 ---local states = run:states(); print(states[#states].title)
 ---```
 ---@class sg.state
----number of the step; 0 is the start (a whole number, 0 or more)
+---step: number of the step; 0 is the start (a whole number, 0 or more)
 ---@field step integer
----name of the stage (a string)
+---stage: name of the stage (a string)
 ---@field stage string
----of a picture (a string)
+---title: of a picture (a string)
 ---@field title string
----the state, for model:restore(state.snapshot) (a snapshot)
+---snapshot: the state, for model:restore(state.snapshot) (a snapshot)
 ---@field snapshot sg.snapshot
 local state = {}
 
 ---@class (exact) sg.model.cost.result.bodies
----those of the body (a whole number, 0 or more)
+---unknowns: those of the body (a whole number, 0 or more)
 ---@field unknowns integer
----unknowns of the control points on contact faces (a whole number, 0 or more)
+---interface: unknowns of the control points on contact faces (a whole number, 0 or more)
 ---@field interface integer
----all other unknowns (a whole number, 0 or more)
+---bulk: all other unknowns (a whole number, 0 or more)
 ---@field bulk integer
----degrees of freedom that supports fix or drive (a whole number, 0 or more)
+---prescribed: degrees of freedom that supports fix or drive (a whole number, 0 or more)
 ---@field prescribed integer
----elements (a whole number, 0 or more)
+---elements: elements (a whole number, 0 or more)
 ---@field elements integer
----Gauss points (a whole number, 0 or more)
+---gauss_points: Gauss points (a whole number, 0 or more)
 ---@field gauss_points integer
 
 ---@class (exact) sg.model.cost.result.contacts
----contact points (a whole number, 0 or more)
+---points: contact points (a whole number, 0 or more)
 ---@field points integer
----whether the master is an obstacle (true or false)
+---rigid: whether the master is an obstacle (true or false)
 ---@field rigid boolean
 
 ---@class (exact) sg.model.cost.result
----size of the linear system (a whole number, 0 or more)
+---unknowns: size of the linear system (a whole number, 0 or more)
 ---@field unknowns integer
----rigid obstacles (without unknowns) (a whole number, 0 or more)
+---obstacles: rigid obstacles (without unknowns) (a whole number, 0 or more)
 ---@field obstacles integer
----bodies by name (a table of names { name = … })
+---bodies: bodies by name (a table of names { name = … })
+---```text
+---  unknowns:     those of the body (a whole number, 0 or more)
+---  interface:    unknowns of the control points on contact faces (a whole number, 0 or more)
+---  bulk:         all other unknowns (a whole number, 0 or more)
+---  prescribed:   degrees of freedom that supports fix or drive (a whole number, 0 or more)
+---  elements:     elements (a whole number, 0 or more)
+---  gauss_points: Gauss points (a whole number, 0 or more)
+---```
 ---@field bodies table<string, sg.model.cost.result.bodies>
----contacts by name (a table of names { name = … })
+---contacts: contacts by name (a table of names { name = … })
+---```text
+---  points: contact points (a whole number, 0 or more)
+---  rigid:  whether the master is an obstacle (true or false)
+---```
 ---@field contacts table<string, sg.model.cost.result.contacts>
----nonzeros of the tangent, which increase when contacts touch (a whole number, 0 or more)
+---nonzeros: nonzeros of the tangent, which increase when contacts touch (a whole number, 0 or more)
 ---@field nonzeros integer
----sum of memory_of (a number; bytes)
+---memory: sum of memory_of (a number; bytes)
 ---@field memory number
----a table of names { name = … }; bytes. Bodies (tables of Gauss points), contacts (points with their history), tangent
----(with its patterns), factors
+---memory_of: a table of names { name = … }; bytes. Bodies (tables of Gauss points), contacts (points with their
+---```text
+---           history), tangent (with its patterns), factors
+---```
 ---@field memory_of table<string, number>
----linear solver (a string)
+---linear: linear solver (a string)
 ---@field linear string
----"measured" after a factorization; before that "counted" from the pattern in nested-dissection order ('measured' or
----'counted')
+---factors_are: "measured" after a factorization; before that "counted" from the pattern in nested-dissection order
+---```text
+---             ('measured' or 'counted')
+---```
 ---@field factors_are "measured"|"counted"
 
 ---Returns the size of a model in numbers, before a solve or after it; print(model:cost()) shows tables.
@@ -678,7 +908,7 @@ function model:cost() end
 ---```lua
 ---model:save "pressed.sgn"
 ---```
----@param path string # the checkpoint's file (a string)
+---@param path string # path: the checkpoint's file (a string)
 function model:save(path) end
 
 ---Returns the model that model:save(path), or a run with checkpoints, has saved: bodies, supports, loads, contacts, and
@@ -689,6 +919,6 @@ function model:save(path) end
 ---```lua
 ---model = sg.load "pressed.sgn"
 ---```
----@param path string # the checkpoint's file (a string)
+---@param path string # path: the checkpoint's file (a string)
 ---@return sg.model
 function sg.load(path) end

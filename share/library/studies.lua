@@ -6,24 +6,31 @@
 local sg = {}
 
 ---@class (exact) sg.study.arguments
----name in tables, charts and of the folder (a string)
+---name: name in tables, charts and of the folder (a string)
 ---@field name string
----tables of parameters, or lists of such tables, as sg.grid makes them (a list of at least one value)
+---cases: tables of parameters, or lists of such tables, as sg.grid makes them (a list of at least one value)
 ---@field cases any[]
----a function. Function of a case, and of the name of a file for its checkpoints (model:run{ …, checkpoint = file,
----resume = true }), that returns results by name: numbers, strings, true or false, and lists of these, which tables
----omit. A failed case returns failed = true and a reason; this is a result, too. A result that is nan or infinite makes
----the case an error
+---run: a function. Function of a case, and of the name of a file for its checkpoints (model:run{ …, checkpoint = file,
+---```text
+---     resume = true }), that returns results by name: numbers, strings, true or false, and lists of these, which tables
+---     omit. A failed case returns failed = true and a reason; this is a result, too. A result that is nan or infinite
+---     makes the case an error
+---```
 ---@field run fun(case: table<string, any>, checkpoint: string): table<string, any>
----folder to which each finished case is written at once as a JSON file (a string; by default out/\<name>)
+---folder: folder to which each finished case is written at once as a JSON file (a string; by default out/\<name>)
 ---@field folder? string
----units by the name of a result or parameter, for tables and axes (a table of names { name = … }; optional)
+---units: units by the name of a result or parameter, for tables and axes (a table of names { name = … }; optional)
 ---@field units? table<string, string>
----true or false or a function; default false. True, or a function of a case that returns true, for cases with time
----measurements: they run last, one at a time
+---sequential: true or false or a function; default false. True, or a function of a case that returns true, for cases
+---```text
+---            with time measurements: they run last, one at a time
+---```
 ---@field sequential? boolean|(fun(row: table<string, any>): any)
----values on which the results depend besides the parameters (a value (a finite number, a string, true, false, or a
----table of these); by default everything that run refers to)
+---inputs: values on which the results depend besides the parameters (a value (a finite number, a string, true, false,
+---or
+---```text
+---        a table of these); by default everything that run refers to)
+---```
 ---@field inputs? number|string|boolean|table
 ---@field [string] sg.unknown_argument
 
@@ -67,7 +74,7 @@ function sg.study(arguments) end
 ---```lua
 ---#sg.grid{ order = {"N2", "N4"}, mesh = {1, 2, 3} }  --> 6
 ---```
----@param parameters table<string, (number|string|boolean|table)[]> # values by the name of the parameter (a table of names { name = … })
+---@param parameters table<string, (number|string|boolean|table)[]> # parameters: values by the name of the parameter (a table of names { name = … })
 ---@param ... table<string, (number|string|boolean|table)[]>
 ---@return any[]
 function sg.grid(parameters, ...) end
@@ -75,19 +82,19 @@ function sg.grid(parameters, ...) end
 ---The result of sg.study; #study is the number of rows, print(study) shows how many cases are done, and the table.
 ---Methods that select, group or add return a new study that has rows only.
 ---@class sg.study
----tables of parameters and results by name (a list of values)
+---rows: tables of parameters and results by name (a list of values)
 ---@field rows any[]
----their names (a list of strings)
+---parameters: their names (a list of strings)
 ---@field parameters string[]
----their names (a list of strings)
+---results: their names (a list of strings)
 ---@field results string[]
----as given (a table of names { name = … })
+---units: as given (a table of names { name = … })
 ---@field units table<string, string>
----as given (a string)
+---name: as given (a string)
 ---@field name string
----as given (a string)
+---folder: as given (a string)
 ---@field folder string
----of the cases; records[i].made: host, processor, versions of libraries, time (a list of values)
+---records: of the cases; records[i].made: host, processor, versions of libraries, time (a list of values)
 ---@field records any[]
 local study = {}
 
@@ -97,64 +104,72 @@ local study = {}
 ---```lua
 ---for order, part in study:by "order" do print(order, #part) end
 ---```
----@param name string # parameter or result (a column)
+---@param name string # name: parameter or result (a column)
 ---@return fun(): (any|nil), (sg.study|nil)
 function study:by(name) end
 
 ---@class (exact) sg.study.chart.arguments.inset
----part of the x axis (a list of 2 increasing numbers {low, high})
+---xrange: part of the x axis (a list of 2 increasing numbers {low, high})
 ---@field xrange [number, number]
----part of the y axis (a list of 2 increasing numbers {low, high}; by default that of the curves)
+---yrange: part of the y axis (a list of 2 increasing numbers {low, high}; by default that of the curves)
 ---@field yrange? [number, number]
----corner of the chart ('north-east', 'north-west', 'south-east' or 'south-west'; by default the emptiest one)
+---place: corner of the chart ('north-east', 'north-west', 'south-east' or 'south-west'; by default the emptiest one)
 ---@field place? "north-east"|"north-west"|"south-east"|"south-west"
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.study.chart.arguments
----column, or function of a row (a column or a function)
+---x: column, or function of a row (a column or a function)
 ---@field x string|(fun(row: table<string, any>): any)
----column, or function of a row (a column or a function)
+---y: column, or function of a row (a column or a function)
 ---@field y string|(fun(row: table<string, any>): any)
----column, or function of a row, with one curve per value (a column or a function; optional)
+---series: column, or function of a row, with one curve per value (a column or a function; optional)
 ---@field series? string|(fun(row: table<string, any>): any)
----file name that ends with .png, .svg or .pdf (a string)
+---file: file name that ends with .png, .svg or .pdf (a string)
 ---@field file string
----marker at each point (true or false; default true)
+---markers: marker at each point (true or false; default true)
 ---@field markers? boolean
----whether the line is dashed (true or false; default false)
+---dashed: whether the line is dashed (true or false; default false)
 ---@field dashed? boolean
----whether to draw the line (true or false; default true)
+---line: whether to draw the line (true or false; default true)
 ---@field line? boolean
----line width in pixels, in a chart of 1600 x 1000 (a positive number; default 3)
+---width: line width in pixels, in a chart of 1600 x 1000 (a positive number; default 3)
 ---@field width? number
----label of the x axis with its unit: "force (N)" (a string; by default the column and its unit)
+---xlabel: label of the x axis with its unit: "force (N)" (a string; by default the column and its unit)
 ---@field xlabel? string
----label of the y axis (a string; by default the column and its unit)
+---ylabel: label of the y axis (a string; by default the column and its unit)
 ---@field ylabel? string
----logarithmic axes ('x', 'y' or 'xy'; by default none)
+---log: logarithmic axes ('x', 'y' or 'xy'; by default none)
 ---@field log? "x"|"y"|"xy"
----title above the chart (a string; by default the study's name)
+---title: title above the chart (a string; by default the study's name)
 ---@field title? string
----true or false or 'inside' or 'outside'; default true. Names of the curves. true: in the first corner without curves
----(north-east, north-west, south-east, south-west), otherwise, and with an inset, to the right of the chart, or below
----it if the names are long or many; "inside": in a corner; "outside": outside the axes; false: no legend
+---legend: true or false or 'inside' or 'outside'; default true. Names of the curves. true: in the first corner without
+---```text
+---        curves (north-east, north-west, south-east, south-west), otherwise, and with an inset, to the right of the
+---        chart, or below it if the names are long or many; "inside": in a corner; "outside": outside the axes; false:
+---        no legend
+---```
 ---@field legend? boolean|"inside"|"outside"
----title of the legend (a string; by default the column of series)
+---legend_title: title of the legend (a string; by default the column of series)
 ---@field legend_title? string
----limits of the x axis (a list of 2 increasing numbers {low, high}; by default those of the data)
+---xrange: limits of the x axis (a list of 2 increasing numbers {low, high}; by default those of the data)
 ---@field xrange? [number, number]
----limits of the y axis (a list of 2 increasing numbers {low, high}; by default those of the data within xrange)
+---yrange: limits of the y axis (a list of 2 increasing numbers {low, high}; by default those of the data within xrange)
 ---@field yrange? [number, number]
----tick labels instead of numbers, in increasing order (a list of pairs {position, text}; optional)
+---xticks: tick labels instead of numbers, in increasing order (a list of pairs {position, text}; optional)
 ---@field xticks? [number, string][]
----dotted horizontal reference lines (a list of numbers and pairs {position, text}; optional)
+---hlines: dotted horizontal reference lines (a list of numbers and pairs {position, text}; optional)
 ---@field hlines? (number|[number]|[number, string])[]
----dotted vertical reference lines (a list of numbers and pairs {position, text}; optional)
+---vlines: dotted vertical reference lines (a list of numbers and pairs {position, text}; optional)
 ---@field vlines? (number|[number]|[number, string])[]
----a table of named arguments; optional. Magnifies a part of the chart in a box; if no corner is free, the y axis is
----extended, unless yrange is given
+---inset: a table of named arguments; optional. Magnifies a part of the chart in a box; if no corner is free, the y axis
+---```text
+---       is extended, unless yrange is given
+---  xrange: part of the x axis (a list of 2 increasing numbers {low, high})
+---  yrange: part of the y axis (a list of 2 increasing numbers {low, high}; by default that of the curves)
+---  place:  corner of the chart ('north-east', 'north-west', 'south-east' or 'south-west'; by default the emptiest one)
+---```
 ---@field inset? sg.study.chart.arguments.inset
----width and height (a list of 2 whole numbers from 120 to 5000; pixels; default {1600, 1000})
+---size: width and height (a list of 2 whole numbers from 120 to 5000; pixels; default {1600, 1000})
 ---@field size? [integer, integer]
 ---@field [string] sg.unknown_argument
 
@@ -191,14 +206,17 @@ function study:cancel() end
 ---```lua
 ---study:column "force"
 ---```
----@param name string # parameter or result (a column)
+---@param name string # name: parameter or result (a column)
 ---@return any[]
 function study:column(name) end
 
 ---@class (exact) sg.study.csv.options
----columns in this order (a list of columns; by default all parameters and results)
+---columns: columns in this order (a list of columns; by default all parameters and results)
 ---@field columns? string[]
----columns to sort the rows by, in increasing order (a column or a list of columns; by default the order of the cases)
+---sort: columns to sort the rows by, in increasing order (a column or a list of columns; by default the order of the
+---```text
+---      cases)
+---```
 ---@field sort? string|string[]
 ---@field [string] sg.unknown_argument
 
@@ -208,43 +226,59 @@ function study:column(name) end
 ---```lua
 ---study:csv "press.csv"
 ---```
----@param file string # name of the file (a string)
+---@param file string # file: name of the file (a string)
 ---@param options? sg.study.csv.options
 function study:csv(file, options) end
 
 ---@class (exact) sg.study.execute.arguments
----cases solved in parallel, with one thread each (a whole number, 1 or more; by default the value of --jobs, or the
----number of processors)
+---jobs: cases solved in parallel, with one thread each (a whole number, 1 or more; by default the value of --jobs, or
+---```text
+---      the number of processors)
+---```
 ---@field jobs? integer
----time limit of a case (a positive number; wall-clock seconds; by default none)
+---limit: time limit of a case (a positive number; wall-clock seconds; by default none)
 ---@field limit? number
----finished cases to run again: all (true), those that failed, or a function of a row (true or false, 'failed' or a
----function; default false)
+---rerun: finished cases to run again: all (true), those that failed, or a function of a row (true or false, 'failed' or
+---```text
+---       a function; default false)
+---```
 ---@field rerun? boolean|"failed"|(fun(row: table<string, any>): any)
----'local' or 'slurm' or a list of at least one string; default "local". Where the cases are solved: on this machine, by
----Slurm, or on hosts reached by ssh, { "ssh:host1", "ssh:host2" }; --on of the command line takes precedence
----@field on? "local"|"slurm"|string[]
----cores of a task or a host, which solves as many cases in parallel (a whole number, 1 or more; default 1)
+---on: 'local' or 'slurm' or a string or a list of at least one string; default "local". Where the cases are solved: on
+---```text
+---    this machine, by Slurm, or on hosts reached by ssh, { "ssh:host1", "ssh:host2" }; --on of the command line takes
+---    precedence
+---```
+---@field on? "local"|"slurm"|string|string[]
+---cores: cores of a task or a host, which solves as many cases in parallel (a whole number, 1 or more; default 1)
 ---@field cores? integer
----whether to wait for the jobs; if not, the study has the cases done so far (true or false; default true)
+---wait: whether to wait for the jobs; if not, the study has the cases done so far (true or false; default true)
 ---@field wait? boolean
----whether only to write the script and to print the command that would submit it (true or false; default false)
+---dry_run: whether only to write the script and to print the command that would submit it (true or false; default
+---false)
 ---@field dry_run? boolean
----partition (a string; by default Slurm's default)
+---partition: partition (a string; by default Slurm's default)
 ---@field partition? string
----time limit of a task, as Slurm writes it: "02:00:00" or "1-12" (days-hours) (a string; by default the partition's)
+---time: time limit of a task, as Slurm writes it: "02:00:00" or "1-12" (days-hours) (a string; by default the
+---```text
+---      partition's)
+---```
 ---@field time? string
----memory of a task, such as "4G"; help "model:cost" (a string; by default the partition's)
+---memory: memory of a task, such as "4G"; help "model:cost" (a string; by default the partition's)
 ---@field memory? string
----a whole number, 1 or more or 'auto'; default "auto". Cases in a task; "auto": chunks of about equal measured cost,
----from a minute to half of the time limit, at most four for each task at a time
+---chunk: a whole number, 1 or more or 'auto'; default "auto". Cases in a task; "auto": chunks of about equal measured
+---```text
+---       cost, from a minute to half of the time limit, at most four for each task at a time
+---```
 ---@field chunk? integer|"auto"
----tasks at a time (a whole number, 1 or more; default 64)
+---at_most: tasks at a time (a whole number, 1 or more; default 64)
 ---@field at_most? integer
----a positive number; seconds; default 120. Before the time limit cases are told to end at their next checkpoint, which
----takes at most half of this; the task then returns to the queue
+---notice: a positive number; seconds; default 120. Before the time limit cases are told to end at their next
+---checkpoint,
+---```text
+---        which takes at most half of this; the task then returns to the queue
+---```
 ---@field notice? number
----further options of sbatch, such as { "--qos=long", "--exclusive" } (a list of strings; default {})
+---extra: further options of sbatch, such as { "--qos=long", "--exclusive" } (a list of strings; default {})
 ---@field extra? string[]
 ---@field [string] sg.unknown_argument
 
@@ -277,32 +311,40 @@ function study:execute(arguments) end
 ---@alias sg.study.heatmap.arguments.colormap.choice "viridis"|"magma"|"inferno"|"plasma"|"cividis"|"gray"|"coolwarm"
 
 ---@class (exact) sg.study.heatmap.arguments
----parameter (a string)
+---x: parameter (a string)
 ---@field x string
----parameter (a string)
+---y: parameter (a string)
 ---@field y string
----column, or function of a row (a column or a function)
+---value: column, or function of a row (a column or a function)
 ---@field value string|(fun(row: table<string, any>): any)
----file name that ends with .png, .svg or .pdf (a string)
+---file: file name that ends with .png, .svg or .pdf (a string)
 ---@field file string
----numbers in the cells; "failed" or "error" for cases without results (true or false; default true)
+---texts: numbers in the cells; "failed" or "error" for cases without results (true or false; default true)
 ---@field texts? boolean
----label of the x axis with its unit (a string; by default the parameter and its unit)
+---xlabel: label of the x axis with its unit (a string; by default the parameter and its unit)
 ---@field xlabel? string
----label of the y axis with its unit (a string; by default the parameter and its unit)
+---ylabel: label of the y axis with its unit (a string; by default the parameter and its unit)
 ---@field ylabel? string
----title above the map (a string; by default the study's name)
+---title: title above the map (a string; by default the study's name)
 ---@field title? string
----title of the color bar, with the values' unit (a string; by default the column and its unit)
+---label: title of the color bar, with the values' unit (a string; by default the column and its unit)
 ---@field label? string
----lowest and highest value of the colors (a list of 2 increasing numbers {low, high}; by default that of the values)
+---range: lowest and highest value of the colors (a list of 2 increasing numbers {low, high}; by default that of the
+---```text
+---       values)
+---```
 ---@field range? [number, number]
----logarithmic color scale (true or false; default false)
+---log: logarithmic color scale (true or false; default false)
 ---@field log? boolean
----as in sg.picture ('viridis', 'magma', 'inferno', 'plasma', 'cividis', 'gray' or 'coolwarm'; default "viridis")
+---colormap: as in sg.picture ('viridis', 'magma', 'inferno', 'plasma', 'cividis', 'gray' or 'coolwarm'; default
+---```text
+---          "viridis")
+---```
 ---@field colormap? sg.study.heatmap.arguments.colormap.choice
----width and height (a list of 2 whole numbers from 120 to 5000; pixels; by default {1600, 1000}, of two or three panels
----{1600, 850}, of more {1600, 1400})
+---size: width and height (a list of 2 whole numbers from 120 to 5000; pixels; by default {1600, 1000}, of two or three
+---```text
+---      panels {1600, 850}, of more {1600, 1400})
+---```
 ---@field size? [integer, integer]
 ---@field [string] sg.unknown_argument
 
@@ -330,7 +372,7 @@ function study:heatmap(arguments) end
 ---```lua
 ---study:median "mesh"
 ---```
----@param name string # parameter (a string)
+---@param name string # name: parameter (a string)
 ---@return sg.study
 function study:median(name) end
 
@@ -355,16 +397,19 @@ function study:read() end
 ---```lua
 ---study:row{ order = "N2", mesh = 1 }.force
 ---```
----@param wanted table<string, any>|(fun(row: table<string, any>): any) # as in study:where (a table of names { name = … } or a function)
+---@param wanted table<string, any>|(fun(row: table<string, any>): any) # wanted: as in study:where (a table of names { name = … } or a function)
 ---@return table<string, any>
 function study:row(wanted) end
 
 ---@class (exact) sg.study.table.arguments
----columns in this order (a list of columns; by default all parameters and results)
+---columns: columns in this order (a list of columns; by default all parameters and results)
 ---@field columns? string[]
----columns to sort the rows by, in increasing order (a column or a list of columns; by default the order of the cases)
+---sort: columns to sort the rows by, in increasing order (a column or a list of columns; by default the order of the
+---```text
+---      cases)
+---```
 ---@field sort? string|string[]
----patterns of string.format by the name of a column (a table of names { name = … }; default {wall = "%.3g"})
+---formats: patterns of string.format by the name of a column (a table of names { name = … }; default {wall = "%.3g"})
 ---@field formats? table<string, string>
 ---@field [string] sg.unknown_argument
 
@@ -405,7 +450,7 @@ function study:watch() end
 ---```lua
 ---study:where{ order = "N2", mesh = {1, 2} }
 ---```
----@param wanted table<string, any>|(fun(row: table<string, any>): any) # values, or lists of values, by column, or a function of a row that returns true (a table of names { name = … } or a function)
+---@param wanted table<string, any>|(fun(row: table<string, any>): any) # wanted: values, or lists of values, by column, or a function of a row that returns true (a table of names { name = … } or a function)
 ---@return sg.study
 function study:where(wanted) end
 
@@ -415,39 +460,46 @@ function study:where(wanted) end
 ---```lua
 ---study:with("deviation", function(row) return math.abs(row.force / 0.08 - 1) end)
 ---```
----@param name string # name of the result (a string)
----@param make fun(row: table<string, any>): any # function of a row that returns the value, nil where it is unknown (a function)
----@param unit? string # unit of the result (a string; optional)
+---@param name string # name: name of the result (a string)
+---@param make fun(row: table<string, any>): any # make: function of a row that returns the value, nil where it is unknown (a function)
+---@param unit? string # unit: unit of the result (a string; optional)
 ---@return sg.study
 function study:with(name, make, unit) end
 
 ---@class (exact) sg.work_precision.options
----errors, a column or a function of a row; signs are ignored (a column or a function)
+---error: errors, a column or a function of a row; signs are ignored (a column or a function)
 ---@field error string|(fun(row: table<string, any>): any)
----times, a column or a function of a row (a column or a function; default "wall")
+---time: times, a column or a function of a row (a column or a function; default "wall")
 ---@field time? string|(fun(row: table<string, any>): any)
----column or function of a row, with one curve per value (a column or a function; by default "order", or the first
----parameter)
+---series: column or function of a row, with one curve per value (a column or a function; by default "order", or the
+---```text
+---        first parameter)
+---```
 ---@field series? string|(fun(row: table<string, any>): any)
----the same for markers; false: one marker for all (false, a column or a function; by default all other parameters
----together)
+---marker: the same for markers; false: one marker for all (false, a column or a function; by default all other
+---```text
+---        parameters together)
+---```
 ---@field marker? false|string|(fun(row: table<string, any>): any)
----function of a row that returns true for the rows to use (a function; by default all)
+---where: function of a row that returns true for the rows to use (a function; by default all)
 ---@field where? fun(row: table<string, any>): any
----errors at which times are compared (a list of at least one positive number; by default for each pair of curves the
----smallest, the middle and the largest one that both reach)
+---at: errors at which times are compared (a list of at least one positive number; by default for each pair of curves
+---the
+---```text
+---    smallest, the middle and the largest one that both reach)
+---```
 ---@field at? number[]
----name that ends with .png, .svg or .pdf (a string; optional)
+---file: name that ends with .png, .svg or .pdf (a string; optional)
 ---@field file? string
----several such names (a list of strings; optional)
+---files: several such names (a list of strings; optional)
 ---@field files? string[]
----title above the chart (a string; by default the study's name)
+---title: title above the chart (a string; by default the study's name)
 ---@field title? string
----label of the x axis with its unit: "force (N)" (a string; by default time and its unit)
+---xlabel: label of the x axis with its unit: "force (N)" (a string; by default time and its unit)
 ---@field xlabel? string
----label of the y axis (a string; by default error and its unit)
+---ylabel: label of the y axis (a string; by default error and its unit)
 ---@field ylabel? string
----width and height (a list of 2 whole numbers from 120 to 5000; pixels; default {1600, 1000})
+---size: width and height (a list of 2 whole numbers from 120 to 5000; pixels; default {1600, 1000})
 ---@field size? [integer, integer]
 ---@field [string] sg.unknown_argument
 
@@ -470,12 +522,14 @@ function sg.work_precision(study, options) end
 
 ---The result of sg.work_precision.
 ---@class sg.comparison
----a list of values. { a, b, from, to, at = {…}, ratio = {…} } for each pair: at the error at[i], a takes ratio[i] times
----b's time, nil beyond from … to; why: the reason if no error is reached by both
+---ratios: a list of values. { a, b, from, to, at = {…}, ratio = {…} } for each pair: at the error at[i], a takes
+---```text
+---        ratio[i] times b's time, nil beyond from … to; why: the reason if no error is reached by both
+---```
 ---@field ratios any[]
----rows of the front (a list of values)
+---pareto: rows of the front (a list of values)
 ---@field pareto any[]
----{ row, why } of omitted cases (a list of values)
+---left_out: { row, why } of omitted cases (a list of values)
 ---@field left_out any[]
 local comparison = {}
 
@@ -498,13 +552,13 @@ function comparison:front() end
 function comparison:table() end
 
 ---@class (exact) sg.cheapest.options
----errors, a column or a function of a row; signs are ignored (a column or a function)
+---error: errors, a column or a function of a row; signs are ignored (a column or a function)
 ---@field error string|(fun(row: table<string, any>): any)
----tolerance of the error (a positive number)
+---at_most: tolerance of the error (a positive number)
 ---@field at_most number
----cost, a column or a function of a row (a column or a function; default "wall")
+---cost: cost, a column or a function of a row (a column or a function; default "wall")
 ---@field cost? string|(fun(row: table<string, any>): any)
----function of a row that returns true for the rows to use (a function; by default all)
+---where: function of a row that returns true for the rows to use (a function; by default all)
 ---@field where? fun(row: table<string, any>): any
 ---@field [string] sg.unknown_argument
 
@@ -522,25 +576,34 @@ function comparison:table() end
 function sg.cheapest(study, options) end
 
 ---@class (exact) sg.recommend.arguments
----a function. Function of order and mesh, and with formulations of keys for its contacts, that returns a model, and
----what model:run takes
+---scene: a function. Function of order and mesh, and with formulations of keys for its contacts, that returns a model,
+---```text
+---       and what model:run takes
+---```
 ---@field scene fun(order: string, mesh: any, keys: table<string, any>): sg.model, any, (any|nil)
----a string or a function. What is computed, whose error is estimated: a column of the run such as "ground.max_pressure"
----(its last value), or a function of model and run that returns a number, or a list of numbers at places independent of
----the mesh
+---quantity: a string or a function. What is computed, whose error is estimated: a column of the run such as
+---```text
+---          "ground.max_pressure" (its last value), or a function of model and run that returns a number, or a list of
+---          numbers at places independent of the mesh
+---```
 ---@field quantity string|(fun(model: sg.model, run: sg.run): (number|number[]))
----relative error (a number above 0 and below 1)
+---at_most: relative error (a number above 0 and below 1)
 ---@field at_most number
----order labels, cheapest first (a list of at least one string; default {"N2", "N2-N2.2"})
+---orders: order labels, cheapest first (a list of at least one string; default {"N2", "N2-N2.2"})
 ---@field orders? string[]
----a list of at least one value (a finite number, a string, true, false, or a table of these); default {1, 2, 4, 8, 16,
----32}. From coarse to fine, each with about half the element size of the one before, in any form that scene accepts
+---meshes: a list of at least one value (a finite number, a string, true, false, or a table of these); default {1, 2, 4,
+---```text
+---        8, 16, 32}. From coarse to fine, each with about half the element size of the one before, in any form that
+---        scene accepts
+---```
 ---@field meshes? (number|string|boolean|table)[]
----a list of at least one value (a finite number, a string, true, false, or a table of these); by default that of the
----scene. Contact formulations to compare, cheapest first: tables of keys that scene gives to its contacts, such as { {
----penalty = 100 }, { method = "mortar", enforcement = "multipliers" } }
+---formulations: a list of at least one value (a finite number, a string, true, false, or a table of these); by default
+---```text
+---              that of the scene. Contact formulations to compare, cheapest first: tables of keys that scene gives to
+---              its contacts, such as { { penalty = 100 }, { method = "mortar", enforcement = "multipliers" } }
+---```
 ---@field formulations? (number|string|boolean|table)[]
----time after which no further level is started (a positive number; seconds; by default none)
+---limit: time after which no further level is started (a positive number; seconds; by default none)
 ---@field limit? number
 ---@field [string] sg.unknown_argument
 
@@ -582,41 +645,56 @@ function sg.cheapest(study, options) end
 function sg.recommend(arguments) end
 
 ---@class (exact) sg.convergence_map.arguments.x
----name of the parameter (a string)
+---name: name of the parameter (a string)
 ---@field name string
----its values, each once (a list of at least one number or a string)
+---values: its values, each once (a list of at least one number or a string)
 ---@field values (number|string)[]
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.convergence_map.arguments.y
----name of the parameter (a string)
+---name: name of the parameter (a string)
 ---@field name string
----its values, each once (a list of at least one number or a string)
+---values: its values, each once (a list of at least one number or a string)
 ---@field values (number|string)[]
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.convergence_map.arguments
----name of the map (a string; default "convergence map")
+---name: name of the map (a string; default "convergence map")
 ---@field name? string
----parameter along x (a table of named arguments)
+---x: parameter along x (a table of named arguments)
+---```text
+---  name:   name of the parameter (a string)
+---  values: its values, each once (a list of at least one number or a string)
+---```
 ---@field x sg.convergence_map.arguments.x
----parameter along y (a table of named arguments)
+---y: parameter along y (a table of named arguments)
+---```text
+---  name:   name of the parameter (a string)
+---  values: its values, each once (a list of at least one number or a string)
+---```
 ---@field y sg.convergence_map.arguments.y
----function of x and y that returns a model (a function)
+---scene: function of x and y that returns a model (a function)
 ---@field scene fun(x: any, y: any): sg.model
----function of model, x and y that returns stages and options, as model:run takes them (a function)
+---path: function of model, x and y that returns stages and options, as model:run takes them (a function)
 ---@field path fun(model: sg.model, x: any, y: any): any, (any|nil)
----a function; optional. Function of model, run, x and y that returns numbers by name, called for cells that reach the
----end of their path; numbers that are not finite are omitted
+---results: a function; optional. Function of model, run, x and y that returns numbers by name, called for cells that
+---```text
+---         reach the end of their path; numbers that are not finite are omitted
+---```
 ---@field results? fun(model: sg.model, run: sg.run, x: any, y: any): table<string, number>
----cases solved in parallel, with one thread each (a whole number, 1 or more; by default the value of --jobs, or the
----number of processors)
+---jobs: cases solved in parallel, with one thread each (a whole number, 1 or more; by default the value of --jobs, or
+---```text
+---      the number of processors)
+---```
 ---@field jobs? integer
----time limit of a case (a positive number; wall-clock seconds; by default none)
+---limit: time limit of a case (a positive number; wall-clock seconds; by default none)
 ---@field limit? number
----a string; by default not stored. CSV file to which each finished cell is written at once; the folder next to it,
----map.cells for map.csv, stores the cells like that of a study, so that a later call reuses them. Remove the file to
----solve all cells again
+---file: a string; by default not stored. CSV file to which each finished cell is written at once; the folder next to
+---it,
+---```text
+---      map.cells for map.csv, stores the cells like that of a study, so that a later call reuses them. Remove the file
+---      to solve all cells again
+---```
 ---@field file? string
 ---@field [string] sg.unknown_argument
 
@@ -646,8 +724,10 @@ function sg.convergence_map(arguments) end
 
 ---The result of sg.convergence_map; print(map) shows how many cells converged, and the table.
 ---@class sg.map
----a list of values. { x, y, outcome, reached, steps, increments, iterations, cutbacks, fallback_steps, wall, report,
----place, results } each
+---cells: a list of values. { x, y, outcome, reached, steps, increments, iterations, cutbacks, fallback_steps, wall,
+---```text
+---       report, place, results } each
+---```
 ---@field cells any[]
 local map = {}
 
@@ -657,8 +737,8 @@ local map = {}
 ---```lua
 ---map:cell("N2", 4).outcome
 ---```
----@param x number|string # value of the first parameter (a number or a string)
----@param y number|string # value of the second parameter (a number or a string)
+---@param x number|string # x: value of the first parameter (a number or a string)
+---@param y number|string # y: value of the second parameter (a number or a string)
 ---@return table<string, any>|nil
 function map:cell(x, y) end
 
@@ -686,32 +766,40 @@ function map:compare(other) end
 ---```lua
 ---map:csv "map.csv"
 ---```
----@param file string # name of the file (a string)
+---@param file string # file: name of the file (a string)
 function map:csv(file) end
 
 ---@alias sg.map.heatmap.arguments.colormap.choice "viridis"|"magma"|"inferno"|"plasma"|"cividis"|"gray"|"coolwarm"
 
 ---@class (exact) sg.map.heatmap.arguments
----such as "iterations" (a string)
+---name: such as "iterations" (a string)
 ---@field name string
----file name that ends with .png, .svg or .pdf (a string)
+---file: file name that ends with .png, .svg or .pdf (a string)
 ---@field file string
----map of the same values, drawn next to this one (a convergence map; optional)
+---other: map of the same values, drawn next to this one (a convergence map; optional)
 ---@field other? sg.map
----titles of the two maps (a list of 2 strings; by default their names)
+---titles: titles of the two maps (a list of 2 strings; by default their names)
 ---@field titles? [string, string]
----title of the color bar, with the values' unit (a string; by default the name)
+---label: title of the color bar, with the values' unit (a string; by default the name)
 ---@field label? string
----title above the map (a string; by default the map's name and the label)
+---title: title above the map (a string; by default the map's name and the label)
 ---@field title? string
----lowest and highest value of the colors (a list of 2 increasing numbers {low, high}; by default that of the values)
+---range: lowest and highest value of the colors (a list of 2 increasing numbers {low, high}; by default that of the
+---```text
+---       values)
+---```
 ---@field range? [number, number]
----logarithmic color scale (true or false; default false)
+---log: logarithmic color scale (true or false; default false)
 ---@field log? boolean
----as in sg.picture ('viridis', 'magma', 'inferno', 'plasma', 'cividis', 'gray' or 'coolwarm'; default "viridis")
+---colormap: as in sg.picture ('viridis', 'magma', 'inferno', 'plasma', 'cividis', 'gray' or 'coolwarm'; default
+---```text
+---          "viridis")
+---```
 ---@field colormap? sg.map.heatmap.arguments.colormap.choice
----width and height (a list of 2 whole numbers from 120 to 5000; pixels; by default {1600, 1000}, of two or three panels
----{1600, 850}, of more {1600, 1400})
+---size: width and height (a list of 2 whole numbers from 120 to 5000; pixels; by default {1600, 1000}, of two or three
+---```text
+---      panels {1600, 850}, of more {1600, 1400})
+---```
 ---@field size? [integer, integer]
 ---@field [string] sg.unknown_argument
 
@@ -739,18 +827,20 @@ function map:heatmap(arguments) end
 function map:converged() end
 
 ---@class (exact) sg.map.picture.arguments
----file name that ends with .png, .svg or .pdf (a string)
+---file: file name that ends with .png, .svg or .pdf (a string)
 ---@field file string
----number shown in the cells: of the run, such as "reached", or a result (a string; default "iterations")
+---text: number shown in the cells: of the run, such as "reached", or a result (a string; default "iterations")
 ---@field text? string
----map of the same values, drawn next to this one (a convergence map; optional)
+---other: map of the same values, drawn next to this one (a convergence map; optional)
 ---@field other? sg.map
----titles of the two maps (a list of 2 strings; by default their names)
+---titles: titles of the two maps (a list of 2 strings; by default their names)
 ---@field titles? [string, string]
----title above the map (a string; by default the map's name)
+---title: title above the map (a string; by default the map's name)
 ---@field title? string
----width and height (a list of 2 whole numbers from 120 to 5000; pixels; by default {1600, 1000}, of two or three panels
----{1600, 850}, of more {1600, 1400})
+---size: width and height (a list of 2 whole numbers from 120 to 5000; pixels; by default {1600, 1000}, of two or three
+---```text
+---      panels {1600, 850}, of more {1600, 1400})
+---```
 ---@field size? [integer, integer]
 ---@field [string] sg.unknown_argument
 

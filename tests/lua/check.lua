@@ -150,9 +150,13 @@ function check.terminal(command, turns, variables)
   local screen, since = check.folder() .. "/screen", 0
   core.write_file(screen, "")
   local function shown() return (core.read_file(screen):gsub("\r", "")) end
+  -- What was shown, with a new line where a progress bar has been erased.
+  local function text()
+    return (core.read_file(screen):gsub("\r\27%[K", "\n"):gsub("\r", ""):gsub("\27%[[%d;?]*%a", ""))
+  end
   local function happened(event)
     if type(event) == "function" then return event() end
-    local new = shown():gsub("\27%[[%d;?]*%a", ""):sub(since + 1)
+    local new = text():sub(since + 1)
     if event then return new:find(event, 1, true) end
     return new:find "\nsg> $" or new:find "\n%.%.> $"
   end
@@ -167,7 +171,7 @@ function check.terminal(command, turns, variables)
       if looks == 5000 then error(("turn %d was waited for in vain; the terminal:\n%s"):format(i, shown()), 2) end
       os.execute "sleep 0.02"
     end
-    since = #shown():gsub("\27%[[%d;?]*%a", "")
+    since = #text()
     pipe:write(keys):flush()
   end
   local _, _, status = pipe:close()

@@ -56,7 +56,7 @@ check.case("pasted lines with a mistake are entries up to it, the rest is one", 
   check.equal(history, "a = 1\nb = = 2\n..> c = 3\n")
 end)
 
-check.case("commands are entries, repeated entries are stored once, and two prompts do not mix theirs", function()
+check.case("commands are entries, and repeated entries are stored once", function()
   local _, history = session("1 + 1\n", { "1 + 1\n", "%who\n", "!true\n", "%who\n", "%who\n" })
   check.equal(history, "1 + 1\n%who\n!true\n%who\n")
 end)

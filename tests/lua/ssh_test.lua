@@ -171,7 +171,8 @@ check.case("wrong hosts are refused at the user's line; other versions are repor
   local folder = new_folder()
   local output, status = signorini(folder, "on=host1")
   check.equal(status, 1)
-  check.holds(output, 'study:execute: on must be "local", "slurm" or hosts such as { "ssh:host1" }, got', "study.lua:17")
+  check.holds(output, "study:execute: on must be \"local\", \"slurm\" or hosts such as { \"ssh:host1\" }, got",
+    "study.lua:17")
   signorini(folder, "on=ssh:h1 dry_run=yes")
   local file = folder .. "/out/a 100% b/jobs/1/host-1.sh"
   core.write_file(file, (core.read_file(file):gsub("signorini 0[%d.]+", "signorini 0.0.1")))

@@ -13,9 +13,11 @@ local function refinement(of)
 end
 local function mu(default) return { "mu", t.non_negative, "Coulomb's coefficient of friction", default = default } end
 
---- A page with its source as the last line.
+--- A page with its source as the last line. closed_form: names of the numbers of its third result, if it has one.
 local function scene(page)
   page.may_be_empty = true
+  page.returns = { t.object "model", t.list(t.named "stage") }
+  if page.closed_form then page.returns[3] = t.record(page.closed_form, t.number) end
   page.more = page.more .. "\n" .. page.source
   return page
 end
@@ -43,6 +45,7 @@ down by a force, and Hertz's closed form { a, p0, load }: half-width (radius) of
               order "N2-N2.2", refinement "along the arc, of the ball in both directions",
               { "load", t.positive, "force, of the cylinder per depth", otherwise = "0.002, of the ball 3.1416e-4",
                 derived = function(values) return values.body == "ball" and math.pi * 1e-4 or 2e-3 end } },
+    closed_form = "a p0 load",
     more = [[
 Outer radius 1, E = 1, nu = 0.3; half of the section is modeled, x = 0 is the plane of symmetry or the axis. The contact
 is ground. Hertz's half space neglects a/R: pressures agree to about 1 % for the cylinder and 2.5 % for the ball.]],
@@ -82,6 +85,7 @@ the work of adhesion.]],
               { "bonded", t.range(20, 400), "length of the bond; the strip is 10 nm longer", unit = "nm",
                 default = 50 },
               { "angle", t.range(1, 180), "by which the end is rotated", unit = "degrees", default = 46 } },
+    closed_form = "moment work",
     more = [[
 Body strip (E = 2 nN/nm², nu = 0.2, 10 nm high), supports edge and pin, contact film. The columns edge.angle and
 edge.moment of the run show a plateau, within 1 % of the closed form, until the bond ends.]],
@@ -95,6 +99,7 @@ upper one by a pressure, and { pressure }, the contact pressure at every point.]
     named = { { "dimension", t.integer(2, 3), "2: plane strain, 3: solids", default = 2 }, order "N2", refinement(),
               { "method", t.choice { "gpts", "mortar", "half_passes" }, "contact formulation, help \"contact\"",
                 default = "gpts" } },
+    closed_form = "pressure",
     more = "Bodies lower (E = 1) and upper (E = 2), load push, contact joint.",
     source = "Source: R. L. Taylor, P. Papadopoulos, in Nonlinear Computational Mechanics, Springer, 1991; the "
       .. "supplied script patch_test.lua.",

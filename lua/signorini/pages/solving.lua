@@ -159,6 +159,7 @@ outcome, warnings, script and versions. The option hdf5 of model:run writes the 
 and energies of all steps. Contents: share/doc/results.md.]],
     arguments = { { "file", t.text, "name of the file; an existing one is replaced" },
                   { "options", t.options(rows.hdf5), "" } },
+    returns = {},
     example = { "run:hdf5 \"run.h5\"", "run:hdf5(\"run.h5\", { units = { length = \"mm\", force = \"N\" } })" } },
   { "state", "An entry of run:states().",
     fields = { { "step", t.integer(0), "number of the step; 0 is the start" },

@@ -1,0 +1,238 @@
+---@meta _
+-- Generated from the help pages by scripts/reference; read by editors, not by the program.
+-- Reports
+
+---@class sg.study
+local study = {}
+
+---@class (exact) sg.study.report.options.pictures
+---picture: a picture, or a file that ends with .png, .jpg, .svg, .gif or .webp (a picture or a string)
+---@field picture sg.picture|string
+---caption: text below it (a string; optional)
+---@field caption? string
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.study.report.options.films
+---film: a file of up to 32 MB that ends with .mp4, which every browser plays, .webm or .ogv (a string)
+---@field film string
+---caption: text below it (a string; optional)
+---@field caption? string
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.study.report.options
+---file: name of the page, which ends with .html (a string)
+---@field file string
+---title: title of the page (a string; by default the study's name)
+---@field title? string
+---text: what the reader should know, above all else; empty lines separate paragraphs (a string; optional)
+---@field text? string
+---charts: charts to draw (a list of charts, or arguments of study:chart without file; by default each result over the
+---```text
+---        first parameter with numbers, one curve per value of the others)
+---  see help "study:chart"
+---```
+---@field charts? (sg.picture|sg.study.chart.arguments)[]
+---maps: maps to draw (a list of heat maps, convergence maps, or arguments of study:heatmap without file; optional)
+---```text
+---  see help "study:heatmap"
+---```
+---@field maps? (sg.picture|sg.map|sg.study.heatmap.arguments)[]
+---pictures: pictures to show (a list of pictures, names of files or tables { picture = …, caption = … }; optional)
+---```text
+---  picture: a picture, or a file that ends with .png, .jpg, .svg, .gif or .webp (a picture or a string)
+---  caption: text below it (a string; optional)
+---```
+---@field pictures? (sg.picture|string|sg.study.report.options.pictures)[]
+---films: films to show (a list of names of files or tables { film = …, caption = … }; optional)
+---```text
+---  film:    a file of up to 32 MB that ends with .mp4, which every browser plays, .webm or .ogv (a string)
+---  caption: text below it (a string; optional)
+---```
+---@field films? (string|sg.study.report.options.films)[]
+---@field [string] sg.unknown_argument
+
+---Writes a report: one HTML page to send to a colleague, which needs no other file and no network. It has the number of
+---cases and failures, charts that show the values of a point, the table of all cases, which can be sorted, filtered and
+---downloaded as CSV, the failed cases with their reasons, the script with its arguments, and program, machine and time
+---of the solution.
+---
+---```text
+---study:report "x.html" or { file, … }
+---```
+---
+---Equal studies give equal pages, except for the section on program, machine and time. The script is shown as it is
+---when the report is written.
+---
+---Example:
+---```lua
+---study:report "study.html"
+---study:report{ file = "errors.html", title = "Errors of both discretizations",
+---  charts = { { x = "mesh", y = "error", series = "order", log = "y" } } }
+---```
+---@param options string|sg.study.report.options
+function study:report(options) end
+
+---@class sg.run
+local run = {}
+
+---@class (exact) sg.run.html.options.charts
+---y: columns, one curve each (a column or a list of at least one column)
+---@field y string|string[]
+---x: column (a column; default "step")
+---@field x? string
+---xlabel: label of the x axis with its unit: "force (N)" (a string; by default the column)
+---@field xlabel? string
+---ylabel: label of the y axis (a string; by default the column, if there is one)
+---@field ylabel? string
+---title: title above the chart (a string; by default the columns)
+---@field title? string
+---log: logarithmic axes ('x', 'y' or 'xy'; by default none)
+---@field log? "x"|"y"|"xy"
+---xrange: limits of the x axis (a list of 2 increasing numbers {low, high}; by default those of the data)
+---@field xrange? [number, number]
+---yrange: limits of the y axis (a list of 2 increasing numbers {low, high}; by default those of the data within xrange)
+---@field yrange? [number, number]
+---hlines: dotted horizontal reference lines (a list of numbers and pairs {position, text}; optional)
+---@field hlines? (number|[number]|[number, string])[]
+---vlines: dotted vertical reference lines (a list of numbers and pairs {position, text}; optional)
+---@field vlines? (number|[number]|[number, string])[]
+---legend: true or false or 'inside' or 'outside'; default true. Names of the curves. true: in the first corner without
+---```text
+---        curves (north-east, north-west, south-east, south-west), otherwise, and with an inset, to the right of the
+---        chart, or below it if the names are long or many; "inside": in a corner; "outside": outside the axes; false:
+---        no legend
+---```
+---@field legend? boolean|"inside"|"outside"
+---legend_title: title of the legend (a string; optional)
+---@field legend_title? string
+---@field [string] sg.unknown_argument
+
+---@alias sg.run.html.options.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|string
+
+---@class (exact) sg.run.html.options.pictures
+---picture: a picture, or a file that ends with .png, .jpg, .svg, .gif or .webp (a picture or a string)
+---@field picture sg.picture|string
+---caption: text below it (a string; optional)
+---@field caption? string
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.run.html.options.films
+---film: a file of up to 32 MB that ends with .mp4, which every browser plays, .webm or .ogv (a string)
+---@field film string
+---caption: text below it (a string; optional)
+---@field caption? string
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.run.html.options
+---file: name of the page, which ends with .html (a string)
+---@field file string
+---title: title of the page (a string; by default the names of the stages)
+---@field title? string
+---text: what the reader should know, above all else; empty lines separate paragraphs (a string; optional)
+---@field text? string
+---charts: charts to draw (a list of charts or tables { y = \<columns> }; by default forces, displacements, contact and
+---```text
+---        iterations over the steps)
+---  y:            columns, one curve each (a column or a list of at least one column)
+---  x:            column (a column; default "step")
+---  xlabel:       label of the x axis with its unit: "force (N)" (a string; by default the column)
+---  ylabel:       label of the y axis (a string; by default the column, if there is one)
+---  title:        title above the chart (a string; by default the columns)
+---  log:          logarithmic axes ('x', 'y' or 'xy'; by default none)
+---  xrange:       limits of the x axis (a list of 2 increasing numbers {low, high}; by default those of the data)
+---  yrange:       limits of the y axis (a list of 2 increasing numbers {low, high}; by default those of the data within
+---                xrange)
+---  hlines:       dotted horizontal reference lines (a list of numbers and pairs {position, text}; optional)
+---  vlines:       dotted vertical reference lines (a list of numbers and pairs {position, text}; optional)
+---  legend:       true or false or 'inside' or 'outside'; default true. Names of the curves. true: in the first corner
+---                without curves (north-east, north-west, south-east, south-west), otherwise, and with an inset, to the
+---                right of the chart, or below it if the names are long or many; "inside": in a corner; "outside":
+---                outside the axes; false: no legend
+---  legend_title: title of the legend (a string; optional)
+---```
+---@field charts? (sg.picture|sg.run.html.options.charts)[]
+---field: field that colors the stored states; false: states are not drawn (false or a string; by default von_mises, if
+---```text
+---       no pictures are given)
+---```
+---@field field? false|sg.run.html.options.field.choice
+---pictures: pictures to show (a list of pictures, names of files or tables { picture = …, caption = … }; optional)
+---```text
+---  picture: a picture, or a file that ends with .png, .jpg, .svg, .gif or .webp (a picture or a string)
+---  caption: text below it (a string; optional)
+---```
+---@field pictures? (sg.picture|string|sg.run.html.options.pictures)[]
+---films: films to show (a list of names of files or tables { film = …, caption = … }; optional)
+---```text
+---  film:    a file of up to 32 MB that ends with .mp4, which every browser plays, .webm or .ogv (a string)
+---  caption: text below it (a string; optional)
+---```
+---@field films? (string|sg.run.html.options.films)[]
+---@field [string] sg.unknown_argument
+
+---Writes a report of a run, one HTML page like that of study:report: outcome, warnings, charts of forces, contact and
+---iterations, stored states, tables of stages, energies, attempts and steps. (run.report is the failure in words.)
+---
+---```text
+---run:html "x.html" or { file, … }
+---```
+---
+---Example:
+---```lua
+---run:html "run.html"
+---run:html{ file = "press.html", charts = { { y = {"grip.fx", "grip.fy"}, ylabel = "force" } }, field = "uy" }
+---```
+---@param options string|sg.run.html.options
+function run:html(options) end
+
+---@class sg.map
+local map = {}
+
+---@class (exact) sg.map.report.options.pictures
+---picture: a picture, or a file that ends with .png, .jpg, .svg, .gif or .webp (a picture or a string)
+---@field picture sg.picture|string
+---caption: text below it (a string; optional)
+---@field caption? string
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.map.report.options.films
+---film: a file of up to 32 MB that ends with .mp4, which every browser plays, .webm or .ogv (a string)
+---@field film string
+---caption: text below it (a string; optional)
+---@field caption? string
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.map.report.options
+---file: name of the page, which ends with .html (a string)
+---@field file string
+---title: title of the page (a string; by default the map's name)
+---@field title? string
+---text: what the reader should know, above all else; empty lines separate paragraphs (a string; optional)
+---@field text? string
+---pictures: pictures to show (a list of pictures, names of files or tables { picture = …, caption = … }; optional)
+---```text
+---  picture: a picture, or a file that ends with .png, .jpg, .svg, .gif or .webp (a picture or a string)
+---  caption: text below it (a string; optional)
+---```
+---@field pictures? (sg.picture|string|sg.map.report.options.pictures)[]
+---films: films to show (a list of names of files or tables { film = …, caption = … }; optional)
+---```text
+---  film:    a file of up to 32 MB that ends with .mp4, which every browser plays, .webm or .ogv (a string)
+---  caption: text below it (a string; optional)
+---```
+---@field films? (string|sg.map.report.options.films)[]
+---@field [string] sg.unknown_argument
+
+---Writes a report of a convergence map, one HTML page like that of study:report: the map of outcomes, heat maps of the
+---results, the table of cells, and the reports of those that failed.
+---
+---```text
+---map:report "x.html" or { file, … }
+---```
+---
+---Example:
+---```lua
+---map:report "map.html"
+---```
+---@param options string|sg.map.report.options
+function map:report(options) end
