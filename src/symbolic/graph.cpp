@@ -15,6 +15,16 @@ int Graph::insert(const Node& node) {
   return place->second;
 }
 
+int Graph::restore(const Node& node) {
+  const bool function = node.operation >= Operation::log && node.operation <= Operation::sign;
+  const bool two = node.operation == Operation::add || node.operation == Operation::multiply ||
+                   node.operation == Operation::general_power;
+  const bool one = two || function || node.operation == Operation::power;
+  const auto fits = [&](int operand, bool needed) { return needed ? operand >= 0 && operand < size() : operand == -1; };
+  if (!(one || node.operation == Operation::constant) || !fits(node.a, one) || !fits(node.b, two)) return -1;
+  return insert(node);
+}
+
 int Graph::constant(double value) {
   // nan is not equal to itself: it would be a new key each time, and breaks the order of keys. −0 equals 0.
   if (std::isnan(value)) {
@@ -145,6 +155,22 @@ std::vector<int> needed_for(const Graph& graph, const std::vector<int>& nodes) {
       if (operand >= 0) needed[static_cast<std::size_t>(operand)] = 1;
   }
   return {list.rbegin(), list.rend()};
+}
+
+std::pair<Graph, int> reduced(const Graph& graph, int node) {
+  Graph smaller(graph.variables());
+  std::map<int, int> places;
+  for (int n : needed_for(graph, {node})) {
+    Node moved = graph[n];
+    if (moved.operation == Operation::variable) {
+      places[n] = moved.a;
+      continue;
+    }
+    for (int* operand : {&moved.a, &moved.b})
+      if (*operand >= 0) *operand = places.at(*operand);
+    places[n] = smaller.restore(moved);
+  }
+  return {std::move(smaller), places.at(node)};
 }
 
 } // namespace signorini::symbolic

@@ -36,6 +36,9 @@ public:
   /// One of the functions from log on.
   int apply(Operation function, int a);
 
+  /// Adds a node of another graph with the same indices, for files. Returns −1 unless its operands are nodes.
+  int restore(const Node& node);
+
   const Node& operator[](int node) const { return nodes_[static_cast<std::size_t>(node)]; }
   int size() const { return static_cast<int>(nodes_.size()); }
   const std::vector<std::string>& variables() const { return variables_; }
@@ -58,10 +61,13 @@ const char* name_of(Operation function);
 /// The value of a function of one argument.
 double value_of(Operation function, double x);
 
+/// A graph of the variables and of what a node needs, and the node in it.
+std::pair<Graph, int> reduced(const Graph& graph, int node);
+
 /// ∂node/∂variable, as a node of the same graph.
 int derivative(Graph& graph, int node, int variable);
 
-/// The formula as Lua text: "2*(I1 - 3) + log(J)^2".
+/// The formula as Lua text, "2*(I1 - 3) + log(J)^2"; if that is very long, the number of its operations.
 std::string text_of(const Graph& graph, int node);
 
 /// The nodes on which some nodes depend, and these, in ascending order.

@@ -168,10 +168,14 @@ Tape compile(const Graph& graph, const std::vector<int>& formulas, bool positive
   return tape;
 }
 
+void evaluate(const Tape& tape, double* registers, int stride, int points) {
+  run(tape.code.data(), static_cast<int>(tape.code.size()), registers, stride, points);
+}
+
 std::vector<double> evaluate(const Tape& tape, const std::vector<double>& variables) {
   std::vector<double> registers(at(tape.registers)), values;
   std::copy(variables.begin(), variables.end(), registers.begin());
-  run(tape.code.data(), static_cast<int>(tape.code.size()), registers.data(), 1, 1);
+  evaluate(tape, registers.data(), 1, 1);
   for (int output : tape.outputs) values.push_back(output < 0 ? 0 : registers[at(output)]);
   return values;
 }

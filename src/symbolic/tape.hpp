@@ -21,4 +21,7 @@ Tape compile(const Graph& graph, const std::vector<int>& formulas, bool positive
 /// The values of the outputs at one point.
 std::vector<double> evaluate(const Tape& tape, const std::vector<double>& variables);
 
+/// Runs a tape on registers, which are rows of `stride` values, one per point; the first rows hold the variables.
+void evaluate(const Tape& tape, double* registers, int stride, int points);
+
 } // namespace signorini::symbolic

@@ -67,6 +67,16 @@ Written write(const Graph& graph, int node) {
 } // namespace
 
 std::string text_of(const Graph& graph, int node) {
+  constexpr double longest = 2000;
+  // Shared nodes are written each time, so that the text may be far longer than the graph.
+  std::map<int, double> sizes;
+  for (int n : needed_for(graph, {node})) {
+    sizes[n] = 8;
+    if (graph[n].operation == Operation::variable) continue;
+    for (int operand : {graph[n].a, graph[n].b})
+      if (operand >= 0) sizes[n] += sizes.at(operand);
+  }
+  if (sizes.at(node) > longest) return text("a formula of ", sizes.size(), " operations");
   return write(graph, node).words;
 }
 

@@ -125,6 +125,13 @@ TEST(Symbolic, TextIsALuaExpression) {
   EXPECT_EQ(text_of(g, g.power(g.add(j, i1), i1)), "(I1 + J)^I1");
 }
 
+TEST(Symbolic, VeryLongTextsAreNotWritten) {
+  Graph g({"x"});
+  int node = g.variable(0);
+  for (int i = 0; i < 60; ++i) node = g.add(g.constant(1), g.multiply(node, g.apply(Operation::sin, node)));
+  EXPECT_EQ(text_of(g, node), "a formula of 182 operations");
+}
+
 /// Powers of J with exponents that differ by integers take one call of pow.
 TEST(Symbolic, TapesShareSubexpressionsAndRegisters) {
   Graph g({"J"});
