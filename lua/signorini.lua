@@ -21,6 +21,10 @@ sg.pvd = require "signorini.pvd"
 sg.scenes = require "signorini.scenes"
 local profile = require "signorini.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
+function sg.hyperelastic(values) return require("signorini.hyperelastic").new(values) end
+for _, name in ipairs { "mooney_rivlin", "yeoh", "ogden", "saint_venant_kirchhoff" } do
+  sg[name] = function(values) return require("signorini.elastic_laws")[name](values) end
+end
 types.model.run = require "signorini.run"
 types.model.cost = require "signorini.cost"(types.model.cost)
 local energies, profiles, named = types.model.energy, types.model.profile, require "signorini.named"

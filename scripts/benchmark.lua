@@ -58,6 +58,11 @@ for _, name in ipairs { "plane", "solid" } do
 end
 local element = measure.element(options.element, options.repeats)
 
+local compiled = {}
+for i, kind in ipairs(measure.elements) do
+  compiled[i] = { kind.name, measure.formula(kind, 10 * options.repeats + 1) }
+end
+
 local solver_sheet = solvers.sheet(options.solvers, options.repeats)
 
 print "Time of an iteration by part, ms (search is part of contact); around: all other parts / linear solver"
@@ -67,6 +72,9 @@ print(report.output_table(cases))
 print "\nGrowth: exponent of the degrees of freedom over the larger half of the meshes"
 print(report.growth_table(exponents))
 print(("\nTangent of a solid element with 27 functions: %.4f ms (FEBio 0.38, G+Smo 2)"):format(element))
+
+print "\nTime of assembly with neo-Hooke as a formula (sg.hyperelastic) / with sg.neo_hookean"
+print(sg.table{ columns = { "elements", "ratio" }, rows = compiled, formats = { "%s", "%.2f" } })
 
 print "\nSeconds of processor time in the linear solver"
 print(sg.table(solver_sheet))

@@ -28,8 +28,8 @@ local pages = {}
 
 --- The subjects in the order of the reference, each a file below pages/ that returns { title = …, word = … (for
 --- help), also = … (another word), page, … }; one with the title of the previous one continues it.
-pages.subjects = { "patches", "curves", "patch", "bodies", "scene", "solving", "results", "methods", "scenes",
-                   "pictures", "charts", "studies", "reports", "scripts" }
+pages.subjects = { "patches", "curves", "patch", "materials", "bodies", "formulas", "scene", "solving", "results",
+                   "methods", "scenes", "pictures", "charts", "studies", "reports", "scripts" }
 
 local all, groups -- pages by name; lists { title, word, page, … } in order
 

@@ -1,7 +1,8 @@
 -- Warnings about a run although it completed: those of sg.model about the scene, loads that are not ramped, loose
 -- tolerances, contacts without any active point (wrong face, or a body that misses the other), deep penetration, points
 -- that passed through the master in one step, failed projections, half passes with different forces, unstable
--- equilibria, idle processes of mpirun, and those of path_controls.lua, jumps.lua and energy_balance.lua.
+-- equilibria, unstable elastic laws, idle processes of mpirun, and those of path_controls.lua, jumps.lua and
+-- energy_balance.lua.
 
 local core = require "signorini.core"
 local counted = require "signorini.counted"
@@ -155,6 +156,25 @@ function run_warnings.note_stability(run, model)
   found.steps, found.first, found.most = found.steps + 1, found.first or run.steps, math.max(found.most, negative)
 end
 
+--- Notes in run.unstable_law the first accepted step in which the law of a body, made from an energy, is unstable.
+function run_warnings.note_law(run, model)
+  if run.unstable_law then return end
+  local found = core.unstable_law(model)
+  if not found then return end
+  found.step = run.steps
+  run.unstable_law = found
+end
+
+--- A sentence for a law that is unstable at a strain of the run.
+local function unstable_law(run)
+  local found = run.unstable_law
+  if not found then return nil end
+  return ("body '%s': its elastic law is unstable at strains of step %d: with principal stretches %s at X = (%s) a "
+    .. "further strain lowers the stress that resists it (Drucker, Hill). Hint: solutions may be not unique, fit the "
+    .. "law to tests up to these stretches"):format(found.body, found.step, position(found.stretches),
+    position(found.at))
+end
+
 --- A sentence for steps in unstable equilibrium.
 local function unstable(run)
   local found = run.unstable
@@ -174,6 +194,7 @@ function run_warnings.of_run(run, model, early)
   end
   texts[#texts + 1] = path_controls.warning(run)
   texts[#texts + 1] = unstable(run)
+  texts[#texts + 1] = unstable_law(run)
   texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length)
   texts[#texts + 1] = energy_balance.warning(run, run.energies)
   return texts

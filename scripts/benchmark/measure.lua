@@ -92,6 +92,48 @@ function measure.case(case, options)
   return case
 end
 
+--- Neo-Hooke as a formula, which is compiled.
+local function formula(E, nu)
+  local mu = E / (2 * (1 + nu))
+  local lambda = 2 * mu * nu / (1 - 2 * nu)
+  return sg.hyperelastic{ energy = function(I1, _, J)
+    return lambda / 2 * sg.log(J)^2 + mu / 2 * (I1 - 3) - mu * sg.log(J)
+  end }
+end
+
+--- Kinds of elements for the comparison of a formula with the kernels of neo-Hooke: orders, and elements per direction.
+measure.elements = {
+  { name = "plane, N2", order = "N2", elements = { 40, 40 } },
+  { name = "plane, N2-N2.1", order = "N2-N2.1", elements = { 40, 40 }, thickness_degree = 1 },
+  { name = "axisymmetric, N2", order = "N2", elements = { 40, 40 }, kind = "axisymmetric" },
+  { name = "solid, N2", order = "N2", elements = { 6, 6, 6 } },
+}
+
+--- The ratio of the times of assembly, residual and tangent, with neo-Hooke as a formula and with its kernels: median
+--- of pairs.
+function measure.formula(case, pairs_of_runs)
+  local space = #case.elements == 3
+  local function scene(material)
+    local body = sg.body{
+      patch = space and sg.shapes.block{ size = { 1, 1, 1 } } or sg.shapes.rectangle{ width = 1, height = 1 },
+      elements = case.elements, order = case.order, contact = space and "back" or "north",
+      thickness_degree = case.thickness_degree or 2, material = material }
+    return sg.model{ bodies = { body = body }, kind = case.kind,
+      supports = { bed = { on = body:face(space and "front" or "south"), fix = space and "xyz" or "xy" } } }
+  end
+  local scenes, ratios = { scene(formula(1, 0.3)), scene(sg.neo_hookean{ E = 1, nu = 0.3 }) }, {}
+  for i = 1, pairs_of_runs do
+    local times = {}
+    for k, model in ipairs(scenes) do
+      local before = model:timings().bulk
+      model:residual()
+      times[k] = model:timings().bulk - before
+    end
+    ratios[i] = times[1] / times[2]
+  end
+  return sg.median(ratios)
+end
+
 --- Milliseconds that residual and tangent of a solid element with 27 functions and 27 Gauss points take, in a
 --- neo-Hookean block of n³ elements that is sheared: median of repeats.
 function measure.element(n, repeats)

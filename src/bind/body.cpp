@@ -1,13 +1,12 @@
 #include "base/machine.hpp"
 #include "base/words.hpp"
 #include "bind/functions.hpp"
+#include "bind/material.hpp"
 #include "bind/open.hpp"
 #include "bind/patch.hpp"
 #include "bind/scene.hpp"
 #include "bind/wording/wording.hpp"
 #include "nurbs/coincident.hpp"
-#include "solid/linear_elastic.hpp"
-#include "solid/neo_hookean.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,22 +16,6 @@ namespace signorini::bind {
 namespace {
 
 using nurbs::Side;
-
-// ── Materials ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-template <auto make> solid::Material material(const Arguments& a) {
-  return make(a.get<double>("E"), a.get<double>("nu"));
-}
-
-/// "E = 1, nu = 0.3"
-std::string constants_in_words(const solid::Material& material) {
-  const solid::ElasticConstants& law = material.constants();
-  return text("E = ", law.youngs_modulus, ", nu = ", law.poissons_ratio);
-}
-
-std::string material_text(const solid::Material& material) {
-  return text(material.name(), ": ", constants_in_words(material));
-}
 
 // ── Places ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -251,13 +234,10 @@ template <int D> std::string body_text(const solid::Body<D>& body) {
 }
 
 constexpr Function body_functions[] = {
-    {"neo_hookean", call<material<solid::neo_hookean>>},
-    {"linear_elastic", call<material<solid::linear_elastic>>},
     {"body", call<body>},
 };
 constexpr Function body_core_entries[] = {{"place_names", place_names}};
 
-constexpr Function material_entries[] = {{"__tostring", call<material_text>}};
 template <int D> constexpr Function place_entries[] = {{"__tostring", call<place_text<D>>}};
 template <int D>
 constexpr Function body_entries[] = {
@@ -274,7 +254,6 @@ constexpr Function body_entries[] = {
 void open_body(lua_State* L) {
   register_functions(L, "sg", body_functions);
   register_functions(L, "core", body_core_entries);
-  register_type<solid::Material>(L, material_entries);
   register_type<Body<2>, Body<3>>(L, body_entries<2>, body_entries<3>);
   register_type<BoundaryPart<2>, BoundaryPart<3>>(L, place_entries<2>, place_entries<3>);
 }

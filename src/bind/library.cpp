@@ -109,9 +109,9 @@ void open_library(lua_State* L, const Settings& settings) {
   lua_pop(L, 2);
 
   word_warnings();
-  for (auto* open :
-       {open_core, open_jobs, open_json, open_patch, open_curves, open_shapes, open_body, open_rigid, open_scene,
-        open_model, open_checkpoint, open_chart, open_heatmap, open_picture, open_vtu, open_hdf5})
+  for (auto* open : {open_core, open_jobs, open_json, open_patch, open_curves, open_shapes, open_symbols, open_material,
+                     open_body, open_rigid, open_scene, open_model, open_checkpoint, open_chart, open_heatmap,
+                     open_picture, open_vtu, open_hdf5})
     open(L);
 
   push_table(L, "core");

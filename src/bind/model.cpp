@@ -53,7 +53,8 @@ template <int D> int solver(const model::Model<D>& model, lua_State* L) {
 
 template <int D> std::string model_text(const model::Model<D>& model) {
   const auto& scene = model.system.scene;
-  const char* kind = D == 3 ? "solid" : scene.kind == solid::Kind::axisymmetric ? "axisymmetric" : "plane-strain";
+  constexpr const char* kinds[] = {"plane-strain", "axisymmetric", "plane-stress"};
+  const char* kind = D == 3 ? "solid" : kinds[static_cast<int>(scene.kind)];
   return text(kind, " model of ", listed(names_of(scene.bodies)), ": ", model.system.unknowns.dofs(),
               " degrees of freedom, ", model.system.unknowns.size(), " of them free, ",
               counted(scene.supports.size(), "support"), ", ", counted(scene.contacts.size(), "contact"),

@@ -9,7 +9,9 @@ void open_core(lua_State* L);       ///< core.*: C++ functions for the library i
 void open_curves(lua_State* L);     ///< sg.nurbs.*
 void open_shapes(lua_State* L);     ///< sg.shapes.*
 void open_patch(lua_State* L);      ///< the patch type and its methods, sg.nurbs.read, sg.nurbs.write
-void open_body(lua_State* L);       ///< sg.body, materials, bodies, their faces, edges and corners
+void open_symbols(lua_State* L);    ///< symbols, sg.log and other functions of numbers and symbols
+void open_material(lua_State* L);   ///< sg.neo_hookean, sg.linear_elastic, the material type
+void open_body(lua_State* L);       ///< sg.body, bodies, their faces, edges and corners
 void open_rigid(lua_State* L);      ///< sg.rigid.*
 void open_scene(lua_State* L);      ///< sg.model
 void open_model(lua_State* L);      ///< the methods of a model

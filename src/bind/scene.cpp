@@ -150,10 +150,17 @@ int dimension_of(const Arguments& a) {
   return dimension;
 }
 
-/// The bodies as bodies of revolution.
-void revolve(model::Scene<2>& scene) {
+solid::Kind kind_of(const std::string& name) {
+  return name == "axisymmetric"   ? solid::Kind::axisymmetric
+         : name == "plane_stress" ? solid::Kind::plane_stress
+                                  : solid::Kind::plane_strain;
+}
+
+/// The bodies as bodies of revolution, or under plane stress.
+void set_kind(model::Scene<2>& scene) {
   for (auto& named : scene.bodies) try {
-      named.body = solid::revolved(*named.body);
+      named.body =
+          scene.kind == solid::Kind::axisymmetric ? solid::revolved(*named.body) : solid::in_plane_stress(*named.body);
     } catch (const Error& error) {
       fail("bodies.", named.name, ": ", worded(error));
     }
@@ -163,7 +170,7 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
   SceneBuilder<D> builder;
   model::Scene<D>& scene = builder.scene;
   if (D == 3 && a.has("kind")) a.fail("kind is for plane models, but the bodies are solids in 3D: omit it");
-  if (a.get<std::string>("kind") == "axisymmetric") scene.kind = solid::Kind::axisymmetric;
+  if (D == 2) scene.kind = kind_of(a.get<std::string>("kind"));
   scene.bodies = read_bodies<D>(a);
   const auto each = [&](const char* key, const auto& add) {
     if (!a.has(key)) return;
@@ -196,7 +203,7 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
     return scene.ties.emplace_back(read_tie(builder, part)).name;
   });
   if constexpr (D == 2)
-    if (scene.kind == solid::Kind::axisymmetric) revolve(scene);
+    if (scene.kind != solid::Kind::plane_strain) set_kind(scene);
   const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));
   count_memory(L, model::memory(*made));
   for (const Message& warning : model::warnings(*made)) warn(worded(warning));

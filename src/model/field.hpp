@@ -12,7 +12,7 @@ namespace signorini::model {
 template <int D> struct FieldPoint {
   Vec<D> displacement;
   Mat<D> deformation; ///< F
-  double hoop = 1;    ///< F₃₃ of a plane body: the hoop stretch when it is axisymmetric, 1 in plane strain
+  double hoop = 1;    ///< F₃₃ of a plane body: the hoop stretch, under plane stress that of the thickness
 };
 
 /// A scalar field: name for scripts, label for color bars, and function.
@@ -24,7 +24,7 @@ template <int D> struct Field {
 /// All fields: components and size of the displacement (ux uy u), of the Cauchy stress (sxx syy szz sxy), its von Mises
 /// value, pressure = −tr σ/3, I1 = tr σ, and the deformation gradient (F11 F12 F21 F22 F33); in 3D those of z as well.
 /// The stress of a linear elastic body is that of its small strains; szz of an axisymmetric body is the hoop stress,
-/// F33 the hoop stretch.
+/// F33 the hoop stretch; under plane stress szz is 0 up to rounding error.
 template <int D> const std::vector<Field<D>>& fields();
 
 /// The field of a name. Throws Error with the known names if there is none.

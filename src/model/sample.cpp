@@ -26,7 +26,11 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
     rate += displacement.col(function) * basis.gradients.col(i).transpose();
   }
   point.state.deformation = Mat<D>::Identity() + rate * jacobian.inverse();
-  if (model.system.scene.bodies[at(body)].body->kind() == solid::Kind::axisymmetric) {
+  const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
+  if constexpr (D == 2)
+    if (solid.kind() == solid::Kind::plane_stress)
+      point.state.hoop = solid.material().thickness_stretch(point.state.deformation);
+  if (solid.kind() == solid::Kind::axisymmetric) {
     // F_θθ = 1 + u_r/R → 1 + ∂u_r/∂R on the axis; at smaller radii the quotient is rounding error
     const double radius = point.reference(0), size = jacobian.cwiseAbs().maxCoeff();
     point.state.hoop = radius > 1e-8 * size ? 1 + point.state.displacement(0) / radius : point.state.deformation(0, 0);

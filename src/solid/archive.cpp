@@ -1,6 +1,7 @@
 #include "solid/archive.hpp"
 
 #include "nurbs/archive.hpp"
+#include "solid/hyperelastic.hpp"
 #include "solid/linear_elastic.hpp"
 #include "solid/neo_hookean.hpp"
 
@@ -10,13 +11,14 @@ namespace signorini::solid {
 
 namespace {
 
-/// A law in files: its number, which is its index in the table below, and its members, which are numbers.
+/// A law in files: its number, which is its index in the table below, and what it consists of.
 struct LawRow {
   std::string_view name;
   void (*write)(ArchiveWriter& to, const void* law);
   Material (*read)(ArchiveReader& from);
 };
 
+/// A law whose members are numbers.
 template <Law T> constexpr LawRow row() {
   using Members = std::array<double, sizeof(T) / sizeof(double)>;
   return {T::name,
@@ -24,8 +26,32 @@ template <Law T> constexpr LawRow row() {
           [](ArchiveReader& from) -> Material { return std::bit_cast<T>(from.get<Members>()); }};
 }
 
+/// The nodes of the energy that are not variables, in an order in which operands come first.
+void write_formula(ArchiveWriter& to, const void* law) {
+  const EnergyFormula& formula = static_cast<const Hyperelastic*>(law)->formula();
+  const symbolic::Graph& graph = formula.graph;
+  to.put(formula.label, formula.measure, formula.fibers, graph.size(), formula.energy);
+  for (int n = static_cast<int>(graph.variables().size()); n < graph.size(); ++n)
+    to.put(graph[n].operation, graph[n].value, graph[n].a, graph[n].b);
+}
+
+Material read_formula(ArchiveReader& from) {
+  auto label = from.get<std::string>();
+  const auto measure = from.get<Measure>();
+  auto fibers = from.get<std::vector<Vec<3>>>();
+  symbolic::Graph graph(variable_names(measure, fibers.size()));
+  const int size = from.get<int>(), energy = from.get<int>();
+  for (int n = graph.size(); n < size; ++n) {
+    symbolic::Node node{};
+    from.into(node.operation, node.value, node.a, node.b);
+    require(graph.restore(node) == n, "solid.archive.formula", {{"node", n}});
+  }
+  require(energy >= 0 && energy < graph.size(), "solid.archive.formula", {{"node", energy}});
+  return hyperelastic({std::move(label), measure, std::move(fibers), std::move(graph), energy});
+}
+
 /// New laws are appended: files identify laws by their index.
-constexpr LawRow laws[] = {row<NeoHookean>(), row<LinearElastic>()};
+constexpr LawRow laws[] = {row<NeoHookean>(), row<LinearElastic>(), {Hyperelastic::name, write_formula, read_formula}};
 
 } // namespace
 

@@ -90,6 +90,7 @@ template <int D> KernelArguments Body<D>::arguments(int e) const {
   arguments.hoop = hoops_of(e);
   arguments.constant = constants_.data() + table.constant;
   arguments.law = material_.law();
+  arguments.respond = table.kernels.respond;
   return arguments;
 }
 
@@ -153,6 +154,10 @@ template <int D> VectorX Body<D>::reference_point(int e, int q) const {
 
 std::shared_ptr<const Body<2>> revolved(const Body<2>& body) {
   return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::axisymmetric);
+}
+
+std::shared_ptr<const Body<2>> in_plane_stress(const Body<2>& body) {
+  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::plane_stress);
 }
 
 template class Body<2>;

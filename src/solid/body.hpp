@@ -91,6 +91,9 @@ private:
 /// The body of revolution about x = 0 with the same meridian, space and material.
 std::shared_ptr<const Body<2>> revolved(const Body<2>& body);
 
+/// The body of unit thickness under plane stress with the same shape, space and material.
+std::shared_ptr<const Body<2>> in_plane_stress(const Body<2>& body);
+
 /// Tensor-product Gauss points of an element.
 ElementQuadrature element_quadrature(const nurbs::Discretization& space, int e);
 

@@ -41,7 +41,8 @@ template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
   force.resize(D * n);
   blocks.resize(D * (D + 1) / 2 * n * n + vector_padding);
   local.resize(D * n);
-  work.resize(working_size(D, n, points));
+  const bool moduli = body.elements() > 0 && body.element(0).kernels.respond;
+  work.resize(moduli ? moduli_working_size(D, n, points) : working_size(D, n, points));
   factors.resize(2 * points);
 }
 
@@ -105,6 +106,8 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
       const Eigen::Index n = u.cols();
       across += u.row(0).dot(Eigen::Map<const Eigen::RowVectorXd>(body.hoops_of(e) + q * n, n));
     }
+    if constexpr (D == 2)
+      if (body.kind() == Kind::plane_stress) across = body.material().thickness_stretch(f);
     const std::size_t point = body.element(e).point + at(q);
     const bool inverted = !body.linear() && !(f.determinant() > 0 && across > 0);
     sum += body.weights_of(e)[q] *

@@ -1,7 +1,7 @@
 #include "solid/kernel.hpp"
 
-#include "solid/kernel_plane.hpp"
-#include "solid/kernel_space.hpp"
+#include "solid/energy_response.hpp"
+#include "solid/kernel_moduli.hpp"
 #include "solid/kernel_wide.hpp"
 
 #include "base/error.hpp"
@@ -53,6 +53,32 @@ template <> std::vector<Kernel> element_kernels<3>(int) {
   if (widest_instructions() >= Instructions::avx2) kernels.push_back(avx2_space_kernel());
   if (widest_instructions() >= Instructions::avx512) kernels.push_back(avx512_space_kernel());
   return kernels;
+}
+
+template <> std::vector<Kernel> moduli_kernels<2>() {
+  std::vector<Kernel> kernels{run_moduli<2>};
+  if (widest_instructions() >= Instructions::avx2) kernels.push_back(avx2_plane_moduli_kernel());
+  return kernels;
+}
+
+template <> std::vector<Kernel> moduli_kernels<3>() {
+  std::vector<Kernel> kernels{run_moduli<3>};
+  if (widest_instructions() >= Instructions::avx2) kernels.push_back(avx2_space_moduli_kernel());
+  if (widest_instructions() >= Instructions::avx512) kernels.push_back(avx512_space_moduli_kernel());
+  return kernels;
+}
+
+template <> std::vector<EnergyResponse> energy_responses<2>() {
+  std::vector<EnergyResponse> responses{respond_by_energy<5>};
+  if (widest_instructions() >= Instructions::avx2) responses.push_back(avx2_plane_response());
+  return responses;
+}
+
+template <> std::vector<EnergyResponse> energy_responses<3>() {
+  std::vector<EnergyResponse> responses{respond_by_energy<9>};
+  if (widest_instructions() >= Instructions::avx2) responses.push_back(avx2_space_response());
+  if (widest_instructions() >= Instructions::avx512) responses.push_back(avx512_space_response());
+  return responses;
 }
 
 } // namespace signorini::solid

@@ -3,6 +3,8 @@
 // (kernel_generic.hpp). Those for neo-Hooke in the plane and in space are compiled once for any machine and again for
 // wider vectors, chosen at run time.
 
+#include "solid/response.hpp"
+
 #include <cstddef>
 #include <vector>
 
@@ -25,7 +27,8 @@ struct KernelArguments {
   double* work = nullptr;            ///< work array, working_size() doubles
   double* factors = nullptr;         ///< work array, two per Gauss point
   double* blocks = nullptr;          ///< K^{ij}_{AB}, i ≤ j, n×n each; null: no tangent
-  const void* law = nullptr;         ///< for the generic kernel
+  const void* law = nullptr;         ///< for the generic kernel and for `respond`
+  Respond respond = nullptr;         ///< see Kernels
   int internal_variables = 0;        ///< per Gauss point
   const double* committed = nullptr; ///< their values at the start of the step
   double* trial = nullptr;           ///< receives their current values
@@ -35,6 +38,13 @@ struct KernelArguments {
 /// current gradients of all points in rows of whole vectors, and the factors of a tile of the tangent.
 constexpr std::size_t working_size(std::size_t components, std::size_t functions, std::size_t points) {
   return components * (functions + vector_padding) * (points + 2) + 2 * vector_padding * points + 2 * vector_padding;
+}
+
+/// The same for the kernels of laws that give stress and moduli at many points at once.
+constexpr std::size_t moduli_working_size(std::size_t components, std::size_t functions, std::size_t points) {
+  const std::size_t entries = static_cast<std::size_t>(entries_in(static_cast<int>(components)));
+  return (2 * entries + entries * (entries + 1) / 2) * (points + vector_padding) +
+         3 * (functions + vector_padding) * (points + 2) + 12 * points;
 }
 
 /// First Gauss point at which an element is inverted, and its J; point −1 if none.
@@ -49,13 +59,15 @@ using Kernel = KernelResult (*)(const KernelArguments&);
 enum class Kind {
   plane_strain,
   axisymmetric, ///< x = r, y = z; the body fills the full circle around the axis x = 0
+  plane_stress, ///< per unit of the undeformed thickness
 };
 
 /// Computation of the elements of a material.
 struct Kernels {
   Kernel element;
-  Kernel constant;     ///< null, or writes to zeroed `blocks`, for zero `local`, what `element` reads as constant
-  int constant_blocks; ///< number of n×n blocks of `constant`
+  Kernel constant;           ///< null, or writes to zeroed `blocks`, for zero `local`, what `element` reads as constant
+  int constant_blocks;       ///< number of n×n blocks of `constant`
+  Respond respond = nullptr; ///< for an element kernel of moduli_kernels()
 };
 
 /// Vector instructions, from narrow to wide; sse2: those that every supported machine has.
@@ -71,6 +83,11 @@ Instructions widest_instructions(const char* wanted);
 /// The neo-Hooke kernels up to the widest instructions, for bodies in D dimensions and elements of n functions; the
 /// last is the fastest. Their results differ by rounding error.
 template <int D> std::vector<Kernel> element_kernels(int functions);
+
+/// The kernels for laws that give stress and moduli at many points at once, up to the widest instructions.
+template <int D> std::vector<Kernel> moduli_kernels();
+template <> std::vector<Kernel> moduli_kernels<2>();
+template <> std::vector<Kernel> moduli_kernels<3>();
 
 /// Neo-Hooke for bodies of revolution without twist, x = r, y = z: `hoop` must not be null, and the weights include the
 /// circumference 2πR. The Jacobian of an inverted element is that of generic_kernel().

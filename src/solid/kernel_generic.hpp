@@ -1,8 +1,8 @@
 #pragma once
 // The element kernel for any law: plane strain, bodies of revolution and solids use the same code, as F is always 3×3.
 
-#include "solid/kernel.hpp"
-#include "solid/law.hpp"
+#include "base/error.hpp"
+#include "solid/respond_each.hpp"
 
 #include <algorithm>
 
@@ -66,12 +66,18 @@ template <Law T, int D> KernelResult generic_kernel(const KernelArguments& in) {
   return {-1, 1};
 }
 
-/// The kernels of a law: its own if it defines them, otherwise the generic one.
+/// The kernels of a law: its own if it defines them, otherwise the generic one. Throws Error for plane stress of a law
+/// with internal variables, or of a linear one without own kernels.
 template <Law T, int D> Kernels law_kernels(Kind kind, int functions) {
-  if constexpr (requires { T::template kernels<D>(kind, functions); })
+  if constexpr (requires { T::template kernels<D>(kind, functions); }) {
     return T::template kernels<D>(kind, functions);
-  else
+  } else {
+    if constexpr (ElasticResponse<T> && !T::linear) {
+      if (kind == Kind::plane_stress) return moduli_kernels_of<T, D>(kind);
+    }
+    require(kind != Kind::plane_stress, "solid.material.plane_stress", {{"material", T::name}});
     return {generic_kernel<T, D>, nullptr, 0};
+  }
 }
 
 } // namespace signorini::solid

@@ -1,3 +1,4 @@
+#pragma once
 // The element kernel in the plane, for a number of functions known at compile time (N) or not (N = 0). Included by the
 // files that compile it for different instruction sets; everything is local to them and no inline functions of other
 // files are called, so that the linker cannot select a copy that an older machine is unable to run.

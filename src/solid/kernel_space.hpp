@@ -1,3 +1,4 @@
+#pragma once
 // The element kernel in space for any number of functions, with the vector width for which the including file is
 // compiled. Everything is local to these files and no inline functions of other files are called, so that the linker
 // cannot select a copy that an older machine is unable to run.

@@ -39,6 +39,13 @@ template <int D> KernelResult stiffness(const KernelArguments& in) {
   return rubber.element(at_rest);
 }
 
+/// σ₃₃ = 0 makes λ* = 2λμ/(λ + 2μ) of λ in the plane.
+KernelResult stiffness_in_plane_stress(const KernelArguments& in) {
+  KernelArguments reduced = in;
+  reduced.lambda = 2 * in.lambda * in.mu / (in.lambda + 2 * in.mu);
+  return stiffness<2>(reduced);
+}
+
 // K^{ij}_{AB} = ∫ λ d_iA d_jB + μ ∂_jR_A ∂_iR_B + δ_ij μ ∇R_A·∇R_B + δ_ir δ_jr 2μ (R_A/R)(R_B/R) dV from
 // ∂ε:∂σ = λ (tr ∂ε)² + 2μ ∂ε:∂ε, with tr ε = Σ_A d_iA u_iA: d_iA = ∂R_A/∂X_i + δ_ir R_A/R.
 KernelResult stiffness_of_revolution(const KernelArguments& in) {
@@ -84,7 +91,10 @@ template <int D> KernelResult apply_stiffness(const KernelArguments& in) {
 } // namespace
 
 template <int D> Kernels LinearElastic::kernels(Kind kind, int) {
-  return {apply_stiffness<D>, kind == Kind::axisymmetric ? stiffness_of_revolution : stiffness<D>, D * (D + 1) / 2};
+  const Kernel constant = kind == Kind::axisymmetric   ? stiffness_of_revolution
+                          : kind == Kind::plane_stress ? stiffness_in_plane_stress
+                                                       : stiffness<D>;
+  return {apply_stiffness<D>, constant, D * (D + 1) / 2};
 }
 
 template Kernels LinearElastic::kernels<2>(Kind, int);

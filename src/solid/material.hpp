@@ -7,6 +7,14 @@
 
 namespace signorini::solid {
 
+/// F in space for a deformation in D dimensions; `across` is F₃₃ of a plane one: the hoop stretch in a body of
+/// revolution (directions r, z, θ), 1 in plane strain.
+template <int D> Mat<3> in_space(const Mat<D>& deformation, double across = 1) {
+  if constexpr (D == 3) return deformation;
+  const auto& f = deformation;
+  return Mat<3>{{f(0, 0), f(0, 1), 0}, {f(1, 0), f(1, 1), 0}, {0, 0, across}};
+}
+
 /// Shared ownership of an immutable law.
 class Material {
 public:
@@ -30,6 +38,8 @@ public:
   Mat<3> stress(const Mat<3>& f, std::span<const double> committed = {}) const;
   /// Cauchy stress; arguments as for energy(). In plane strain σ₃₃ is the out-of-plane stress.
   Mat<3> cauchy_stress(const Mat<3>& f, std::span<const double> committed = {}) const;
+  /// F₃₃ with P₃₃ = 0 for F in the plane; 1 if there is none, or if the law has internal variables.
+  double thickness_stretch(const Mat<2>& f) const { return thickness_(law(), f); }
 
 private:
   const char* name_;
@@ -39,8 +49,25 @@ private:
   std::vector<double> initial_;
   double (*energy_)(const void* law, const Mat<3>& f, std::span<const double> committed);
   Mat<3> (*stress_)(const void* law, const Mat<3>& f, std::span<const double> committed, std::span<double> trial);
+  double (*thickness_)(const void* law, const Mat<2>& f);
   Kernels (*kernels_[2])(Kind kind, int functions); ///< in 2 and 3 dimensions
 };
+
+/// See Material::thickness_stretch().
+template <Law T> double thickness_of(const void* given, const Mat<2>& f) {
+  if constexpr (ElasticResponse<T>) {
+    const T& law = *static_cast<const T*>(given);
+    if constexpr (T::linear) {
+      const Mat<3> strained = in_space<2>(f);
+      return 1 - law.stress(strained)(2, 2) / law.moduli(strained)(8, 8);
+    }
+    const ElasticConstants& constants = law;
+    const double stretch =
+        f.determinant() > 0 ? thickness_stretch(response<T, 2>(), given, constants.poissons_ratio, f) : 0;
+    return stretch > 0 ? stretch : 1;
+  }
+  return 1;
+}
 
 template <Law T>
 Material::Material(T law)
@@ -51,16 +78,8 @@ Material::Material(T law)
       stress_([](const void* law, const Mat<3>& f, std::span<const double> committed, std::span<double> trial) {
         return solid::stress(*static_cast<const T*>(law), f, committed, trial);
       }),
-      kernels_{law_kernels<T, 2>, law_kernels<T, 3>} {
+      thickness_(thickness_of<T>), kernels_{law_kernels<T, 2>, law_kernels<T, 3>} {
   if constexpr (InelasticResponse<T>) initial_ = law.initial_values();
-}
-
-/// F in space for a deformation in D dimensions; `across` is F₃₃ of a plane one: the hoop stretch in a body of
-/// revolution (directions r, z, θ), 1 in plane strain.
-template <int D> Mat<3> in_space(const Mat<D>& deformation, double across = 1) {
-  if constexpr (D == 3) return deformation;
-  const auto& f = deformation;
-  return Mat<3>{{f(0, 0), f(0, 1), 0}, {f(1, 0), f(1, 1), 0}, {0, 0, across}};
 }
 
 } // namespace signorini::solid

@@ -43,6 +43,7 @@ template <int D> KernelResult shear_kernel(const KernelArguments& in) {
 } // namespace
 
 template <int D> Kernels NeoHookean::kernels(Kind kind, int functions) {
+  if (kind == Kind::plane_stress) return moduli_kernels_of<NeoHookean, D>(kind);
   return {kind == Kind::axisymmetric ? axisymmetric_kernel : element_kernels<D>(functions).back(), shear_kernel<D>, 1};
 }
 

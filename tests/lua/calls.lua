@@ -17,6 +17,14 @@ local make = {} -- an object of each type of the language
 
 function make.patch() return sg.shapes.rectangle { width = 3, height = 1 } end
 function make.material() return sg.neo_hookean { E = 1, nu = 0.3 } end
+function make.symbol()
+  local symbol
+  sg.hyperelastic { energy = function(I1, _, J)
+    symbol = I1
+    return I1 - 3 - 2 * sg.log(J) + sg.log(J) ^ 2
+  end }
+  return symbol
+end
 function make.body()
   return sg.body { patch = make.patch(), elements = { 2, 2 }, order = "N2", contact = "north",
                    material = make.material() }

@@ -201,7 +201,7 @@ check.case("terms of other programs lead to pages, none of which has the term as
     end
   end
   check.equal(count > 100, true)
-  for _, term in ipairs { "dirichlet", "neumann", "gravity", "tied", "hyperelastic", "rubber", "plot", "export",
+  for _, term in ipairs { "dirichlet", "neumann", "gravity", "tied", "hyperelasticity", "rubber", "plot", "export",
     "output", "python", "restart", "plane stress", "mortar", "convergence", "progress", "verbose",
     "boundary condition" } do
     if not seen[term] then error("help has no answer to " .. term) end

@@ -79,7 +79,7 @@ check.case("functions by the head of their page or their place, tables of the la
   check.equal(show.text { print, sg.body }, "{function, sg.body}")
   check.equal(show.text(sg.csv), "sg.csv: see help(sg.csv)\n  read, write")
   check.equal(tostring(sg), show.text(sg))
-  check.holds(tostring(sg), "sg: see help(sg)\n  arguments, body,",
+  check.holds(tostring(sg), "sg: see help(sg)\n  abs, arguments, atan, body,",
     "\n  csv:\n    read, write\n  json:\n    read, write\n  nurbs:\n    arc, circle,")
 end)
 

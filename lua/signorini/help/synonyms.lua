@@ -38,12 +38,16 @@ return {
   { "rigid body, rigid wall, analytical rigid surface, indenter, tool", "Rigid bodies are obstacles, the master of a "
     .. "contact.", "obstacle", "sg.rigid.plane", "sg.rigid.cylinder", "sg.rigid.sphere", "sg.rigid.surface" },
   -- Bodies
-  { "hyperelastic, hyperelasticity, rubber, elastomer, nonlinear elastic, large deformation, finite strain",
-    "The material for large strains is the compressible neo-Hookean one.", "sg.neo_hookean" },
-  { "mooney, mooney rivlin, ogden, incompressible, plasticity, plastic, viscoelastic, viscoelasticity, damage, steel",
-    "The available materials are neo-Hookean and linear elastic; nu must be below 0.5.", "sg.neo_hookean",
-    "sg.linear_elastic" },
-  { "plane stress", "Plane stress is not available. Models are in plane strain, axisymmetric or in 3D.", "sg.model" },
+  { "hyperelasticity, rubber, elastomer, nonlinear elastic, large deformation, finite strain",
+    "Materials for large strains are ready laws of rubber, and any law from its energy.", "sg.neo_hookean",
+    "sg.mooney_rivlin", "sg.yeoh", "sg.ogden", "sg.hyperelastic" },
+  { "strain energy, energy function, fiber reinforced, anisotropic, orthotropic, user material, umat",
+    "A function of the invariants or of the principal stretches defines an elastic law; `fibers` are its directions.",
+    "sg.hyperelastic" },
+  { "incompressible, plasticity, plastic, viscoelastic, viscoelasticity, damage, steel",
+    "Materials are elastic, and nu must be below 0.5.", "sg.hyperelastic", "sg.linear_elastic" },
+  { "plane stress, thin plate", "The key `kind` of sg.model chooses plane stress, for all bodies of a model.",
+    "sg.model" },
   { "shell, beam, membrane, truss, plate", "Structural elements are not available. Bodies are plane, axisymmetric or "
     .. "3D solids.", "sg.body" },
   { "mesh, meshing, node, element size, mesh refinement",

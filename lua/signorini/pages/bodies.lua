@@ -1,17 +1,10 @@
--- Pages: materials, bodies, rigid obstacles.
+-- Pages: bodies, rigid obstacles.
 
 local core = require "signorini.core"
 local patch_types = require "signorini.patch_types"
 local t = require "signorini.types"
 
 local thesis = "V. Agrawal, thesis, IIT Guwahati, 2020"
-
-local cure = "0.5 is incompressible, which a displacement formulation cannot represent: use 0.49"
-local constants = {
-  { "E", t.positive, "Young's modulus", unit = "force per area" },
-  { "nu", { kind = "number", above = -1, below = 0.5, cure = cure }, "Poisson's ratio" },
-}
-local in_2d = "In 2D the material is in plane strain, unless the model is axisymmetric."
 
 local label = t.name({ "N1", "N2", "N3", "N4", "N2-N2.1", "N2-N2.2", "N2-N4", "L1", "L2" }, "label") -- the usual ones
 
@@ -29,19 +22,6 @@ local driven = [[A support can move it: see help "obstacle".]]
 
 return {
   title = "Materials, bodies, obstacles", word = "bodies",
-  { "sg.neo_hookean",
-    "Returns a compressible neo-Hookean material, W = lambda/2 (ln J)^2 + mu/2 (tr C - 3) - mu ln J. " .. in_2d,
-    named = constants,
-    more = "Source: (3.29) of " .. thesis .. ".",
-    returns = t.object "material",
-    example = "sg.neo_hookean{ E = 1, nu = 0.3 }" },
-  { "sg.linear_elastic", [[Returns a linear elastic material (Hooke's law of small strains), sigma = lambda tr(eps) I +
-2 mu eps; contact still follows the deformed surface. ]] .. in_2d,
-    named = constants,
-    more = "Source: linear elasticity; its use: share/doc/theory.md, Bodies.",
-    returns = t.object "material",
-    example = "sg.linear_elastic{ E = 1, nu = 0.3 }" },
-  { "material", "The result of sg.neo_hookean or sg.linear_elastic; print(material) shows law and constants." },
   { "sg.body", "Returns a solid body: a patch with a discretization and a material.",
     named = {
       { "patch", t.object "patch", "shape: a surface in the plane, a volume in 3D" },

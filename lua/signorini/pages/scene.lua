@@ -163,8 +163,9 @@ return {
   title = "Models and load paths",
   word = "solving",
   { "sg.model", [[Returns a model: a scene of plane bodies or of solids with its state. All parts are tables with names
-as keys. Plane strain has unit depth; in an axisymmetric model x is the radius, y the axis, and forces refer to the full
-circle.]],
+as keys. Plane strain has unit depth; under plane stress forces and energies refer to a plate whose undeformed thickness
+is 1, and pressures of contacts to the current length and the undeformed thickness; in an axisymmetric model x is the
+radius, y the axis, and forces refer to the full circle.]],
     named = {
       { "bodies", t.map(t.or_nil(t.object "body"), 1), "the bodies" },
       { "supports", t.map(t.or_nil(t.either(t.named "support", t.named "load"))),
@@ -173,7 +174,8 @@ circle.]],
       { "loads", t.map(t.or_nil(t.named "load")), "external forces", optional = true },
       { "contacts", t.map(t.or_nil(t.named "contact")), "pairs of faces that may touch", optional = true },
       { "ties", t.map(t.or_nil(t.named "tie")), "pairs of faces that move as one", optional = true },
-      { "kind", t.choice { "plane_strain", "axisymmetric" }, "plane strain, or a section of bodies of revolution",
+      { "kind", t.choice { "plane_strain", "plane_stress", "axisymmetric" },
+        "plane strain, thin plates, or a section of bodies of revolution",
         otherwise = '"plane_strain" for plane bodies' },
     },
     more = 'The load path: help "stage".',

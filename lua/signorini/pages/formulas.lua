@@ -1,0 +1,27 @@
+-- Pages: functions of numbers and symbols.
+
+local t = require "signorini.types"
+
+local x = { { "x", t.worded(t.either(t.number, t.object "symbol"), "a number or a symbol"), "" } }
+
+local function page(name, text, example)
+  return { "sg." .. name, ("Returns %s of a number, or the formula of it if the argument is a symbol."):format(text),
+           arguments = x, returns = t.either(t.number, t.object "symbol"), example = example }
+end
+
+return {
+  title = "Formulas", word = "formulas",
+  { "symbol", [[An argument of a function that is called once to read its formula, as in sg.hyperelastic; numbers and
+symbols combine to formulas with + - * / ^ and the functions below. print(symbol) shows the formula.]] },
+  page("log", "the natural logarithm", "sg.log(1)  --> 0.0"),
+  page("exp", "the exponential function", "sg.exp(0)  --> 1.0"),
+  page("sqrt", "the square root", "sg.sqrt(4)  --> 2.0"),
+  page("sin", "the sine", "sg.sin(0)  --> 0.0"),
+  page("cos", "the cosine", "sg.cos(0)  --> 1.0"),
+  page("tan", "the tangent", "sg.tan(0)  --> 0.0"),
+  page("atan", "the inverse tangent", "sg.atan(0)  --> 0.0"),
+  page("sinh", "the hyperbolic sine", "sg.sinh(0)  --> 0.0"),
+  page("cosh", "the hyperbolic cosine", "sg.cosh(0)  --> 1.0"),
+  page("tanh", "the hyperbolic tangent", "sg.tanh(0)  --> 0.0"),
+  page("abs", "the absolute value", "sg.abs(-2)  --> 2.0"),
+}
