@@ -38,7 +38,7 @@ sg.plain = require("signorini.controls").plain
 
 local methods = require "signorini.methods"
 methods.guard("model", "run cost energy profile")
-methods.guard("run", "attempts column columns csv hdf5 html residuals states")
+methods.guard("run", "attempts column columns csv hdf5 report residuals states")
 methods.guard("study", "by cancel chart column csv execute heatmap median read report row table watch where with")
 methods.guard("comparison", "front table")
 methods.guard("map", "cell compare converged csv heatmap picture report table")

@@ -68,7 +68,7 @@ for i, law in ipairs(laws) do
       law.error = math.max(law.error, math.abs(pressure / exact - 1))
     end,
   })
-  if run.failed then error(("%s: %s"):format(law.name, run.report), 0) end
+  if run.failed then error(("%s: %s"):format(law.name, run.failure), 0) end
   law.limit = 1
   while law.pressure[law.limit + 1] and law.pressure[law.limit + 1] > law.pressure[law.limit] do
     law.limit = law.limit + 1

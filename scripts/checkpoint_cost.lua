@@ -41,7 +41,7 @@ local function seconds(problem, every)
   local began = sg.wall_time()
   local run = model:run(stages, sg.plain{ checkpoint = every > 0 and { file = file, every = every } or nil })
   local spent = sg.wall_time() - began
-  if run.failed then error(run.report, 0) end
+  if run.failed then error(run.failure, 0) end
   local size = nil
   if every > 0 then
     local stream = assert(io.open(file, "rb"))

@@ -73,7 +73,7 @@ for _ = 1, options.repeats do
     local began = sg.wall_time()
     local model = scene.begin()
     local run = model:run(press)
-    if run.failed then error(run.report, 0) end
+    if run.failed then error(run.failure, 0) end
     scene.times = scene.times or {}
     scene.times[#scene.times + 1] = sg.wall_time() - began
     local reaction = model:reaction "grip"

@@ -43,7 +43,7 @@ local function solve(o, steps, linear)
   local model, stage, ring = problem.scene(o)
   stage.steps = steps
   local run = model:run({ stage }, sg.plain{ linear = linear })
-  if run.failed then error(("%s at %s: %s"):format(o.order, o.mesh, run.report), 0) end
+  if run.failed then error(("%s at %s: %s"):format(o.order, o.mesh, run.failure), 0) end
   local wall = sg.wall_time() - began
   local case = { order = o.order, mesh = o.mesh, run = run, wall = wall, dofs = ring:dofs(), model = model }
   case.profile, case.edges = model:profile "ground", sg.profile_edges{ profile = model:profile "ground" }

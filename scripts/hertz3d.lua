@@ -118,7 +118,7 @@ end
 local function solve(o, scene, options)
   local run = scene.model:run({ { name = "press", steps = options.steps, push = scene.target } },
     sg.plain{ linear = options.linear })
-  if run.failed then error(("%s at %s: %s"):format(o.order, o.mesh, run.report), 0) end
+  if run.failed then error(("%s at %s: %s"):format(o.order, o.mesh, run.failure), 0) end
   local case = { order = o.order, mesh = o.mesh, around = o.around or elements_of(o.mesh) // 4, dofs = scene.dofs,
                  model = scene.model, run = run, spread = 0 }
   case.a, case.p0 = hertz(load)

@@ -32,7 +32,7 @@ local function solve(o, steps, linear)
   local model, stage, ball = problem.scene(o)
   stage.steps = steps
   local run = model:run({ stage }, sg.plain{ linear = linear })
-  if run.failed then error(("%s at %s: %s"):format(o.order, o.mesh, run.report), 0) end
+  if run.failed then error(("%s at %s: %s"):format(o.order, o.mesh, run.failure), 0) end
   local case = { order = o.order, mesh = o.mesh, size = o.size or 1, stiffer = o.stiffer or 1, run = run,
                  dofs = ball:dofs(), model = model, profile = model:profile "ground" }
   local expected = problem.load / case.size ^ 3

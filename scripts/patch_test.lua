@@ -67,7 +67,7 @@ local function solve(o)
   local model = problem.scene(o)
   local run = model:run({ problem.stage }, sg.plain{})
   if run.failed then
-    error(("%s, %d|%d elements, %dD: %s"):format(o.order, o.lower, o.upper, o.dimension, run.report), 0)
+    error(("%s, %d|%d elements, %dD: %s"):format(o.order, o.lower, o.upper, o.dimension, run.failure), 0)
   end
   local case = { profile = model:profile "joint" }
   for key, value in pairs(o) do case[key] = value end

@@ -93,7 +93,7 @@ local function write(case)
   sg.csv.write(files(("%s_%s.csv"):format(case.order, case.mesh)), {
     columns = { "step", "angle", "moment" }, step = case.step, angle = case.angle, moment = case.moment,
     comments = { ("%s at %s: angle in degrees, moment in E0 L0³; fractional steps are arc-length increments")
-      :format(case.order, case.mesh), case.rotation.report },
+      :format(case.order, case.mesh), case.rotation.failure },
   })
 end
 

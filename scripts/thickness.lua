@@ -62,7 +62,7 @@ local problems = {
       local run = solved.run
       return { oscillation = measure.oscillation(run:column "grip.fx").detrended, iterations = run.iterations,
                dofs = solved.die_dofs.total + solved.slab_dofs.total,
-               failed = run.failed, reason = run.failed and run.report or nil }
+               failed = run.failed, reason = run.failed and run.failure or nil }
     end,
     of = function(row) return row.oscillation end,
   },
@@ -78,7 +78,7 @@ local problems = {
       local profile = model:profile "ground"
       return { profile = { x = profile.x, pressure = profile.pressure, gap = profile.gap },
                iterations = run.iterations, dofs = ring:dofs().total,
-               failed = run.failed, reason = run.failed and run.report or nil }
+               failed = run.failed, reason = run.failed and run.failure or nil }
     end,
     of = function(row, reference)
       local width = sg.profile_edges{ profile = reference.profile }.to

@@ -164,7 +164,7 @@ end
 local function solve(o, solution)
   local model = scene(o, solution)
   local run = model:run({ { name = "load", steps = 1, bore = load } }, sg.plain{})
-  if run.failed then error(("%s, mesh %d: %s"):format(o.order, o.mesh, run.report), 0) end
+  if run.failed then error(("%s, mesh %d: %s"):format(o.order, o.mesh, run.failure), 0) end
   local sums = { displacement = 0, whole_displacement = 0, energy = 0, whole_energy = 0 }
   for _, ring in ipairs(o.rings) do integrals(model, o, ring, solution[ring.ring], sums) end
   o.energy, o.displacement = math.sqrt(sums.energy / sums.whole_energy),

@@ -147,7 +147,7 @@ local function press_and_turn(shape)
   local model, arm = punch_scene(shape)
   local run = model:run({ { name = "press", steps = 2, grip = { -0.01, 0 } },
                           { name = "turn", steps = 10, grip = { -0.01, 20 } } }, sg.plain{})
-  if run.failed then error(("punch, %s: %s"):format(shape, run.report), 0) end
+  if run.failed then error(("punch, %s: %s"):format(shape, run.failure), 0) end
   local m, reaction = measure(model:profile "joint"), model:reaction "grip"
   return { shape = shape, force = -reaction[3], moment = reaction[4], torque = m.torque, friction = m.friction,
            uniform = mu * -reaction[3] * arm, stick = m.stick, slip = m.slip }
@@ -267,7 +267,7 @@ if wanted.twist then
     for _, order in ipairs(options.orders) do
       local case = twist({ order = order, mesh = mesh, press = options.press, twist = options.twist,
                            on_step = #cases == 0 and keep_states(whole, cut, options) or nil }, options)
-      if case.run.failed then print(("%s at %s: %s"):format(order, mesh, case.run.report)) end
+      if case.run.failed then print(("%s at %s: %s"):format(order, mesh, case.run.failure)) end
       write_rows(case, files(("%s_%s.csv"):format(order, mesh)))
       cases[#cases + 1], cases[order .. " " .. mesh] = case, case
     end

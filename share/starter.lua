@@ -49,7 +49,7 @@ local files = sg.files(options.out)
 local function solve(case)
   local model = scene(case.order, case.mesh)
   local run = model:run(stages)
-  if run.failed then return { failed = true, reason = run.report } end
+  if run.failed then return { failed = true, reason = run.failure } end
   local name = ("%s/%s_mesh%d"):format(options.out, case.order, case.mesh)
   run:csv(name .. ".csv")
   sg.picture{ model = model, field = "uy", file = name .. ".png" }

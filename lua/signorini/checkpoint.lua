@@ -11,7 +11,7 @@ local lists = require "signorini.lists"
 local where = "model:run"
 
 --- Fields of a run that are rebuilt or written in another form; all others are saved as they are.
-local apart = { "failed", "reason", "cause", "report", "recorders", "before", "step", "names", "values", "histories",
+local apart = { "failed", "reason", "cause", "failure", "recorders", "before", "step", "names", "values", "histories",
                 "extra", "stored_states", "step_column", "increment_column", "iteration_column", "wall_column", "model",
                 "outline" }
 

@@ -59,12 +59,12 @@ local function solve_cell(functions, x, y)
   local place, completed = run.places and run.places[1], run.reason == "completed"
   local cell = { outcome = run.reason, reached = reached(run, stages), steps = run.steps,
                  increments = #accepted(run.histories), iterations = run.iterations, cutbacks = run.cutbacks,
-                 fallback_steps = run.fallback_steps or 0, wall = run.wall, report = run.report,
+                 fallback_steps = run.fallback_steps or 0, wall = run.wall, report = run.failure,
                  place = place and place.text,
                  results = {} }
   if completed and functions.results then cell.results = read_results(functions.results(model, run, x, y)) end
   return { cell = cell, failed = not completed,
-           reason = not completed and ("%s: %s"):format(run.reason, run.report) or nil }
+           reason = not completed and ("%s: %s"):format(run.reason, run.failure) or nil }
 end
 
 -- ── The file ─────────────────────────────────────────────────────────────────────────────────────────────────────────

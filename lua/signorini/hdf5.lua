@@ -142,7 +142,7 @@ function Record:set_outcome(run, reason)
   for _, name in ipairs { "steps", "iterations", "cutbacks" } do file:set("/", name, "integer", run[name]) end
   file:set("/", "wall", "number", run.wall)
   file:set("/", "reason", "text", reason)
-  file:set("/", "report", "text", run.report or "")
+  file:set("/", "failure", "text", run.failure or "")
   file:set("/", "cause", "text", run.cause or "")
   file:set("/", "warnings", "text", run.warnings)
 end

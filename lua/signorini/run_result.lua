@@ -21,7 +21,7 @@ Run.__name = "run"
 core.types.run = Run
 
 -- Fields that some runs have, or only until they end. All other unknown names are misspelled.
-local private = named.strict_type(Run, "run", "cause report timings recorders before step model outline")
+local private = named.strict_type(Run, "run", "cause failure timings recorders before step model outline")
 
 function Run:__newindex(name, value)
   if not (rawget(self, "recorders") or private[name]) then -- the run has ended
@@ -244,17 +244,17 @@ function Run:record_failure(step, result, turn)
   if done ~= 0 then
     place = ("increment, %.4g of the way from step %d to step %d"):format(done, self.steps, self.steps + 1)
   end
-  self.report = ("step %d (stage '%s', %d of %d) was not reached: %s.%s%s%s Residuals: %s. The model is at its last "
+  self.failure = ("step %d (stage '%s', %d of %d) was not reached: %s.%s%s%s Residuals: %s. The model is at its last "
     .. "accepted %s."):format(self.steps + 1, step.stage.name, step.number, step.stage.steps,
       diagnosis.message ~= "" and diagnosis.message or diagnosis.reason,
       result.shortest and (" The smallest increment allowed, %g of the step, failed."):format(result.shortest) or "",
       tried_text(attempts, done), places_text(diagnosis.places),
       joined(result.residuals, "%.3g"), place)
   if turn then
-    self.report = ("%s The path has a turning point at %s; prescribed targets can pass it only by a jump to another "
-      .. "branch. Hint: model:run(stages, { arc_length = true }) follows the path"):format(self.report, turn) .. "."
+    self.failure = ("%s The path has a turning point at %s; prescribed targets can pass it only by a jump to another "
+      .. "branch. Hint: model:run(stages, { arc_length = true }) follows the path"):format(self.failure, turn) .. "."
   elseif diagnosis.cure ~= "" then
-    self.report = ("%s Hint: %s."):format(self.report, diagnosis.cure)
+    self.failure = ("%s Hint: %s."):format(self.failure, diagnosis.cure)
   end
 end
 
@@ -327,10 +327,10 @@ function Run:csv(file)
   local rows = {}
   for row = 1, self.rows do rows[row] = lists.map(self.names, function(name) return self.values[name][row] end) end
   on_behalf_of("run:csv", "sg.csv.write", csv.write, file,
-    { columns = self.names, rows = rows, comments = { self.report } })
+    { columns = self.names, rows = rows, comments = { self.failure } })
 end
 
-function Run:html(options) return require "signorini.report.run"(self, options) end
+function Run:report(options) return require "signorini.report.run"(self, options) end
 function Run:hdf5(file, options) require("signorini.hdf5").write(self, file, options) end
 
 local function work_row(name, work, cutbacks)
@@ -353,7 +353,7 @@ function Run:__tostring()
     :format(text, spent.bulk, spent.contact, spent.linear, spent.rest)
   for _, line in ipairs(lists.joined(path_controls.lines(self), self.warnings)) do text = text .. "\n" .. line end
   if self.reason == "completed" then return text end
-  return ("%s\n%s: %s"):format(text, self.reason, self.report or "on_step ended the run")
+  return ("%s\n%s: %s"):format(text, self.reason, self.failure or "on_step ended the run")
 end
 
 return Run

@@ -41,7 +41,7 @@ local function milliseconds(body)
 end
 
 local function finished(run)
-  if run.failed then error(run.report, 0) end
+  if run.failed then error(run.failure, 0) end
   return run
 end
 

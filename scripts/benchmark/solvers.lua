@@ -79,7 +79,7 @@ local function solve(scene, kind)
   local linear, reuse = kind:match "^[^,]+", kind == "mumps, reuse"
   local run = model:run(stages, sg.plain{ linear = linear, mumps = reuse and { reuse = true } or nil,
                                           step = { adaptive = true } })
-  if run.failed then error(run.report, 0) end
+  if run.failed then error(run.failure, 0) end
   return (os.clock() - began) * run.timings.linear / run.wall, model:solver()
 end
 

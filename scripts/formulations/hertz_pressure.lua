@@ -73,7 +73,7 @@ end
 local function reference_of(name)
   local case = solve{ problem = name, order = "N2-N2.2", mesh = options.reference,
                       formulation = formulations.reduced, penalty = 1e6 }
-  if case.run.failed then error(("reference of %s: %s"):format(name, case.run.report), 0) end
+  if case.run.failed then error(("reference of %s: %s"):format(name, case.run.failure), 0) end
   local a = sg.profile_edges{ profile = case.profile }.to
   local _, p0 = problems[name].hertz(name == "line" and 2 * case.force or case.force)
   local s, p = {}, {}

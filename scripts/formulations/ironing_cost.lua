@@ -57,7 +57,7 @@ local function results(run, dofs, wall, cpu, across)
   return { wall = wall, cpu = cpu, dofs = dofs, steps = run.steps, iterations = run.iterations,
            per_step = run.iterations / math.max(1, run.steps), cutbacks = run.cutbacks,
            drag = run:column "grip.fx", press = run:column(across),
-           failed = run.failed, reason = run.failed and run.report or nil }
+           failed = run.failed, reason = run.failed and run.failure or nil }
 end
 
 local problems = {

@@ -24,7 +24,7 @@ end
 
 --- The turning point in the run's report, or nil.
 local function turning_point(run)
-  return run.failed and tonumber(run.report:match "turning point at grip%.uz = (%-?[%d.]+)") or nil
+  return run.failed and tonumber(run.failure:match "turning point at grip%.uz = (%-?[%d.]+)") or nil
 end
 
 local function result_table(cases)

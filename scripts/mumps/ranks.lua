@@ -28,7 +28,7 @@ if options.once ~= "" then
                           { name = "slide", steps = options.slide,
                             grip = { 0.3 * options.slide, 0, -0.2 * options.press } } },
     sg.plain{ linear = solver.linear, mumps = solver.mumps, newton = { tolerance = 1e-12 } })
-  if run.failed then error(run.report, 0) end
+  if run.failed then error(run.failure, 0) end
   local spent, count = model:timings(), model:solver()
   local results = ironing.sizes(model)
   results.fx, results.fz = run:column "grip.fx"[run.steps], run:column "grip.fz"[run.steps]

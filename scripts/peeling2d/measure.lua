@@ -77,7 +77,7 @@ end
 --- The angle of the turning point in a run's report, or nil.
 function measure.reported_turn(run)
   if run.reason ~= "turning_point" then return nil end
-  return tonumber(run.report:match "turning point at edge%.angle = ([%d.]*%d)")
+  return tonumber(run.failure:match "turning point at edge%.angle = ([%d.]*%d)")
 end
 
 return measure

@@ -35,7 +35,7 @@ function problem.solve(order, mesh, linear, on_state)
   if on_state then on_state(model, 0) end
   local run = model:run({ { name = "press", steps = problem.steps, grip = { problem.push } } },
     sg.plain{ linear = linear, on_step = on_state and function(info) on_state(model, info.step) end or nil })
-  if run.failed then error(("%s at %s: %s"):format(order, mesh, run.report), 0) end
+  if run.failed then error(("%s at %s: %s"):format(order, mesh, run.failure), 0) end
   return { order = order, mesh = mesh, run = run, dofs = dofs, profile = model:profile "interface" }
 end
 

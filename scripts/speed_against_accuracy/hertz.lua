@@ -36,6 +36,6 @@ x/a_ref at the last of them, against N2 at m6.]],
     local profile = model:profile "ground"
     return { wall = spent.wall, cpu = spent.cpu, iterations = run.iterations, dofs = ring:dofs().total,
              profile = { x = profile.x, pressure = profile.pressure, gap = profile.gap },
-             failed = run.failed, reason = run.failed and run.report or nil }
+             failed = run.failed, reason = run.failed and run.failure or nil }
   end,
 }

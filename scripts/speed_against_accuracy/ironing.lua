@@ -34,6 +34,6 @@ the best-fit parabola.]],
     return { wall = spent.wall, cpu = spent.cpu, iterations = run.iterations,
              dofs = solved.die_dofs.total + solved.slab_dofs.total,
              Px = run:column "grip.fx", Py = run:column "grip.fy",
-             failed = run.failed, reason = run.failed and run.report or nil }
+             failed = run.failed, reason = run.failed and run.failure or nil }
   end,
 }

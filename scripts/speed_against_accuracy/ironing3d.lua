@@ -49,6 +49,6 @@ their oscillation. Failed steps are halved, and their time counts.]],
     return { wall = spent.wall, cpu = spent.cpu, iterations = run.iterations,
              dofs = dofs.indenter.total + dofs.slab.total,
              Px = slid(run:column "grip.fx"), Pz = slid(run:column "grip.fz"),
-             failed = run.failed, reason = run.failed and run.report or nil }
+             failed = run.failed, reason = run.failed and run.failure or nil }
   end,
 }

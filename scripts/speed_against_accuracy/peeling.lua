@@ -30,6 +30,6 @@ rotation control fails. The exact moment is constant from 120° to 140°, so the
     local last = solved.arc or solved.rotation
     return { wall = spent.wall, cpu = spent.cpu, iterations = solved.iterations, dofs = solved.dofs,
              step = solved.step, angle = solved.angle, moment = solved.moment,
-             failed = last.failed, reason = last.failed and last.report or nil }
+             failed = last.failed, reason = last.failed and last.failure or nil }
   end,
 }

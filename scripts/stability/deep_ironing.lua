@@ -78,7 +78,7 @@ local function draw_places(order)
     print(("\n%s with %s contact points completes the path: nothing to mark"):format(order, points[1]))
     return run
   end
-  print(("\n%s with %s contact points: %s: %s"):format(order, points[1], run.reason, run.report))
+  print(("\n%s with %s contact points: %s: %s"):format(order, points[1], run.reason, run.failure))
   local x, y = run.places[1].x[1], run.places[1].x[2]
   sg.picture{ model = model, field = "syy", marks = run.places, file = files "places.png",
               crop = { x - 0.45, x + 0.45, y - 0.25, y + 0.25 }, size = 960, unit = "mm",

@@ -46,9 +46,9 @@ end
 check.case("rotation control ends at a turning point, and the report names the angle", function()
   local run = peel(152, false)
   check.equal({ run.failed, run.reason, run.steps }, { true, "turning_point", 144 })
-  check.holds(run.report, "step 145 (stage 'peel', 145 of 152) was not reached",
+  check.holds(run.failure, "step 145 (stage 'peel', 145 of 152) was not reached",
     "The model is at its last accepted step, 144", "arc_length = true")
-  check.near(tonumber(run.report:match "turning point at edge%.angle = ([%d.]+)"), 72.33, 0.1)
+  check.near(tonumber(run.failure:match "turning point at edge%.angle = ([%d.]+)"), 72.33, 0.1)
   check.equal(#run.controls, 0)
 end)
 
@@ -113,8 +113,8 @@ check.case("after a failure by an inverted element the report also names the tur
   local run = strip.model():run({ { name = "peel", steps = 144, edge = 72 }, { name = "far", steps = 1, edge = 118 } },
     sg.plain{ predictor = "constant" })
   check.equal({ run.reason, run.steps }, { "turning_point", 144 })
-  check.holds(run.report, "is inverted")
-  check.near(tonumber(run.report:match "turning point at edge%.angle = ([%d.]+)"), 72.33, 0.1)
+  check.holds(run.failure, "is inverted")
+  check.near(tonumber(run.failure:match "turning point at edge%.angle = ([%d.]+)"), 72.33, 0.1)
 end)
 
 -- ── Snap-through: a shallow arch with clamped ends under a dead load ─────────────────────────────────────────────────
@@ -175,7 +175,7 @@ check.case("a dead load ends at the upper limit load of a shallow arch", functio
   local upper = limit_loads()
   local run = push(false)
   check.equal({ run.failed, run.reason, run.steps }, { true, "turning_point", 13 })
-  check.near(tonumber(run.report:match "turning point at push%.ty = %-([%d.]+)") / upper, 1, 0.01)
+  check.near(tonumber(run.failure:match "turning point at push%.ty = %-([%d.]+)") / upper, 1, 0.01)
 end)
 
 check.case("with arc length the arch snaps through past the lower limit load, and carries more", function()

@@ -41,7 +41,7 @@ check.case("methods of Lua's objects, without those for the library only", funct
   run = setmetatable({}, require("signorini.run_result"))
   check.equal(all "run:co", { "run:column", "run:columns" })
   check.equal(all "run:record", {})
-  check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:hdf5", "run:html",
+  check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:hdf5", "run:report",
     "run:residuals", "run:states" })
 end)
 
@@ -109,9 +109,9 @@ end)
 
 check.case("of a run and a study only the documented fields", function()
   run = model:run { { name = "hold", steps = 1, grip = { 0, 0 } } }
-  check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:hdf5", "run:html",
+  check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:hdf5", "run:report",
     "run:residuals", "run:states" })
-  check.equal(all "run.re", { "run.reason", "run.residuals" })
+  check.equal(all "run.re", { "run.reason", "run.report", "run.residuals" })
   for _, hidden in ipairs { "run.__", "run.rows", "run.ex", "run.wary", "run.stored", "study:run", "study:row_of" } do
     check.equal({ hidden, all(hidden) }, { hidden, {} })
   end

@@ -52,7 +52,7 @@ check.case("fallbacks are tried in order, each with its own change only", functi
   check.equal(story(run, 1),
     "plain cycling, tangent cycling, damping cycling, line search cycling, pseudo-transient cycling, frozen cycling")
   check.equal({ run.failed, run.reason, run.fallback_steps, run.iterations }, { true, "cycling", 0, 6 * 25 })
-  check.holds(run.report, "Attempts, by fraction of the step: 1 (cycling), 1 with tangent (cycling), "
+  check.holds(run.failure, "Attempts, by fraction of the step: 1 (cycling), 1 with tangent (cycling), "
     .. "1 with damping (cycling), 1 with line search (cycling), 1 with pseudo-transient (cycling), 1 with frozen "
     .. "(cycling).")
 end)
@@ -134,7 +134,7 @@ check.case("fixed states of cycling points do no harm: if they cannot be freed t
     local run = deep():run({ { name = "press", steps = 46, grip = {0, -0.5} } },
       sg.plain{ newton = { active_set_changes = changes } })
     check.equal({ run.reason, run.steps < 46, run.places[1].contact }, { "cycling", true, "interface" })
-    check.holds(run.report, "contact points whose state was fixed change it again when they are released")
+    check.holds(run.failure, "contact points whose state was fixed change it again when they are released")
   end
   local run = ironing{ E = 1e4, mu = 0.1, order = "N6", points = 7 }:run({ { steps = 46, grip = {0, -0.5} } },
     sg.plain{ newton = { active_set_changes = 4 } })

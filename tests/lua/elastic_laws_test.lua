@@ -103,7 +103,7 @@ end
 
 local function finish(model, stages)
   local run = model:run(stages, exact)
-  if run.failed then error(run.report, 2) end
+  if run.failed then error(run.failure, 2) end
   return model
 end
 

@@ -126,7 +126,7 @@ local function press(keys, options)
   keys.enforcement = keys.enforcement or "augmented"
   local model = scene(keys)
   local run = model:run({ { steps = 2, grip = -0.05 } }, options)
-  assert(not run.failed, run.report)
+  assert(not run.failed, run.failure)
   return model
 end
 

@@ -50,15 +50,15 @@ check.case("arc length requires an accepted step: without one the run fails and 
     bed = { on = column:face "south", fix = "xy" }, top = { on = column:face "north", drive = "y" } } }
   local run = model:run({ { steps = 1, top = -0.1 } }, { arc_length = true, newton = { iterations = 1 } })
   check.equal({ run.failed, run.reason, run.steps, #run.controls }, { true, "indefinite", 0, 0 })
-  check.holds(run.report, "arc length can only start after an accepted step")
+  check.holds(run.failure, "arc length can only start after an accepted step")
 end)
 
 check.case("a load along a frictionless contact: the hint is not damping", function()
   for _, options in ipairs { {}, sg.robust{} } do
     local run = scene(0, nil, { load = true }):run({ { name = "push", steps = 1, push = {0.01, -0.1} } }, options)
     check.equal({ run.failed, run.cause }, { true, "singular" })
-    check.holds(run.report, "contact 'c' is frictionless, so nothing holds body 'block' tangentially")
-    check.equal(run.report:find("damping = true", 1, true), nil)
+    check.holds(run.failure, "contact 'c' is frictionless, so nothing holds body 'block' tangentially")
+    check.equal(run.failure:find("damping = true", 1, true), nil)
   end
 end)
 

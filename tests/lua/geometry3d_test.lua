@@ -223,7 +223,7 @@ local function pressed(poles, elements, ring)
     contacts = { touch = { slave = half:face "front", master = plane, penalty = 100 } },
   }
   local run = model:run { { name = "press", steps = 4, tool = { 0.1 } } }
-  if run.failed then error(run.report) end
+  if run.failed then error(run.failure) end
   return run:column "tool.fz"[4]
 end
 

@@ -7,7 +7,7 @@ local sg = require "signorini"
 
 local function solved(model, stages, options)
   local run = model:run(stages, options)
-  assert(not run.failed, run.report)
+  assert(not run.failed, run.failure)
   return run
 end
 

@@ -10,7 +10,7 @@ local show = require "signorini.show"
 
 local function solved(model, stages, options)
   local run = model:run(stages, options)
-  assert(not run.failed, run.report)
+  assert(not run.failed, run.failure)
   return run
 end
 

@@ -229,9 +229,9 @@ check.case("failed runs, rows between steps, states without steps", function()
   run = failing:run({ { name = "too far", steps = 2, grip = { 0, -2 } } }, sg.plain { hdf5 = file })
   check.equal(run.failed, true)
   local root = read(file)["/"].attributes
-  check.equal({ root.reason, root.report, root.steps }, { run.reason, run.report, run.steps })
+  check.equal({ root.reason, root.failure, root.steps }, { run.reason, run.failure, run.steps })
   run:hdf5(file)
-  check.equal(read(file)["/"].attributes.report, run.report)
+  check.equal(read(file)["/"].attributes.failure, run.failure)
 
   run = ironing():run({ { name = "press", steps = 2, grip = { 0, -0.1 } } }, { states = {} })
   run:hdf5(file)

@@ -31,7 +31,7 @@ end
 
 local function solved(model, stages, options)
   local run = model:run(stages, sg.plain(options or {}))
-  assert(not run.failed, run.report)
+  assert(not run.failed, run.failure)
   return run
 end
 
@@ -227,14 +227,14 @@ end)
 check.case("robust runs, arc length, growing penalties, samples and saved models", function()
   local model = with(reduced, ironing, { order = "N2" })
   local run = model:run({ { name = "press", steps = 5, grip = { 0, -0.2 } } }, sg.robust{ arc_length = true })
-  assert(not run.failed, run.report)
+  assert(not run.failed, run.failure)
   local pressure = model:sample("die", "contact_pressure", { 0.5, 0 })
   check.at_most("sample", pressure, model:contact_resultant "interface".max_pressure)
   assert(pressure > 0)
   local other = with(reduced, ironing, { order = "N2" })
   local growing = other:run({ { name = "press", steps = 5, grip = { 0, -0.2 } } },
     sg.robust{ penalty = { start = 0.1, steps = 2 } })
-  assert(not growing.failed, growing.report)
+  assert(not growing.failed, growing.failure)
   check.within_share("force", growing:column "grip.fy"[#growing:column "grip.fy"],
     run:column "grip.fy"[#run:column "grip.fy"], 0.02)
   local file = check.folder() .. "/mortar.sgn"

@@ -16,7 +16,7 @@ end
 
 local function solved(model, stages, options)
   local run = model:run(stages, sg.plain(options or {}))
-  assert(not run.failed, run.report)
+  assert(not run.failed, run.failure)
   return run
 end
 
@@ -171,7 +171,7 @@ check.case("robust runs, arc length, growing penalties, an axisymmetric model, a
   local function force(options)
     local model = iron(keys "equal", "N2", 0.2)
     local run = model:run({ { name = "press", steps = 5, grip = { 0, -0.1 } } }, options)
-    assert(not run.failed, run.report)
+    assert(not run.failed, run.failure)
     return run:column "grip.fy"[#run:column "grip.fy"]
   end
   local expected = force(sg.plain())

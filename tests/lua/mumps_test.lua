@@ -109,7 +109,7 @@ end
 check.case("a failed step of a column beyond Euler's load reports the number of negative eigenvalues", function()
   local _, run = column({ { steps = 1, top = -0.1 } }, { newton = { iterations = 1 } })
   check.equal(run.cause, "indefinite")
-  check.holds(run.report, "the tangent is indefinite there, with 2 negative eigenvalues", "of body 'column'")
+  check.holds(run.failure, "the tangent is indefinite there, with 2 negative eigenvalues", "of body 'column'")
 end)
 
 --- A straight column, clamped below and guided above, buckles at a shortening of L (π t / L)² / 12 = 0.0206 (Euler), in

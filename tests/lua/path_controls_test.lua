@@ -88,7 +88,7 @@ check.case("if its accepted part leads to no further state, a step is repeated f
   -- Where that fails as well, the accepted part stays.
   run = stuck_at_half(1e9)
   check.equal({ run.failed, run.steps }, { true, 1 })
-  check.holds(run.report, "0.5 of the way from step 1 to step 2", "The whole step was also tried from its start.")
+  check.holds(run.failure, "0.5 of the way from step 1 to step 2", "The whole step was also tried from its start.")
 end)
 
 check.case("a long list of them is cut short", function()

@@ -25,7 +25,7 @@ local function plate(material, kind, stress)
     loads = { pull = { on = lower:face "south", traction = { 0, 0 } } },
   }
   local run = model:run({ { steps = 2, pull = { stress, 0 } } }, { newton = { tolerance = 1e-12 } })
-  if run.failed then error(run.report, 2) end
+  if run.failed then error(run.failure, 2) end
   return model
 end
 

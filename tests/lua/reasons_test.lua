@@ -70,7 +70,7 @@ end
 --- The run failed for this reason after so many steps; its report holds the fragments. Returns its worst place.
 local function expect(run, reason, steps, ...)
   check.equal({ run.failed, run.reason, run.cause, run.steps }, { true, reason, reason, steps })
-  check.holds(run.report, ...)
+  check.holds(run.failure, ...)
   return run.places[1]
 end
 
@@ -78,7 +78,7 @@ end
 
 check.case("completed", function()
   local run = press():run{ { steps = 2, top = -0.1 } }
-  check.equal({ run.failed, run.reason, run.cause, run.report }, { false, "completed" })
+  check.equal({ run.failed, run.reason, run.cause, run.failure }, { false, "completed" })
   check.equal(run.places, {})
 end)
 
@@ -122,8 +122,8 @@ check.case("interrupted: Ctrl-C ends the run at its last step, and the model can
     m:run({ { name = "shear", steps = 1000000, top = {0.3, 0} } }, { checkpoint = { file = file, every = 2 } })
     first = _
     print(first.reason, first.cause, first.failed, first.steps > 0, first.steps == first.rows, #first.places)
-    print(first.report:match "not reached: [^.]*",
-          first.report:match "last accepted step, %d+" == "last accepted step, " .. first.steps)
+    print(first.failure:match "not reached: [^.]*",
+          first.failure:match "last accepted step, %d+" == "last accepted step, " .. first.steps)
     print("again:", m:run{ { steps = 2, top = {0, 0} } }.reason)
   ]==])
   check.holds(output, "interrupted; _ is the run so far\n", "interrupted\tinterrupted\ttrue\ttrue\ttrue\t0\n",
@@ -264,8 +264,8 @@ check.case("turning_point: an arch under a load above its limit load", function(
   local run = model:run({ { name = "load", steps = 20, push = {0, -0.02} } },
     sg.plain{ newton = { iterations = 8 } })
   check.equal({ run.failed, run.reason, run.cause }, { true, "turning_point", "turning_point" })
-  check.holds(run.report, "The path has a turning point at push.ty = -0.0", "arc_length = true")
-  local turn = -tonumber(run.report:match "push%.ty = ([-%d.]+)")
+  check.holds(run.failure, "The path has a turning point at push.ty = -0.0", "arc_length = true")
+  local turn = -tonumber(run.failure:match "push%.ty = ([-%d.]+)")
   local reached = -run:column("push.ty")[run.steps]
   check.equal({ reached > 0.005, turn >= reached - 1e-9, turn < reached + 0.001 }, { true, true, true })
 end)
@@ -274,7 +274,7 @@ check.case("minimum_step: shorter steps are not allowed; the cause is also given
   local run = press():run({ { name = "crush", steps = 1, top = -1.2 } }, { step = { adaptive = true, min = 0.25 } })
   check.equal({ run.failed, run.reason, run.cause, run.steps, run.cutbacks },
     { true, "minimum_step", "inverted", 0, 2 })
-  check.holds(run.report, "is inverted", "The smallest increment allowed, 0.25 of the step, failed.",
+  check.holds(run.failure, "is inverted", "The smallest increment allowed, 0.25 of the step, failed.",
     "last accepted increment, 0.75 of the way from step 0 to step 1")
   check.equal({ run.places[1].kind, run.places[1].body }, { "element", "block" })
 end)

@@ -61,7 +61,7 @@ end)
 
 check.case("no page refers to anything outside", function()
   study:report(file "plain.html")
-  run:html(file "run.html")
+  run:report(file "run.html")
   map:report(file "map.html")
   for _, name in ipairs { "plain.html", "run.html", "map.html" } do
     for _, word in ipairs { "https?:", "src=\"[^d]", "href=\"[^#d]", "@import", "url%([^#]" } do
@@ -74,7 +74,7 @@ check.case("equal input gives equal bytes, apart from program, machine and time"
   local pages = {}
   for i = 1, 2 do
     study:report(file "again.html")
-    run:html(file "again_run.html")
+    run:report(file "again_run.html")
     pages[i] = { fixed(core.read_file(file "again.html")), fixed(core.read_file(file "again_run.html")) }
   end
   check.equal(pages[1][1] == pages[2][1], true)
@@ -84,7 +84,7 @@ check.case("equal input gives equal bytes, apart from program, machine and time"
 end)
 
 check.case("a run's page has its stages, steps, energies and charts", function()
-  run:html { file = file "run.html", field = "ux", charts = { { y = { "plate.fx", "bed.fx" }, title = "Both forces" },
+  run:report { file = file "run.html", field = "ux", charts = { { y = { "plate.fx", "bed.fx" }, title = "Both forces" },
     { y = "plate.fx", x = "plate.ux" } } }
   local page = core.read_file(file "run.html")
   check.holds(page, "Run: pull, hold", "Both forces", "plate.fx over plate.ux", "Stored states, colored by ux",
@@ -92,7 +92,7 @@ check.case("a run's page has its stages, steps, energies and charts", function()
   local steps = page:match '<section id="steps">.-</section>'
   check.equal(select(2, steps:gsub("<td>pull</td>", "")), 3)
   check.equal(select(2, steps:gsub("<td>hold</td>", "")), 2)
-  run:html(file "run.html")
+  run:report(file "run.html")
   check.holds(core.read_file(file "run.html"), "Force of plate", "Displacement of plate",
     "Newton iterations of each step")
 end)
@@ -181,9 +181,9 @@ check.case("wrong arguments are errors at the user's line, and no page is writte
     check.fails(function() study:report(wrong[1]) end, "report_test.lua", table.unpack(wrong, 2))
   end
   check.fails(function() study:report(3) end, "options must be a string or a table of named arguments")
-  check.fails(function() run:html { file = file "wrong.html", charts = { { y = "plate.f" } } } end, "report_test.lua",
-    "run:html: charts[1].y[1] must be 'step'", "did you mean 'plate.fx'?")
-  check.fails(function() run:html { file = file "wrong.html", field = "none" } end, "run:html: unknown field 'none'")
+  check.fails(function() run:report { file = file "wrong.html", charts = { { y = "plate.f" } } } end, "report_test.lua",
+    "run:report: charts[1].y[1] must be 'step'", "did you mean 'plate.fx'?")
+  check.fails(function() run:report { file = file "wrong.html", field = "none" } end, "run:report: unknown field 'none'")
   check.fails(function() map:report "map.htm1" end, "map:report: file must be the name of a file that ends with .html")
   check.equal(core.exists(file "wrong.html"), false)
 end)
@@ -192,7 +192,7 @@ end)
 
 check.case("in a browser tables sort and filter, charts show values, and a phone has no overflow", function()
   study:report { file = file "study.html", title = 'Errors <b>& "more"</b> </title>', text = "Bytes \255 and \1." }
-  run:html(file "run.html")
+  run:report(file "run.html")
   map:report(file "map.html")
   local script = core.home .. "/tests/browser/report.py"
   local output, status = check.shell(("PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 '%s' '%s' '%s' '%s'"):format(script,

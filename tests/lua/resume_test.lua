@@ -91,7 +91,7 @@ check.case("a failed step leaves the last file; the resumed run fails in the sam
   local run = model:run(far, { checkpoint = file })
   check.equal({ run.failed, run.steps }, { true, 6 })
   local again = other:run(far, { checkpoint = file, resume = true })
-  check.equal({ again.reason, again.report }, { run.reason, run.report })
+  check.equal({ again.reason, again.failure }, { run.reason, run.failure })
   alike(run, again, model, other)
 end)
 

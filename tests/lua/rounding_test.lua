@@ -128,7 +128,7 @@ end
 local function force(name, offset, angle, controls)
   local model, stages, options = scenes[name](offset, angle)
   local run = model:run(stages, with(controls, options))
-  if run.failed then error(("%s at %g turned by %g: %s"):format(name, offset, angle, run.report)) end
+  if run.failed then error(("%s at %g turned by %g: %s"):format(name, offset, angle, run.failure)) end
   local sum = 0
   for _, value in ipairs(model:reaction "grip") do sum = sum + value ^ 2 end
   return math.sqrt(sum), run.iterations

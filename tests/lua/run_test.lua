@@ -56,7 +56,7 @@ check.case("a failed step is rolled back and reported", function()
   check.equal({ run.failed, run.reason, run.steps }, { true, "diverged", 5 })
   check.equal(model.accepted, { 0.5, -0.4 })
   check.equal(model.calls[#model.calls], "rollback")
-  check.holds(run.report, "step 6 (stage 'slide', 2 of 2)", "no luck", "1, 0.001, 0.01", "last accepted step, 5")
+  check.holds(run.failure, "step 6 (stage 'slide', 2 of 2)", "no luck", "1, 0.001, 0.01", "last accepted step, 5")
   check.equal(run:residuals(6), { 1, 1e-3, 1e-2 })
   check.equal(#run:column "grip.fx", 5)
   check.holds(tostring(run), "diverged: step 6", "press", "slide", "total")
@@ -66,7 +66,7 @@ check.case("a run that fails at once has columns, all empty", function()
   local run = model_of(function() return "interrupted" end):run(two_stages)
   check.equal({ run.reason, run.steps }, { "interrupted", 0 })
   check.equal(run:column "grip.fx", {})
-  check.holds(run.report, "its start")
+  check.holds(run.failure, "its start")
   check.holds(tostring(run), "interrupted")
 end)
 
@@ -246,7 +246,7 @@ end)
 check.case("step = { adaptive = false } takes each step as a whole", function()
   local run, _, points = climb(4, rough(1, 2, 0.25), { adaptive = false })
   check.equal({ run.failed, run.steps, run.cutbacks, #points }, { true, 1, 0, 1 })
-  check.equal(run.report, "step 2 (stage 'climb', 2 of 4) was not reached: no luck. Residuals: 1, 0.001, 0.01. "
+  check.equal(run.failure, "step 2 (stage 'climb', 2 of 4) was not reached: no luck. Residuals: 1, 0.001, 0.01. "
     .. "The model is at its last accepted step, 1. Hint: be lucky.")
 end)
 
@@ -265,7 +265,7 @@ check.case("a failed step leaves the model at its last increment, and the report
   check.equal({ run.failed, run.reason, run.cause, run.steps }, { true, "minimum_step", "diverged", 1 })
   check.near(model.accepted, { 1.625, 0 })
   check.equal(model.calls[#model.calls], "rollback")
-  check.holds(run.report, "step 2 (stage 'climb', 2 of 4) was not reached: no luck.",
+  check.holds(run.failure, "step 2 (stage 'climb', 2 of 4) was not reached: no luck.",
     "The smallest increment allowed, 0.125 of the step, failed.",
     "last accepted increment, 0.625 of the way from step 1 to step 2")
   check.equal(#run:column "grip.fx", 1)
@@ -274,7 +274,7 @@ check.case("a failed step leaves the model at its last increment, and the report
   -- A later stage begins at the model's targets.
   check.near(model:run{ { steps = 1, grip = { 1.7, 0 } } }:column "grip.ux", { 1.7 })
   run = climb(4, rough(1, 2, 0), { min = 1 / 4 })
-  check.holds(run.report, "Attempts, by fraction of the step: 1 (diverged), 0.5 (diverged), 0.25 (diverged).",
+  check.holds(run.failure, "Attempts, by fraction of the step: 1 (diverged), 0.5 (diverged), 0.25 (diverged).",
     "The model is at its last accepted step, 1.")
   check.equal(run.cutbacks, 2)
 end)
@@ -351,7 +351,7 @@ check.case("a run and the argument of on_step are strict about names", function(
   check.fails(function() return run.faild end, "a run has no 'faild'; did you mean 'failed'?")
   check.fails(function() return run.bogus end, "a run has no 'bogus': it has attempts", "timings")
   check.fails(function() run.x = 1 end, "a run cannot store 'x'")
-  check.equal({ run.report == nil, run.cause == nil, type(run.timings) }, { true, true, "table" })
+  check.equal({ run.failure == nil, run.cause == nil, type(run.timings) }, { true, true, "table" })
   check.fails(function() return seen["grip.fu"] end, "has no 'grip.fu'; did you mean 'grip.f")
 end)
 

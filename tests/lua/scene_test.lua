@@ -58,7 +58,7 @@ check.case("a failed step leaves the accepted state", function()
   local before = model:reaction "lid"
   local run = model:run({ { name = "crush", steps = 1, lid = {0, -1.9} } }, sg.plain{})
   check.equal(run.failed, true)
-  check.holds(run.report, "crush")
+  check.holds(run.failure, "crush")
   check.near(model:reaction "lid", before, 1e-10)
   check.near(model:target "lid", { 0, -0.2 })
 end)

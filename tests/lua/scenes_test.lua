@@ -6,7 +6,7 @@ local sg = require "signorini"
 local function solved(name, o)
   local m, path, exact = sg.scenes[name](o or {})
   local run = m:run(path)
-  if run.reason ~= "completed" then error(("%s: %s"):format(name, run.report or run.reason), 2) end
+  if run.reason ~= "completed" then error(("%s: %s"):format(name, run.failure or run.reason), 2) end
   check.equal(run.warnings, {})
   return m, run, exact
 end

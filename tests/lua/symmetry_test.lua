@@ -9,7 +9,7 @@ local exact = { newton = { tolerance = 1e-13 } }
 --- Runs `stages` and returns the reaction of "grip".
 local function grip(model, stages)
   local run = model:run(stages, exact)
-  if run.failed then error(run.report, 2) end
+  if run.failed then error(run.failure, 2) end
   return model:reaction "grip"
 end
 

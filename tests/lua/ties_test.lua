@@ -6,7 +6,7 @@ local check = require "check"
 
 local function solved(model, stages, options)
   local run = model:run(stages, sg.plain(options or {}))
-  assert(not run.failed, run.report)
+  assert(not run.failed, run.failure)
   return run
 end
 

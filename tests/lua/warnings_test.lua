@@ -71,9 +71,9 @@ check.case("a penalty beyond rounding is reported before the run and as the caus
     "10 to 1000 times E/h = 4 is usual")
   local run = model:run{ { steps = 2, push = -0.05 } }
   check.equal(run.failed, true)
-  check.holds(run.report, "at this ratio the body's stiffness is lost",
+  check.holds(run.failure, "at this ratio the body's stiffness is lost",
     "Hint: lower the penalty of contact 'c'")
-  check.equal(run.report:find("add a support to the body", 1, true), nil)
+  check.equal(run.failure:find("add a support to the body", 1, true), nil)
 end)
 
 --- A slab of thickness 1 under a tool of radius 0.5 half above it, whose grip is driven by `depth`.
@@ -213,8 +213,8 @@ check.case("hints do not name controls that are on", function()
   model:rollback()
 
   local run = pressed():run({ { steps = 1, push = -0.05 } }, sg.robust{ fallback = false, newton = { iterations = 1 } })
-  check.equal({ run.failed, run.report:find("adaptive = true", 1, true) }, { true, nil })
-  check.holds(run.report, "allow more iterations", "allow smaller steps (step = { min = … })")
+  check.equal({ run.failed, run.failure:find("adaptive = true", 1, true) }, { true, nil })
+  check.holds(run.failure, "allow more iterations", "allow smaller steps (step = { min = … })")
 end)
 
 check.case("a large number of elements is announced before they are made, and too many are rejected", function()

@@ -62,7 +62,7 @@ return {
       .. "limit points.",
     "model:run" },
   { "convergence, diverges, does not converge, not converging",
-    "A failed run states the reason and possible remedies in run.report; sg.robust{} lists the default controls.",
+    "A failed run states the reason and possible remedies in run.failure; sg.robust{} lists the default controls.",
     "model:run", "run", "model:diagnose", "sg.robust", "sg.convergence_map" },
   { "mesh convergence, convergence study, error estimate, accuracy",
     "Compare discretizations by a study, or let sg.recommend choose one.", "sg.recommend", "sg.work_precision",
@@ -92,7 +92,7 @@ return {
     .. "and pictures.", "run:csv", "sg.csv.write", "sg.json.write", "sg.vtu", "sg.pvd", "picture:write",
     "sg.nurbs.write" },
   { "html page, web page, run report, dashboard, share results",
-    "A report is one HTML page with charts, tables, failures and the script.", "study:report", "run:html",
+    "A report is one HTML page with charts, tables, failures and the script.", "study:report", "run:report",
     "map:report" },
   { "reaction force, contact force, contact pressure, contact stress", "Forces and pressures are results of the model, "
     .. "and columns of a run.", "model:reaction", "model:contact_resultant", "model:profile", "run:column" },

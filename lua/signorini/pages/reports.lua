@@ -61,10 +61,10 @@ the report is written.]],
     example = { [[study:report "study.html"]],
       [[study:report{ file = "errors.html", title = "Errors of both discretizations",
   charts = { { x = "mesh", y = "error", series = "order", log = "y" } } }]] } },
-  { "run:html", [[Writes a report of a run, one HTML page like that of study:report: outcome, warnings, charts of
-forces, contact and iterations, stored states, tables of stages, energies, attempts and steps. (run.report is the
+  { "run:report", [[Writes a report of a run, one HTML page like that of study:report: outcome, warnings, charts of
+forces, contact and iterations, stored states, tables of stages, energies, attempts and steps. (run.failure is the
 failure in words.)]],
-    head = 'run:html "x.html" or { file, … }',
+    head = 'run:report "x.html" or { file, … }',
     arguments = arguments("the names of the stages", {
       { "charts", t.list(t.worded(t.either(picture, t.named(run_chart)), "a chart or a table { y = <columns> }",
         "charts or tables { y = <columns> }")), "charts to draw",
@@ -74,8 +74,8 @@ failure in words.)]],
         otherwise = "von_mises, if no pictures are given" },
     }),
     returns = {},
-    example = { [[run:html "run.html"]],
-      [[run:html{ file = "press.html", charts = { { y = {"grip.fx", "grip.fy"}, ylabel = "force" } }, field = "uy" }]] }
+    example = { [[run:report "run.html"]],
+      [[run:report{ file = "press.html", charts = { { y = {"grip.fx", "grip.fy"}, ylabel = "force" } }, field = "uy" }]] }
   },
   { "map:report", [[Writes a report of a convergence map, one HTML page like that of study:report: the map of outcomes,
 heat maps of the results, the table of cells, and the reports of those that failed.]],

@@ -43,7 +43,7 @@ model's state; its steps are counted from 1 again.]],
     rows = rows.run,
     more = [[
 A failed step ends the run; this is a result, not an error: run.failed, run.reason, run.cause (the reason behind
-minimum_step), run.report (in words, with the worst places and what may help), run.places (for sg.picture's marks). The
+minimum_step), run.failure (in words, with the worst places and what may help), run.places (for sg.picture's marks). The
 model keeps the last accepted state. Reasons:
   completed        all steps converged
   stopped          on_step or on_iteration returned "stop"
@@ -107,7 +107,7 @@ run:column, run:columns, run:csv, run:hdf5, run:states, run:attempts, run:residu
       { "failed", t.flag, "whether a step failed" },
       { "reason", t.text, "reason why the run ended, see help \"model:run\"" },
       { "cause", t.text, "reason behind \"minimum_step\", of a run that failed" },
-      { "report", t.text, "the failure in words, of a run that failed" },
+      { "failure", t.text, "the failure in words, of a run that failed" },
       { "places", t.list(t.any), "worst places of a failure, { x, X, text, … }, for sg.picture's marks" },
       { "steps", t.integer(0), "converged steps; with arc_length = true columns may have further rows between them" },
       { "iterations", t.integer(0), "Newton iterations, also of failed attempts" },

@@ -1,4 +1,4 @@
--- run:html: the page of a run.
+-- run:report: the page of a run.
 
 local charts = require "signorini.report.run_charts"
 local core = require "signorini.core"
@@ -13,7 +13,7 @@ local on_behalf_of = require "signorini.on_behalf_of"
 local page = require "signorini.report.page"
 local path_controls = require "signorini.path_controls"
 
-local where = "run:html"
+local where = "run:report"
 local most_attempts, most_states = 200, 6
 
 -- ── Tables ───────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -100,7 +100,7 @@ end
 
 local function failure(run)
   if run.reason == "completed" then return "" end
-  return html.element("p", ("%s: %s"):format(run.reason, run.report or "on_step ended the run"), "failure")
+  return html.element("p", ("%s: %s"):format(run.reason, run.failure or "on_step ended the run"), "failure")
 end
 
 local function warnings(run)
