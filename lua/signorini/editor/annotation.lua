@@ -42,10 +42,11 @@ function annotation.place(name)
   return (name == "sg" or name:find "^sg%.") and name or "sg." .. name:gsub(":", ".")
 end
 
---- The class of the rows that other pages use by the name of a page.
+--- The class of the rows that other pages use by the name of a page; nil if these are not those of its arguments.
 local function class_of_page(name)
   local page = pages.find(name)
   if type(page.named) == "string" then return class_of_page(page.named) end
+  if page.named and page.rows then return nil end
   local place = annotation.place(name)
   for _, row in ipairs(page.arguments or {}) do
     if row[2].rows == page.rows then return place .. "." .. row[1] end
