@@ -5,6 +5,107 @@
 ---@class sg.study
 local study = {}
 
+---@class (exact) sg.study.report.options.charts.inset
+---xrange: part of the x axis (a list of 2 increasing numbers {low, high})
+---@field xrange [number, number]
+---yrange: part of the y axis (a list of 2 increasing numbers {low, high}; by default that of the curves)
+---@field yrange? [number, number]
+---place: corner of the chart ('north-east', 'north-west', 'south-east' or 'south-west'; by default the emptiest one)
+---@field place? "north-east"|"north-west"|"south-east"|"south-west"
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.study.report.options.charts
+---x: column, or function of a row (a column or a function)
+---@field x string|(fun(row: table<string, any>): any)
+---y: column, or function of a row (a column or a function)
+---@field y string|(fun(row: table<string, any>): any)
+---series: column, or function of a row, with one curve per value (a column or a function; optional)
+---@field series? string|(fun(row: table<string, any>): any)
+---markers: marker at each point (true or false; default true)
+---@field markers? boolean
+---dashed: whether the line is dashed (true or false; default false)
+---@field dashed? boolean
+---line: whether to draw the line (true or false; default true)
+---@field line? boolean
+---width: line width in pixels, in a chart of 1600 x 1000 (a positive number; default 3)
+---@field width? number
+---xlabel: label of the x axis with its unit: "force (N)" (a string; by default the column and its unit)
+---@field xlabel? string
+---ylabel: label of the y axis (a string; by default the column and its unit)
+---@field ylabel? string
+---log: logarithmic axes ('x', 'y' or 'xy'; by default none)
+---@field log? "x"|"y"|"xy"
+---title: title above the chart (a string; by default the study's name)
+---@field title? string
+---legend: true or false or 'inside' or 'outside'; default true. Names of the curves. true: in the first corner without
+---```text
+---        curves (north-east, north-west, south-east, south-west), otherwise, and with an inset, to the right of the
+---        chart, or below it if the names are long or many; "inside": in a corner; "outside": outside the axes; false:
+---        no legend
+---```
+---@field legend? boolean|"inside"|"outside"
+---legend_title: title of the legend (a string; by default the column of series)
+---@field legend_title? string
+---xrange: limits of the x axis (a list of 2 increasing numbers {low, high}; by default those of the data)
+---@field xrange? [number, number]
+---yrange: limits of the y axis (a list of 2 increasing numbers {low, high}; by default those of the data within xrange)
+---@field yrange? [number, number]
+---xticks: tick labels instead of numbers, in increasing order (a list of pairs {position, text}; optional)
+---@field xticks? [number, string][]
+---hlines: dotted horizontal reference lines (a list of numbers and pairs {position, text}; optional)
+---@field hlines? (number|[number]|[number, string])[]
+---vlines: dotted vertical reference lines (a list of numbers and pairs {position, text}; optional)
+---@field vlines? (number|[number]|[number, string])[]
+---inset: a table of named arguments; optional. Magnifies a part of the chart in a box; if no corner is free, the y axis
+---```text
+---       is extended, unless yrange is given
+---  xrange: part of the x axis (a list of 2 increasing numbers {low, high})
+---  yrange: part of the y axis (a list of 2 increasing numbers {low, high}; by default that of the curves)
+---  place:  corner of the chart ('north-east', 'north-west', 'south-east' or 'south-west'; by default the emptiest one)
+---```
+---@field inset? sg.study.report.options.charts.inset
+---size: width and height (a list of 2 whole numbers from 120 to 5000; pixels; default {1600, 1000})
+---@field size? [integer, integer]
+---@field [string] sg.unknown_argument
+
+---@alias sg.study.report.options.maps.colormap.choice "viridis"|"magma"|"inferno"|"plasma"|"cividis"|"gray"|"coolwarm"
+
+---@class (exact) sg.study.report.options.maps
+---x: parameter (a string)
+---@field x string
+---y: parameter (a string)
+---@field y string
+---value: column, or function of a row (a column or a function)
+---@field value string|(fun(row: table<string, any>): any)
+---texts: numbers in the cells; "failed" or "error" for cases without results (true or false; default true)
+---@field texts? boolean
+---xlabel: label of the x axis with its unit (a string; by default the parameter and its unit)
+---@field xlabel? string
+---ylabel: label of the y axis with its unit (a string; by default the parameter and its unit)
+---@field ylabel? string
+---title: title above the map (a string; by default the study's name)
+---@field title? string
+---label: title of the color bar, with the values' unit (a string; by default the column and its unit)
+---@field label? string
+---range: lowest and highest value of the colors (a list of 2 increasing numbers {low, high}; by default that of the
+---```text
+---       values)
+---```
+---@field range? [number, number]
+---log: logarithmic color scale (true or false; default false)
+---@field log? boolean
+---colormap: as in sg.picture ('viridis', 'magma', 'inferno', 'plasma', 'cividis', 'gray' or 'coolwarm'; default
+---```text
+---          "viridis")
+---```
+---@field colormap? sg.study.report.options.maps.colormap.choice
+---size: width and height (a list of 2 whole numbers from 120 to 5000; pixels; by default {1600, 1000}, of two or three
+---```text
+---      panels {1600, 850}, of more {1600, 1400})
+---```
+---@field size? [integer, integer]
+---@field [string] sg.unknown_argument
+
 ---@class (exact) sg.study.report.options.pictures
 ---picture: a picture, or a file that ends with .png, .jpg, .svg, .gif or .webp (a picture or a string)
 ---@field picture sg.picture|string
@@ -31,12 +132,12 @@ local study = {}
 ---        first parameter with numbers, one curve per value of the others)
 ---  see help "study:chart"
 ---```
----@field charts? (sg.picture|sg.study.chart.arguments)[]
+---@field charts? (sg.picture|sg.study.report.options.charts)[]
 ---maps: maps to draw (a list of heat maps, convergence maps, or arguments of study:heatmap without file; optional)
 ---```text
 ---  see help "study:heatmap"
 ---```
----@field maps? (sg.picture|sg.map|sg.study.heatmap.arguments)[]
+---@field maps? (sg.picture|sg.map|sg.study.report.options.maps)[]
 ---pictures: pictures to show (a list of pictures, names of files or tables { picture = …, caption = … }; optional)
 ---```text
 ---  picture: a picture, or a file that ends with .png, .jpg, .svg, .gif or .webp (a picture or a string)

@@ -814,6 +814,7 @@ function map:csv(file) end
 ---map:heatmap{ name = "iterations", file = "iterations.png" }
 ---```
 ---@param arguments sg.map.heatmap.arguments
+---@return sg.picture
 function map:heatmap(arguments) end
 
 ---Returns the number of cells that converged to the end of their path, and the number of all cells.
@@ -855,6 +856,7 @@ function map:converged() end
 ---map:picture{ file = "map.png", text = "reached" }
 ---```
 ---@param arguments sg.map.picture.arguments
+---@return sg.picture
 function map:picture(arguments) end
 
 ---Returns the text of a table with one row per cell.
