@@ -141,8 +141,8 @@ local function lua_types(of)
     end
     return found
   end
-  if of.single then
-    local found = lua_types(of.of)
+  if of.single or of.short then
+    local found = lua_types(of.single and of.of or of.short[2])
     found.table = true
     return found
   end
@@ -154,7 +154,6 @@ local function lua_types(of)
     found.boolean = true
     return found
   end
-  if of.short then return { table = true, [next(lua_types(of.short[2]))] = true } end
   if of.kind == "only" then return { [type(of.value)] = true } end
   if of.kind == "object" then return { [type(object(of.name))] = true } end
   return { [names_of[of.kind] or "table"] = true }
