@@ -12,8 +12,8 @@ local sg = {}
 ---@field nu number
 ---@field [string] sg.unknown_argument
 
----Returns a compressible neo-Hookean material, W = lambda/2 (ln J)^2 + mu/2 (tr C - 3) - mu ln J. In 2D the material is
----in plane strain, unless the model is axisymmetric.
+---Returns a compressible neo-Hookean material, W = lambda/2 (ln J)^2 + mu/2 (tr C - 3) - mu ln J. In 2D the kind of the
+---model decides: plane strain, plane stress or axisymmetric.
 ---
 ---```text
 ---sg.neo_hookean{ E, nu }
@@ -37,7 +37,7 @@ function sg.neo_hookean(arguments) end
 ---@field [string] sg.unknown_argument
 
 ---Returns a linear elastic material (Hooke's law of small strains), sigma = lambda tr(eps) I + 2 mu eps; contact still
----follows the deformed surface. In 2D the material is in plane strain, unless the model is axisymmetric.
+---follows the deformed surface. In 2D the kind of the model decides: plane strain, plane stress or axisymmetric.
 ---
 ---```text
 ---sg.linear_elastic{ E, nu }
@@ -53,7 +53,174 @@ function sg.neo_hookean(arguments) end
 ---@return sg.material
 function sg.linear_elastic(arguments) end
 
----The result of sg.neo_hookean or sg.linear_elastic; print(material) shows law and constants.
+---@class (exact) sg.mooney_rivlin.arguments
+---c10: modulus of I1' (a number; force per area)
+---@field c10 number
+---c01: modulus of I2' (a number; force per area)
+---@field c01 number
+---K: bulk modulus (a positive number; force per area)
+---@field K number
+---@field [string] sg.unknown_argument
+
+---Returns a Mooney-Rivlin material, W = c10 (I1' - 3) + c01 (I2' - 3) + K/4 (J^2 - 1 - 2 ln J). In 2D the kind of the
+---model decides: plane strain, plane stress or axisymmetric.
+---
+---```text
+---sg.mooney_rivlin{ c10, c01, K }
+---```
+---
+---I1' = J^(-2/3) I1 and I2' = J^(-4/3) I2 measure the change of shape, J that of volume. For rubber K is 1000 to 5000
+---times the shear modulus, for which elements need degree 2 or more in all directions so as not to lock (nu near 0.5).
+---The shear modulus is 2 (c10 + c01).
+---
+---Source: M. Mooney, J. Appl. Phys. 11, 1940; R. S. Rivlin, Phil. Trans. R. Soc. A 241, 1948. Change of volume: J. C.
+---Simo, C. Miehe, Comput. Methods Appl. Mech. Eng. 98, 1992.
+---
+---Example:
+---```lua
+---sg.mooney_rivlin{ c10 = 0.4, c01 = 0.1, K = 50 }
+---```
+---@param arguments sg.mooney_rivlin.arguments
+---@return sg.material
+function sg.mooney_rivlin(arguments) end
+
+---@class (exact) sg.yeoh.arguments
+---c10: half of the shear modulus (a number; force per area)
+---@field c10 number
+---c20: second modulus, often negative (a number; force per area; default 0)
+---@field c20? number
+---c30: third modulus (a number; force per area; default 0)
+---@field c30? number
+---K: bulk modulus (a positive number; force per area)
+---@field K number
+---@field [string] sg.unknown_argument
+
+---Returns a Yeoh material, W = c10 (I1' - 3) + c20 (I1' - 3)^2 + c30 (I1' - 3)^3 + K/4 (J^2 - 1 - 2 ln J), whose
+---stiffness depends on the stretch. In 2D the kind of the model decides: plane strain, plane stress or axisymmetric.
+---
+---```text
+---sg.yeoh{ c10, c20 = 0, c30 = 0, K }
+---```
+---
+---I1' = J^(-2/3) I1 and I2' = J^(-4/3) I2 measure the change of shape, J that of volume. For rubber K is 1000 to 5000
+---times the shear modulus, for which elements need degree 2 or more in all directions so as not to lock (nu near 0.5).
+---Without c20 and c30 it is neo-Hookean.
+---
+---Source: O. H. Yeoh, Rubber Chem. Technol. 66, 1993. Change of volume: J. C. Simo, C. Miehe, Comput. Methods Appl.
+---Mech. Eng. 98, 1992.
+---
+---Example:
+---```lua
+---sg.yeoh{ c10 = 0.5, c20 = -0.01, c30 = 0.001, K = 50 }
+---```
+---@param arguments sg.yeoh.arguments
+---@return sg.material
+function sg.yeoh(arguments) end
+
+---@class (exact) sg.ogden.arguments
+---mu: one modulus per term (a list of at least one number; force per area)
+---@field mu number[]
+---alpha: one exponent per term, none of them zero (a list of at least one number)
+---@field alpha number[]
+---K: bulk modulus (a positive number; force per area)
+---@field K number
+---@field [string] sg.unknown_argument
+
+---Returns an Ogden material, the sum of mu/alpha (l1'^alpha + l2'^alpha + l3'^alpha - 3) over its terms and K/4 (J^2 -
+---1 - 2 ln J), with the principal stretches l' = J^(-1/3) l. In 2D the kind of the model decides: plane strain, plane
+---stress or axisymmetric.
+---
+---```text
+---sg.ogden{ mu, alpha, K }
+---```
+---
+---The shear modulus is half of the sum of mu alpha; some programs have 2 mu/alpha^2 in place of mu/alpha.
+---
+---Source: R. W. Ogden, Proc. R. Soc. A 326, 1972. Change of volume: J. C. Simo, C. Miehe, Comput. Methods Appl. Mech.
+---Eng. 98, 1992.
+---
+---Example:
+---```lua
+---sg.ogden{ mu = {0.63, 0.0012, -0.01}, alpha = {1.3, 5, -2}, K = 20 }
+---```
+---@param arguments sg.ogden.arguments
+---@return sg.material
+function sg.ogden(arguments) end
+
+---@class (exact) sg.saint_venant_kirchhoff.arguments
+---E: Young's modulus (a positive number; force per area)
+---@field E number
+---nu: Poisson's ratio (a number above -1 and below 0.5)
+---@field nu number
+---@field [string] sg.unknown_argument
+
+---Returns a Saint Venant-Kirchhoff material, W = lambda/2 (tr E)^2 + mu tr E^2 with Green's strain E: Hooke's law for
+---large rotations and small strains. It softens under compression and is unstable there. In 2D the kind of the model
+---decides: plane strain, plane stress or axisymmetric.
+---
+---```text
+---sg.saint_venant_kirchhoff{ E, nu }
+---```
+---
+---Source: P. Wriggers, Nonlinear Finite Element Methods, Springer, 2008.
+---
+---Example:
+---```lua
+---sg.saint_venant_kirchhoff{ E = 1, nu = 0.3 }
+---```
+---@param arguments sg.saint_venant_kirchhoff.arguments
+---@return sg.material
+function sg.saint_venant_kirchhoff(arguments) end
+
+---@class (exact) sg.hyperelastic.arguments
+---energy: W(I1, I2, J) per volume without strain, and with fibers W(I1, I2, J, I4, …) (a function; optional)
+---@field energy? function
+---stretches: instead of energy: W of the principal stretches, in any order of which it must be the same (a function;
+---```text
+---           optional)
+---```
+---@field stretches? function
+---fibers: a list of at least one list of 2 or 3 numbers; optional. Directions of fibers without strain, up to four, of
+---```text
+---        any length: each adds an argument I4 = |F a|^2, the square of its stretch. {x, y} or {x, y, z}; in
+---        axisymmetric models {r, y} or {r, y, around}, without twist
+---```
+---@field fibers? ([number, number]|[number, number, number])[]
+---@field [string] sg.unknown_argument
+
+---Returns an elastic material from its energy per undeformed volume: a function that is called once with symbols for
+---the invariants or for the principal stretches, to read its formula. In 2D the kind of the model decides: plane
+---strain, plane stress or axisymmetric.
+---
+---```text
+---sg.hyperelastic{ energy, stretches, fibers }
+---```
+---
+---I1 = tr C and I2 = (I1^2 - tr C^2)/2 are those of C = F^T F, which contain the change of volume J = det F; those of
+---the change of shape alone are J^(-2/3) \* I1 and J^(-4/3) \* I2. A formula has + - \* / ^ and the functions in help
+---"formulas"; ==, \< and > of symbols are errors, but == of a symbol and a number is false and a symbol counts as true,
+---which Lua does not report: write no if. The energy must have zero stress and positive moduli without strain. A run
+---warns where the law becomes unstable (share/doc/theory.md). Checkpoints and studies hold the formula.
+---
+---Example:
+---```lua
+---sg.hyperelastic{ energy = function(I1, I2, J)
+---  return 0.2 * (I1 - 3) - 0.4 * sg.log(J) + 0.5 * sg.log(J)^2
+---end }
+---sg.hyperelastic{ stretches = function(l1, l2, l3)
+---  local J = l1 * l2 * l3
+---  return 0.1 * (l1^3 + l2^3 + l3^3 - 3) - 0.3 * sg.log(J) + (J - 1)^2
+---end }
+---sg.hyperelastic{ fibers = { {1, 0} }, energy = function(I1, I2, J, I4)
+---  return 0.2 * (I1 - 3) - 0.4 * sg.log(J) + 0.5 * sg.log(J)^2 + 0.3 * (sg.exp((I4 - 1)^2) - 1)
+---end }
+---```
+---@param arguments sg.hyperelastic.arguments
+---@return sg.material
+function sg.hyperelastic(arguments) end
+
+---A material; print(material) shows law and constants. For a law from an energy E and nu are those of small strains,
+---with fibers on average over all directions.
 ---@class sg.material
 local material = {}
 

@@ -176,7 +176,7 @@ function study:report(options) end
 ---@class sg.run
 local run = {}
 
----@class (exact) sg.run.html.options.charts
+---@class (exact) sg.run.report.options.charts
 ---y: columns, one curve each (a column or a list of at least one column)
 ---@field y string|string[]
 ---x: column (a column; default "step")
@@ -208,23 +208,23 @@ local run = {}
 ---@field legend_title? string
 ---@field [string] sg.unknown_argument
 
----@alias sg.run.html.options.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|string
+---@alias sg.run.report.options.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|string
 
----@class (exact) sg.run.html.options.pictures
+---@class (exact) sg.run.report.options.pictures
 ---picture: a picture, or a file that ends with .png, .jpg, .svg, .gif or .webp (a picture or a string)
 ---@field picture sg.picture|string
 ---caption: text below it (a string; optional)
 ---@field caption? string
 ---@field [string] sg.unknown_argument
 
----@class (exact) sg.run.html.options.films
+---@class (exact) sg.run.report.options.films
 ---film: a file of up to 32 MB that ends with .mp4, which every browser plays, .webm or .ogv (a string)
 ---@field film string
 ---caption: text below it (a string; optional)
 ---@field caption? string
 ---@field [string] sg.unknown_argument
 
----@class (exact) sg.run.html.options
+---@class (exact) sg.run.report.options
 ---file: name of the page, which ends with .html (a string)
 ---@field file string
 ---title: title of the page (a string; by default the names of the stages)
@@ -251,40 +251,40 @@ local run = {}
 ---                outside the axes; false: no legend
 ---  legend_title: title of the legend (a string; optional)
 ---```
----@field charts? (sg.picture|sg.run.html.options.charts)[]
+---@field charts? (sg.picture|sg.run.report.options.charts)[]
 ---field: field that colors the stored states; false: states are not drawn (false or a string; by default von_mises, if
 ---```text
 ---       no pictures are given)
 ---```
----@field field? false|sg.run.html.options.field.choice
+---@field field? false|sg.run.report.options.field.choice
 ---pictures: pictures to show (a list of pictures, names of files or tables { picture = …, caption = … }; optional)
 ---```text
 ---  picture: a picture, or a file that ends with .png, .jpg, .svg, .gif or .webp (a picture or a string)
 ---  caption: text below it (a string; optional)
 ---```
----@field pictures? (sg.picture|string|sg.run.html.options.pictures)[]
+---@field pictures? (sg.picture|string|sg.run.report.options.pictures)[]
 ---films: films to show (a list of names of files or tables { film = …, caption = … }; optional)
 ---```text
 ---  film:    a file of up to 32 MB that ends with .mp4, which every browser plays, .webm or .ogv (a string)
 ---  caption: text below it (a string; optional)
 ---```
----@field films? (string|sg.run.html.options.films)[]
+---@field films? (string|sg.run.report.options.films)[]
 ---@field [string] sg.unknown_argument
 
 ---Writes a report of a run, one HTML page like that of study:report: outcome, warnings, charts of forces, contact and
----iterations, stored states, tables of stages, energies, attempts and steps. (run.report is the failure in words.)
+---iterations, stored states, tables of stages, energies, attempts and steps. (run.failure is the failure in words.)
 ---
 ---```text
----run:html "x.html" or { file, … }
+---run:report "x.html" or { file, … }
 ---```
 ---
 ---Example:
 ---```lua
----run:html "run.html"
----run:html{ file = "press.html", charts = { { y = {"grip.fx", "grip.fy"}, ylabel = "force" } }, field = "uy" }
+---run:report "run.html"
+---run:report{ file = "press.html", field = "uy", charts = { { y = {"grip.fx", "grip.fy"}, ylabel = "force" } } }
 ---```
----@param options string|sg.run.html.options
-function run:html(options) end
+---@param options string|sg.run.report.options
+function run:report(options) end
 
 ---@class sg.map
 local map = {}

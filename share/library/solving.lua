@@ -29,15 +29,17 @@ local sg = {}
 ---  see help "tie"
 ---```
 ---@field ties? table<string, sg.tie|nil>
----kind: plane strain, or a section of bodies of revolution ('plane_strain' or 'axisymmetric'; by default "plane_strain"
+---kind: plane strain, thin plates, or a section of bodies of revolution ('plane_strain', 'plane_stress' or
 ---```text
----      for plane bodies)
+---      'axisymmetric'; by default "plane_strain" for plane bodies)
 ---```
----@field kind? "plane_strain"|"axisymmetric"
+---@field kind? "plane_strain"|"plane_stress"|"axisymmetric"
 ---@field [string] sg.unknown_argument
 
 ---Returns a model: a scene of plane bodies or of solids with its state. All parts are tables with names as keys. Plane
----strain has unit depth; in an axisymmetric model x is the radius, y the axis, and forces refer to the full circle.
+---strain has unit depth; under plane stress forces and energies refer to a plate whose undeformed thickness is 1, and
+---pressures of contacts to the current length and the undeformed thickness; in an axisymmetric model x is the radius, y
+---the axis, and forces refer to the full circle.
 ---
 ---```text
 ---sg.model{ bodies, supports, loads, contacts, ties, kind }
@@ -582,7 +584,7 @@ function model:warnings() end
 ---counted from 1 again.
 ---
 ---A failed step ends the run; this is a result, not an error: run.failed, run.reason, run.cause (the reason behind
----minimum_step), run.report (in words, with the worst places and what may help), run.places (for sg.picture's marks).
+---minimum_step), run.failure (in words, with the worst places and what may help), run.places (for sg.picture's marks).
 ---The model keeps the last accepted state. Reasons:
 ---```text
 ---  completed        all steps converged
@@ -687,8 +689,8 @@ function sg.plain(arguments) end
 ---@field reason string
 ---cause: reason behind "minimum_step", of a run that failed (a string)
 ---@field cause string
----report: the failure in words, of a run that failed (a string)
----@field report string
+---failure: the failure in words, of a run that failed (a string)
+---@field failure string
 ---places: worst places of a failure, { x, X, text, … }, for sg.picture's marks (a list of values)
 ---@field places any[]
 ---steps: converged steps; with arc_length = true columns may have further rows between them (a whole number, 0 or more)

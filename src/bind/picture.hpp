@@ -1,6 +1,7 @@
 #pragma once
 // Pictures as values, independent of models: contents and options, which can be combined in a figure or a film.
 
+#include "bind/arguments.hpp"
 #include "bind/functions.hpp"
 #include "view/picture.hpp"
 #include "view/series.hpp"

@@ -101,7 +101,7 @@ check.case("a failed run's page has the failure and the attempts", function()
   local failed = strip():run({ { name = "crush", steps = 1, plate = -5 } },
     { fallback = false, step = { adaptive = false } })
   check.equal(failed.failed, true)
-  failed:html { file = file "failed.html", field = false }
+  failed:report { file = file "failed.html", field = false }
   local page = page_of "failed.html"
   check.holds(page, "step 1 (stage &#39;crush&#39;, 1 of 1) was not reached", "No step converged.",
     '<section id="attempts">', "ended: inverted")
@@ -183,7 +183,8 @@ check.case("wrong arguments are errors at the user's line, and no page is writte
   check.fails(function() study:report(3) end, "options must be a string or a table of named arguments")
   check.fails(function() run:report { file = file "wrong.html", charts = { { y = "plate.f" } } } end, "report_test.lua",
     "run:report: charts[1].y[1] must be 'step'", "did you mean 'plate.fx'?")
-  check.fails(function() run:report { file = file "wrong.html", field = "none" } end, "run:report: unknown field 'none'")
+  check.fails(function() run:report { file = file "wrong.html", field = "none" } end,
+    "run:report: unknown field 'none'")
   check.fails(function() map:report "map.htm1" end, "map:report: file must be the name of a file that ends with .html")
   check.equal(core.exists(file "wrong.html"), false)
 end)

@@ -75,7 +75,8 @@ failure in words.)]],
     }),
     returns = {},
     example = { [[run:report "run.html"]],
-      [[run:report{ file = "press.html", charts = { { y = {"grip.fx", "grip.fy"}, ylabel = "force" } }, field = "uy" }]] }
+      [[run:report{ file = "press.html", field = "uy", charts = { { y = {"grip.fx", "grip.fy"}, ylabel = "force" } } }]]
+    }
   },
   { "map:report", [[Writes a report of a convergence map, one HTML page like that of study:report: the map of outcomes,
 heat maps of the results, the table of cells, and the reports of those that failed.]],
