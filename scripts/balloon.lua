@@ -93,5 +93,6 @@ for _, law in ipairs(laws) do
 end
 sg.chart{ file = files "pressure.png", title = "Pressure in an inflated ball of rubber", xlabel = "radius of the hole",
           ylabel = "pressure / shear modulus", table.unpack(curves) }
+files:report()
 
 return { laws = laws }
