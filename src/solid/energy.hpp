@@ -16,7 +16,7 @@ struct Energy {
   EnergyResponse respond[2]; ///< its responses in 2 and 3 dimensions
 };
 
-/// The principal stretches.
+/// The principal stretches, ascending.
 std::vector<double> stretches_of(const Mat<3>& f);
 /// The response of an energy of the stretches in D dimensions.
 template <int D> void respond_by_stretches(const Energy& energy, const PointBlock& block);

@@ -15,7 +15,8 @@ namespace signorini::solid {
 
 namespace {
 
-/// Formulas of the energy and of its first and second derivatives, in this order; `curvatures`: v ≤ w, row by row.
+/// Formulas of the energy and of its first and second derivatives, in this order; the second ones for v ≤ w, row by
+/// row.
 std::vector<int> with_derivatives(symbolic::Graph& graph, int energy) {
   const int count = static_cast<int>(graph.variables().size());
   std::vector<int> all{energy};

@@ -22,11 +22,11 @@ struct Search {
 /// The next F₃₃: Newton's step, limited to the bracket and to a factor of 2.
 double next_stretch(Search& search, double s, double p, double slope) {
   (p > 0 ? search.high : search.low) = s;
-  const double step = slope > 0 ? s - p / slope : p > 0 ? 0.0 : std::numeric_limits<double>::infinity();
+  const double step = slope > 0 ? s - p / slope : 0;
   const double least = std::max(search.low, 0.5 * s), most = std::min(search.high, 2 * s);
   if (step > least && step < most) return step;
   const bool bracketed = search.low > 0 && std::isfinite(search.high);
-  return bracketed ? 0.5 * (search.low + search.high) : p > 0 ? std::max(least, 0.5 * (search.low + s)) : most;
+  return bracketed ? 0.5 * (search.low + search.high) : p > 0 ? least : most;
 }
 
 /// ∂P_ef −= ∂P_e3 ∂P_f3/∂P_33, so that P₃₃ stays zero.

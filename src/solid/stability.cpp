@@ -4,8 +4,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <algorithm>
-
 namespace signorini::solid {
 
 namespace {
@@ -54,8 +52,7 @@ template <int D> std::optional<Instability> unstable_point(const Body<D>& body, 
     const double modulus = least_modulus(*law, f);
     if (!(modulus < least)) continue;
     least = modulus;
-    std::vector<double> stretches = stretches_of(f);
-    std::sort(stretches.begin(), stretches.end());
+    const std::vector<double> stretches = stretches_of(f);
     worst = Instability{Vec<3>(stretches[0], stretches[1], stretches[2]), body.reference_point(e, q)};
   }
   return worst;

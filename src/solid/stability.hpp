@@ -19,8 +19,8 @@ struct Instability {
   VectorX point;    ///< in the reference configuration
 };
 
-/// The point with the least of the negative moduli of a body, if any, among the middle Gauss points of at most 256
-/// elements; only laws from a formula are checked. `displacement` as for internal_force().
+/// The point with the least of the negative moduli of a body, if any, among one Gauss point (number n/2 of n) in each
+/// of at most 256 elements; only laws from a formula are checked. `displacement` as for internal_force().
 template <int D> std::optional<Instability> unstable_point(const Body<D>& body, const double* displacement);
 
 } // namespace signorini::solid

@@ -85,7 +85,9 @@ template <int D> void respond_by_stretches(const Energy& energy, const PointBloc
       principal[at(q)] = Principal(deformation_at<D>(block, begin + q));
       for (int i = 0; i < 3; ++i) registers[at(i * points_at_once + q)] = principal[at(q)].stretches(i);
     }
-    symbolic::evaluate(tape, registers.data(), points_at_once, points);
+    constexpr int first_derivatives = 3, all_derivatives = 9;
+    symbolic::evaluate(tape, registers.data(), points_at_once, points,
+                       block.moduli ? all_derivatives : first_derivatives);
     for (int q = 0; q < points; ++q) {
       const auto value = [&](std::size_t output) {
         const int place = tape.outputs[output];
@@ -94,8 +96,6 @@ template <int D> void respond_by_stretches(const Energy& energy, const PointBloc
       Slopes w;
       std::size_t next = 0;
       for (int i = 0; i < 3; ++i) w.first(i) = value(next++);
-      for (int i = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j) w.second(i, j) = w.second(j, i) = value(next++);
       const Principal& here = principal[at(q)];
       const auto all = dyads<D>(here);
       // P = Σ_i W_i n_i ⊗ N_i
@@ -103,6 +103,8 @@ template <int D> void respond_by_stretches(const Energy& energy, const PointBloc
           all.col(0) * w.first(0) + all.col(4) * w.first(1) + all.col(8) * w.first(2);
       for (int e = 0; e < entries; ++e) block.stress[e * block.stride + begin + q] = stress(e);
       if (!block.moduli) continue;
+      for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j) w.second(i, j) = w.second(j, i) = value(next++);
       const Eigen::Matrix<double, entries, entries> moduli =
           all * principal_moduli(here.stretches, w) * all.transpose();
       for (int e = 0; e < entries; ++e)

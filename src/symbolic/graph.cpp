@@ -1,5 +1,7 @@
 #include "symbolic/graph.hpp"
 
+#include "symbolic/run.hpp"
+
 #include <cmath>
 #include <utility>
 
@@ -22,7 +24,9 @@ int Graph::restore(const Node& node) {
   const bool one = two || function || node.operation == Operation::power;
   const auto fits = [&](int operand, bool needed) { return needed ? operand >= 0 && operand < size() : operand == -1; };
   if (!(one || node.operation == Operation::constant) || !fits(node.a, one) || !fits(node.b, two)) return -1;
-  return insert(node);
+  // Only constants may be nan, which breaks the order of keys.
+  if (node.operation == Operation::constant) return constant(node.value);
+  return std::isnan(node.value) ? -1 : insert(node);
 }
 
 int Graph::constant(double value) {
@@ -111,33 +115,6 @@ int Graph::apply(Operation function, int a) {
   return insert({function, 0, a, -1});
 }
 
-double value_of(Operation function, double x) {
-  switch (function) {
-  case Operation::log:
-    return std::log(x);
-  case Operation::exp:
-    return std::exp(x);
-  case Operation::sin:
-    return std::sin(x);
-  case Operation::cos:
-    return std::cos(x);
-  case Operation::tan:
-    return std::tan(x);
-  case Operation::atan:
-    return std::atan(x);
-  case Operation::sinh:
-    return std::sinh(x);
-  case Operation::cosh:
-    return std::cosh(x);
-  case Operation::tanh:
-    return std::tanh(x);
-  case Operation::abs:
-    return std::abs(x);
-  default:
-    return (x > 0) - (x < 0);
-  }
-}
-
 const char* name_of(Operation function) {
   constexpr const char* names[] = {"log", "exp", "sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "abs", "sign"};
   return names[static_cast<int>(function) - static_cast<int>(Operation::log)];
@@ -171,6 +148,12 @@ std::pair<Graph, int> reduced(const Graph& graph, int node) {
     places[n] = smaller.restore(moved);
   }
   return {std::move(smaller), places.at(node)};
+}
+
+double value_of(Operation function, double x) {
+  double value = 0;
+  run_function(function, &x, &value, 1);
+  return value;
 }
 
 } // namespace signorini::symbolic

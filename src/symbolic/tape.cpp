@@ -84,6 +84,7 @@ int Compiler::new_power(int base, double exponent, bool shared) {
       if (key.first != base || key.second == std::round(key.second)) continue;
       if (std::abs(between - std::round(between)) > 1e-14 || std::abs(between) > 8) continue;
       const int start = value;
+      if (std::round(between) == 0) return start;                // the same exponent up to rounding error
       const int rest = power(base, std::round(between), shared); // adds to powers_
       return put(Code::multiply, start, rest);
     }
@@ -168,14 +169,14 @@ Tape compile(const Graph& graph, const std::vector<int>& formulas, bool positive
   return tape;
 }
 
-void evaluate(const Tape& tape, double* registers, int stride, int points) {
-  run(tape.code.data(), static_cast<int>(tape.code.size()), registers, stride, points);
+void evaluate(const Tape& tape, double* registers, int stride, int points, int outputs) {
+  run(tape.code.data(), tape.ends[at(outputs - 1)], registers, stride, points);
 }
 
 std::vector<double> evaluate(const Tape& tape, const std::vector<double>& variables) {
   std::vector<double> registers(at(tape.registers)), values;
   std::copy(variables.begin(), variables.end(), registers.begin());
-  evaluate(tape, registers.data(), 1, 1);
+  evaluate(tape, registers.data(), 1, 1, static_cast<int>(tape.outputs.size()));
   for (int output : tape.outputs) values.push_back(output < 0 ? 0 : registers[at(output)]);
   return values;
 }

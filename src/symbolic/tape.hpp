@@ -21,7 +21,8 @@ Tape compile(const Graph& graph, const std::vector<int>& formulas, bool positive
 /// The values of the outputs at one point.
 std::vector<double> evaluate(const Tape& tape, const std::vector<double>& variables);
 
-/// Runs a tape on registers, which are rows of `stride` values, one per point; the first rows hold the variables.
-void evaluate(const Tape& tape, double* registers, int stride, int points);
+/// Runs a tape on registers, which are rows of `stride` values, one per point; the first rows hold the variables. Only
+/// the first `outputs` formulas, at least one, are evaluated.
+void evaluate(const Tape& tape, double* registers, int stride, int points, int outputs);
 
 } // namespace signorini::symbolic

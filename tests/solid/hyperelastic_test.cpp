@@ -1,4 +1,5 @@
 #include "solid/archive.hpp"
+#include "solid/energy.hpp"
 #include "solid/hyperelastic.hpp"
 #include "solid/kernel_wide.hpp"
 #include "solid/stability.hpp"
@@ -298,11 +299,35 @@ template <int D> void all_widths_agree(const std::vector<Body<D>>& bodies) {
   }
 }
 
+/// Also the responses, of which the kernels above all call the widest.
+template <int D> void all_responses_agree(const Hyperelastic& law) {
+  constexpr int entries = entries_in(D), rows = entries + packed_size(entries);
+  constexpr int points = 37, stride = 40; // more than one chunk, not whole vectors
+  Random random(38);
+  std::vector<double> f(at(entries * stride)), first;
+  for (int q = 0; q < stride; ++q) {
+    const Mat<3> one = random_deformation(random, 0.2);
+    for (int e = 0; e < entries; ++e) {
+      const int entry = D == 3 ? e : plane_entries[e];
+      f[at(e * stride + q)] = one(entry / 3, entry % 3);
+    }
+  }
+  for (const EnergyResponse respond : energy_responses<D>()) {
+    std::vector<double> values(at(rows * stride));
+    respond(law.compiled->program, {points, stride, f.data(), values.data(), values.data() + entries * stride});
+    if (first.empty()) first = values;
+    for (int row = 0; row < rows; ++row)
+      for (int q = 0; q < points; ++q) EXPECT_NEAR(values[at(row * stride + q)], first[at(row * stride + q)], 1e-12);
+  }
+}
+
 TEST(Hyperelastic, AllVectorWidthsAgree) {
   all_widths_agree(plane_bodies(fibers()));
   all_widths_agree(bodies_of_revolution(fibers()));
   all_widths_agree(space_bodies(fibers()));
   EXPECT_EQ(energy_responses<3>().size(), moduli_kernels<3>().size());
+  all_responses_agree<2>(fibers());
+  all_responses_agree<3>(fibers());
 }
 
 /// Saint Venant–Kirchhoff with ν = 0: τ = E (a⁴ − a²)/2 has the slope E (2a⁴ − a²) by ln a; for neo-Hooke at F = 1.2 I
