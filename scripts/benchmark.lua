@@ -60,7 +60,7 @@ local element = measure.element(options.element, options.repeats)
 
 local compiled = {}
 for i, kind in ipairs(measure.elements) do
-  compiled[i] = { kind.name, measure.formula(kind, 10 * options.repeats + 1) }
+  compiled[i] = { kind.name, measure.formula_ratio(kind, 10 * options.repeats + 1) }
 end
 
 local solver_sheet = solvers.sheet(options.solvers, options.repeats)

@@ -3,6 +3,7 @@
 -- other lines remain visible.
 
 local core = require "signorini.core"
+local lists = require "signorini.lists"
 
 local commands = {}
 
@@ -16,7 +17,8 @@ local known = {
   { "%help", "lists the commands" },
 }
 
-local names = { "help", "run", "time", "who" }
+local names = lists.map(known, function(entry) return entry[1]:match "%a+" end)
+table.sort(names)
 
 --- The names of the commands with %, for Tab.
 function commands.names() return names end
@@ -57,12 +59,7 @@ end
 
 local module = 'require"signorini.commands"'
 
-local function is_known(name)
-  for _, one in ipairs(names) do
-    if one == name then return true end
-  end
-  return false
-end
+local function is_known(name) return lists.holds(names, name) end
 
 --- The command in a line: its name and the text after it, or nil. In further lines % may be Lua's modulo, so that only
 --- known names are commands there.

@@ -7,6 +7,7 @@ local lists = require "signorini.lists"
 local on_behalf_of = require "signorini.on_behalf_of"
 local quantities = require "signorini.hdf5.quantities"
 local scene = require "signorini.hdf5.scene"
+local stage_names = require "signorini.stage_names"
 
 local form, schema = "signorini run", 1
 local most_share = 0.02 -- of a run's time for replacing the file on the disk, unless `every` is given
@@ -104,19 +105,6 @@ function Record:continue_entries(family, step, fields)
   end
 end
 
---- The stage of each of the rows from number `first` on.
-local function stages_of(run, first)
-  local names, index, last = {}, 1, run.stages[1] and run.stages[1].steps or 0
-  for row = 1, run.rows do
-    while index < #run.stages and math.ceil(run.step_column[row]) > last do
-      index = index + 1
-      last = last + run.stages[index].steps
-    end
-    if row >= first then names[#names + 1] = run.stages[index].name end
-  end
-  return names
-end
-
 --- Appends the rows that the run has added.
 function Record:append_rows(run)
   local first = self.rows
@@ -127,7 +115,7 @@ function Record:append_rows(run)
     self:append({ "/columns/" .. scene.link(name), values, kind = "number", entry = {}, quantity = quantity,
                   text = text, name = name }, first)
   end
-  self:append({ "/rows/stage", stages_of(run, first + 1), kind = "text", entry = {},
+  self:append({ "/rows/stage", stage_names(run, first + 1), kind = "text", entry = {},
                 text = "stage of each row of the columns" }, first)
   if self.written_names ~= #run.names then
     self.written_names = #run.names

@@ -40,13 +40,11 @@ end
 --- The formats of a value that does not become `_`.
 function kernel.value(...) return formats((...)) end
 
---- An SVG of this size. Its definitions get other names than those of other pictures, because a page that contains both
---- would mix them up.
+--- An SVG of this size, with names of its own.
 local pictures = 0
 local function scaled_svg(bytes, width, height)
   pictures = pictures + 1
-  local prefix = ("picture%d-"):format(pictures)
-  bytes = bytes:gsub(' id="', ' id="' .. prefix):gsub('href="#', 'href="#' .. prefix):gsub("url%(#", "url(#" .. prefix)
+  bytes = require "signorini.svg_names"(bytes, ("picture%d-"):format(pictures))
   local size = ('width="%d" height="%d"'):format(width, height)
   return (bytes:gsub('width="%d+px" height="%d+px"', size, 1))
 end

@@ -93,7 +93,7 @@ function measure.case(case, options)
 end
 
 --- Neo-Hooke as a formula, which is compiled.
-local function formula(E, nu)
+local function neo_hooke_as_formula(E, nu)
   local mu = E / (2 * (1 + nu))
   local lambda = 2 * mu * nu / (1 - 2 * nu)
   return sg.hyperelastic{ energy = function(I1, _, J)
@@ -111,7 +111,7 @@ measure.elements = {
 
 --- The ratio of the times of assembly, residual and tangent, with neo-Hooke as a formula and with its kernels: median
 --- of pairs.
-function measure.formula(case, pairs_of_runs)
+function measure.formula_ratio(case, pairs_of_runs)
   local space = #case.elements == 3
   local function scene(material)
     local body = sg.body{
@@ -121,7 +121,7 @@ function measure.formula(case, pairs_of_runs)
     return sg.model{ bodies = { body = body }, kind = case.kind,
       supports = { bed = { on = body:face(space and "front" or "south"), fix = space and "xyz" or "xy" } } }
   end
-  local scenes, ratios = { scene(formula(1, 0.3)), scene(sg.neo_hookean{ E = 1, nu = 0.3 }) }, {}
+  local scenes, ratios = { scene(neo_hooke_as_formula(1, 0.3)), scene(sg.neo_hookean{ E = 1, nu = 0.3 }) }, {}
   for i = 1, pairs_of_runs do
     local times = {}
     for k, model in ipairs(scenes) do

@@ -22,7 +22,7 @@ function depth.solve(case)
   return problem.solve(case)
 end
 
---- The turning point in the run's report, or nil.
+--- The turning point in the run's failure, or nil.
 local function turning_point(run)
   return run.failed and tonumber(run.failure:match "turning point at grip%.uz = (%-?[%d.]+)") or nil
 end

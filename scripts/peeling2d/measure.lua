@@ -74,7 +74,7 @@ function measure.window(case, window)
            mean = mean(case, rows[1], rows[#rows]) }
 end
 
---- The angle of the turning point in a run's report, or nil.
+--- The angle of the turning point in a run's failure, or nil.
 function measure.reported_turn(run)
   if run.reason ~= "turning_point" then return nil end
   return tonumber(run.failure:match "turning point at edge%.angle = ([%d.]*%d)")

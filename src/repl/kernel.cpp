@@ -221,8 +221,8 @@ void serve_kernel(Interpreter& interpreter, const std::string& connection_file, 
   finish_statements();
   AcceptsInterrupts::set(SIG_BLOCK);
   const auto make = [&](FrontEnd& front_end) {
+    bool ok = interpreter.open_globals(); // first: %who lists what differs from the global names that it leaves
     auto cells = std::make_unique<Cells>(interpreter, front_end);
-    bool ok = interpreter.open_globals();
     for (const auto& each : code) ok = ok && interpreter.run_code(each, "=(command line)");
     if (!ok) bind::fail("--kernel: the kernel ends, because the code before its first cell failed");
     return cells;

@@ -4,7 +4,7 @@ import base64
 import tempfile
 import unittest
 
-from client import Case, home
+from client import Case, home, limit
 
 
 class Cells(Case):
@@ -56,7 +56,7 @@ class Cells(Case):
     def test_picture(self):
         result = self.run_cell("""
             print "before"
-            sg.chart{ x = {1, 2}, { y = {1, 2} }, size = {800, 500} }""")
+            sg.chart{ x = {1, 2}, { y = {1, 2} }, size = {800, 500}, title = "url(#q)" }""")
         kinds = [kind for kind, _ in result.messages]
         self.assertLess(kinds.index("stream"), kinds.index("display_data"))
         chart = result.contents("display_data")[0]
@@ -64,7 +64,7 @@ class Cells(Case):
         self.assertEqual(png[:4], b"\x89PNG")
         self.assertEqual([int.from_bytes(png[i:i + 4], "big") for i in (16, 20)], [800, 500])
         self.assertEqual(chart["metadata"]["image/png"], {"width": 400, "height": 250})
-        self.assertHolds(chart["data"]["image/svg+xml"], 'width="400" height="250"')
+        self.assertHolds(chart["data"]["image/svg+xml"], 'width="400" height="250"', ">url(#q)<")
         self.assertEqual(chart["data"]["text/plain"], "chart of 1 curve")
         self.assertNotIn("image/svg+xml", chart["metadata"])
         self.assertEqual(self.run_cell("tostring(_)").value, '"chart of 1 curve"')
@@ -109,19 +109,35 @@ class Cells(Case):
         self.assertEqual(self.run_cell("_").value, '"kept"')
 
     def test_stop_on_error(self):
-        first = self.kernel.client.execute("os.execute 'sleep 0.3' error 'stop'")
-        second = self.kernel.client.execute("never = 1")
-        kernel_info = self.kernel.client.kernel_info()
-        replies = {request: self.kernel.reply(request)["status"] for request in (first, second, kernel_info)}
-        self.assertEqual(list(replies.values()), ["error", "aborted", "ok"])
+        def failing(message, **options):  # a cell that fails once it gets an input: others wait by then
+            request = self.kernel.client.execute(f"io.read() error '{message}'", allow_stdin=True, **options)
+            self.kernel.client.get_stdin_msg(timeout=limit)
+            return request
+
+        first = failing("stop")
+        second, info = self.kernel.client.execute("never = 1"), self.kernel.client.kernel_info()
+        self.kernel.client.input("")
+        self.assertEqual([self.kernel.reply(each)["status"] for each in (first, second, info)],
+                         ["error", "aborted", "ok"])
         self.assertEqual(self.run_cell("rawget(_G, 'never')").value, "nil")
-        self.kernel.client.execute("os.execute 'sleep 0.3' error 'go on'", stop_on_error=False)
-        self.assertEqual(self.run_cell("1").value, "1")
+        failing("go on", stop_on_error=False)
+        last = self.kernel.client.execute("1")
+        self.kernel.client.input("")
+        self.assertEqual(self.kernel.reply(last)["status"], "ok")
+
+    def test_commands(self):
+        self.run_cell("own = 1")
+        self.assertRegex(self.run_cell("%who").text(), r"^variable +type +value\nown +number +1\n$")
+        result = self.run_cell("local y = 2\n%time y * 21")
+        self.assertHolds(result.text(), "wall-clock time ")
+        self.assertEqual(result.value, "42")
+        self.assertHolds(self.run_cell("?sg.body").text(), "Returns a solid body")
+        self.assertHolds(self.run_cell("%tim 3").error, "unknown command '%tim'; did you mean '%time'?")
 
     def test_input(self):
         request = self.kernel.client.execute("io.write 'name? '\nname = io.read()\nn = io.read('n', 'L')", allow_stdin=True)
         for answer in ("Ada", "42", "end"):
-            asked = self.kernel.client.get_stdin_msg(timeout=300)
+            asked = self.kernel.client.get_stdin_msg(timeout=limit)
             self.assertEqual(asked["msg_type"], "input_request")
             self.kernel.client.input(answer)
         self.assertEqual(self.kernel.reply(request)["status"], "ok")

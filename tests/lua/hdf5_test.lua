@@ -4,17 +4,11 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local ironing = require "ironing"
+local read = require "read_hdf5"
 local strip = require "strip"
 
 local folder = check.folder()
 local python = "/usr/bin/python3 " -- Debian's, which finds python3-h5py
-
---- A file as tests/hdf5/read.py finds it: by path { shape, values, attributes }.
-local function read(file)
-  local output, status = check.shell(("%s'%s/tests/hdf5/read.py' '%s'"):format(python, core.home, file))
-  if status ~= 0 then error(output) end
-  return assert(load(output))()
-end
 
 local function packed(values) return core.pack(values) end
 

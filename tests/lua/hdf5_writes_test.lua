@@ -5,16 +5,11 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local ironing = require "ironing"
+local read = require "read_hdf5"
 
 local folder = check.folder()
 local python = "/usr/bin/python3 " -- Debian's, which finds python3-h5py
 local program = check.shell(("realpath '%s'"):format(arg[-1])):match "[^\n]+"
-
-local function read(file)
-  local output, status = check.shell(("%s'%s/tests/hdf5/read.py' '%s'"):format(python, core.home, file))
-  if status ~= 0 then error(output) end
-  return assert(load(output))()
-end
 
 local path = { { name = "press", steps = 4, grip = {0, -0.15} }, { name = "slide", steps = 3, grip = {0.1, -0.15} } }
 

@@ -4,22 +4,16 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local ironing = require "ironing"
+local layered_solid = require "layered_solid"
+local read = require "read_vtu"
 
 local folder = check.folder()
-local reader = (arg[-1]:match "^(.*)/[^/]*$" or ".") .. "/tests/read_vtu"
-
---- What VTK finds in a file, every cell evaluated at all combinations of places.
-local function read(file, places)
-  local output, status = check.shell(("'%s' '%s' %s"):format(reader, file, table.concat(places or { 0, 1 }, " ")))
-  if status ~= 0 then error(output) end
-  return assert(load(output))()
-end
 
 --- The arguments of sg.vtu as exact and as linear cells: the corners of these have the values of the exact cells there.
 --- Returns what VTK finds in the file with the linear ones.
 local function compare(o, n)
   local places = {}
-  for i = 0, n do places[i + 1] = ("%.17g"):format(i / n) end
+  for i = 0, n do places[i + 1] = i / n end
   o.file = folder .. "/exact.vtu"
   sg.vtu(o)
   local exact = read(o.file, places)
@@ -76,15 +70,7 @@ for n = 1, 3, 2 do
 end
 
 check.case("solids with layers; by default the highest degree", function()
-  local lower = sg.body { patch = sg.shapes.block { size = { 2, 2, 1 } }, elements = { 2, 2, 2 },
-                          order = { "N2-N2.2", "N3-N4" }, thickness_degree = 2, contact = "back",
-                          material = sg.neo_hookean { E = 1, nu = 0.3 } }
-  local ball = sg.rigid.sphere { center = { 1, 1, 3 }, radius = 2 }
-  local model = sg.model {
-    bodies = { lower = lower }, supports = { bed = { on = lower:face "front", fix = "xy", drive = "z" } },
-    contacts = { touch = { slave = lower:face "back", master = ball, penalty = 50, points = 5 } },
-  }
-  check.equal(model:run({ { name = "lift", steps = 1, bed = { 0.1 } } }).failed, false)
+  local model = layered_solid()
   local file, found = folder .. "/solid.vtu", compare({ model = model }, 2)
   check.equal({ found.cells[1].type, found.cells[#found.cells].type }, { 12, 9 })
   check.equal(#found.cells, 8 * 8 + 4 * 4)

@@ -67,7 +67,7 @@ local function deep_ironing()
   }
 end
 
---- The run failed for this reason after so many steps; its report holds the fragments. Returns its worst place.
+--- The run failed for this reason after so many steps; its failure holds the fragments. Returns its worst place.
 local function expect(run, reason, steps, ...)
   check.equal({ run.failed, run.reason, run.cause, run.steps }, { true, reason, reason, steps })
   check.holds(run.failure, ...)

@@ -5,9 +5,10 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local ironing = require "ironing"
+local layered_solid = require "layered_solid"
+local read = require "read_vtu"
 
 local folder = check.folder()
-local reader = (arg[-1]:match "^(.*)/[^/]*$" or ".") .. "/tests/read_vtu"
 
 --- Gauss points of n points on [0, 1].
 local gauss = {
@@ -17,15 +18,6 @@ local gauss = {
 do
   local a, b = math.sqrt(5 - 2 * math.sqrt(10 / 7)) / 6, math.sqrt(5 + 2 * math.sqrt(10 / 7)) / 6
   gauss[5] = { 0.5 - b, 0.5 - a, 0.5, 0.5 + a, 0.5 + b }
-end
-
---- What VTK finds in a file, every cell evaluated at all combinations of the places.
-local function read(file, places)
-  local words = {}
-  for i, place in ipairs(places) do words[i] = ("%.17g"):format(place) end
-  local output, status = check.shell(("'%s' '%s' %s"):format(reader, file, table.concat(words, " ")))
-  if status ~= 0 then error(output) end
-  return assert(load(output))()
 end
 
 --- The element of a body (numbers from 0, ξ¹ fastest) at a cell's own coordinates; its elements are equally long.
@@ -186,15 +178,7 @@ for _, order in ipairs { "N2", "N2-N2.2" } do
 end
 
 check.case("solids with layers: hexahedra of different degrees, faces with pressure", function()
-  local lower = sg.body { patch = sg.shapes.block { size = { 2, 2, 1 } }, elements = { 2, 2, 2 },
-                          order = { "N2-N2.2", "N3-N4" }, thickness_degree = 2, contact = "back",
-                          material = sg.neo_hookean { E = 1, nu = 0.3 } }
-  local ball = sg.rigid.sphere { center = { 1, 1, 3 }, radius = 2 }
-  local model = sg.model {
-    bodies = { lower = lower }, supports = { bed = { on = lower:face "front", fix = "xy", drive = "z" } },
-    contacts = { touch = { slave = lower:face "back", master = ball, penalty = 50, points = 5 } },
-  }
-  check.equal(model:run({ { name = "lift", steps = 1, bed = { 0.1 } } }).failed, false)
+  local model = layered_solid()
   local file = folder .. "/solid.vtu"
   sg.vtu { model = model, file = file }
   local found = read(file, { 0, gauss[5][2], gauss[2][1], 1 })

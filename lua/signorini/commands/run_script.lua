@@ -115,5 +115,5 @@ return function(line)
     local _ <close> = begin_program(script, arguments)
     result = result_of(program, arguments)
   end
-  if result ~= nil then rawset(_G, "_", result) end
+  prompt.keep(result)
 end

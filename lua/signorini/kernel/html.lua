@@ -2,13 +2,11 @@
 
 local cells = require "signorini.study.cells"
 local counted = require "signorini.counted"
+local html = require "signorini.report.html"
 local lists = require "signorini.lists"
 
 local map = lists.map
 local most = 100 -- rows
-
-local function escaped(text) return (text:gsub("[&<>\"]", { ["&"] = "&amp;", ["<"] = "&lt;", [">"] = "&gt;",
-                                                            ["\""] = "&quot;" })) end
 
 local function cell_text(value)
   if value == nil then return "–" end
@@ -19,7 +17,7 @@ end
 --- Numbers are aligned to the right, texts to the left.
 local function cell(tag, value)
   local align = tag == "td" and type(value) ~= "number" and "left" or "right"
-  return ('<%s style="text-align: %s">%s</%s>'):format(tag, align, escaped(cell_text(value)), tag)
+  return ('<%s style="text-align: %s">%s</%s>'):format(tag, align, html.escape(cell_text(value)), tag)
 end
 
 local function row_of(tag, count, row)
@@ -31,7 +29,7 @@ end
 --- Lines of text above a table: heads (names, units) and rows.
 local function page(lines, heads, rows)
   local count = #heads[1]
-  local parts = lists.joined(map(lines, function(line) return "<div>" .. escaped(line) .. "</div>" end),
+  local parts = lists.joined(map(lines, function(line) return html.element("div", line) end),
     { "<table><thead>" }, map(heads, function(head) return row_of("th", count, head) end), { "</thead><tbody>" },
     map({ table.unpack(rows, 1, most) }, function(row) return row_of("td", count, row) end), { "</tbody></table>" })
   if #rows > most then parts[#parts + 1] = ("<div>… %s</div>"):format(counted(#rows - most, "more row")) end

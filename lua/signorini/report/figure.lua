@@ -4,6 +4,7 @@ local core = require "signorini.core"
 local describe = require "signorini.describe"
 local html = require "signorini.report.html"
 local lists = require "signorini.lists"
+local svg_names = require "signorini.svg_names"
 local on_behalf_of = require "signorini.on_behalf_of"
 
 local figure = {}
@@ -49,12 +50,11 @@ local function marks_of(spots)
   return ('<g class="spots" fill="transparent">\n%s\n</g>\n'):format(table.concat(marks, "\n"))
 end
 
---- An SVG document as an element of the page: names get a prefix, because those of several figures are equal.
+--- An SVG document as an element of the page.
 local function inline_svg(svg, prefix, label, marks)
   svg = svg:gsub("^.-(<svg)", "%1", 1):gsub("%s*$", "")
-  svg = svg:gsub("<[^>]->", function(tag)
-    return (tag:gsub(' xmlns[:%w]*="[^"]*"', ""):gsub("xlink:href=", "href="):gsub('( id=")', "%1" .. prefix)
-      :gsub('( href="#)', "%1" .. prefix):gsub("(url%(#)", "%1" .. prefix))
+  svg = svg_names(svg, prefix):gsub("<[^>]->", function(tag)
+    return (tag:gsub(' xmlns[:%w]*="[^"]*"', ""):gsub("xlink:href=", "href="))
   end)
   svg = svg:gsub('^<svg[^>]-viewBox="([^"]*)"[^>]*>', function(box)
     return ('<svg viewBox="%s" role="img" tabindex="0" aria-label="%s">'):format(box, html.escape(label))

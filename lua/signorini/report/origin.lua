@@ -4,6 +4,7 @@ local core = require "signorini.core"
 local counted = require "signorini.counted"
 local html = require "signorini.report.html"
 local lists = require "signorini.lists"
+local quoted = require "signorini.quoted"
 
 local origin = {}
 
@@ -12,8 +13,7 @@ local origin = {}
 --- Names and files of the modules that the script has loaded, except those of the library.
 local function modules()
   local found, library = {}, core.home .. "/lua/"
-  local names = lists.filter(lists.sorted_names(package.loaded), function(name) return type(name) == "string" end)
-  for _, name in ipairs(names) do
+  for _, name in ipairs(lists.sorted_names(package.loaded)) do
     local file = package.searchpath(name, package.path)
     if file and file:sub(1, #library) ~= library then found[#found + 1] = { name = name, file = file } end
   end
@@ -22,7 +22,7 @@ end
 
 --- A word of a command line, in quotes where it needs them.
 local function word(text)
-  return text:find "^[%w%._/=,:+-]+$" and text or "'" .. text:gsub("'", [['\'']]) .. "'"
+  return text:find "^[%w%._/=,:+-]+$" and text or quoted(text)
 end
 
 --- The script, its arguments and its modules; the text of a script is that of its file now.

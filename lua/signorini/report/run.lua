@@ -12,6 +12,7 @@ local lists = require "signorini.lists"
 local on_behalf_of = require "signorini.on_behalf_of"
 local page = require "signorini.report.page"
 local path_controls = require "signorini.path_controls"
+local stage_names = require "signorini.stage_names"
 
 local where = "run:report"
 local most_attempts, most_states = 200, 6
@@ -28,16 +29,9 @@ end
 
 --- All columns, one row per step, with the stage of each.
 local function steps(run)
-  local ends, last = {}, 0
-  for _, stage in ipairs(run.stages) do
-    last = last + stage.steps
-    ends[#ends + 1] = { last, stage.name }
-  end
-  local rows = {}
+  local stages, rows = stage_names(run, 1), {}
   for row = 1, run.rows do
-    local step = run.step_column[row]
-    local of = lists.filter(ends, function(entry) return step <= entry[1] end)[1] or ends[#ends]
-    rows[row] = { [2] = of and of[2] }
+    rows[row] = { [2] = stages[row] }
     for j, name in ipairs(run.names) do
       local value = run.values[name][row]
       rows[row][j > 1 and j + 1 or j] = value == value and value or nil

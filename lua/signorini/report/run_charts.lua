@@ -47,12 +47,12 @@ local quantities = {
 --- The charts of a run without options: for each support, load and contact its quantities over the steps, the columns
 --- of on_step, and the iterations.
 local function chosen(run)
-  local list, vlines = {}, ends_of_stages(run)
+  local list, vlines, all = {}, ends_of_stages(run), owners(run)
   local function add(y, label, title)
     list[#list + 1] = { x = "step", y = y, xlabel = "step", ylabel = label, title = title, vlines = vlines }
   end
   for _, quantity in ipairs(quantities) do
-    for _, owner in ipairs(owners(run)) do
+    for _, owner in ipairs(all) do
       local y = lists.filter(owner, function(name) return name:match "[%a_]+$":find(quantity[2]) end)
       if #y > 0 then
         add(y, quantity[1], ("%s of %s"):format(quantity[1]:gsub("^%l", string.upper), owner.key))

@@ -3,6 +3,7 @@
 
 local friction = require "signorini.scenes.friction"
 local sg = require("signorini.core").sg
+local steps = require "signorini.scenes.steps"
 
 local down, along = 0.1, 0.25 -- lengths of the steps
 
@@ -23,7 +24,7 @@ return function(o)
     contacts = { interface = { slave = block:face "front", master = slab:face "back", penalty = 100,
                                friction = friction(o.mu, 100) } } }
   return model, {
-    { name = "press", steps = math.ceil(o.depth / down - 1e-9), grip = { 0, -o.depth } },
-    { name = "slide", steps = math.ceil(o.distance / along - 1e-9), grip = { o.distance, -o.depth } },
+    { name = "press", steps = steps(o.depth, down), grip = { 0, -o.depth } },
+    { name = "slide", steps = steps(o.distance, along), grip = { o.distance, -o.depth } },
   }
 end

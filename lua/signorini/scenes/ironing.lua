@@ -1,8 +1,8 @@
 -- A half ring that is pressed into a soft slab and dragged along it: V. Agrawal, thesis, IIT Guwahati, 2020, 7.1.
 
-local core = require "signorini.core"
 local friction = require "signorini.scenes.friction"
-local sg = core.sg
+local sg = require("signorini.core").sg
+local steps = require "signorini.scenes.steps"
 
 local down, along = 0.005, 0.006 -- lengths of the steps
 
@@ -21,7 +21,7 @@ return function(o)
     contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
                                friction = friction(o.mu, 100) } } }
   return model, {
-    { name = "press", steps = math.ceil(o.depth / down - 1e-9), grip = { 0, -o.depth } },
-    { name = "slide", steps = math.ceil(o.distance / along - 1e-9), grip = { o.distance, -o.depth } },
+    { name = "press", steps = steps(o.depth, down), grip = { 0, -o.depth } },
+    { name = "slide", steps = steps(o.distance, along), grip = { o.distance, -o.depth } },
   }
 end

@@ -2,6 +2,7 @@
 -- Numer. Meth. Engng 87 (2011). Lengths in nm, forces in nN (per nm of depth).
 
 local sg = require("signorini.core").sg
+local steps = require "signorini.scenes.steps"
 
 local height, young, poisson = 10, 2, 0.2
 local hamaker, r0 = 0.1, 0.4
@@ -32,5 +33,5 @@ return function(o)
     contacts = { film = { slave = strip:face "south", adhesion = { hamaker = hamaker, r0 = r0 },
                           master = sg.rigid.plane { point = { 0, -rest }, normal = { 0, 1 } },
                           where = function(X) return X[1] <= o.bonded end } } }
-  return model, { { name = "peel", steps = math.ceil(o.angle - 1e-9), edge = o.angle } }, steady()
+  return model, { { name = "peel", steps = steps(o.angle, 1), edge = o.angle } }, steady()
 end

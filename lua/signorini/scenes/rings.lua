@@ -2,6 +2,7 @@
 
 local friction = require "signorini.scenes.friction"
 local sg = require("signorini.core").sg
+local steps = require "signorini.scenes.steps"
 
 return function(o)
   local n = o.refinement
@@ -19,5 +20,5 @@ return function(o)
                  grip = { on = upper:face "east", fix = "x", drive = "y" } },
     contacts = { interface = { slave = upper:face "south", master = lower:face "south", penalty = 100,
                                friction = friction(o.mu, 10) } } }
-  return model, { { name = "press", steps = math.ceil(10 * o.depth - 1e-9), grip = { -o.depth } } }
+  return model, { { name = "press", steps = steps(o.depth, 0.1), grip = { -o.depth } } }
 end
