@@ -6,12 +6,21 @@ local show = require "signorini.show"
 local prompt = {}
 core.line_locals = {}
 
+--- Shows a picture that is in no file; returns whether it did.
+local function is_shown(value)
+  return core.kind(value) == "picture" and not core.picture_file(value)
+    and (require("signorini.display").show(value))
+end
+
 --- Shows the results of a line; the first one is then `_`, unless it is nil.
 function prompt.results(...)
   if select("#", ...) == 0 then return end
   if select("#", ...) == 1 and ... == core.sg.help then return core.sg.help() end
   if (...) ~= nil then rawset(_G, "_", (...)) end
-  show.print(...)
+  for i = 1, select("#", ...) do
+    local value = select(i, ...)
+    if not is_shown(value) then show.print(value) end
+  end
 end
 
 --- Remembers the names that a line declares as local.

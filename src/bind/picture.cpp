@@ -205,19 +205,21 @@ int write_method(lua_State* L) {
 }
 
 /// core.picture_bytes(picture, format, most): the bytes of a file, format "png", "svg" or "pdf". most: {width, height}
-/// in pixels, into which the picture is laid out with its own ratio of sides; nil for its own size.
+/// in pixels, into which the picture is laid out; nil for its own size.
 int picture_bytes(lua_State* L) {
   luaL_checkany(L, 1);
   const Picture* given = test_object<Picture>(L, 1);
   require(given, "a picture is expected, got ", describe(L, 1));
-  Picture picture = *given;
-  if (!lua_isnoneornil(L, 3)) {
-    const auto most = to<std::array<int, 2>>(L, 3);
-    const double factor = std::min(1.0 * most[0] / picture.size[0], 1.0 * most[1] / picture.size[1]);
-    for (int& side : picture.size) side = static_cast<int>(factor * side + 0.5);
-  }
+  const Picture picture = lua_isnoneornil(L, 3) ? *given : fitted(*given, to<std::array<int, 2>>(L, 3));
   const view::Format format = view::format_of(text("picture.", to<std::string>(L, 2)));
   push(L, view::bytes_of(figures_of({picture})(0), format, picture.transparent));
+  return 1;
+}
+
+/// core.picture_file(picture): the file in which it was written when it was made, or nil.
+int picture_file(lua_State* L) {
+  const std::string& file = read_object<Picture>(L, 1).file;
+  push(L, file.empty() ? std::nullopt : std::optional(file));
   return 1;
 }
 
@@ -228,15 +230,24 @@ int picture_tostring(lua_State* L) {
 
 constexpr Function picture_functions[] = {{"picture", picture}, {"sheet", sheet}, {"film", film}};
 
-constexpr Function picture_core[] = {{"picture_bytes", picture_bytes}};
+constexpr Function picture_core[] = {{"picture_bytes", picture_bytes}, {"picture_file", picture_file}};
 
 constexpr Function picture_methods[] = {{"write", write_method}, {"__tostring", picture_tostring}};
 
 } // namespace
 
+Picture fitted(const Picture& picture, const std::array<int, 2>& most) {
+  Picture fit = picture;
+  const double factor = std::min(1.0 * most[0] / picture.size[0], 1.0 * most[1] / picture.size[1]);
+  for (int& side : fit.size) side = static_cast<int>(factor * side + 0.5);
+  if (picture.trim) fit.size = most;
+  return fit;
+}
+
 int push_picture(lua_State* L, Picture picture, const std::string& file) {
-  const Picture& pushed = push_object(L, std::move(picture));
+  Picture& pushed = push_object(L, std::move(picture));
   if (!file.empty()) write_picture(pushed, file);
+  pushed.file = file;
   return 1;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/interrupt.hpp"
 #include "repl/interrupt.hpp"
+#include "terminal/dialogue.hpp"
 
 #include <csignal>
 #include <cstdio>
@@ -97,6 +98,15 @@ void on_line(char* line) {
   typed = line;
 }
 
+std::string typed_ahead; ///< keys that came between answers of the terminal
+
+int next_key(FILE* input) {
+  if (typed_ahead.empty()) return rl_getc(input);
+  const auto key = static_cast<unsigned char>(typed_ahead.front());
+  typed_ahead.erase(0, 1);
+  return key;
+}
+
 volatile std::sig_atomic_t continued = 0, resized = 0;
 
 void note_signal(int signal) {
@@ -106,6 +116,7 @@ void note_signal(int signal) {
 /// Waits for a key or a signal; returns which. Ctrl-C is unblocked only while waiting, so that none is missed between
 /// the check and the wait.
 bool wait_for_key() {
+  if (!typed_ahead.empty()) return !interrupted();
   sigset_t interrupt, others;
   sigemptyset(&interrupt);
   sigaddset(&interrupt, SIGINT);
@@ -142,6 +153,8 @@ LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
   rl_completer_quote_characters = "\"'";
   rl_attempted_completion_function = complete;
   rl_bind_key('\t', tab);
+  rl_getc_function = next_key;
+  terminal::keep_typed([](const std::string& keys) { typed_ahead += keys; });
   rl_catch_sigwinch = 0; // readline would handle it only with the next key
   std::signal(SIGWINCH, note_signal);
   std::signal(SIGCONT, note_signal);
