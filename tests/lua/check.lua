@@ -143,7 +143,7 @@ end
 --- Types to a command on a terminal, which util-linux' `script` provides. `turns` are keys, or { event, keys }: typed
 --- once that text has appeared behind what was there when the last keys were typed, or the function of that name says
 --- true; without an event once a prompt has. No time enters: a slow machine takes longer. `variables` stand in front of
---- the command. `terminal`: the command of another terminal than util-linux' script. Returns what the terminal has shown,
+--- the command. `terminal`: the command of another terminal than that script. Returns what the terminal has shown,
 --- without carriage returns, and the exit status.
 function check.terminal(command, turns, variables, terminal)
   local screen, since = check.folder() .. "/screen", 0
