@@ -33,11 +33,18 @@ function types.model:profile(contact)
   return named.strict("a contact profile", profiles(self, contact),
     "lists with one value per contact point, such as profile.pressure[1]")
 end
+for _, kind in ipairs { "model", "state", "patch" } do
+  types[kind].show = function(...) return require("signorini.display").method(kind)(...) end
+end
+function types.picture:show() return require("signorini.display").show_picture(self) end
 sg.robust = require("signorini.controls").robust
 sg.plain = require("signorini.controls").plain
 
 local methods = require "signorini.methods"
-methods.guard("model", "run cost energy profile")
+methods.guard("model", "run cost energy profile show")
+methods.guard("state", "show")
+methods.guard("patch", "show")
+methods.guard("picture", "show")
 methods.guard("run", "attempts column columns csv hdf5 report residuals states")
 methods.guard("study", "by cancel chart column csv execute heatmap median read report row table watch where with")
 methods.guard("comparison", "front table")

@@ -33,7 +33,7 @@ enum Status { success = 0, failure = 1, wrong_usage = 2, stopped_by_user = 130 }
 }
 
 bool run(const repl::CommandLine& line, const std::string& program) {
-  repl::Interpreter interpreter({line.quiet, line.threads, line.jobs, line.on, line.chunk});
+  repl::Interpreter interpreter({line.quiet, line.threads, line.jobs, line.on, line.chunk, line.pictures});
   repl::catch_interrupts(interpreter.state());
   if (isatty(STDERR_FILENO)) acknowledge_interrupts(STDERR_FILENO);
   if (line.interactive || line.prompt_only()) survive_interrupts(); // the prompt stays usable with its variables

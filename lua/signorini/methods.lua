@@ -1,11 +1,11 @@
--- Argument checks of methods of types written in Lua, and of models; a call on a wrong object is reported. Methods
--- bound in C++ are checked there.
+-- Argument checks of methods written in Lua, of types that are written in Lua or in C++; a call on a wrong object is
+-- reported. Methods bound in C++ are checked there.
 
 local core = require "signorini.core"
 
 local function is_own(type_name)
   local methods = core.types[type_name]
-  if type_name == "model" then return function(value) return core.kind(value) == "model" end end
+  if not rawget(methods, "__name") then return function(value) return core.kind(value) == type_name end end -- of C++
   return function(value) return type(value) == "table" and getmetatable(value) == methods end
 end
 
@@ -18,7 +18,7 @@ local function guarded(type_name, key, method, owns)
   local name = ("%s:%s"):format(type_name, key)
   return function(self, ...)
     if not owns(self) then
-      local noun = type_name == "model" and "model" or core.types[type_name].__name
+      local noun = rawget(core.types[type_name], "__name") or type_name
       core.fail(("%s must be called on a %s, got %s. Hint: write it with a colon after the %s, %s(…)")
         :format(name, noun, core.describe(self), noun, name))
     end

@@ -27,12 +27,26 @@ function prompt.keep(...)
   if (...) ~= nil then rawset(_G, "_", (...)) end
 end
 
+--- Shows a picture that is in no file; returns whether it did.
+local function is_shown(value)
+  return core.kind(value) == "picture" and not core.picture_file(value)
+    and (require("signorini.display").show(value))
+end
+
 --- Shows the results of a line; the first one is then `_`, unless it is nil.
 function prompt.results(...)
   if select("#", ...) == 0 then return end
   if select("#", ...) == 1 and ... == core.sg.help then return core.sg.help() end
   prompt.keep(...)
-  show.print(...)
+  local others, n = {}, 0
+  for i = 1, select("#", ...) do
+    local value = select(i, ...)
+    if not is_shown(value) then
+      n = n + 1
+      others[n] = value
+    end
+  end
+  if n > 0 then show.print(table.unpack(others, 1, n)) end
 end
 
 --- Remembers the names that a line declares as local.

@@ -2,6 +2,9 @@
 
 install(TARGETS signorini RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS signorini_view signorini_flat LIBRARY DESTINATION lib/signorini)
+if(TARGET signorini_terminal)
+  install(TARGETS signorini_terminal LIBRARY DESTINATION lib/signorini)
+endif()
 if(TARGET signorini_mumps)
   install(TARGETS signorini_mumps LIBRARY DESTINATION lib/signorini COMPONENT mumps)
 endif()

@@ -314,6 +314,306 @@ local picture = {}
 ---@param file string # file: file name that ends with .png, .svg or .pdf (a string)
 function picture:write(file) end
 
+---Shows the picture in the terminal, in the size of the window. It is an error if the output is not a terminal and the
+---picture was made without `file`. At the prompt, a picture without `file` that is the result of a line is shown as
+---well. The option --pictures chooses how.
+---
+---Example:
+---```lua
+---sg.chart{ file = "square.png", x = {1, 2, 3}, { y = {1, 4, 9} } }:show()
+---```
+function picture:show() end
+
+---@class sg.model
+local model = {}
+
+---@alias sg.model.show.arguments.fields.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|string
+
+---@alias sg.model.show.arguments.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|string
+
+---@alias sg.model.show.arguments.colormap.choice "viridis"|"magma"|"inferno"|"plasma"|"cividis"|"gray"|"coolwarm"
+
+---@alias sg.model.show.arguments.mirror.choice "x"|"y"|"z"|"xy"|"xz"|"yz"|"xyz"
+
+---@class (exact) sg.model.show.arguments.cut
+---normal: direction of the removed half ('x', 'y', 'z', '-x', '-y' or '-z' or a list of 3 numbers {x, y, z})
+---@field normal "x"|"y"|"z"|"-x"|"-y"|"-z"|[number, number, number]
+---at: coordinate of the plane, if normal is an axis (a number; length; by default the middle of the bodies)
+---@field at? number
+---point: a point of the plane (a list of 3 numbers {x, y, z}; length; by default the middle of the bodies)
+---@field point? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.model.show.arguments.marks
+---x: place in the current state (a list of 2 or 3 numbers; length)
+---@field x [number, number]|[number, number, number]
+---text: short text next to it (a string; default "")
+---@field text? string
+---@field kind? any
+---@field body? any
+---@field element? any
+---@field point? any
+---@field contact? any
+---@field X? any
+---@field value? any
+---@field [string] sg.unknown_argument
+
+---@alias sg.model.show.arguments.camera.choice "iso"|"front"|"back"|"left"|"right"|"top"|"bottom"
+
+---@class (exact) sg.model.show.arguments.camera
+---from: direction from the model to the eye (a list of 3 numbers {x, y, z})
+---@field from [number, number, number]
+---up: upward direction in the picture (a list of 3 numbers {x, y, z}; by default z; y if seen along z)
+---@field up? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.model.show.arguments
+---fields: fields side by side, each with its own color bar, as in sg.sheet (a list of at least one name; optional)
+---@field fields? sg.model.show.arguments.fields.choice[]
+---columns: pictures in a row (a whole number from 1 to 100; by default chosen for the largest pictures)
+---@field columns? integer
+---field: a string; by default gray. Displacements ux uy u (length); Cauchy stresses (force per area) sxx syy szz sxy,
+---```text
+---       von_mises, pressure (-tr sigma/3), I1 (tr sigma: the first invariant of the stress, not of C); deformation
+---       gradient (no unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per
+---       current area, with adhesion per reference area) on slave faces, in the plane as a band along them. Stresses are
+---       evaluated at the points drawn, neither extrapolated nor averaged, so that jumps between elements are visible
+---```
+---@field field? sg.model.show.arguments.field.choice
+---factor: multiplies the field (a number; default 1)
+---@field factor? number
+---label: title of the color bar (a string; by default the field's name with its factor)
+---@field label? string
+---range: lowest and highest value of the colors, in the unit of the field times factor (a list of 2 increasing numbers
+---```text
+---       {low, high}; by default that of the values, without the lowest and highest ones, up to 0.5 % of the points
+---       drawn)
+---```
+---@field range? [number, number]
+---contours: true, a whole number from 1 to 100 or a list of at least one value; by default none. Contour lines: true:
+---at
+---```text
+---          the ticks of the color bar; a number: so many levels within the range; or a list of levels
+---```
+---@field contours? true|integer|number[]
+---bar: color bar of the range, with the field's extremes at its ends (true or false; default true)
+---@field bar? boolean
+---colormap: 'coolwarm' suits values of both signs ('viridis', 'magma', 'inferno', 'plasma', 'cividis', 'gray' or
+---```text
+---          'coolwarm'; default "viridis")
+---```
+---@field colormap? sg.model.show.arguments.colormap.choice
+---bodies: names of the bodies (a list of at least one name; by default all)
+---@field bodies? string[]
+---deformed: current shape; false: reference shape (true or false; default true)
+---@field deformed? boolean
+---undeformed: also the reference shape, dashed, in 3D also translucent (true or false; default false)
+---@field undeformed? boolean
+---mesh: element boundaries (true or false; default true)
+---@field mesh? boolean
+---control_points: control points and control net (true or false; default false)
+---@field control_points? boolean
+---vectors: 'displacement' or 'traction'; by default none. arrows: displacements at points of a grid, or tractions
+---(force
+---```text
+---         per current area, mortar: reference area) at the contact points of slave faces, with a scale below the
+---         picture
+---```
+---@field vectors? "displacement"|"traction"
+---obstacles: rigid obstacles (true or false; default true)
+---@field obstacles? boolean
+---mirror: 'x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; by default none. Adds the mirror image about the plane x = 0, y = 0
+---```text
+---        or z = 0 (solids), for "xy" about both; of a body that crosses the plane the larger part is mirrored
+---```
+---@field mirror? sg.model.show.arguments.mirror.choice
+---cut: 'x', 'y', 'z', '-x', '-y' or '-z' or a table { normal = …, at or point = … }; by default no cut. Solids: the
+---half
+---```text
+---     to remove. "y": larger y, "-y": smaller y, cut through the middle of the bodies. The cut face shows the field
+---  normal: direction of the removed half ('x', 'y', 'z', '-x', '-y' or '-z' or a list of 3 numbers {x, y, z})
+---  at:     coordinate of the plane, if normal is an axis (a number; length; by default the middle of the bodies)
+---  point:  a point of the plane (a list of 3 numbers {x, y, z}; length; by default the middle of the bodies)
+---```
+---@field cut? "x"|"y"|"z"|"-x"|"-y"|"-z"|sg.model.show.arguments.cut
+---marks: rings at places, such as run.places; the first ones have priority where space is short (a list of marks { x =
+---```text
+---       {…}, text = … }; optional)
+---  x:       place in the current state (a list of 2 or 3 numbers; length)
+---  text:    short text next to it (a string; default "")
+---```
+---@field marks? sg.model.show.arguments.marks[]
+---title: title above the picture (a string; by default that of a stored state)
+---@field title? string
+---crop: a list of numbers; length; by default all. {xmin, xmax, ymin, ymax}: shows only this part; in 3D with zmin,
+---```text
+---      zmax: the rectangle around this box as seen, with everything in front of and behind it
+---```
+---@field crop? number[]
+---inset: part in the same form, magnified in a box within the picture (a list of numbers; length; by default none)
+---@field inset? number[]
+---camera: 'iso', 'front', 'back', 'left', 'right', 'top' or 'bottom' or a table { from = …, up = … }; by default "iso",
+---```text
+---        with a cut from the side on which the cut face is seen. Solids: the direction from which they are seen in
+---        parallel projection. "iso": from the front, the right and above; "front": from -y, z upwards; "left": from -x;
+---        "top": from +z, y upwards. These are directions of view, not names of faces
+---  from: direction from the model to the eye (a list of 3 numbers {x, y, z})
+---  up:   upward direction in the picture (a list of 3 numbers {x, y, z}; by default z; y if seen along z)
+---```
+---@field camera? sg.model.show.arguments.camera.choice|sg.model.show.arguments.camera
+---unit: unit of length such as "mm", shown at the axes and the ruler (a string; by default none)
+---@field unit? string
+---axes: names of the axes, one per direction: {"r in mm", "z in mm"} (a list of strings; by default x, y and z, with
+---```text
+---      unit)
+---```
+---@field axes? string[]
+---ruler: solids: a scale bar below the picture (true or false; by default true)
+---@field ruler? boolean
+---size: {width, height}, exactly; or the largest width: the height is as needed, at most twice the width (a whole
+---number
+---```text
+---      from 160 to 5000 or a list of 2 whole numbers from 120 to 5000; pixels; by default at most 1600 x 1000, for
+---      several states or fields 1600 x 2000)
+---```
+---@field size? integer|[integer, integer]
+---scale: multiplies the size, including text and lines (a positive number; default 1)
+---@field scale? number
+---transparent: transparent background; not in films (true or false; default false)
+---@field transparent? boolean
+---file: file name that ends with .png, .svg or .pdf (a string; by default not written)
+---@field file? string
+---@field [string] sg.unknown_argument
+
+---Shows the model's current state in the terminal, as sg.picture draws it, and writes it to `file` if given. Without a
+---terminal `file` is needed.
+---
+---```text
+---model:show{ … }
+---```
+---
+---Example:
+---```lua
+---model:show{ field = "uy", file = "die.png" }
+---```
+---@param arguments? sg.model.show.arguments
+function model:show(arguments) end
+
+---@class sg.state
+local state = {}
+
+---Shows a state stored by a run in the terminal, and writes it to `file` if given: as model:show.
+---
+---```text
+---state:show{ … }
+---```
+---
+---Example:
+---```lua
+---run:states()[2]:show{ field = "uy", file = "state.png" }
+---```
+---@param arguments? sg.model.show.arguments
+function state:show(arguments) end
+
+---@class sg.patch
+local patch = {}
+
+---@class (exact) sg.patch.show.arguments.marks
+---x: place in the current state (a list of 2 or 3 numbers; length)
+---@field x [number, number]|[number, number, number]
+---text: short text next to it (a string; default "")
+---@field text? string
+---@field kind? any
+---@field body? any
+---@field element? any
+---@field point? any
+---@field contact? any
+---@field X? any
+---@field value? any
+---@field [string] sg.unknown_argument
+
+---@alias sg.patch.show.arguments.camera.choice "iso"|"front"|"back"|"left"|"right"|"top"|"bottom"
+
+---@class (exact) sg.patch.show.arguments.camera
+---from: direction from the model to the eye (a list of 3 numbers {x, y, z})
+---@field from [number, number, number]
+---up: upward direction in the picture (a list of 3 numbers {x, y, z}; by default z; y if seen along z)
+---@field up? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.patch.show.arguments
+---mesh: element boundaries (true or false; default true)
+---@field mesh? boolean
+---control_points: control points and control net (true or false; default false)
+---@field control_points? boolean
+---marks: rings at places, such as run.places; the first ones have priority where space is short (a list of marks { x =
+---```text
+---       {…}, text = … }; optional)
+---  x:       place in the current state (a list of 2 or 3 numbers; length)
+---  text:    short text next to it (a string; default "")
+---```
+---@field marks? sg.patch.show.arguments.marks[]
+---names: patches: names of faces, ξ¹ ξ² ξ³ along the directions, numbers of several patches (true or false; default
+---```text
+---       true)
+---```
+---@field names? boolean
+---title: title above the picture (a string; by default that of a stored state)
+---@field title? string
+---crop: a list of numbers; length; by default all. {xmin, xmax, ymin, ymax}: shows only this part; in 3D with zmin,
+---```text
+---      zmax: the rectangle around this box as seen, with everything in front of and behind it
+---```
+---@field crop? number[]
+---inset: part in the same form, magnified in a box within the picture (a list of numbers; length; by default none)
+---@field inset? number[]
+---camera: 'iso', 'front', 'back', 'left', 'right', 'top' or 'bottom' or a table { from = …, up = … }; by default "iso",
+---```text
+---        with a cut from the side on which the cut face is seen. Solids: the direction from which they are seen in
+---        parallel projection. "iso": from the front, the right and above; "front": from -y, z upwards; "left": from -x;
+---        "top": from +z, y upwards. These are directions of view, not names of faces
+---  from: direction from the model to the eye (a list of 3 numbers {x, y, z})
+---  up:   upward direction in the picture (a list of 3 numbers {x, y, z}; by default z; y if seen along z)
+---```
+---@field camera? sg.patch.show.arguments.camera.choice|sg.patch.show.arguments.camera
+---unit: unit of length such as "mm", shown at the axes and the ruler (a string; by default none)
+---@field unit? string
+---axes: names of the axes, one per direction: {"r in mm", "z in mm"} (a list of strings; by default x, y and z, with
+---```text
+---      unit)
+---```
+---@field axes? string[]
+---ruler: solids: a scale bar below the picture (true or false; by default true)
+---@field ruler? boolean
+---size: {width, height}, exactly; or the largest width: the height is as needed, at most twice the width (a whole
+---number
+---```text
+---      from 160 to 5000 or a list of 2 whole numbers from 120 to 5000; pixels; by default at most 1600 x 1000, for
+---      several states or fields 1600 x 2000)
+---```
+---@field size? integer|[integer, integer]
+---scale: multiplies the size, including text and lines (a positive number; default 1)
+---@field scale? number
+---transparent: transparent background; not in films (true or false; default false)
+---@field transparent? boolean
+---file: file name that ends with .png, .svg or .pdf (a string; by default not written)
+---@field file? string
+---@field [string] sg.unknown_argument
+
+---Shows a patch in the terminal, as sg.picture draws it, and writes it to `file` if given. Without a terminal `file` is
+---needed.
+---
+---```text
+---patch:show{ … }
+---```
+---
+---Example:
+---```lua
+---patch:show{ control_points = true, file = "patch.png" }
+---```
+---@param arguments? sg.patch.show.arguments
+function patch:show(arguments) end
+
 ---@class (exact) sg.chart.arguments.inset
 ---xrange: part of the x axis (a list of 2 increasing numbers {low, high})
 ---@field xrange [number, number]

@@ -47,7 +47,7 @@ bool has_program(const std::string& name) {
   return false;
 }
 
-void run_program(const std::vector<std::string>& words) {
+std::string run_program(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -69,6 +69,7 @@ void run_program(const std::vector<std::string>& words) {
   const int status = wait_for(id);
   require(WIFEXITED(status) && WEXITSTATUS(status) == 0, "base.process.failed",
           {{"program", words[0]}, {"output", output}});
+  return output;
 }
 
 } // namespace signorini

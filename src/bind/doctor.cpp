@@ -9,6 +9,7 @@
 #include "exchange/hdf5.hpp"
 #include "solid/kernel.hpp"
 #include "solve/mumps.hpp"
+#include "terminal/screen.hpp"
 #include "view/figure.hpp"
 #include "view/picture.hpp"
 #include "view/series.hpp"
@@ -100,6 +101,10 @@ bool doctor(std::ostream& out, int threads, const std::vector<OtherLibrary>& oth
   });
   attempt("renderer", [] { return view::renderer().description(); });
   attempt("drawing", [] { return view::flat_renderer().description(); });
+  attempt("terminal", [] {
+    return terminal::has_art() ? terminal::art_description()
+                               : "no Chafa or libsixel: pictures in kitty and iTerm2 only";
+  });
   attempt("test picture", test_picture);
   attempt("films", [] { return view::film_description(); });
   row("all in all", well ? "ok" : "something is missing, see above");

@@ -11,6 +11,7 @@
 #include "model/field.hpp"
 #include "solve/linear.hpp"
 #include "solve/mumps.hpp"
+#include "terminal/screen.hpp"
 #include "view/camera.hpp"
 #include "view/picture.hpp"
 
@@ -109,9 +110,10 @@ void open_library(lua_State* L, const Settings& settings) {
   lua_pop(L, 2);
 
   word_warnings();
+  if (settings.pictures) terminal::set_protocol(*settings.pictures);
   for (auto* open : {open_core, open_jobs, open_json, open_patch, open_curves, open_shapes, open_symbols, open_material,
                      open_body, open_rigid, open_scene, open_model, open_checkpoint, open_chart, open_heatmap,
-                     open_picture, open_vtu, open_hdf5})
+                     open_picture, open_screen, open_vtu, open_hdf5})
     open(L);
 
   push_table(L, "core");

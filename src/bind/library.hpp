@@ -1,9 +1,12 @@
 #pragma once
 // The complete language in a Lua state: bindings, the library in lua/, and its location.
 
+#include "terminal/choice.hpp"
+
 #include <lua.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace signorini::bind {
@@ -14,6 +17,7 @@ struct Settings {
   int jobs = 0;       ///< parallel processes if a study does not set them; 0: number of processors
   std::string on;     ///< where studies are executed, such as "slurm"; empty: where they say
   std::string chunk;  ///< the cases of one study to solve, "jobs.json:3"; empty: all
+  std::optional<terminal::Protocol> pictures = {}; ///< how the terminal takes pictures; by default it is asked
 };
 
 /// The folder that contains lua/: $SIGNORINI_HOME, else ../share/signorini or .. relative to the executable. Throws

@@ -18,6 +18,7 @@ void open_model(lua_State* L);      ///< the methods of a model
 void open_checkpoint(lua_State* L); ///< sg.load, core.save, core.content and others
 void open_chart(lua_State* L);      ///< sg.chart
 void open_picture(lua_State* L);    ///< sg.picture
+void open_screen(lua_State* L);     ///< core.show_picture and others: pictures on the terminal
 void open_heatmap(lua_State* L);    ///< sg.heatmap
 void open_vtu(lua_State* L);        ///< sg.vtu
 void open_hdf5(lua_State* L);       ///< core.make_result_file, core.open_result_file and others

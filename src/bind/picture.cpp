@@ -210,12 +210,7 @@ Picture read_sized(lua_State* L, int index, int most) {
   luaL_checkany(L, index);
   const Picture* given = test_object<Picture>(L, index);
   require(given, "a picture is expected, got ", describe(L, index));
-  Picture picture = *given;
-  if (lua_isnoneornil(L, most)) return picture;
-  const auto limit = to<std::array<int, 2>>(L, most);
-  const double factor = std::min(1.0 * limit[0] / picture.size[0], 1.0 * limit[1] / picture.size[1]);
-  for (int& side : picture.size) side = static_cast<int>(factor * side + 0.5);
-  return picture;
+  return lua_isnoneornil(L, most) ? *given : fitted(*given, to<std::array<int, 2>>(L, most));
 }
 
 /// core.picture_bytes(picture, format, most): the bytes of a file, format "png", "svg" or "pdf". most: {width, height}
@@ -244,6 +239,13 @@ int picture_spots(lua_State* L) {
   return 1;
 }
 
+/// core.picture_file(picture): the file in which it was written when it was made, or nil.
+int picture_file(lua_State* L) {
+  const std::string& file = read_object<Picture>(L, 1).file;
+  push(L, file.empty() ? std::nullopt : std::optional(file));
+  return 1;
+}
+
 int picture_tostring(lua_State* L) {
   push(L, self<Picture>(L).description);
   return 1;
@@ -251,15 +253,24 @@ int picture_tostring(lua_State* L) {
 
 constexpr Function picture_functions[] = {{"picture", picture}, {"sheet", sheet}, {"film", film}};
 
-constexpr Function picture_core[] = {{"picture_bytes", picture_bytes}, {"picture_spots", picture_spots}};
+constexpr Function picture_core[] = {
+    {"picture_bytes", picture_bytes}, {"picture_file", picture_file}, {"picture_spots", picture_spots}};
 
 constexpr Function picture_methods[] = {{"write", write_method}, {"__tostring", picture_tostring}};
 
 } // namespace
 
+Picture fitted(const Picture& picture, const std::array<int, 2>& most) {
+  Picture fit = picture;
+  const double factor = std::min(1.0 * most[0] / picture.size[0], 1.0 * most[1] / picture.size[1]);
+  for (int& side : fit.size) side = static_cast<int>(factor * side + 0.5);
+  return fit;
+}
+
 int push_picture(lua_State* L, Picture picture, const std::string& file) {
-  const Picture& pushed = push_object(L, std::move(picture));
+  Picture& pushed = push_object(L, std::move(picture));
   if (!file.empty()) write_picture(pushed, file);
+  pushed.file = file;
   return 1;
 }
 

@@ -45,6 +45,7 @@ struct Picture {
   bool trim = true; ///< `size` is the maximum
   bool transparent = false;
   std::string description; ///< "picture of 1 body", for print
+  std::string file = "";   ///< in which it was written when it was made
 };
 
 template <> struct Type<Picture> { static constexpr auto name = "picture"; };
@@ -59,6 +60,12 @@ template <class Content> Picture make_picture(Content content, std::string descr
 /// Returns the figures of pictures by number (from 0). The pictures of a film have the size of the first one and one
 /// color range per field, scale and layout. Throws Error when they differ in structure.
 std::function<view::Figure(int picture)> figures_of(const std::vector<Picture>& film);
+
+/// Smallest size in pixels.
+inline constexpr std::array<int, 2> smallest_size = {160, 120};
+
+/// The picture made to fit into a size in pixels, with its own ratio of sides.
+Picture fitted(const Picture& picture, const std::array<int, 2>& most);
 
 /// Pushes a picture, and writes it if the arguments name a file: called at the end of every function that makes one.
 int push_picture(lua_State* L, Picture picture, const std::string& file);

@@ -4,6 +4,7 @@
 #include "bind/message.hpp"
 #include "bind/threads.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 namespace signorini::repl {
@@ -28,12 +29,22 @@ std::string parse_place(const std::string& word) {
   return word;
 }
 
+/// The value of --pictures, checked.
+terminal::Protocol parse_protocol(const std::string& word) {
+  const auto& names = terminal::protocol_names();
+  const auto found = std::find(names.begin(), names.end(), word);
+  if (found == names.end())
+    throw UsageError(
+        text("--pictures must be one of ", bind::listed(names), ", got '", word, "'", bind::did_you_mean(word, names)));
+  return static_cast<terminal::Protocol>(found - names.begin());
+}
+
 } // namespace
 
 CommandLine parse(const std::vector<std::string>& words) {
-  const std::vector<std::string> known = {"-e",        "-i",      "-q",      "--threads", "--jobs",
-                                          "--on",      "--chunk", "--new",   "--kernel",  "--install-kernel",
-                                          "--version", "--help",  "--doctor"};
+  const std::vector<std::string> known = {"-e",        "-i",      "-q",       "--threads", "--jobs",
+                                          "--on",      "--chunk", "--new",    "--kernel",  "--install-kernel",
+                                          "--version", "--help",  "--doctor", "--pictures"};
   CommandLine line;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
@@ -62,6 +73,10 @@ CommandLine parse(const std::vector<std::string>& words) {
       line.threads = parse_count("--threads", value("a number"), bind::most_threads);
     else if (word.starts_with("--threads="))
       line.threads = parse_count("--threads", word.substr(10), bind::most_threads);
+    else if (word == "--pictures")
+      line.pictures = parse_protocol(value("kitty, iterm, sixel, blocks or none"));
+    else if (word.starts_with("--pictures="))
+      line.pictures = parse_protocol(word.substr(11));
     else if (word == "--chunk")
       line.chunk = value("the file of a job and the number of a chunk, jobs.json:3");
     else if (word == "--new") {
@@ -133,6 +148,7 @@ const char* usage() {
          "  --jobs N        parallel cases of a study, also after the script (default: number of processors)\n"
          "  --on WHERE      where studies are solved, also after the script: slurm, local, or ssh:host1,ssh:host2\n"
          "  --chunk FILE:N  solve chunk N of a job's cases; tasks of Slurm and hosts run this\n"
+         "  --pictures HOW  pictures in the terminal: kitty, iterm, sixel, blocks or none (default: as it can)\n"
          "  --new FILE      write a commented starter study, such as study.lua, and settings for editors\n"
          "  --install-kernel\n"
          "                  make this program a kernel of Jupyter notebooks, with the options -q, -e, --threads,\n"

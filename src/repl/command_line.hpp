@@ -1,6 +1,9 @@
 #pragma once
 // The command line.
 
+#include "terminal/choice.hpp"
+
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,9 +27,10 @@ struct CommandLine {
   bool interactive = false;           ///< -i
   bool quiet = false;                 ///< -q
   int threads = 1;
-  int jobs = 0;      ///< parallel processes of studies; 0 without --jobs
-  std::string on;    ///< where studies are executed; empty without --on
-  std::string chunk; ///< of --chunk; empty without
+  int jobs = 0;                               ///< parallel processes of studies; 0 without --jobs
+  std::string on;                             ///< where studies are executed; empty without --on
+  std::string chunk;                          ///< of --chunk; empty without
+  std::optional<terminal::Protocol> pictures; ///< of --pictures
 
   /// Whether only the prompt is to run.
   bool prompt_only() const { return code.empty() && script.empty(); }

@@ -3,6 +3,7 @@
 #include "base/interrupt.hpp"
 #include "repl/history.hpp"
 #include "repl/interrupt.hpp"
+#include "terminal/dialogue.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -132,6 +133,15 @@ void on_line(char* line) {
   typed = line;
 }
 
+std::string typed_ahead; ///< keys that came between answers of the terminal
+
+int next_key(FILE* input) {
+  if (typed_ahead.empty()) return rl_getc(input);
+  const auto key = static_cast<unsigned char>(typed_ahead.front());
+  typed_ahead.erase(0, 1);
+  return key;
+}
+
 volatile std::sig_atomic_t continued = 0, resized = 0;
 
 void note_signal(int signal) {
@@ -141,6 +151,7 @@ void note_signal(int signal) {
 /// Waits for a key or a signal; returns which. Ctrl-C is unblocked only while waiting, so that none is missed between
 /// the check and the wait.
 bool wait_for_key() {
+  if (!typed_ahead.empty()) return !interrupted();
   sigset_t interrupt, others;
   sigemptyset(&interrupt);
   sigaddset(&interrupt, SIGINT);
@@ -182,6 +193,8 @@ LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
   replace({"\033[B", "\033OB"}, rl_get_next_history, down);
   replace({"\001", "\033[H", "\033OH", "\033[1~"}, rl_beg_of_line, to_line_start); // Ctrl-A, Home
   replace({"\005", "\033[F", "\033OF", "\033[4~"}, rl_end_of_line, to_line_end);   // Ctrl-E, End
+  rl_getc_function = next_key;
+  terminal::keep_typed([](const std::string& keys) { typed_ahead += keys; });
   rl_catch_sigwinch = 0; // readline would handle it only with the next key
   std::signal(SIGWINCH, note_signal);
   std::signal(SIGCONT, note_signal);

@@ -145,8 +145,9 @@ end
 --- Types to a command on a terminal, which util-linux' `script` provides. `turns` are keys, or { event, keys }: typed
 --- once that text has appeared behind what was there when the last keys were typed, or the function of that name says
 --- true; without an event once a prompt has. No time enters: a slow machine takes longer. `variables` stand in front of
---- the command. Returns what the terminal has shown, without carriage returns, and the exit status.
-function check.terminal(command, turns, variables)
+--- the command. `terminal`: the command of another terminal than that script. Returns what the terminal has shown,
+--- without carriage returns, and the exit status.
+function check.terminal(command, turns, variables, terminal)
   local screen, since = check.folder() .. "/screen", 0
   core.write_file(screen, "")
   local function shown() return (core.read_file(screen):gsub("\r", "")) end
@@ -160,8 +161,8 @@ function check.terminal(command, turns, variables)
     if event then return new:find(event, 1, true) end
     return new:find "\nsg> $" or new:find "\n%.%.> $"
   end
-  local pipe = assert(io.popen(("%s script -qfec %s %s >%s.log 2>&1"):format(variables or "TERM=dumb", quoted(command),
-    quoted(screen), quoted(screen)), "w"))
+  local pipe = assert(io.popen(("%s %s %s %s >%s.log 2>&1"):format(variables or "TERM=dumb", terminal or "script -qfec",
+    quoted(command), quoted(screen), quoted(screen)), "w"))
   for i, turn in ipairs(turns) do
     local event, keys = nil, turn
     if type(turn) == "table" then event, keys = turn[1], turn[2] end

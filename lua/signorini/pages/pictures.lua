@@ -1,7 +1,8 @@
 -- Pages: pictures of states and patches, sheets, films.
 
 local core = require "signorini.core"
-local merged = require("signorini.lists").merged
+local lists = require "signorini.lists"
+local filter, merged = lists.filter, lists.merged
 local t = require "signorini.types"
 local chart_rows = require "signorini.pages.chart_rows"
 
@@ -48,10 +49,34 @@ local size_alone, scale, transparent = paper "1600 x 1000, for several states or
 
 local columns = { "columns", t.integer(1, 100), "pictures in a row", otherwise = "chosen for the largest pictures" }
 local fps = { "fps", t.positive, "frames per second of a film, for .ogv a whole number", default = 10 }
+
+--- The rows of sg.picture for model:show and others: without the keys of a string of words, and what refers to them.
+local function rows_without(all, words)
+  local left_out = {}
+  for key in words:gmatch "%S+" do left_out[key] = true end
+  local function others(keys)
+    local kept = filter(keys or {}, function(key) return not left_out[key] end)
+    kept.why = keys and keys.why
+    return #kept > 0 and kept or nil
+  end
+  local rows = {}
+  for _, row in ipairs(all) do
+    if type(row) == "string" then
+      if type(rows[#rows]) == "string" then rows[#rows] = nil end -- a heading without rows
+      rows[#rows + 1] = row
+    elseif not left_out[row[1]] then
+      local kept = merged(row)
+      kept.needs, kept.excludes = others(row.needs), others(row.excludes)
+      rows[#rows + 1] = kept
+    end
+  end
+  return rows
+end
+
 local entries = { "pictures", t.either(t.object "picture", t.list(t.object "picture")),
                   "pictures, or lists of them, in order" }
 
-return {
+local list = {
   title = "Pictures and charts", word = "pictures",
   { "sg.picture", [[Returns a picture of a model's current state, of a state stored by a run, or of patches, and writes
 it to `file` if given. Later changes of the model do not affect the picture.]],
@@ -177,3 +202,29 @@ model. picture:write writes it; sg.sheet and sg.film combine it with others.]],
     returns = {},
     example = [[sg.picture{ model = model, field = "uy" }:write "die.pdf"]] },
 }
+
+local picture = list[1].named
+return lists.merged(list, lists.joined(list, {
+  { "picture:show", [[Shows the picture in the terminal, in the size of the window. It is an error if the output is not
+a terminal and the picture was made without `file`. At the prompt, a picture without `file` that is the result of a line
+is shown as well. The option --pictures chooses how.]],
+    returns = {},
+    example = [[sg.chart{ file = "square.png", x = {1, 2, 3}, { y = {1, 4, 9} } }:show()]] },
+  { "model:show", [[Shows the model's current state in the terminal, as sg.picture draws it, and writes it to `file` if
+given. Without a terminal `file` is needed.]],
+    named = rows_without(picture, "model state patch states fps names"), head = "model:show{ … }",
+    may_be_empty = true, as_given = true,
+    returns = {},
+    example = [[model:show{ field = "uy", file = "die.png" }]] },
+  { "state:show", "Shows a state stored by a run in the terminal, and writes it to `file` if given: as model:show.",
+    named = "model:show", may_be_empty = true, as_given = true,
+    returns = {},
+    example = [[run:states()[2]:show{ field = "uy", file = "state.png" }]] },
+  { "patch:show", [[Shows a patch in the terminal, as sg.picture draws it, and writes it to `file` if given. Without a
+terminal `file` is needed.]],
+    named = rows_without(picture, [[model state patch states fields columns fps field factor label range contours
+bar colormap bodies deformed undeformed vectors obstacles mirror cut]]), head = "patch:show{ … }",
+    may_be_empty = true, as_given = true,
+    returns = {},
+    example = [[patch:show{ control_points = true, file = "patch.png" }]] },
+}))

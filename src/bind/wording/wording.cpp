@@ -84,6 +84,7 @@ constexpr Wording wordings[] = {
 #include "bind/wording/mechanics.def"
 #include "bind/wording/model.def"
 #include "bind/wording/nurbs.def"
+#include "bind/wording/terminal.def"
 #include "bind/wording/view.def"
 };
 
