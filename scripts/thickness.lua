@@ -145,5 +145,6 @@ for _, name in ipairs(options.problems) do
     xlabel = options.time == "cpu" and "processor time (s)" or "time (s)",
   })
   print(comparison)
+  cases:report{ file = files(name .. ".html"), title = problem.title }
 end
 files:report()

@@ -38,15 +38,10 @@ function prompt.results(...)
   if select("#", ...) == 0 then return end
   if select("#", ...) == 1 and ... == core.sg.help then return core.sg.help() end
   prompt.keep(...)
-  local others, n = {}, 0
   for i = 1, select("#", ...) do
     local value = select(i, ...)
-    if not is_shown(value) then
-      n = n + 1
-      others[n] = value
-    end
+    if not is_shown(value) then show.print(value) end
   end
-  if n > 0 then show.print(table.unpack(others, 1, n)) end
 end
 
 --- Remembers the names that a line declares as local.

@@ -1,5 +1,7 @@
 -- How the prompt shows values: numbers and strings as in code, tables two levels deep and shortened if long.
 
+local core = require "signorini.core"
+local counted = require "signorini.counted"
 local language = require "signorini.show.language"
 local object_text = require "signorini.show.objects"
 
@@ -57,6 +59,14 @@ local function table_text(value, level, indent)
   return "{\n" .. inner .. table.concat(entries, ",\n" .. inner) .. "\n" .. indent .. "}"
 end
 
+--- An object in one line: the outcome of a run, the first line of others.
+function show.line(value)
+  if getmetatable(value) == core.types.run then
+    return ("%s, %s, %s"):format(counted(value.steps, "step"), counted(value.iterations, "iteration"), value.reason)
+  end
+  return (tostring(value):match "^[^\n]*":gsub(":$", ""))
+end
+
 --- One value; tables and objects with __tostring use that.
 function text(value, level, indent)
   if type(value) == "string" then return level == 1 and value:find "\n" and value or quoted(value) end
@@ -66,7 +76,7 @@ function text(value, level, indent)
   if type(value) == "table" and not (type(own) == "table" and own.__tostring) then
     return table_text(value, level, indent)
   end
-  return tostring(value)
+  return level == 1 and tostring(value) or show.line(value)
 end
 
 --- The text of a value as the prompt shows it.

@@ -142,6 +142,7 @@ for _, name in ipairs(options.problems) do
   print(("\n%s: iterations, processor time and oscillation of the forces"):format(problem.title))
   print(table_of(medians))
   medians:csv(files(name .. ".csv"))
+  medians:report{ file = files(name .. ".html"), title = problem.title }
   for _, error in ipairs { "ddrag", "dpress" } do
     for _, order in ipairs(options.orders) do
       local part = medians:where(function(row) return row.order == order and row[error] ~= nil end)

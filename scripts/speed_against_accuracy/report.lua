@@ -142,6 +142,7 @@ function report.of(measured, options, files)
   local cases = tables.cases(measured, options.time)
   blocks[#blocks + 1] = { title = ("All cases (%s)"):format(words_on_rounds(measured)), table = cases }
   measured.cases:csv(files(problem.name .. ".csv"))
+  measured.cases:report{ file = files(problem.name .. ".html"), title = problem.title }
   return { measured = measured, comparisons = comparisons, blocks = blocks }
 end
 

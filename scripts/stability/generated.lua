@@ -128,6 +128,8 @@ if options.mirror then
     #unlike, #apart, tolerance))
 end
 local files = sg.files(options.out)
-study:csv(files(("%s%s.csv"):format(options.kind, options.mirror and "_mirrored" or "")))
+local name = options.kind .. (options.mirror and "_mirrored" or "")
+study:csv(files(name .. ".csv"))
+study:report(files(name .. ".html"))
 files:report()
 return { study = study, kinds = kinds, early = early, unlike = unlike, apart = apart, files = files }

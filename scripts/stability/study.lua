@@ -85,6 +85,10 @@ function study.solve(problem, options, files)
     plain:heatmap{ file = file(chart.key .. ".png"), name = chart.name, log = chart.log, label = chart.label,
                   title = name_of_map .. ": " .. chart.label, other = robust, titles = titles }
   end
+  for i, kind in ipairs { "plain", options.with } do
+    local map = i == 1 and plain or robust
+    map:report{ file = file(kind .. ".html"), title = ("%s, %s"):format(name_of_map, titles[i]) }
+  end
   return { plain = plain, robust = robust, comparison = comparison }
 end
 

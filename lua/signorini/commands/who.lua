@@ -24,13 +24,11 @@ end
 
 --- A value in one line, with its size where it has one.
 local function summary(value)
-  if pages.kind(value) == "run" then
-    return ("%s, %s, %s"):format(counted(value.steps, "step"), counted(value.iterations, "iteration"), value.reason)
-  end
   local own = type(value) == "table" and getmetatable(value)
-  local text = type(value) == "table" and not (type(own) == "table" and own.__tostring) and entries_text(value)
-    or type(value) == "userdata" and tostring(value) or show.text(value)
-  return cut(text:match "^[^\n]*", width)
+  local has_text = type(own) == "table" and own.__tostring
+  if type(value) == "table" and not has_text then return cut(entries_text(value), width) end
+  if type(value) == "table" or type(value) == "userdata" then return cut(show.line(value), width) end
+  return cut(show.text(value):match "^[^\n]*", width)
 end
 
 return function()
