@@ -10,7 +10,7 @@ import tempfile
 
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
          "--disable-background-networking", "--disable-component-update", "--disable-sync", "--disable-extensions",
-         "--disable-dev-shm-usage", "--hide-scrollbars", "--host-resolver-rules=MAP * ~NOTFOUND",
+         "--disable-dev-shm-usage", "--hide-scrollbars", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
          "--remote-debugging-pipe"]
 
 
@@ -86,9 +86,10 @@ class Page:
         self.call("Emulation.setEmulatedMedia",
                   features=[{"name": "prefers-color-scheme", "value": "dark" if on else "light"}])
 
-    def open(self, file):
+    def open(self, place):
+        """Opens a file or an http address."""
         self.events = []
-        self.call("Page.navigate", url="file://" + os.path.abspath(file))
+        self.call("Page.navigate", url=place if place.startswith("http://") else "file://" + os.path.abspath(place))
         self.wait("Page.loadEventFired")
 
     def requests(self):
@@ -101,6 +102,10 @@ class Page:
         if "exceptionDetails" in answer:
             raise RuntimeError(answer["exceptionDetails"]["exception"]["description"])
         return answer["result"].get("value")
+
+    def until(self, condition):
+        """Waits until an expression is true."""
+        self.run("new Promise(done => { const look = () => (%s) ? done(0) : setTimeout(look, 100); look() })" % condition)
 
     def mouse(self, kind, x, y, **more):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)

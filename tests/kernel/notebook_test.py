@@ -69,7 +69,7 @@ class Notebooks(unittest.TestCase):
         try:
             address = next(word for line in server.stderr for word in line.split() if word.startswith("http://127.0.0.1:"))
             from browser import look
-            self.assertEqual(look(address + "notebooks/ironing.ipynb", screenshot, folder.name), [])
+            self.assertEqual(look(address + "notebooks/ironing.ipynb", screenshot), [])
         finally:
             os.killpg(server.pid, signal.SIGKILL)
             server.wait()
