@@ -1,8 +1,7 @@
 #include "terminal/encode.hpp"
 
+#include "base/base64.hpp"
 #include "base/text.hpp"
-
-#include <algorithm>
 
 namespace signorini::terminal {
 namespace {
@@ -10,19 +9,6 @@ namespace {
 constexpr std::size_t chunk = 4096; // largest payload of one of kitty's sequences
 
 } // namespace
-
-std::string base64(const std::string& bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string encoded;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    unsigned group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) encoded += k <= count ? digits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return encoded;
-}
 
 std::string kitty_sequences(const std::string& png, int columns, bool around_tmux) {
   const std::string data = base64(png);

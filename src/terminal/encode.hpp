@@ -15,7 +15,4 @@ std::string iterm_sequence(const std::string& png, int width);
 /// The sequence as tmux passes it on to its terminal.
 std::string passed_through(const std::string& sequence);
 
-/// RFC 4648.
-std::string base64(const std::string& bytes);
-
 } // namespace signorini::terminal

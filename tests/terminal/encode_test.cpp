@@ -5,15 +5,6 @@
 namespace signorini::terminal {
 namespace encode_test {
 
-TEST(Encode, Base64OfAnyLength) { // the examples of RFC 4648
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64(std::string("\0\xff\x80", 3)), "AP+A");
-}
-
 TEST(Encode, KittysSequencesHaveAtMost4096Characters) {
   EXPECT_EQ(kitty_sequences("foo", 0, false), "\033_Ga=T,f=100,q=2,m=0;Zm9v\033\\");
   EXPECT_EQ(kitty_sequences("foo", 7, false), "\033_Ga=T,f=100,q=2,c=7,m=0;Zm9v\033\\");

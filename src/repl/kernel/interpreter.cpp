@@ -1,6 +1,7 @@
 #include "repl/kernel/interpreter.hpp"
 
-#include <openssl/evp.h>
+#include "base/base64.hpp"
+
 #include <xeus/xhelper.hpp>
 #include <xeus/xinput.hpp>
 
@@ -10,15 +11,6 @@
 namespace signorini::repl::kernel {
 
 namespace {
-
-std::string base64(const std::string& bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0'); // with the final zero that OpenSSL writes
-  const int length =
-      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
-                      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
-  text.resize(static_cast<std::size_t>(length));
-  return text;
-}
 
 nl::json data_of(const Display& display) {
   nl::json data = nl::json::object();
