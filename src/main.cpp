@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
                  : failure;
     case repl::CommandLine::Action::new_study:
       bind::write_new_study(line.new_study);
-      std::cout << "Written: " << line.new_study << "; run it with: signorini " << line.new_study << "\n";
+      std::cout << "Written: " << line.new_study << "; run it with: " << argv[0] << " " << line.new_study << "\n";
       std::cout << bind::write_editor_settings(line.new_study) << "\n";
       return success;
     case repl::CommandLine::Action::install_kernel:

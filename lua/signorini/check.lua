@@ -21,8 +21,16 @@ local function meaning(row)
   return row and row[3] and row[3] ~= "" and utf8.len(row[3]) <= longest_meaning and (" (%s)"):format(row[3]) or ""
 end
 
+--- What is probably meant in place of a value.
+local function likely(expected, value)
+  if not expected:find "a face" then return nil end
+  if pages.kind(value) == "body" then return 'take a face of the body, such as body:face "south"' end
+  return type(value) == "string" and 'a face is a value: body:face "south"' or nil
+end
+
 --- Raises an error about an argument: "sg.f: E must be a positive number (Young's modulus), got …. Hint: …".
 local function reject(where, name, expected, value, cure, row)
+  cure = cure or likely(expected, value)
   local ending = cure and ". Hint: " .. cure or ""
   if value == nil then
     core.fail(("%s: %s%s is missing: it must be %s%s"):format(where, name, meaning(row), expected, ending))
@@ -263,6 +271,7 @@ function reads.named(of, value, where, name, row)
   end
   local rows = pages.rows(of.rows)
   local cure = of.cures and of.cures[pages.kind(value)]
+  if type(cure) == "function" then cure = cure(value) end
   if type(value) ~= "table" or getmetatable(value) == false or cure then
     local first = rows[1] and type(rows[1]) == "table" and rows[1][1] .. " = …" or ""
     mismatch(of, value, where, name, row, cure or ("write %s = { %s }"):format(name, first))

@@ -31,7 +31,9 @@ end
 
 function fits.any() return true end
 function fits.flag(_, value) return type(value) == "boolean" end
-function fits.text(_, value) return type(value) == "string", "write it in quotes" end
+function fits.text(of, value)
+  return type(value) == "string", of.cure or type(value) ~= "table" and "write it in quotes" or nil
+end
 fits["function"] = function(of, value) return type(value) == "function", of.cure end
 function fits.only(of, value) return value == of.value end
 function fits.data(_, value)
@@ -58,7 +60,7 @@ end
 
 function fits.choice(of, value)
   if lists.holds(of.of, value) then return true end
-  if type(value) ~= "string" then return false, "write it in quotes" end
+  if type(value) ~= "string" then return false, of.cure or type(value) ~= "table" and "write it in quotes" or nil end
   return false, meant(value, of.of):match "did .*" or "take one of these"
 end
 

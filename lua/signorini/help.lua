@@ -98,6 +98,15 @@ local function words()
   return lists.unique(lists.joined({ "gallery" }, pages.names(), lists.sorted_names(texts), groups))
 end
 
+--- All words of the pages.
+local function words_of_pages()
+  local found = {}
+  for _, name in ipairs(pages.names()) do
+    for word in pages.text(name):lower():gmatch "%a%a%a%a+" do found[word] = true end
+  end
+  return lists.sorted_names(found)
+end
+
 --- The answer for an unknown word.
 local function no_page(word)
   local known = lists.joined(words(), lists.map(pages.names(), function(name) return name:match "[^.:]+$" end),
@@ -105,6 +114,7 @@ local function no_page(word)
   table.sort(known)
   local hint = meant(word, known)
   if hint == "" then hint = meant(word:match "[^.:]*$", known) end
+  if hint == "" then hint = meant(word:lower(), words_of_pages()) end
   return ("There is no page on '%s'%s"):format(word, hint ~= "" and hint or ". help() lists topics.")
 end
 

@@ -57,6 +57,14 @@ function Progress:step(stage)
   self:draw(stage, part, ("%d/%d, %s"):format(self.done, self.total, self:to_go(part)))
 end
 
+--- Shows how far a step is after an attempt at it. `part`: the fraction that is accepted; `histories`: the attempts of
+--- all steps.
+function Progress:attempt(stage, part, histories)
+  local attempts, whole = #histories[#histories], (self.done + part) / self.total
+  self:draw(stage, whole, ("%d/%d, next step at %.0f %%, %s, %s"):format(self.done, self.total, 100 * part,
+    counted(attempts, "attempt"), self:to_go(whole)))
+end
+
 --- A line that remains, in place of the bar.
 function Progress:line(text)
   if core.quiet then return end

@@ -73,11 +73,11 @@ end
 local Step = {}
 Step.__index = Step
 
-local function begin_step(model, run, stage, number, options)
+local function begin_step(model, run, stage, number, options, display)
   run:begin_step()
   return setmetatable({
     model = model, run = run, stage = stage, number = number, options = options, solver = options.solver, done = 0,
-    start = options.on_step and model:snapshot(),
+    start = options.on_step and model:snapshot(), display = display,
   }, Step)
 end
 
@@ -133,6 +133,8 @@ function Step:solve(solver, to)
   return result
 end
 
+--- Shows the accepted fraction of the step after an attempt.
+function Step:show_progress(part) self.display:attempt(self.stage.name, part, self.run.histories) end
 --- One attempt with given controls: accepts or rolls back, diagnoses a failure. `fallback`: name of the fallback, if
 --- another attempt has failed before.
 function Step:try(solver, to, fallback)
@@ -150,6 +152,7 @@ function Step:try(solver, to, fallback)
     self.model:rollback()
   end
   self.run:record_attempt(self.done, to, result, core.now() - began, fallback, nil, self.again)
+  self:show_progress(result.converged and to or self.done)
   return result
 end
 
@@ -244,6 +247,7 @@ function Step:attempt_arc(length, iterations)
   local accepted = result.converged and to < 1
   if result.converged and not accepted then self.model:restore(saved) end
   self.run:record_attempt(self.done, to, result, core.now() - began, nil, true)
+  self:show_progress(accepted and to or self.done)
   if accepted then
     self.done = to
     self.run:record_arc(to)
@@ -361,7 +365,7 @@ return function(model, stages, options)
     begin_stage(model, stage)
     if place.number == 0 then run:begin_stage(model, stage) end
     for number = place.number + 1, stage.steps do
-      local step = begin_step(model, run, stage, number, options)
+      local step = begin_step(model, run, stage, number, options, display)
       local result, answer = take(step, run, options, display)
       if answer == "stop" or result.reason == "stopped" then
         run.reason = "stopped"

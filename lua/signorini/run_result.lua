@@ -21,7 +21,8 @@ Run.__name = "run"
 core.types.run = Run
 
 -- Fields that some runs have, or only until they end. All other unknown names are misspelled.
-local private = named.strict_type(Run, "run", "cause failure timings recorders before step model outline")
+local private = named.strict_type(Run, "run", "cause failure timings recorders before step model outline "
+  .. "loose held")
 
 function Run:__newindex(name, value)
   if not (rawget(self, "recorders") or private[name]) then -- the run has ended
@@ -139,6 +140,8 @@ function Run:record_attempt(from, to, result, seconds, fallback, arc, again)
                               iterations = result.iterations, residuals = result.residuals, fallback = fallback,
                               arc = arc, restarted = again }
   if fallback and result.converged then self.fallback_steps = self.fallback_steps + 1 end
+  if result.reason == "singular" then self.loose = result.diagnosis and result.diagnosis.message end
+  if fallback == "damping" and result.converged then self.held = { step = #self.histories, why = self.loose } end
 end
 
 --- Adds to an account of the run and of the stage: "cutbacks", or the "wall" time of a diagnosis.

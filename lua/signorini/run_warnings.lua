@@ -31,8 +31,11 @@ local function untouched(run, model, contact)
   for _, gap in ipairs(model:profile(contact).gap) do
     if gap < least then least = gap end -- false for nan, where the master is not opposite
   end
-  return ("contact '%s' never touched; smallest gap %s"):format(contact,
+  local text = ("contact '%s' never touched; smallest gap %s"):format(contact,
     least < math.huge and ("%.4g"):format(least) or "unknown, because no point has a foot point on the master")
+  if run.cutbacks + run.fallback_steps == 0 then return text end
+  return text .. ". Attempts failed before steps were reached: bodies that pass through each other in one step also "
+    .. "end apart. Hint: look at model:show{}; a shorter path, or more steps"
 end
 
 --- The size of the smallest body, the diagonal of its bounding box.
@@ -46,8 +49,15 @@ local function smallest_size(model)
   return name and size(name) or math.huge, name
 end
 
--- Above this penetration, as a fraction of the size of the smallest body, the penalty parameter affects the result.
-local deep = 0.02
+-- Above this penetration, as a fraction of the size of the smallest body, the penalty parameter affects the result; far
+-- above it the bodies have probably passed through each other.
+local deep, very_deep = 0.02, 0.2
+
+--- What to do about it, by enforcement.
+local remedies = {
+  penalty = "raise the penalty", augmented = "raise the penalty, or lower augmentation.penetration of model:run",
+  multipliers = "refine the slave face, on which weighted gaps are closed",
+}
 
 --- A sentence for a contact with deep penetration at some row of a run.
 local function penetrated(run, model, contact)
@@ -57,8 +67,10 @@ local function penetrated(run, model, contact)
   end
   local size, body = smallest_size(model)
   if most <= deep * size then return nil end
-  return ("contact '%s' is penetrated by %.3g in step %s, %.2g %% of the size of body '%s'. Hint: raise "
-    .. "the penalty"):format(contact, most, run.values.step[at], 100 * most / size, body)
+  return ("contact '%s' is penetrated by %.3g in step %s, %.2g %% of the size of body '%s'. Hint: %s"):format(contact,
+    most, run.values.step[at], 100 * most / size, body, most > very_deep * size
+      and "the path may be too deep, or the bodies pass through each other: look at model:show{}"
+      or remedies[model:contact_law(contact).enforcement])
 end
 
 -- Above this difference of the forces of two half passes, as a fraction of the largest force of the run, neither is
@@ -175,6 +187,13 @@ local function unstable_law(run)
     position(found.at))
 end
 
+--- A sentence for a last step whose equilibrium is not unique, so that damping has selected one.
+local function held(run)
+  if not (run.held and run.held.step == run.steps) then return nil end
+  return ("damping alone determines the position in step %d: %s. Hint: add a support, unless contact is to hold it "
+    .. "later"):format(run.steps, run.held.why or "its tangent is singular")
+end
+
 --- A sentence for steps in unstable equilibrium.
 local function unstable(run)
   local found = run.unstable
@@ -192,6 +211,7 @@ function run_warnings.of_run(run, model, early)
     texts[#texts + 1] = unsettled(run, contact)
     texts[#texts + 1] = unbalanced(run, model, contact)
   end
+  texts[#texts + 1] = held(run)
   texts[#texts + 1] = path_controls.warning(run)
   texts[#texts + 1] = unstable(run)
   texts[#texts + 1] = unstable_law(run)

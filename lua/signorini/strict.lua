@@ -21,6 +21,7 @@ end
 local function cure(name, level)
   if name == "sg" then return [[; write local sg = require "signorini" at the top]] end
   if name == "help" then return "; in a script it is sg.help, with local sg = require \"signorini\"" end
+  if name == "True" or name == "False" or name == "None" then return "; Lua writes true, false and nil" end
   if name == "exit" or name == "quit" then
     return "; alone on a line it ends the prompt; os.exit() ends a script"
   end

@@ -134,6 +134,10 @@ std::string nearest(const std::string& word, const std::vector<std::string>& wor
   constexpr std::size_t telling = 3;
   for (const auto& candidate : words)
     if (candidate.size() >= telling && word.starts_with(candidate)) return candidate;
+  // mises for von_mises
+  const auto ends = [&](const std::string& candidate) { return candidate.ends_with(word); };
+  if (word.size() >= telling && std::count_if(words.begin(), words.end(), ends) == 1)
+    return *std::find_if(words.begin(), words.end(), ends);
   return best;
 }
 

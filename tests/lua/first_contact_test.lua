@@ -1,5 +1,6 @@
 -- Bodies that touch from the start within rounding error, or never touch.
 
+local lists = require "signorini.lists"
 local sg = require "signorini"
 local check = require "check"
 
@@ -84,6 +85,37 @@ check.case("deep penetration is reported with its depth and the step", function(
   check.equal(sunk(1).warnings, { "contact 'ground' is penetrated by 0.05 in step 2, 2.2 % of the size of body "
     .. "'block'. Hint: raise the penalty" })
   check.equal(sunk(4).warnings, {}) -- 0.02 of 2
+end)
+
+--- A block on a slab, pressed by the lid; `contact` is added to their contact, `of` to the support of the slab.
+local function pressed(contact, of, lid)
+  local function block(corner, elements)
+    return sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = corner }, elements = elements,
+                    order = "N2", material = sg.linear_elastic{ E = 1, nu = 0 } }
+  end
+  local upper, slab = block({0, 1}, {2, 2}), block({-1, 0}, {3, 2})
+  local model = sg.model{ bodies = { upper = upper, slab = slab },
+    supports = { lid = { on = upper:face "north", drive = "y", fix = "x" }, bed = of and of(slab) },
+    contacts = { c = lists.merged({ slave = upper:face "south", master = slab:face "north" }, contact) } }
+  return model:run{ { steps = 2, lid = lid } }
+end
+
+local function bed(slab) return { on = slab:face "south", fix = "xy" } end
+
+check.case("the hint on deep penetration depends on the enforcement and on the depth", function()
+  local hints = pressed({ penalty = 0.05 }, bed, -0.1).warnings
+  check.equal(#hints, 1)
+  check.holds(hints[1], "contact 'c' is penetrated", "Hint: raise the penalty")
+  hints = pressed({ penalty = 0.01 }, bed, -0.8).warnings
+  check.holds(hints[1], "Hint: the path may be too deep, or the bodies pass through each other: look at model:show{}")
+end)
+
+check.case("a last step whose position damping alone determines names the body that nothing holds", function()
+  local run = pressed({ penalty = 10 }, nil, -0.1)
+  check.equal({ run.reason, #run.warnings }, { "completed", 1 })
+  check.holds(run.warnings[1], "damping alone determines the position in step 2: the tangent is singular",
+    "rigid-body translation of body 'slab'", "Hint: add a support")
+  check.equal(pressed({ penalty = 10 }, bed, -0.1).warnings, {})
 end)
 
 check.case("a closest-point projection that did not converge is reported with its place and a hint", function()

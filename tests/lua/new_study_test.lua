@@ -12,8 +12,8 @@ end
 check.case("the starter runs as it is written", function()
   local output, status = run "--new study.lua"
   check.equal(status, 0)
-  check.equal(output, "Written: study.lua; run it with: signorini study.lua\nWritten: .luarc.json, by which editors "
-    .. "with a Lua language server complete and check scripts\n")
+  check.equal(output, "Written: study.lua; run it with: " .. arg[-1] .. " study.lua\n"
+    .. "Written: .luarc.json, by which editors with a Lua language server complete and check scripts\n")
   output, status = run "-q study.lua steps=3 meshes=1,2 orders=N2"
   check.equal(status, 0)
   check.holds(output, "starter: 2 of 2 cases are done", "Written: out/starter/starter.csv", "force.png", "report.html")

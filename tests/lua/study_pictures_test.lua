@@ -114,7 +114,6 @@ check.case("wrong arguments", function()
   end
   fails("chart", { file = "a.png", x = "wal", y = "dPx" }, "study:chart: x must be", "did you mean 'wall'?")
   fails("chart", { file = "a.png", x = "wall" }, "y (column, or function of a row) is missing")
-  fails("chart", { x = "wall", y = "dPx" }, "study:chart: file (", "is missing")
   fails("chart", { file = "a.png", x = "wall", y = "order" }, "y (of the case order = N4", "got the string 'N4'")
   fails("chart", { file = "a.png", x = "wall", y = "dPx", serie = "order" }, "did you mean 'series'?")
   fails("chart", { file = "a.png", x = "wall", y = function() end }, "no case has both wall and y")

@@ -65,6 +65,8 @@ TEST(Choice, PassesThroughTmuxWhatItsTerminalTakes) {
   EXPECT_EQ(chosen(tmux, plain, "foot|foot(1.13.1)|on"), "sixel through tmux");
   EXPECT_EQ(chosen(tmux, plain, "xterm-kitty||"), "kitty through tmux"); // tmux 3.2 without the option
   EXPECT_EQ(chosen(tmux, plain, "xterm-kitty|kitty(0.26.5)|off"), "blocks");
+  EXPECT_EQ(chosen(tmux, plain, "xterm-kitty|kitty(0.26.5)|0"), "blocks"); // tmux 3.3
+  EXPECT_EQ(chosen(tmux, plain, "xterm-kitty|kitty(0.26.5)|1"), "kitty through tmux");
   EXPECT_EQ(chosen(tmux, sixel, "xterm-kitty|kitty(0.26.5)|off"), "sixel");
   EXPECT_EQ(chosen(tmux, sixel, "xterm-256color|XTerm(379)|on"), "sixel");
   EXPECT_EQ(chosen(tmux, plain, "xterm-256color|XTerm(379)|on"), "blocks");

@@ -7,6 +7,7 @@ local t = require "signorini.types"
 local thesis = "V. Agrawal, thesis, IIT Guwahati, 2020"
 
 local label = t.name({ "N1", "N2", "N3", "N4", "N2-N2.1", "N2-N2.2", "N2-N4", "L1", "L2" }, "label") -- the usual ones
+label.cure = 'a label is a text such as "N2"'
 
 --- One label for all directions (along the contact face, if any), or a list with one per direction.
 local order = t.by({ kind = "list", of = label, single = true,

@@ -6,6 +6,7 @@ local t = require "signorini.types"
 
 local thesis = "V. Agrawal, thesis, IIT Guwahati, 2020"
 local axes = t.choice { "x", "y", "z", "xy", "xz", "yz", "xyz" }
+axes.cure = 'name components, as in "xy"; stages of model:run give the values of driven ones'
 local face, obstacle = t.object "face", t.object "obstacle"
 local faces = t.worded(t.one_or_more(face), "a face or a list of faces")
 
@@ -128,7 +129,8 @@ contact.conflict = function(values)
   end
   if values.adhesion or values.enforcement ~= "penalty" then return nil end
   if not values.penalty then
-    return "penalty (normal penalty, pressure per length) is missing: it must be a positive number"
+    return "penalty (normal penalty, pressure per length) is missing: it must be a positive number, "
+      .. "usually 10 to 1000 times E / h of the softer body, h its element size"
       .. (values.method == "half_passes" and "" or ', or give enforcement = "augmented", or adhesion = '
       .. "{ hamaker = …, r0 = … }")
   end

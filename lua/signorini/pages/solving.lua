@@ -3,13 +3,29 @@
 local rows = require "signorini.pages.step_rows"
 local t = require "signorini.types"
 
+--- The hint for an option among the stages.
+local function cure_of_option(key)
+  for _, row in ipairs(rows.run) do
+    if row[1] == key then return ("options are the second argument, model:run({ … }, { %s = … })"):format(key) end
+  end
+end
+
+--- The hint for a table without steps, a stage of which each key is an option.
+local function cure_of_options(stage)
+  local cure
+  for key in next, rawget(stage, "steps") == nil and stage or {} do
+    cure = cure_of_option(key)
+    if not cure then return nil end
+  end
+  return cure
+end
+
 --- The hint if the stages are not a list: options or parts of a stage among the stages have no effect.
 local function cure_of_stages(value)
   for key in next, type(value) == "table" and value or {} do
     if math.type(key) ~= "integer" or key < 1 or key > #value then
-      for _, row in ipairs(rows.run) do
-        if row[1] == key then return ("options are the second argument, model:run({ … }, { %s = … })"):format(key) end
-      end
+      local cure = cure_of_option(key)
+      if cure then return cure end
       if type(key) ~= "string" then return "stages are counted from 1 without gaps" end
       return ("put '%s' into a stage, model:run({ { steps = 10, %s = … }, … }, { … }): a list, then the options")
         :format(key, key == "steps" and "<support>" or key)
@@ -20,6 +36,7 @@ end
 
 local stages = t.worded(t.list(t.named("stage", t.any), nil, 1), "a list of stages")
 stages.cure = cure_of_stages
+stages.of.cures = { table = cure_of_options }
 stages.of.names = function(model) return model:driven_names() end
 
 local a_step = { "step", t.count, "number of the step; a failed step follows the last row" }
@@ -119,7 +136,8 @@ run:column, run:columns, run:csv, run:hdf5, run:states, run:attempts, run:residu
       { "stages", t.list(t.any), "{ name, steps, iterations, cutbacks, wall } of each stage" },
       { "controls", t.list(t.any), "where arc length began or ended: { step, to, place, reason } each" },
       { "warnings", t.list(t.text), [[those of model:warnings(), and about: loads that act in full from the first step;
-newton.tolerance above 1e-3; contacts that never touched; penetration above 2 % of the smallest body's size; closest
+newton.tolerance above 1e-3; contacts that never touched; penetration above 2 % of the smallest body's size; a last step
+whose position damping alone determines; closest
 points that were not found; points that passed through the master in one step; steps that may have jumped to another
 branch of solutions (solved by certain fallbacks) or probably have (judged by displacements and released energy); stages
 whose energy balance lacks more than a tenth of the work]] },

@@ -63,18 +63,22 @@ local function failures(study)
   return #items > 0 and html.list(items) or ""
 end
 
+--- "2 of 9 cases are not done yet", or nil.
+local function missing(study)
+  local open = study.cases and #study.cases - #study.rows or 0
+  return open > 0 and ("%d of %s are not done yet"):format(open, counted(#study.cases, "case")) or nil
+end
+
 local function warnings(study, records)
-  local texts = origin.warnings(records)
-  if study.cases and #study.rows < #study.cases then
-    table.insert(texts, 1, ("%d of %s are not done yet"):format(#study.cases - #study.rows,
-      counted(#study.cases, "case")))
-  end
+  local texts = lists.joined({ missing(study) }, origin.warnings(records))
   return #texts > 0 and html.list(texts) or ""
 end
 
 return function(study, options)
   local given, films = page.given_figures(where, options)
   page.check_file(where, options.file)
+  local open = missing(study)
+  if open then io.stderr:write(("signorini: warning: %s: %s. Hint: study:execute() first\n"):format(where, open)) end
   local counts, records = outcomes.counts(study.rows), (study.whole or study).records
   page.write(where, options.file, {
     title = options.title or study.name, text = options.text, records = records, summary = summary(study),
