@@ -46,7 +46,7 @@ local function scaled_svg(bytes, width, height)
   pictures = pictures + 1
   bytes = require "signorini.svg_names"(bytes, ("picture%d-"):format(pictures))
   local size = ('width="%d" height="%d"'):format(width, height)
-  return (bytes:gsub('width="%d+px" height="%d+px"', size, 1))
+  return (bytes:match "<svg.*":gsub('width="%d+px" height="%d+px"', size, 1)) -- converters refuse <?xml … encoding?>
 end
 
 --- Shows a picture in the front end; charts and heat maps also as SVG.

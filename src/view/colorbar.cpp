@@ -131,10 +131,18 @@ void draw_colorbar(Drawing& drawing, const BarPlace& place, const std::array<dou
   const double space = colorbar_room(range, title, top - bottom, style, log) - 1.3 * style.margin;
   // Zero up to rounding error is printed as zero.
   const double zero = 1e-12 * std::max(std::abs(values[0]), std::abs(values[1]));
-  const auto printed = [&](double value) { return in_digits(std::abs(value) > zero ? value : 0); };
+  // Fewer digits where space is short: a number must not end in an ellipsis.
+  const auto printed = [&](const std::string& name, double value) {
+    std::string text;
+    for (int digits = 3; digits > 0; --digits) {
+      text = name + in_digits(std::abs(value) > zero ? value : 0, digits);
+      if (!fit_text(text, 0.85 * size, std::min(0.85 * size, least_size(style)), space).cut) break;
+    }
+    return text;
+  };
   for (const auto& [name, value, y] : {std::tuple{"max ", values[1], place.top - 0.8 * size},
                                        std::tuple{"min ", values[0], place.bottom + 0.1 * size}})
-    draw_fitting(drawing, Text{{place.left, y}, name + printed(value), 0.85 * size, Align::left, ink}, space, style);
+    draw_fitting(drawing, Text{{place.left, y}, printed(name, value), 0.85 * size, Align::left, ink}, space, style);
   if (!title.empty()) {
     const double x = right + 0.5 * size + widest_tick(ticks, size) + 1.15 * style.label_size;
     const FittedText fitted =

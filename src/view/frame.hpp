@@ -19,8 +19,8 @@ struct Ticks {
   double depth = 0;                ///< pixels that names need below the row of numbers
 };
 
-/// A value with at most three digits, as in −1.32×10^{-4}.
-std::string in_digits(double value);
+/// A value with at most so many digits, as in −1.32×10^{-4}.
+std::string in_digits(double value, int most = 3);
 
 /// Fails when a range [low, high] is too wide or too narrow for double precision.
 void require_drawable(double low, double high, bool log);

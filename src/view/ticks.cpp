@@ -156,9 +156,9 @@ Ticks within(const std::vector<Name>& names, const Scale& scale) {
 
 } // namespace
 
-std::string in_digits(double value) {
+std::string in_digits(double value, int most) {
   char digits[32];
-  std::snprintf(digits, sizeof digits, "%.3g", std::abs(value));
+  std::snprintf(digits, sizeof digits, "%.*g", most, std::abs(value));
   std::string text = digits;
   if (const std::size_t e = text.find('e'); e != text.npos)
     text = text.substr(0, e) + "×10^{" + std::to_string(std::stoi(text.substr(e + 1))) + "}";

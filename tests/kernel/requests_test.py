@@ -64,6 +64,7 @@ class Cells(Case):
         self.assertEqual(png[:4], b"\x89PNG")
         self.assertEqual([int.from_bytes(png[i:i + 4], "big") for i in (16, 20)], [800, 500])
         self.assertEqual(chart["metadata"]["image/png"], {"width": 400, "height": 250})
+        self.assertTrue(chart["data"]["image/svg+xml"].startswith("<svg "))
         self.assertHolds(chart["data"]["image/svg+xml"], 'width="400" height="250"', ">url(#q)<")
         self.assertEqual(chart["data"]["text/plain"], "chart of 1 curve")
         self.assertNotIn("image/svg+xml", chart["metadata"])
