@@ -374,8 +374,7 @@ function sg.shapes.torus(arguments) end
 ---
 ---Example:
 ---```lua
----ball = sg.shapes.ball{ radius = 1 }
----print(#ball, ball.boundaries.outer[1])  --> 7 1.front
+---#sg.shapes.ball{ radius = 1 }  --> 7
 ---```
 ---@param arguments sg.shapes.ball.arguments
 ---@return table<integer|"boundaries", sg.patch|table<string, string[]>>

@@ -126,7 +126,7 @@ radius. xi1 and xi2 of patch 1 and all of the core run along x, y, z. Boundary: 
 the label N4.]],
     named = { radius, center_in_space }, more = several "outer",
     returns = t.patch_list,
-    example = "ball = sg.shapes.ball{ radius = 1 }\nprint(#ball, ball.boundaries.outer[1])  --> 7 1.front" },
+    example = "#sg.shapes.ball{ radius = 1 }  --> 7" },
   { "sg.shapes.polar_ball", [[Returns a solid ball of one patch of degree 2: xi1 once around the z axis from x over y
 (west and east are the seam), xi2 from the upper to the lower pole, xi3 from the sphere (front) to the center. The map
 is degenerate on the axis, to which south (z > 0) and north (z < 0) are collapsed, and in the center, back. With N2 it
