@@ -68,11 +68,13 @@ local read
 
 local reads = {}
 
---- The length of a list; nil if the value is not a list.
-local function length(value)
+--- The length of a list; nil if the value is not a list. `also`: a name that it may have as a key.
+local function length(value, also)
   if type(value) ~= "table" then return nil end
   local count = 0
-  for _ in next, value do count = count + 1 end
+  for key in next, value do
+    if also == nil or key ~= also then count = count + 1 end
+  end
   return count == #value and count or nil
 end
 
@@ -123,10 +125,12 @@ local function read_single(of, value, where, name, row)
 end
 
 function reads.list(of, value, where, name, row)
-  local count = length(value)
+  local also, also_type = table.unpack(of.also or {})
+  local count = length(value, also)
   if of.single and not count then return read_single(of, value, where, name, row) end
   local wrong = not count or of.size and count ~= of.size or of.least and count < of.least
   if wrong then mismatch(of, value, where, name, row, list_cure(of, value)) end
+  if also and value[also] ~= nil then read(also_type, value[also], where, ("%s.%s"):format(name, also)) end
   local copy
   for i = 1, count do
     local entry = read_entry(of.of, value, i, where, name)

@@ -59,6 +59,12 @@ function types.numbers(size, gaps) return types.list({ kind = "number", gaps = g
 --- Values of these types in order, of which the first `least` are required: {1, "m1"}.
 function types.tuple(of, least) return { kind = "tuple", of = of, least = least } end
 
+--- A list of patches, which may have a field `boundaries`: lists of faces such as "2.south" by name. patches: or a
+--- single patch. also: the name and type of such a field of a list.
+types.patch_list = merged(types.list(types.object "patch", nil, 1),
+  { also = { "boundaries", { kind = "map", of = types.list(types.text) } } })
+types.patches = merged(types.patch_list, { single = true })
+
 --- {low, high}, increasing.
 types.interval = { kind = "tuple", of = { types.number, types.number }, least = 2, rising = true,
                    words = "a list of 2 increasing numbers {low, high}" }

@@ -81,6 +81,117 @@ function sg.shapes.half_annulus(arguments) end
 ---@return sg.patch
 function sg.shapes.quarter_annulus(arguments) end
 
+---@class (exact) sg.shapes.ring.arguments
+---inner: inner radius (a positive number; length)
+---@field inner number
+---outer: outer radius (a positive number; length)
+---@field outer number
+---center: center of the circles (a list of 2 numbers {x, y}; length; default {0, 0})
+---@field center? [number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a full ring: xi1 once around, counterclockwise from the highest point (four quarter arcs, degree 2; west and
+---east are the seam, whose two sides share their unknowns), xi2 from the outer (south) to the inner radius (north).
+---
+---```text
+---sg.shapes.ring{ inner, outer, center = {0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.ring{ inner = 0.5, outer = 1 }
+---```
+---@param arguments sg.shapes.ring.arguments
+---@return sg.patch
+function sg.shapes.ring(arguments) end
+
+---@class (exact) sg.shapes.disc.arguments
+---radius: radius (a positive number; length)
+---@field radius number
+---center: center of the circles (a list of 2 numbers {x, y}; length; default {0, 0})
+---@field center? [number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a disc of five patches of degree 2 without singular points. 1 (below), 2 (right), 3 (above) and 4 (left) have
+---a quarter of the circle each: xi1 counterclockwise along it, xi2 from the circle (south) to the core (north), the
+---neighbors are at west and east. 5 is the core, a square with its corners at half the radius, xi1 along x, xi2 along
+---y. Boundary: outer, the circle.
+---
+---```text
+---sg.shapes.disc{ radius, center = {0, 0} }
+---```
+---
+---The result is a list of patches with a field boundaries = { outer }, lists of faces such as "2.south", the face south
+---of the second patch. Neighboring faces have the same knots, points and weights; they stay so if all patches are
+---refined by the same numbers.
+---
+---Example:
+---```lua
+---disc = sg.shapes.disc{ radius = 1 }
+---sg.picture{ patch = disc }
+---```
+---@param arguments sg.shapes.disc.arguments
+---@return table<integer|"boundaries", sg.patch|table<string, string[]>>
+function sg.shapes.disc(arguments) end
+
+---@class (exact) sg.shapes.polar_disc.arguments
+---radius: radius (a positive number; length)
+---@field radius number
+---center: center of the circles (a list of 2 numbers {x, y}; length; default {0, 0})
+---@field center? [number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a disc of one patch: xi1 once around, counterclockwise from the highest point (west and east are the seam),
+---xi2 from the circle (south) to the center, to which north is collapsed: the map is degenerate there. sg.shapes.disc
+---has no such point.
+---
+---```text
+---sg.shapes.polar_disc{ radius, center = {0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.polar_disc{ radius = 1 }
+---```
+---@param arguments sg.shapes.polar_disc.arguments
+---@return sg.patch
+function sg.shapes.polar_disc(arguments) end
+
+---@class (exact) sg.shapes.hook.arguments
+---length: from the root to the nose (a positive number; length)
+---@field length number
+---thickness: thickness of the beam (a positive number; length)
+---@field thickness number
+---nose: height of the nose above the beam (a positive number; length)
+---@field nose number
+---land: length of the nose's flat top (a positive number; length)
+---@field land number
+---insertion: angle between the insertion face and x, below 90 (a number; degrees; default 30)
+---@field insertion? number
+---retention: angle between the retention face and x, 90: upright (a number; degrees; default 90)
+---@field retention? number
+---corner: lower corner of the root (a list of 2 numbers {x, y}; length; default {0, 0})
+---@field corner? [number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a snap-fit hook of degree 1: a beam along x with a nose on its upper side, xi1 along x, xi2 along y. west is
+---the root, east the tip, south the straight lower side, north the upper side with the nose: beam, retention face, land
+---and insertion face, with knots at the edges between them. sg.nurbs.extrude makes a solid of it.
+---
+---```text
+---sg.shapes.hook{ length, thickness, nose, land, insertion = 30, retention = 90, corner = {0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.hook{ length = 10, thickness = 1.5, nose = 1, land = 0.5, retention = 45 }
+---flat = sg.shapes.hook{ length = 10, thickness = 1.5, nose = 1, land = 0.5 }
+---hook = sg.nurbs.extrude{ patch = flat, along = {0, 0, 4} }
+---```
+---@param arguments sg.shapes.hook.arguments
+---@return sg.patch
+function sg.shapes.hook(arguments) end
+
 ---@class (exact) sg.shapes.block.arguments
 ---size: sizes along x, y, z (a list of 3 numbers {x, y, z}; length)
 ---@field size [number, number, number]
@@ -128,6 +239,170 @@ function sg.shapes.block(arguments) end
 ---@param arguments sg.shapes.half_cylinder_shell.arguments
 ---@return sg.patch
 function sg.shapes.half_cylinder_shell(arguments) end
+
+---@class (exact) sg.shapes.tube.arguments
+---inner: inner radius (a positive number; length)
+---@field inner number
+---outer: outer radius (a positive number; length)
+---@field outer number
+---width: size along y (a positive number; length)
+---@field width number
+---center: start of the axis (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---@field center? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a pipe along y: xi1 once around from the highest line (degree 2; west and east are the seam, whose two sides
+---share their unknowns), xi2 along y, xi3 from the outer (front) to the inner radius (back). With its center at the
+---origin, south is in y = 0, north in y = width. patch:rotate turns it.
+---
+---```text
+---sg.shapes.tube{ inner, outer, width, center = {0, 0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.tube{ inner = 0.4, outer = 0.5, width = 2 }
+---```
+---@param arguments sg.shapes.tube.arguments
+---@return sg.patch
+function sg.shapes.tube(arguments) end
+
+---@class (exact) sg.shapes.cylinder.arguments
+---radius: radius (a positive number; length)
+---@field radius number
+---width: size along y (a positive number; length)
+---@field width number
+---center: start of the axis (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---@field center? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a solid cylinder along y of five patches of degree 2 without singular points, the extruded sg.shapes.disc. 1
+---(below), 2 (right), 3 (above) and 4 (left): xi1 along the circle, xi2 along y, xi3 from the circle (front) to the
+---core (back). 5 is the core; xi1, xi2, xi3 along x, y, z. Boundaries: outer, the curved surface; south and north, the
+---flat ends, with the center at the origin in y = 0 and y = width.
+---
+---```text
+---sg.shapes.cylinder{ radius, width, center = {0, 0, 0} }
+---```
+---
+---The result is a list of patches with a field boundaries = { outer, south, north }, lists of faces such as "2.south",
+---the face south of the second patch. Neighboring faces have the same knots, points and weights; they stay so if all
+---patches are refined by the same numbers.
+---
+---Example:
+---```lua
+---sg.shapes.cylinder{ radius = 0.5, width = 2 }
+---```
+---@param arguments sg.shapes.cylinder.arguments
+---@return table<integer|"boundaries", sg.patch|table<string, string[]>>
+function sg.shapes.cylinder(arguments) end
+
+---@class (exact) sg.shapes.polar_cylinder.arguments
+---radius: radius (a positive number; length)
+---@field radius number
+---width: size along y (a positive number; length)
+---@field width number
+---center: start of the axis (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---@field center? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a solid cylinder along y of one patch: xi1 once around from the highest line (west and east are the seam),
+---xi2 along y, xi3 from the circle (front) to the axis, to which back is collapsed: the map is degenerate there. With
+---its center at the origin, south is in y = 0, north in y = width.
+---
+---```text
+---sg.shapes.polar_cylinder{ radius, width, center = {0, 0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.polar_cylinder{ radius = 0.5, width = 2 }
+---```
+---@param arguments sg.shapes.polar_cylinder.arguments
+---@return sg.patch
+function sg.shapes.polar_cylinder(arguments) end
+
+---@class (exact) sg.shapes.torus.arguments
+---radius: distance of the section's center from the axis (a positive number; length)
+---@field radius number
+---section: radius of the section, below radius (a positive number; length)
+---@field section number
+---center: center of the torus (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---@field center? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a solid torus about the z axis of five patches of degree 2 without singular points, sg.shapes.disc around a
+---circle. 1 (below), 2 (outside), 3 (above), 4 (inside): xi1 along the section's circle, xi2 once around the axis
+---(south and north are the seam), xi3 from the surface (front) to the core (back). 5 is the core: xi1 away from the
+---axis, xi3 along z. Boundary: outer, the surface.
+---
+---```text
+---sg.shapes.torus{ radius, section, center = {0, 0, 0} }
+---```
+---
+---The result is a list of patches with a field boundaries = { outer }, lists of faces such as "2.south", the face south
+---of the second patch. Neighboring faces have the same knots, points and weights; they stay so if all patches are
+---refined by the same numbers.
+---
+---Example:
+---```lua
+---sg.shapes.torus{ radius = 2, section = 0.5 }
+---```
+---@param arguments sg.shapes.torus.arguments
+---@return table<integer|"boundaries", sg.patch|table<string, string[]>>
+function sg.shapes.torus(arguments) end
+
+---@class (exact) sg.shapes.ball.arguments
+---radius: radius (a positive number; length)
+---@field radius number
+---center: center of the spheres (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---@field center? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a solid ball of seven patches of degree 4 without singular points. 1 (below), 2 (+x), 3 (+y), 4 (-x), 5 (-y)
+---and 6 (above) have a sixth of the sphere each, exact (J. E. Cobb 1988): front is the sphere, back the core, the other
+---four faces are the neighbors'. 7 is the core, a cube along the axes with its corners at half the radius. xi1 and xi2
+---of patch 1 and all of the core run along x, y, z. Boundary: outer, the sphere. Bodies need at least the label N4.
+---
+---```text
+---sg.shapes.ball{ radius, center = {0, 0, 0} }
+---```
+---
+---The result is a list of patches with a field boundaries = { outer }, lists of faces such as "2.south", the face south
+---of the second patch. Neighboring faces have the same knots, points and weights; they stay so if all patches are
+---refined by the same numbers.
+---
+---Example:
+---```lua
+---#sg.shapes.ball{ radius = 1 }  --> 7
+---```
+---@param arguments sg.shapes.ball.arguments
+---@return table<integer|"boundaries", sg.patch|table<string, string[]>>
+function sg.shapes.ball(arguments) end
+
+---@class (exact) sg.shapes.polar_ball.arguments
+---radius: radius (a positive number; length)
+---@field radius number
+---center: center of the spheres (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
+---@field center? [number, number, number]
+---@field [string] sg.unknown_argument
+
+---Returns a solid ball of one patch of degree 2: xi1 once around the z axis from x over y (west and east are the seam),
+---xi2 from the upper to the lower pole, xi3 from the sphere (front) to the center. The map is degenerate on the axis,
+---to which south (z > 0) and north (z \< 0) are collapsed, and in the center, back. With N2 it has fewer unknowns than
+---sg.shapes.ball, but its elements are narrow at the poles, where it should not touch.
+---
+---```text
+---sg.shapes.polar_ball{ radius, center = {0, 0, 0} }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.polar_ball{ radius = 1 }
+---```
+---@param arguments sg.shapes.polar_ball.arguments
+---@return sg.patch
+function sg.shapes.polar_ball(arguments) end
 
 ---@class (exact) sg.shapes.sphere_octant.arguments
 ---inner: inner radius (a positive number; length)

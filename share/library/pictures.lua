@@ -51,7 +51,7 @@ local sg = {}
 ---state: an entry of run:states() (a state; optional)
 ---@field state? sg.state
 ---patch: patches in gray, all in the plane or all in 3D (a patch or a list of at least one patch; optional)
----@field patch? sg.patch|sg.patch[]
+---@field patch? sg.patch|table<integer|"boundaries", sg.patch|table<string, string[]>>
 ---states: a list of at least one state; optional. run:states(): one picture each, as in sg.sheet; or, depending on the
 ---```text
 ---        file's name ("x-%04d.png", "x.ogv"), as in sg.film

@@ -136,15 +136,19 @@ template <class T> decltype(auto) named(const Arguments& a, const char* name) {
     return a.get<T>(name);
 }
 
-/// Pushes the result of a C++ function for the arguments of these names.
-///
-///     {"line", made<nurbs::line, "from", "to">},
-template <auto function, Name... names> int made(lua_State* L) {
-  const Arguments a(L);
+/// The result of a C++ function for the arguments of these names.
+template <auto function, Name... names> auto result_of(const Arguments& a) {
   const auto make = [&]<class Result, class... Parts>(Result (*plain)(Parts...)) {
     return plain(named<std::remove_cvref_t<Parts>>(a, names.letters)...);
   };
-  push(L, make(function));
+  return make(function);
+}
+
+/// Pushes this result.
+///
+///     {"line", made<nurbs::line, "from", "to">},
+template <auto function, Name... names> int made(lua_State* L) {
+  push(L, result_of<function, names...>(Arguments(L)));
   return 1;
 }
 

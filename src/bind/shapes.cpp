@@ -3,6 +3,7 @@
 #include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "bind/patch.hpp"
+#include "nurbs/several_patches.hpp"
 
 namespace signorini::bind {
 
@@ -19,12 +20,39 @@ nurbs::Patch hollow_hemisphere(const Arguments& a) {
                                   at_ends ? nurbs::Poles::ends : nurbs::Poles::bottom);
 }
 
+/// Pushes a list of patches with a field `boundaries`, lists of faces such as "2.front" by name.
+void push_patches(lua_State* L, const nurbs::SeveralPatches& several) {
+  push(L, several.patches);
+  lua_newtable(L);
+  for (const nurbs::Boundary& boundary : several.boundaries) {
+    std::vector<std::string> faces;
+    for (const auto& [patch, side] : boundary.faces) faces.push_back(text(patch + 1, ".", nurbs::name_of(side)));
+    set_field(L, boundary.name.c_str(), faces);
+  }
+  lua_setfield(L, -2, "boundaries");
+}
+
+template <auto function, Name... names> int made_several(lua_State* L) {
+  push_patches(L, result_of<function, names...>(Arguments(L)));
+  return 1;
+}
+
 constexpr Function shapes_rows[] = {
     {"rectangle", made<nurbs::rectangle, "width", "height", "corner">},
     {"half_annulus", made<nurbs::half_annulus, "inner", "outer", "center">},
     {"quarter_annulus", made<nurbs::quarter_annulus, "inner", "outer", "center", "start">},
+    {"ring", made<nurbs::ring, "inner", "outer", "center">},
+    {"disc", made_several<nurbs::disc, "radius", "center">},
+    {"polar_disc", made<nurbs::polar_disc, "radius", "center">},
+    {"hook", made<nurbs::hook, "length", "thickness", "nose", "land", "insertion", "retention", "corner">},
     {"block", call<block>},
     {"half_cylinder_shell", made<nurbs::half_cylinder_shell, "inner", "outer", "width", "center">},
+    {"tube", made<nurbs::tube, "inner", "outer", "width", "center">},
+    {"cylinder", made_several<nurbs::cylinder, "radius", "width", "center">},
+    {"polar_cylinder", made<nurbs::polar_cylinder, "radius", "width", "center">},
+    {"torus", made_several<nurbs::torus, "radius", "section", "center">},
+    {"ball", made_several<nurbs::ball, "radius", "center">},
+    {"polar_ball", made<nurbs::polar_ball, "radius", "center">},
     {"sphere_octant", made<nurbs::sphere_octant, "inner", "outer", "center">},
     {"hollow_hemisphere", call<hollow_hemisphere>},
     {"spherical_indenter", made<nurbs::spherical_indenter, "width", "depth", "height", "radius", "elements", "corner">},

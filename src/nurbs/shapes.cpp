@@ -6,6 +6,7 @@
 #include "nurbs/basis.hpp"
 #include "nurbs/directions.hpp"
 #include "nurbs/refine.hpp"
+#include "nurbs/shape_parts.hpp"
 
 #include <cmath>
 
@@ -13,21 +14,11 @@ namespace signorini::nurbs {
 
 namespace {
 
-void check_length(const char* name, double length) {
-  require(length > 0 && std::isfinite(length), "nurbs.shapes.length", {{"argument", name}, {"length", length}});
-}
-
 /// Throws Error if a length vanishes by rounding when added to a large coordinate.
 void check_edge(const char* name, double length, const char* from, double start) {
   check_length(name, length);
   require(start + length > start, "nurbs.shapes.rounding",
           {{"argument", name}, {"length", length}, {"coordinate", from}, {"start", start}});
-}
-
-void check_radii(double inner, double outer) {
-  check_length("inner", inner);
-  check_length("outer", outer);
-  require(inner < outer, "nurbs.shapes.radii", {{"inner", inner}, {"outer", outer}});
 }
 
 /// The part of an annulus from angle `start` to `stop`, ξ² from the outer to the inner radius.
@@ -37,13 +28,30 @@ Patch annulus(double inner, double outer, const Point& center, double start, dou
   return ruled(arc(center, outer, start, stop), arc(center, inner, start, stop));
 }
 
-/// (x, y) ↦ (x, 0, y)
-const Eigen::Matrix<double, 3, 2> upright{{1, 0}, {0, 0}, {0, 1}};
+/// A pipe along y: the part of its section from angle `start` to `stop` in the x-z plane; ξ¹ along the arc, ξ² along y,
+/// ξ³ from the outer to the inner radius.
+Patch pipe(double inner, double outer, double width, const Point& center, double start, double stop) {
+  check_radii(inner, outer);
+  check_length("width", width);
+  check_point("center", center, 3);
+  const auto shell = [&](double radius) {
+    return extrude(upright(arc(Point::Zero(2), radius, start, stop), center), Vec<3>(0, width, 0));
+  };
+  return ruled(shell(outer), shell(inner));
+}
+
+/// A volume or a plane surface from `outer`, where the new last direction starts, to points: to `foot`(x) of each
+/// control point x, with its weight. The face at its end is singular.
+template <class Foot> Patch converging(const Patch& outer, Foot foot) {
+  MatrixX points = outer.points();
+  for (auto point : points.colwise()) point = foot(VectorX(point));
+  return ruled(outer, make_patch(outer.directions(), points, outer.weights()));
+}
 
 /// The part of a sphere about the origin: ξ¹ around the z axis from x towards y by `turn` degrees, ξ² down the meridian
 /// from latitude `top` (degrees) to the lower pole.
 Patch sphere_part(double radius, double turn, double top) {
-  const Patch meridian = transform(arc(Point::Zero(2), radius, top, -90), upright, Point::Zero(3));
+  const Patch meridian = upright(arc(Point::Zero(2), radius, top, -90), Point::Zero(3));
   return swap_directions(revolve(meridian, Point::Zero(3), Vec<3>::UnitZ(), turn), 0, 1);
 }
 
@@ -78,6 +86,35 @@ Patch quarter_annulus(double inner, double outer, const Point& center, double st
   return annulus(inner, outer, center, start, start + 90);
 }
 
+Patch ring(double inner, double outer, const Point& center) {
+  return annulus(inner, outer, center, 90, 450);
+}
+
+Patch polar_disc(double radius, const Point& center) {
+  check_radius("radius", radius, center, 2);
+  return converging(arc(center, radius, 90, 450), [&](const Point&) { return center; });
+}
+
+Patch hook(double length, double thickness, double nose, double land, double insertion, double retention,
+           const Point& corner) {
+  check_length("length", length);
+  check_length("thickness", thickness);
+  check_length("nose", nose);
+  check_length("land", land);
+  check_point("corner", corner, 2);
+  require(insertion > 0 && insertion < 90, "nurbs.shapes.insertion", {{"angle", insertion}});
+  require(retention > 0 && retention <= 90, "nurbs.shapes.retention", {{"angle", retention}});
+  const auto run = [&](double angle) { return nose * direction_of(angle)(0) / direction_of(angle)(1); };
+  const double start = length + run(retention), end = start + land, tip = end + run(insertion);
+  // Below the nose the knots divide the lower side evenly: all four elements are convex for any lengths and angles.
+  MatrixX lower = MatrixX::Zero(2, 5), upper = MatrixX::Constant(2, 5, thickness);
+  for (int i = 1; i < 5; ++i) lower(0, i) = length + (tip - length) * i / 4;
+  upper.row(0) << 0, length, start, end, tip;
+  upper.row(1).segment(2, 2).array() += nose;
+  const KnotVector along(1, {0, 0, lower(0, 1) / tip, lower(0, 2) / tip, lower(0, 3) / tip, 1, 1});
+  return translate(ruled(make_patch({along}, lower), make_patch({along}, upper)), corner);
+}
+
 Patch block(const std::array<double, 3>& size, const Point& corner) {
   const char *const names[] = {"size x", "size y", "size z"}, *const starts[] = {"corner x", "corner y", "corner z"};
   check_point("corner", corner, 3);
@@ -87,14 +124,23 @@ Patch block(const std::array<double, 3>& size, const Point& corner) {
 }
 
 Patch half_cylinder_shell(double inner, double outer, double width, const Point& center) {
-  check_radii(inner, outer);
+  return pipe(inner, outer, width, center, 180, 360);
+}
+
+Patch tube(double inner, double outer, double width, const Point& center) {
+  return pipe(inner, outer, width, center, 90, 450);
+}
+
+Patch polar_cylinder(double radius, double width, const Point& center) {
+  check_radius("radius", radius, center, 3);
   check_length("width", width);
-  check_point("center", center, 3);
-  const auto half_cylinder = [&](double radius) {
-    const Patch half_circle = arc(Point::Zero(2), radius, 180, 360);
-    return extrude(transform(half_circle, upright, center), Vec<3>(0, width, 0));
-  };
-  return ruled(half_cylinder(outer), half_cylinder(inner));
+  const Patch outer = extrude(upright(arc(Point::Zero(2), radius, 90, 450), center), Vec<3>(0, width, 0));
+  return converging(outer, [&](const Point& x) { return Point(Vec<3>(center(0), x(1), center(2))); });
+}
+
+Patch polar_ball(double radius, const Point& center) {
+  check_radius("radius", radius, center, 3);
+  return translate(converging(sphere_part(radius, 360, 90), [](const Point&) { return Point::Zero(3); }), center);
 }
 
 Patch sphere_octant(double inner, double outer, const Point& center) {

@@ -17,11 +17,31 @@ Patch rectangle(double width, double height, const Point& corner);
 Patch half_annulus(double inner, double outer, const Point& center);
 /// Quarter annulus from angle `start` (degrees) counter-clockwise by 90°: ξ¹ along the arc, ξ² from outer to inner.
 Patch quarter_annulus(double inner, double outer, const Point& center, double start);
+/// Ring: ξ¹ once around, counter-clockwise from the highest point (west and east are the two sides of a seam), ξ² from
+/// the outer (south) to the inner radius (north).
+Patch ring(double inner, double outer, const Point& center);
+/// Disc of one patch: ξ¹ as the ring's, ξ² from the circle (south) to the center, to which north is collapsed.
+Patch polar_disc(double radius, const Point& center);
+/// Snap-fit hook: a beam of `length` × `thickness` from `corner` along x with a nose on its upper side that rises by
+/// `nose` under the angle `retention` (degrees, 90 is upright), continues for `land` and falls to the tip under the
+/// angle `insertion`. Bilinear with three C⁰ knots; ξ¹ along x, ξ² along y.
+Patch hook(double length, double thickness, double nose, double land, double insertion, double retention,
+           const Point& corner);
 /// Block [corner, corner + size], trilinear; ξ¹ξ²ξ³ along x, y, z.
 Patch block(const std::array<double, 3>& size, const Point& corner);
 /// Half-cylinder shell with its axis along y from `center` to `center` + (0, width, 0): the half annulus in the x-z
 /// plane, below its axis, extruded; ξ¹ along the arc, ξ² along y, ξ³ from the outer (front) to the inner radius (back).
 Patch half_cylinder_shell(double inner, double outer, double width, const Point& center);
+/// Pipe along y: the ring in the x-z plane, extruded; ξ¹ once around from the highest line (west and east are the two
+/// sides of a seam), ξ² along y, ξ³ from the outer (front) to the inner radius (back).
+Patch tube(double inner, double outer, double width, const Point& center);
+/// Cylinder along y of one patch: ξ¹ and ξ² as the tube's, ξ³ from the circle (front) to the axis, to which back is
+/// collapsed.
+Patch polar_cylinder(double radius, double width, const Point& center);
+/// Ball of one patch: ξ¹ once around the z axis from x over y (west and east are the two sides of a seam), ξ² from the
+/// upper to the lower pole (south and north are collapsed to half the axis each), ξ³ from the sphere (front) to the
+/// center, to which back is collapsed.
+Patch polar_ball(double radius, const Point& center);
 /// Octant x, y ≥ 0, z ≤ 0 of a hollow sphere about `center`: ξ¹ around the z axis from x to y, ξ² from the equator to
 /// the lower pole (degenerate edge), ξ³ from the outer (front) to the inner radius (back).
 Patch sphere_octant(double inner, double outer, const Point& center);

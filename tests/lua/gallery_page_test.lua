@@ -23,7 +23,8 @@ end)
 
 --- The script of a picture: pictures of a folder's scripts have its name in front.
 local function script_of(picture)
-  return (picture:gsub("^stability_", "stability/"):gsub("^formulations_", "formulations/"):gsub("^mumps_", "mumps/"))
+  return (picture:gsub("^stability_", "stability/"):gsub("^formulations_", "formulations/"):gsub("^mumps_", "mumps/")
+    :gsub("^objects_", "objects/"))
 end
 
 check.case("every picture", function()

@@ -89,6 +89,7 @@ function texts.points() return ("(%s|%s)[]"):format(coordinates[2], coordinates[
 function texts.list(of, place, found)
   local one = text_of(of.of, place, found)
   local list = of.size and of.size <= 3 and ("[%s]"):format((one .. ", "):rep(of.size):sub(1, -3))
+    or of.also and ("table<integer|%q, %s|%s>"):format(of.also[1], one, text_of(of.also[2], place, found))
     or enclosed(one) .. "[]"
   return of.single and union { one, list } or list
 end

@@ -20,7 +20,7 @@ end
 function scripts.all()
   local list = {}
   if not core.exists(core.home .. "/scripts") then return list end
-  for _, folder in ipairs { "", "stability/", "formulations/", "mumps/" } do
+  for _, folder in ipairs { "", "stability/", "formulations/", "mumps/", "objects/" } do
     for _, file in ipairs(core.list_folder(core.home .. "/scripts/" .. folder)) do
       local path = ("%s/scripts/%s%s"):format(core.home, folder, file)
       local page = file:find "%.lua$" and header(core.read_file(path)) or ""

@@ -1,0 +1,34 @@
+-- The scenes of scripts/objects against closed forms.
+
+local core = require "signorini.core"
+local check = require "check"
+
+local function script(name) return ("%s/scripts/objects/%s.lua"):format(core.home, name) end
+local function results(name, ...)
+  return assert(loadfile(script(name)))("out=" .. check.folder(), ...)
+end
+
+check.case("O-ring: Johnson's cylinder between plates", function()
+  local ring = results("o_ring", "steps=5")
+  for i, compression in ipairs(ring.compression) do
+    if compression < 0.16 then check.within("compression", ring.johnson[i] / compression, 1, 0.05) end
+    check.within("pressure", ring.pressure[i] / ring.johnson_pressure[i], 1, 0.05)
+  end
+  -- Lindley's relation is a quarter below at C = 0.1 to 0.2.
+  check.within("Lindley", ring.lindley[3] / ring.force[3], 0.77, 0.03)
+end)
+
+check.case("snap-fit hook: beam theory, and free of force before and after", function()
+  local hook = results "snap_fit"
+  check.within("insertion", hook.push / hook.push_beam, 1, 0.15)
+  check.within("retention", hook.pull / hook.pull_beam, 1, 0.15)
+  local steps = #hook.force // 2
+  for _, step in ipairs{ 1, steps, #hook.force } do check.at_most("force", hook.force[step], 1e-6) end
+end)
+
+check.case("wrong arguments are errors", function()
+  check.refused(script "o_ring", { ["most=0.5"] = "most", ["elements=2"] = "elements", ["most=-1"] = "most" })
+  check.refused(script "snap_fit", { ["mu=-1"] = "mu", ["steps=1"] = "steps", ["elements=3"] = "elements" })
+end)
+
+check.done()
