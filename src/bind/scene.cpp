@@ -114,6 +114,19 @@ template <int D> model::Tie read_tie(const SceneBuilder<D>& builder, const Argum
   return tie;
 }
 
+/// The two faces of an entry of `joins`, a list at a stack index.
+template <int D>
+model::Join read_join(const SceneBuilder<D>& builder, lua_State* L, int index, const std::string& where) {
+  const auto face = [&](int i) {
+    lua_rawgeti(L, index, i);
+    const model::FaceReference found = builder.face(L, lua_gettop(L), text(where, "[", i, "]"));
+    lua_pop(L, 1);
+    return found;
+  };
+  const model::FaceReference first = face(1);
+  return {{}, first, face(2)};
+}
+
 template <int D> std::vector<model::NamedBody<D>> read_bodies(const Arguments& a) {
   std::vector<model::NamedBody<D>> bodies;
   a.each("bodies", [&](const std::string& name, int index, const std::string& path) {
@@ -137,6 +150,7 @@ void check_name(const Arguments& a, const model::Scene<D>& scene, const std::str
   clash(scene.loads, "load");
   clash(scene.contacts, "contact"); // the second one of two half passes
   clash(scene.ties, "tie");
+  clash(scene.joins, "join");
   if (name == "name" || name == "steps")
     a.fail(path, " cannot be called '", name, "', which is a key of stages: choose another name");
 }
@@ -202,6 +216,12 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
   each("ties", [&](const Arguments& part, const std::string&) -> std::string& {
     return scene.ties.emplace_back(read_tie(builder, part)).name;
   });
+  if (a.has("joins"))
+    a.each("joins", [&](const std::string& name, int index, const std::string& path) {
+      check_name(a, scene, name, path);
+      scene.joins.push_back(read_join(builder, L, index, path));
+      scene.joins.back().name = name;
+    });
   if constexpr (D == 2)
     if (scene.kind != solid::Kind::plane_strain) set_kind(scene);
   const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));

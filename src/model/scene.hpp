@@ -1,5 +1,5 @@
 #pragma once
-// Scene of a model: named bodies, supports, loads, obstacles, contacts and ties, as plain values.
+// Scene of a model: named bodies, supports, loads, obstacles, contacts, ties and joins, as plain values.
 
 #include "base/message.hpp"
 #include "contact/method.hpp"
@@ -79,6 +79,14 @@ struct Tie {
   std::string name;
   FaceReference slave, master;
   contact::MultiplierSpace multipliers;
+  bool from_join = false; ///< of the joins, between faces that do not match
+};
+
+/// Two faces that match point by point and share their unknowns, see nurbs/matching.hpp.
+struct Join {
+  std::string name;
+  FaceReference first, second;
+  std::vector<std::array<int, 2>> pairs = {}; ///< functions of the two bodies; found by resolve_joins()
 };
 
 template <int D> struct Scene {
@@ -88,6 +96,7 @@ template <int D> struct Scene {
   std::vector<Load> loads = {};
   std::vector<Contact<D>> contacts;
   std::vector<Tie> ties = {};
+  std::vector<Join> joins = {};
   solid::Kind kind = solid::Kind::plane_strain; ///< of all bodies
 };
 
@@ -96,6 +105,9 @@ template <int D> Message face_message(const Scene<D>& scene, const FaceReference
   return Message("model.face.of_body",
                  {{"face", nurbs::name_of(face.side)}, {"body", scene.bodies[at(face.body)].name}});
 }
+
+/// A tie, by the key under which the user has given it, for messages.
+Message tie_message(const Tie& tie);
 
 /// "x", "y", "z".
 std::string component_name(int component);

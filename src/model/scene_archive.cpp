@@ -30,8 +30,14 @@ auto members(Load& load) {
 }
 
 auto members(Tie& tie) {
-  auto& [name, slave, master, multipliers] = tie;
-  return std::tie(name, slave, master, multipliers);
+  auto& [name, slave, master, multipliers, from_join] = tie;
+  return std::tie(name, slave, master, multipliers, from_join);
+}
+
+/// The pairs of control points follow from the faces.
+auto members(Join& join) {
+  auto& [name, first, second, pairs] = join;
+  return std::tie(name, first, second);
 }
 
 template <int D> void write(ArchiveWriter& to, const NamedBody<D>& named) {
@@ -97,15 +103,15 @@ template <int D> Contact<D> read_contact(ArchiveReader& from) {
   return contact;
 }
 
-/// The parts in order: kind and numbers, bodies, obstacles, supports, loads, contacts, ties.
+/// The parts in order: kind and numbers, bodies, obstacles, supports, loads, contacts, ties, joins.
 struct Counts {
   solid::Kind kind;
-  int bodies, obstacles, supports, loads, contacts, ties;
+  int bodies, obstacles, supports, loads, contacts, ties, joins;
 };
 
 auto members(Counts& counts) {
-  auto& [kind, bodies, obstacles, supports, loads, contacts, ties] = counts;
-  return std::tie(kind, bodies, obstacles, supports, loads, contacts, ties);
+  auto& [kind, bodies, obstacles, supports, loads, contacts, ties, joins] = counts;
+  return std::tie(kind, bodies, obstacles, supports, loads, contacts, ties, joins);
 }
 
 template <class Part> ScenePart named(const char* kind, const std::string& name, const Part& part) {
@@ -118,10 +124,11 @@ template <class Part> ScenePart named(const char* kind, const std::string& name,
 
 template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
   const Scene<D>& scene = model.system.scene;
-  const auto& [bodies, obstacles, supports, loads, contacts, ties, kind] = scene;
+  const auto& [bodies, obstacles, supports, loads, contacts, ties, joins, kind] = scene;
   const auto size = [](const auto& list) { return static_cast<int>(list.size()); };
   ArchiveWriter counts;
-  counts.put(Counts{kind, size(bodies), size(obstacles), size(supports), size(loads), size(contacts), size(ties)});
+  counts.put(Counts{kind, size(bodies), size(obstacles), size(supports), size(loads), size(contacts), size(ties),
+                    size(joins)});
   std::vector<ScenePart> parts{{"the kind of scene or the number of its parts", counts.bytes()}};
   const auto add = [&](const char* what, const auto& list) {
     for (const auto& item : list) parts.push_back(named(what, item.name, [&](ArchiveWriter& to) { to.put(item); }));
@@ -135,6 +142,7 @@ template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
     parts.push_back(named("contact", contacts[k].name,
                           [&](ArchiveWriter& to) { write_contact(to, contacts[k], *model.system.contacts[k]); }));
   add("tie", ties);
+  add("join", joins);
   return parts;
 }
 
@@ -159,6 +167,7 @@ template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts) {
     scene.contacts.push_back(read_contact<D>(from));
   }
   fill(scene.ties, counts.ties);
+  fill(scene.joins, counts.joins);
   return scene;
 }
 

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "model/default_penalty.hpp"
+#include "model/joins.hpp"
 #include "model/path_norm.hpp"
 #include "model/ties.hpp"
 
@@ -13,7 +14,7 @@ namespace signorini::model {
 
 namespace {
 
-/// The scene, with default penalties. Throws Error if it has no body, or parts that do not fit.
+/// The scene, with default penalties and resolved joins. Throws Error if it has no body, or parts that do not fit.
 template <int D> const Scene<D>& completed(Scene<D>& scene) {
   require(!scene.bodies.empty(), "model.scene.no_body");
   for (const Contact<D>& contact : scene.contacts) {
@@ -22,6 +23,7 @@ template <int D> const Scene<D>& completed(Scene<D>& scene) {
   }
   for (const auto& named : scene.bodies)
     require(named.body->kind() == scene.kind, "model.scene.kind", {{"body", named.name}});
+  resolve_joins(scene);
   set_default_penalties(scene);
   return scene;
 }

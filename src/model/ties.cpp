@@ -18,16 +18,16 @@ bool same_faces(const Tie& tie, const FaceReference& slave, const FaceReference&
 
 template <int D> void check_faces(const Scene<D>& scene, const Tie& tie) {
   const Message slave = face_message(scene, tie.slave), master = face_message(scene, tie.master);
-  require(!(tie.slave == tie.master), "model.tie.own_face", {{"tie", tie.name}});
+  require(!(tie.slave == tie.master), "model.tie.own_face", {{"tie", tie_message(tie)}});
   for (const Tie& other : scene.ties) {
     if (&other == &tie) break;
     require(!same_faces(other, tie.slave, tie.master), "model.tie.twice",
-            {{"tie", tie.name}, {"other", other.name}, {"slave", slave}, {"master", master}});
+            {{"tie", tie_message(tie)}, {"other", tie_message(other)}, {"slave", slave}, {"master", master}});
   }
   for (const Contact<D>& contact : scene.contacts) {
     const auto* face = std::get_if<FaceReference>(&contact.master);
     require(!face || !same_faces(tie, contact.slave, *face), "model.tie.in_contact",
-            {{"tie", tie.name}, {"contact", contact.name}, {"slave", slave}, {"master", master}});
+            {{"tie", tie_message(tie)}, {"contact", contact.name}, {"slave", slave}, {"master", master}});
   }
 }
 
@@ -38,10 +38,10 @@ double rounded_percent(double part) {
 
 template <int D> void check_seam(const Scene<D>& scene, const Tie& named, const contact::Seam<D>& seam) {
   const Message slave = face_message(scene, named.slave), master = face_message(scene, named.master);
-  require(!seam.points.empty(), "model.tie.apart", {{"tie", named.name}, {"slave", slave}, {"master", master}});
+  require(!seam.points.empty(), "model.tie.apart", {{"tie", tie_message(named)}, {"slave", slave}, {"master", master}});
   const auto& [distance, place] = seam.distance;
   require(distance <= most_seam_distance * seam.length, "model.tie.distance",
-          {{"tie", named.name},
+          {{"tie", tie_message(named)},
            {"slave", slave},
            {"master", master},
            {"distance", distance},
@@ -49,10 +49,14 @@ template <int D> void check_seam(const Scene<D>& scene, const Tie& named, const 
            {"percent", rounded_percent(distance / seam.length)},
            {"most", rounded_percent(most_seam_distance)}});
   require(seam.facing.value <= 0, "model.tie.facing",
-          {{"tie", named.name}, {"slave", slave}, {"master", master}, {"at", seam.facing.place}});
+          {{"tie", tie_message(named)}, {"slave", slave}, {"master", master}, {"at", seam.facing.place}});
 }
 
 } // namespace
+
+Message tie_message(const Tie& tie) {
+  return Message(tie.from_join ? "model.tie.name_of_join" : "model.tie.name", {{"name", tie.name}});
+}
 
 template <int D> contact::Ties<D> make_ties(const Scene<D>& scene) {
   contact::Ties<D> ties;
@@ -76,7 +80,7 @@ void warn_of_ties(const Scene<D>& scene, const contact::Ties<D>& ties, std::vect
     const contact::Seam<D>& seam = ties[k].seam();
     const bool whole = seam.area >= least_whole * seam.whole;
     if (!whole)
-      warnings.push_back(Message("model.warning.tied_part", {{"tie", tie.name},
+      warnings.push_back(Message("model.warning.tied_part", {{"tie", tie_message(tie)},
                                                              {"slave", face_message(scene, tie.slave)},
                                                              {"percent", rounded_percent(seam.area / seam.whole)},
                                                              {"master", face_message(scene, tie.master)}}));
@@ -85,7 +89,7 @@ void warn_of_ties(const Scene<D>& scene, const contact::Ties<D>& ties, std::vect
       if (whole && (contact.slave == tie.slave || (face && *face == tie.slave)))
         warnings.push_back(
             Message("model.warning.tied_in_contact",
-                    {{"contact", contact.name}, {"face", face_message(scene, tie.slave)}, {"tie", tie.name}}));
+                    {{"contact", contact.name}, {"face", face_message(scene, tie.slave)}, {"tie", tie_message(tie)}}));
     }
   }
 }

@@ -31,6 +31,12 @@ coated = sg.model{
 }
 coated:run{ { name = "shear", steps = 1, grip = {0.01, 0} } }
 
+-- Two patches are joined to a beam.
+left = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, order = "N2",
+                material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+right = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = {1, 0} }, elements = {2, 2},
+                 order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+
 model, stages = press("N2-N2.2", 1)
 die, slab = model:body "die", model:body "slab"
 patch = sg.shapes.rectangle{ width = 3, height = 1 }

@@ -174,6 +174,8 @@ radius, y the axis, and forces refer to the full circle.]],
       { "loads", t.map(t.or_nil(t.named "load")), "external forces", optional = true },
       { "contacts", t.map(t.or_nil(t.named "contact")), "pairs of faces that may touch", optional = true },
       { "ties", t.map(t.or_nil(t.named "tie")), "pairs of faces that move as one", optional = true },
+      { "joins", t.map(t.or_nil(t.worded(t.list(face, 2), "a list of two faces"))),
+        "pairs of faces of which the bodies become one", optional = true },
       { "kind", t.choice { "plane_strain", "plane_stress", "axisymmetric" },
         "plane strain, thin plates, or a section of bodies of revolution",
         otherwise = '"plane_strain" for plane bodies' },
@@ -233,6 +235,17 @@ Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), fricti
     example = [[
 contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
                            friction = { mu = 0.2, penalty = 100 } } }]] },
+  { "join", "Joins two faces, so that their bodies deform as one without further unknowns.",
+    head = "joins = { <name> = { face, face } }, in sg.model{ … }",
+    more = [[Faces that match point by point share their control points' unknowns (C0): they have the same degrees and
+elements, with parameters that differ by a constant factor, the same control points, and weights that differ by a
+constant factor; directions may be reversed, in 3D also exchanged. On sides that cross a layer the layers must match,
+too. Two faces of one body can be joined, as in a ring. Where several joins meet, all share one unknown. Other pairs of
+faces that coincide are tied (help "tie"), with the face of more elements as slave; model:tie_profile and
+model:tie_resultant then accept the join's name. print(model) shows for each join what was done, and what differs.
+Supports, symmetry and reactions act on all control points that share an unknown; a joined face cannot be in contact.]],
+    example = [[
+joins = { seam = { left:face "east", right:face "west" } }]] },
   { "tie", "Ties two faces whose meshes need not match: they neither open nor slip.",
     head = "ties = { <name> = { slave, master, multipliers } }, in sg.model{ … }",
     named = tie,
