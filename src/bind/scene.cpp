@@ -23,11 +23,12 @@ void check_disc(const RigidShape<2>& rigid, bool revolved, const std::string& wh
 
 /// Gauss points per slave element and direction: 3(p+1), p the full degree along the slave face (thesis 7.1.1), the
 /// higher of its two directions.
-template <int D> int default_points(const model::Scene<D>& scene, const model::FaceReference& slave) {
-  const auto& space = scene.bodies[at(slave.body)].body->space();
-  const nurbs::Row face = space.face(slave.side);
+template <int D> int default_points(const model::Scene<D>& scene, const model::Faces& slave) {
   int degree = 0;
-  for (const nurbs::Space1D& direction : face.directions()) degree = std::max(degree, direction.degree());
+  for (const model::FaceReference& part : slave) {
+    const nurbs::Row face = scene.bodies[at(part.body)].body->space().face(part.side);
+    for (const nurbs::Space1D& direction : face.directions()) degree = std::max(degree, direction.degree());
+  }
   return 3 * (degree + 1);
 }
 
@@ -78,17 +79,24 @@ template <int D> contact::Region<D> read_region(const Arguments& a, const std::s
   };
 }
 
+template <int D> model::Faces read_faces(const SceneBuilder<D>& builder, const Arguments& a, const char* key) {
+  model::Faces faces;
+  a.list(key,
+         [&](int, int index, const std::string&) { faces.push_back(builder.face(a.state(), index, a.name(key))); });
+  return faces;
+}
+
 /// An entry of `contacts` with this name in sg.model's argument.
 template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const Arguments& a, const std::string& name) {
-  lua_State* L = a.state();
-  model::Contact<D> contact{{}, builder.face(L, a.push("slave"), a.name("slave")), {}, {}, 0, {}};
-  if (const int master = a.push("master"); has_type(L, master, Type<Rigid<D>>::name))
+  model::Contact<D> contact{{}, read_faces(builder, a, "slave"), {}, {}, 0, {}};
+  if (has_type(a.state(), a.push("master"), Type<Rigid<D>>::name))
     contact.master = model::ObstacleReference{builder.index_of(a.object<Rigid<D>>("master"), a.name("master"))};
   else
-    contact.master = builder.face(L, master, a.name("master"));
-  const auto* face = std::get_if<model::FaceReference>(&contact.master);
-  require(!face || contact.slave != *face, a.name("master"), " is the same face as ", a.name("slave"),
-          "; self-contact is not available: use a face of the other body");
+    contact.master = read_faces(builder, a, "master");
+  const auto* master = std::get_if<model::Faces>(&contact.master);
+  for (const model::FaceReference& face : contact.slave)
+    require(!master || !master->contains(face), a.name("master"), " is the same face as ", a.name("slave"),
+            "; self-contact is not available: use a face of the other body");
   contact.method = read_method<D>(a);
   contact.points = a.has("points") ? a.get<int>("points") : default_points(builder.scene, contact.slave);
   contact.where = read_region<D>(a, name);
@@ -97,7 +105,7 @@ template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const 
 
 /// The half pass over the master face of a contact.
 template <int D> model::Contact<D> swapped(const SceneBuilder<D>& builder, const Arguments& a, model::Contact<D> pass) {
-  const model::FaceReference slave = std::get<model::FaceReference>(pass.master);
+  const model::Faces slave = std::get<model::Faces>(pass.master);
   pass.master = pass.slave;
   pass.slave = slave;
   if (!a.has("points")) pass.points = default_points(builder.scene, slave);

@@ -92,8 +92,8 @@ std::vector<double> strides(const Scene<D>& scene, const contact::Formulations<D
     double distance = touch;
     if (touch > 0)
       for (const double gap : contacts[k]->gaps(state.contacts[k])) distance = std::min(distance, std::abs(gap));
-    note(scene.contacts[k].slave.body, distance);
-    if (const auto* face = std::get_if<FaceReference>(&scene.contacts[k].master)) note(face->body, distance);
+    for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
+      if (acts_on(scene.contacts[k], b)) note(b, distance);
   }
   for (const std::vector<int>& group : connected_groups(scene)) {
     double least = infinity;

@@ -73,8 +73,10 @@ template <int D> void check_join(const Scene<D>& scene, const Join& join) {
       require(!is_joined(face), "model.join.tied",
               {{"join", join.name}, {"tie", tie_message(tie)}, {"face", message(face)}});
   for (const Contact<D>& contact : scene.contacts) {
-    const auto* master = std::get_if<FaceReference>(&contact.master);
-    for (const FaceReference& face : {contact.slave, master ? *master : contact.slave})
+    Faces faces = contact.slave;
+    if (const auto* master = std::get_if<Faces>(&contact.master))
+      faces.insert(faces.end(), master->begin(), master->end());
+    for (const FaceReference& face : faces)
       require(!is_joined(face), "model.join.in_contact",
               {{"join", join.name}, {"contact", contact.name}, {"face", message(face)}});
   }

@@ -25,8 +25,10 @@ template <int D> void check_faces(const Scene<D>& scene, const Tie& tie) {
             {{"tie", tie_message(tie)}, {"other", tie_message(other)}, {"slave", slave}, {"master", master}});
   }
   for (const Contact<D>& contact : scene.contacts) {
-    const auto* face = std::get_if<FaceReference>(&contact.master);
-    require(!face || !same_faces(tie, contact.slave, *face), "model.tie.in_contact",
+    const auto* faces = std::get_if<Faces>(&contact.master);
+    require(!faces || !((contact.slave.contains(tie.slave) && faces->contains(tie.master)) ||
+                        (contact.slave.contains(tie.master) && faces->contains(tie.slave))),
+            "model.tie.in_contact",
             {{"tie", tie_message(tie)}, {"contact", contact.name}, {"slave", slave}, {"master", master}});
   }
 }
@@ -85,8 +87,8 @@ void warn_of_ties(const Scene<D>& scene, const contact::Ties<D>& ties, std::vect
                                                              {"percent", rounded_percent(seam.area / seam.whole)},
                                                              {"master", face_message(scene, tie.master)}}));
     for (const Contact<D>& contact : scene.contacts) {
-      const auto* face = std::get_if<FaceReference>(&contact.master);
-      if (whole && (contact.slave == tie.slave || (face && *face == tie.slave)))
+      const auto* master = std::get_if<Faces>(&contact.master);
+      if (whole && (contact.slave.contains(tie.slave) || (master && master->contains(tie.slave))))
         warnings.push_back(
             Message("model.warning.tied_in_contact",
                     {{"contact", contact.name}, {"face", face_message(scene, tie.slave)}, {"tie", tie_message(tie)}}));

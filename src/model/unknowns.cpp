@@ -1,8 +1,7 @@
 #include "model/unknowns.hpp"
 
 #include "base/error.hpp"
-#include "base/groups.hpp"
-#include "nurbs/coincident.hpp"
+#include "model/contact_faces.hpp"
 
 #include <algorithm>
 
@@ -33,15 +32,7 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
   count += D * static_cast<int>(scene.obstacles.size());
 
   // Coincident control points of a body, and those of joined faces, share the unknowns of the first of them.
-  Groups coincident(count / D); // control points, numbered by body
-  const auto point = [&](int body, int function) { return offset(body) / D + function; };
-  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
-    for (const std::vector<int>& group : nurbs::coincident_functions(scene.bodies[at(b)].body->space()))
-      for (int function : group) coincident.unite(point(b, group.front()), point(b, function));
-  for (const Join& join : scene.joins)
-    for (const auto& [first, second] : join.pairs)
-      coincident.unite(point(join.first.body, first), point(join.second.body, second));
-  const std::vector<std::vector<int>> mates = coincident.all();
+  const std::vector<std::vector<int>> mates = coincident_points(scene).all();
   std::vector<int> group_of(at(count / D), -1);
   for (std::size_t group = 0; group < mates.size(); ++group)
     for (int member : mates[group]) group_of[at(member)] = static_cast<int>(group);
@@ -111,10 +102,8 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
   };
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<D>& contact = scene.contacts[k];
-    const auto* face = std::get_if<FaceReference>(&contact.master);
-    const int master =
-        face ? offset(face->body) : obstacle_offset(std::get<ObstacleReference>(contact.master).obstacle);
-    of_contacts_.push_back({offset(contact.slave.body), master, dofs()});
+    const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);
+    of_contacts_.push_back({0, obstacle ? obstacle_offset(obstacle->obstacle) : 0, dofs()});
     add(contacts[k]->extra_unknowns());
   }
   for (const contact::Tie<D>& tie : ties) {

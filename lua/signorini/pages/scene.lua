@@ -9,7 +9,7 @@ local axes = t.choice { "x", "y", "z", "xy", "xz", "yz", "xyz" }
 local face, obstacle = t.object "face", t.object "obstacle"
 local faces = t.worded(t.one_or_more(face), "a face or a list of faces")
 
-local slave = t.object "face"
+local slave = t.worded(t.one_or_more(face), "a face or a list of adjacent faces")
 slave.cure = function(value)
   return require("signorini.pages").kind(value) == "obstacle" and "an obstacle can only be the master: exchange the two"
     or nil
@@ -21,10 +21,12 @@ region.cure = "write a function of a reference position of the slave face, as in
 
 local contact = {
   { "slave", slave, [[face over which contact is integrated; pressures are computed at its contact points. Use the finer
-mesh, of equal meshes the softer body (the published ironing studies use the stiff die)]] },
-  { "master", t.either(face, obstacle), [[face of the other body onto which these points are projected, or an obstacle.
-Beyond its edges (a closed ring has none along its arc) the master is extended by 0.3 of its last element; there the
-traction decreases to zero]] },
+mesh, of equal meshes the softer body (the published ironing studies use the stiff die). A list of adjacent faces, of
+joined bodies or of one, acts as one face: a chain in the plane, a row or a full grid in 3D]] },
+  { "master", t.either(obstacle, t.one_or_more(face)), [[face of the other body onto which these points are projected, a
+list of adjacent faces, or an obstacle. Points slide across the borders of a list; only its ends are edges. Beyond its
+edges (a closed ring has none along its arc) the master is extended by 0.3 of its last element; there the traction
+decreases to zero]] },
   { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. 10 to 1000 times E / h of the
 softer body is usual, h its element size; model:contact_resultant(name).max_penetration is the penetration that remains.
 With enforcement = "augmented" it determines the number of augmentations, not the result, and with "multipliers" it only
