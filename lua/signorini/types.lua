@@ -50,6 +50,12 @@ function types.object(name) return { kind = "object", name = name } end
 --- A list of entries of one type; exactly `size` or at least `least`, if given.
 function types.list(of, size, least) return { kind = "list", of = of, size = size, least = least } end
 
+--- A list of entries of one type that may have entries with names, rows, too.
+function types.list_with(of, fields) return { kind = "list", of = of, least = 1, fields = fields } end
+
+--- A list of entries of one type or of lists of these, or a single one.
+function types.flat(of) return { kind = "list", of = of, least = 1, single = true, flat = true } end
+
 --- A list of entries of one type, or a single one without braces, which becomes a list of one.
 function types.one_or_more(of) return { kind = "list", of = of, least = 1, single = true } end
 

@@ -60,7 +60,8 @@ template <int D> std::string joins_text(const model::Scene<D>& scene) {
   };
   for (const model::Join& join : scene.joins) add(join.name, "shares ", counted(join.pairs.size(), "control point"));
   for (const model::Tie& tie : scene.ties)
-    if (tie.from_join) add(tie.name, "is tied, because ", worded(model::difference(scene, tie.slave, tie.master)));
+    if (tie.from_join)
+      add(tie.name, "is tied, because ", worded(model::difference(scene, tie.slave.front(), tie.master.front())));
   return result;
 }
 

@@ -115,9 +115,8 @@ template <int D> model::Contact<D> swapped(const SceneBuilder<D>& builder, const
 
 /// An entry of `ties`.
 template <int D> model::Tie read_tie(const SceneBuilder<D>& builder, const Arguments& a) {
-  lua_State* L = a.state();
-  model::Tie tie{{}, builder.face(L, a.push("slave"), a.name("slave")), {}, contact::MultiplierSpace::equal};
-  tie.master = builder.face(L, a.push("master"), a.name("master"));
+  model::Tie tie{
+      {}, read_faces(builder, a, "slave"), read_faces(builder, a, "master"), contact::MultiplierSpace::equal};
   if (a.get<std::string>("multipliers") == "reduced") tie.multipliers = contact::MultiplierSpace::reduced;
   return tie;
 }

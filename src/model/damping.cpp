@@ -26,7 +26,9 @@ template <int D> std::vector<std::vector<int>> connected_groups(const Scene<D>& 
     first->insert(first->end(), second->begin(), second->end());
     groups.erase(second);
   };
-  for (const Tie& tie : scene.ties) connect(tie.slave.body, tie.master.body);
+  for (const Tie& tie : scene.ties)
+    for (const Faces* faces : {&tie.slave, &tie.master})
+      for (const FaceReference& face : *faces) connect(tie.slave.front().body, face.body);
   for (const Join& join : scene.joins) connect(join.first.body, join.second.body);
   return groups;
 }

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "contact/surface.hpp"
+#include "model/coincident_faces.hpp"
 #include "nurbs/matching.hpp"
 
 #include <algorithm>
@@ -48,13 +49,9 @@ Message message_of(nurbs::Mismatch mismatch) {
   }
 }
 
-/// Whether the rows of a layer have different functions on a side, so that it is not a single NURBS and cannot be tied.
-bool crosses_layer(const nurbs::Discretization& space, nurbs::Side side) {
-  const auto& rows = space.rows();
-  if (space.parametric_dimension() == 2 || side.direction == space.through()) return false;
-  const int along = 1 - space.in_row(side.direction); // of a row, on the side
-  return std::any_of(rows.begin(), rows.end(),
-                     [&](const nurbs::Row& row) { return row.direction(along) != rows.front().direction(along); });
+Faces both(Faces slave, const Faces* master) {
+  if (master) slave.insert(slave.end(), master->begin(), master->end());
+  return slave;
 }
 
 /// Throws Error if a join's matching faces are used otherwise.
@@ -69,14 +66,11 @@ template <int D> void check_join(const Scene<D>& scene, const Join& join) {
       require(&other == &join || !is_joined(face), "model.join.twice",
               {{"join", join.name}, {"other", other.name}, {"face", message(face)}});
   for (const Tie& tie : scene.ties)
-    for (const FaceReference& face : {tie.slave, tie.master})
+    for (const FaceReference& face : both(tie.slave, &tie.master))
       require(!is_joined(face), "model.join.tied",
               {{"join", join.name}, {"tie", tie_message(tie)}, {"face", message(face)}});
   for (const Contact<D>& contact : scene.contacts) {
-    Faces faces = contact.slave;
-    if (const auto* master = std::get_if<Faces>(&contact.master))
-      faces.insert(faces.end(), master->begin(), master->end());
-    for (const FaceReference& face : faces)
+    for (const FaceReference& face : both(contact.slave, std::get_if<Faces>(&contact.master)))
       require(!is_joined(face), "model.join.in_contact",
               {{"join", join.name}, {"contact", contact.name}, {"face", message(face)}});
   }

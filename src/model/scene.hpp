@@ -33,6 +33,9 @@ struct Faces : std::vector<FaceReference> {
   Faces(const FaceReference& face) : std::vector<FaceReference>{face} {}
 
   bool contains(const FaceReference& face) const { return std::find(begin(), end(), face) != end(); }
+  bool meets(const Faces& other) const {
+    return std::any_of(begin(), end(), [&](const FaceReference& face) { return other.contains(face); });
+  }
   /// Whether one of the faces belongs to a body.
   bool on(int body) const {
     return std::any_of(begin(), end(), [&](const FaceReference& face) { return face.body == body; });
@@ -91,7 +94,7 @@ template <int D> struct Contact {
 /// Two faces that move as one, see contact/tie.hpp.
 struct Tie {
   std::string name;
-  FaceReference slave, master;
+  Faces slave, master;
   contact::MultiplierSpace multipliers;
   bool from_join = false; ///< of the joins, between faces that do not match
 };

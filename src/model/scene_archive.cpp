@@ -14,6 +14,15 @@ auto members(FaceReference& face) {
   return std::tie(body, side);
 }
 
+void write(ArchiveWriter& to, const Faces& faces) {
+  to.put(static_cast<const std::vector<FaceReference>&>(faces));
+}
+
+Faces read(ArchiveReader& from, std::type_identity<Faces>) {
+  const auto list = from.get<std::vector<FaceReference>>();
+  return {list.begin(), list.end()};
+}
+
 auto members(SupportedControlPoints& points) {
   auto& [body, functions] = points;
   return std::tie(body, functions);
@@ -76,32 +85,19 @@ template <int D> contact::Region<D> region_of(const Places<D>& points) {
   return [sorted, before](const Vec<D>& x) { return std::binary_search(sorted.begin(), sorted.end(), x, before); };
 }
 
-void put_faces(ArchiveWriter& to, const Faces& faces) {
-  to.put(static_cast<const std::vector<FaceReference>&>(faces));
-}
-
-Faces get_faces(ArchiveReader& from) {
-  const auto list = from.get<std::vector<FaceReference>>();
-  return {list.begin(), list.end()};
-}
-
 template <int D>
 void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Formulation<D>& formulation) {
   const auto& [name, slave, master, method, points, where, other_pass, default_penalty] = contact;
   const auto* faces = std::get_if<Faces>(&master);
-  to.put(name);
-  put_faces(to, slave);
-  put_faces(to, faces ? *faces : Faces{});
-  to.put(faces ? -1 : std::get<ObstacleReference>(master).obstacle, method, points,
-         points_of_region(contact, formulation), other_pass, default_penalty);
+  to.put(name, slave, faces ? *faces : Faces{}, faces ? -1 : std::get<ObstacleReference>(master).obstacle, method,
+         points, points_of_region(contact, formulation), other_pass, default_penalty);
 }
 
 template <int D> Contact<D> read_contact(ArchiveReader& from) {
   Contact<D> contact{};
   auto& [name, slave, master, method, points, where, other_pass, default_penalty] = contact;
-  from.into(name);
-  slave = get_faces(from);
-  const Faces faces = get_faces(from);
+  from.into(name, slave);
+  const Faces faces = from.get<Faces>();
   const ObstacleReference obstacle{from.get<int>()};
   if (obstacle.obstacle < 0)
     master = faces;

@@ -86,7 +86,7 @@ check.case("pressures on the faces of a slave list are those of the uncut face, 
   local folder = check.folder()
   sg.picture{ model = model, field = "contact_pressure", file = folder .. "/band.png" }
   check.pictures(folder, { "band" })
-  sg.vtu(model, folder .. "/list.vtu")
+  sg.vtu{ model = model, file = folder .. "/list.vtu" }
 end)
 
 --- Four blocks around a point, in different orientations, or one block with C0 planes; a cap slides across the point.

@@ -7,9 +7,10 @@ local t = require "signorini.types"
 local thesis = "V. Agrawal, thesis, IIT Guwahati, 2020"
 local axes = t.choice { "x", "y", "z", "xy", "xz", "yz", "xyz" }
 local face, obstacle = t.object "face", t.object "obstacle"
-local faces = t.worded(t.one_or_more(face), "a face or a list of faces")
+local faces = t.worded(t.flat(face), "a face or a list of faces")
 
-local slave = t.worded(t.one_or_more(face), "a face or a list of adjacent faces")
+local adjacent = t.worded(t.flat(face), "a face or a list of adjacent faces")
+local slave = t.worded(t.flat(face), "a face or a list of adjacent faces")
 slave.cure = function(value)
   return require("signorini.pages").kind(value) == "obstacle" and "an obstacle can only be the master: exchange the two"
     or nil
@@ -23,7 +24,7 @@ local contact = {
   { "slave", slave, [[face over which contact is integrated; pressures are computed at its contact points. Use the finer
 mesh, of equal meshes the softer body (the published ironing studies use the stiff die). A list of adjacent faces, of
 joined bodies or of one, acts as one face: a chain in the plane, a row or a full grid in 3D]] },
-  { "master", t.either(obstacle, t.one_or_more(face)), [[face of the other body onto which these points are projected, a
+  { "master", t.either(obstacle, t.flat(face)), [[face of the other body onto which these points are projected, a
 list of adjacent faces, or an obstacle. Points slide across the borders of a list; only its ends are edges. Beyond its
 edges (a closed ring has none along its arc) the master is extended by 0.3 of its last element; there the traction
 decreases to zero]] },
@@ -141,9 +142,9 @@ contact.conflict = function(values)
 end
 
 local tie = {
-  { "slave", t.object "face", [[face with the multipliers, over which the coupling is integrated; in general the finer
-mesh]] },
-  { "master", t.object "face", "face of the other body that coincides with it, as a whole or in part" },
+  { "slave", adjacent, [[face with the multipliers, over which the coupling is integrated; in general the finer mesh. A
+list of adjacent faces acts as one face]] },
+  { "master", adjacent, "face of the other body that coincides with it, as a whole or in part, or such a list" },
   { "multipliers", t.choice { "equal", "reduced" }, [[functions of the tractions. equal: those of the slave face, with
 optimal rates of convergence. reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element),
 proven stable (inf-sup), less accurate; for degree p >= 2]], default = "equal" },
@@ -169,7 +170,8 @@ as keys. Plane strain has unit depth; under plane stress forces and energies ref
 is 1, and pressures of contacts to the current length and the undeformed thickness; in an axisymmetric model x is the
 radius, y the axis, and forces refer to the full circle.]],
     named = {
-      { "bodies", t.map(t.or_nil(t.object "body"), 1), "the bodies" },
+      { "bodies", t.map(t.or_nil(t.either(t.object "body", t.object "compound")), 1), [[the bodies. The parts of one of
+several patches are named after it: "ball.1", "ball.2", …]] },
       { "supports", t.map(t.or_nil(t.either(t.named "support", t.named "load"))),
         "supports of bodies and obstacles; entries with traction or pressure are loads",
         optional = true },
@@ -200,7 +202,7 @@ sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", tr
   { "support", "Fixes or prescribes displacements of faces, edges, corners or obstacles; at least one component.",
     head = "supports = { <name> = { on, fix, drive, free, rotate, symmetry } }, in sg.model{ … }",
     named = {
-      { "on", t.worded(t.one_or_more(t.either(face, obstacle)),
+      { "on", t.worded(t.flat(t.either(face, obstacle)),
         "a face or a list of faces, an edge, a corner or an obstacle"), "where; the reaction of a list is the sum" },
       { "fix", axes, "components with zero displacement", optional = true },
       { "drive", axes, "components that stages prescribe", unit = "length", optional = true },
