@@ -81,7 +81,7 @@ patch_types.several = t.worded(t.list_with(t.object "patch", {
   { "interfaces", t.list(t.worded(t.list(t.text, 2), "a list of two faces such as '1.east'")), "faces on each other",
     optional = true },
   { "boundaries", t.map(places), "faces by name", optional = true },
-}), "a list of patches")
+}), "a list of one or more patches")
 patch_types.degree = t.integer(1, core.max_degree)
 
 local below_one = { kind = "number", above = 0, below = 1 }

@@ -248,7 +248,7 @@ local material = {}
 ---@class (exact) sg.body.arguments
 ---patch: shape: a surface in the plane, a volume in 3D, or a list of these, see help "compound" (a patch or a list of
 ---```text
----       patches)
+---       one or more patches)
 ---```
 ---@field patch sg.patch|sg.body.arguments.patch
 ---elements: knot spans; with a list of patches also a list with an entry per patch (a list of whole numbers from 1 to
@@ -305,7 +305,7 @@ local material = {}
 ---         contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
 ---```
 ---@param arguments sg.body.arguments
----@return sg.body
+---@return sg.body|sg.compound
 function sg.body(arguments) end
 
 ---The result of sg.body, an immutable value. print(body) shows elements and degrees per direction (per row of control
@@ -331,7 +331,7 @@ local body = {}
 ---pair = sg.body{ patch = { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = {1, 0} },
 ---                          boundaries = { top = { "1.north", "2.north" } } },
 ---                elements = {2, 2}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
----sg.model{ bodies = { pair = pair }, supports = { lid = { on = pair:face "top", fix = "xy" } } }
+---beam = sg.model{ bodies = { pair = pair }, supports = { lid = { on = pair:face "top", fix = "xy" } } }
 ---```
 ---@class sg.compound
 local compound = {}

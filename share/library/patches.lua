@@ -529,7 +529,7 @@ function sg.nurbs.read(file) end
 ---sg.nurbs.write("annulus.txt", sg.shapes.half_annulus{ inner = 1, outer = 2 })
 ---```
 ---@param file string # file: name of the patch file (a string)
----@param patches sg.patch|sg.nurbs.write.patches # patches: patches to write (a patch or a list of patches)
+---@param patches sg.patch|sg.nurbs.write.patches # patches: patches to write (a patch or a list of one or more patches)
 ---@param form? "gismo"|"geopdes"|"mfem" # form: format of the file ('gismo', 'geopdes' or 'mfem'; by default by the file's ending)
 function sg.nurbs.write(file, patches, form) end
 

@@ -178,7 +178,7 @@ TEST(Ties, FacesThatDoNotFitAreErrors) {
   EXPECT_ERROR(error_with([](auto& s) {
                  s.bodies[1].body = make_body(nurbs::rectangle(2, 1, Eigen::Vector2d(0, 0)), {3, 2}, "N2", "north",
                                               solid::linear_elastic(1, 0.3));
-                 s.ties[0].master.side = nurbs::side_of("north", 2);
+                 s.ties[0].master[0].side = nurbs::side_of("north", 2);
                }),
                "model.tie.facing");
 }

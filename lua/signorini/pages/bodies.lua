@@ -47,7 +47,7 @@ about half of the time, but locks in bending and for nu near 0.5]], otherwise = 
     more = [[Where two opposite faces of the patch coincide, as in a full ring, the body is joined at this seam.
 print(body) shows the degrees and the closed directions.
 Source: k-refinement 2.3.3, varying-order layers (5.1) to (5.6) of ]] .. thesis .. ".",
-    returns = t.object "body",
+    returns = t.either(t.object "body", t.object "compound"),
     example = { [[
 sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2-N2.2",
          contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }]], [[
@@ -70,7 +70,7 @@ square = sg.shapes.rectangle
 pair = sg.body{ patch = { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = {1, 0} },
                           boundaries = { top = { "1.north", "2.north" } } },
                 elements = {2, 2}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-sg.model{ bodies = { pair = pair }, supports = { lid = { on = pair:face "top", fix = "xy" } } }]] },
+beam = sg.model{ bodies = { pair = pair }, supports = { lid = { on = pair:face "top", fix = "xy" } } }]] },
   { "compound:corner", "Returns the control point of a corner of a part, for supports.",
     arguments = { { "name", part_place(0, "corner name"), 'part and corner: "2.south-west"' } },
     returns = t.object "face",
