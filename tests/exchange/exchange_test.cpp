@@ -170,8 +170,9 @@ TEST(Exchange, RejectsInvalidFilesWithTheLine) {
   EXPECT_EQ(refusal(replaced(mesh, "v1.0", "v2.0")), "exchange.mfem.title");
   EXPECT_TRUE(refusal(replaced(mesh, "patches", "weights")).starts_with(":31: exchange.mfem.weights"));
   EXPECT_TRUE(refusal(replaced(mesh, "_cartesian", "_polar")).starts_with(":41: exchange.mfem.points: word = "));
-  EXPECT_TRUE(refusal(replaced(mesh, "elements\n1", "elements\n2")).find("exchange.mfem.patches: expected = 2") !=
-              std::string::npos);
+  EXPECT_TRUE(
+      refusal(replaced(mesh, "elements\n1", "elements\n2\n1 3 0 1 2 3")).find("exchange.mfem.patches: expected = 2") !=
+      std::string::npos);
   EXPECT_TRUE(refusal(replaced(mesh, " 1.4142135623730951 1.4142135623730951 1", "1 2"))
                   .starts_with(":50: exchange.text.end: expected = (exchange.expected.weight)"));
 

@@ -42,7 +42,7 @@ TEST(Interfaces, AreFoundInEveryOrientation) {
     for (std::size_t k = 0; k < 2; ++k)
       if (way.flip[k]) second = reverse(second, static_cast<int>(way.to[k]));
     Geometry solid{{first, second}};
-    solid.interfaces = {{{{0, back}, {1, back}}}};
+    solid.interfaces = std::vector{Interface{{{0, back}, {1, back}}}};
     const auto listed = interfaces_of(solid);
     ASSERT_EQ(listed.size(), 1U);
     EXPECT_EQ(listed[0].way.to, way.to);
@@ -52,7 +52,7 @@ TEST(Interfaces, AreFoundInEveryOrientation) {
 
 TEST(Interfaces, ListedFacesThatDoNotMatchAreAnError) {
   Geometry plane = bracket();
-  plane.interfaces = {{{{0, west}, {1, south}}}};
+  plane.interfaces = std::vector{Interface{{{0, west}, {1, south}}}};
   EXPECT_ERROR(interfaces_of(plane), "exchange.write.interface");
   plane.interfaces.emplace();
   EXPECT_TRUE(interfaces_of(plane).empty()); // a slit
