@@ -118,7 +118,8 @@ for _, dimension in ipairs(options.dimensions) do
   results[dimension] = result
   print(("\n%dD: drag force, relative to its mean"):format(dimension))
   print(sg.table{ columns = { "joined less line", "oscillation of uncut", "joined", "fine" },
-    rows = { { result.line, result.uncut, result.joined, result.fine } }, formats = { "%.1e", "%.3f", "%.3f", "%.3f" } })
+    rows = { { result.line, result.uncut, result.joined, result.fine } },
+    formats = { "%.1e", "%.3f", "%.3f", "%.3f" } })
 
   local length = dimension == 2 and 1.2 or 0.8
   local chart = { file = files(("drag_%dd.png"):format(dimension)), xlabel = "displacement of the die",

@@ -50,7 +50,8 @@ pair = sg.body{ patch = { sg.shapes.rectangle{ width = 1, height = 1 },
                           sg.shapes.rectangle{ width = 1, height = 1, corner = {1, 0} },
                           boundaries = { top = { "1.north", "2.north" } } },
                 elements = {2, 2}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-cubes = sg.body{ patch = { sg.shapes.block{ size = {1, 1, 1} }, sg.shapes.block{ size = {1, 1, 1}, corner = {1, 0, 0} } },
+cubes = sg.body{ patch = { sg.shapes.block{ size = {1, 1, 1} },
+                           sg.shapes.block{ size = {1, 1, 1}, corner = {1, 0, 0} } },
                  elements = {1, 1, 1}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
 
 -- A cube is compressed.
