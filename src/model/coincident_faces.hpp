@@ -8,8 +8,7 @@ namespace signorini::model {
 /// Two faces; `body` counts the bodies of the list.
 using FacePair = std::array<FaceReference, 2>;
 
-/// Pairs of faces of different bodies that match, or that coincide at least in part and face each other. They are
-/// sorted by the first face.
+/// Pairs of faces of different bodies that match, then pairs of other faces that coincide at least in part.
 template <int D>
 std::vector<FacePair> coincident_faces(const std::vector<std::shared_ptr<const solid::Body<D>>>& bodies);
 

@@ -98,6 +98,26 @@ check.case("faces that coincide in part are tied", function()
   check.holds(text, "t.1.north-2.south is tied, because")
 end)
 
+check.case("faces on each other are found for any meshes and sizes, others are not", function()
+  local function found(patches, elements)
+    local text = tostring(sg.model{ bodies = { b = body(patches, { elements = elements }) } })
+    local pairs_found = {}
+    for pair in text:gmatch "(b%.[%w.-]+) %l+ " do pairs_found[#pairs_found + 1] = pair end
+    table.sort(pairs_found)
+    return pairs_found
+  end
+  local function at(x, y, width) return square{ width = width or 1, height = 1, corner = { x, y } } end
+  local both = { "b.1.east-2.west", "b.1.north-3.south" }
+  for _, elements in ipairs { { { 2, 2 }, { 8, 8 }, { 2, 2 } }, { { 8, 8 }, { 2, 2 }, { 9, 8 } } } do
+    check.equal(found({ at(0, 0), at(1, 0), at(0, 1) }, elements), both) -- 2.north and 3.south meet at a corner only
+  end
+  check.equal(found({ at(0, 0), at(1, 1) }, { { 2, 2 }, { 8, 8 } }), {})
+  check.equal(found({ at(0, 0), at(0, 1.5) }, { 1, 1 }), {})
+  -- A small face between the middles of large elements, and parts of faces
+  check.equal(found({ at(0, 0, 10), at(3.1, 1, 0.2) }, { { 2, 1 }, { 1, 1 } }), { "b.1.north-2.south" })
+  check.equal(found({ at(0, 0, 2), at(1.7, 1, 2) }, { 1, 1 }), { "b.1.north-2.south" })
+end)
+
 check.case("lists of faces can be slave and master of a tie", function()
   local upper = body({ square{ width = 1, height = 1, corner = { 0, 1 } },
                        square{ width = 1, height = 1, corner = { 1, 1 } },
