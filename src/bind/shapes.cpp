@@ -1,9 +1,9 @@
 #include "nurbs/shapes.hpp"
 #include "bind/arguments.hpp"
 #include "bind/functions.hpp"
+#include "bind/geometry.hpp"
 #include "bind/open.hpp"
 #include "bind/patch.hpp"
-#include "nurbs/several_patches.hpp"
 
 namespace signorini::bind {
 
@@ -20,20 +20,9 @@ nurbs::Patch hollow_hemisphere(const Arguments& a) {
                                   at_ends ? nurbs::Poles::ends : nurbs::Poles::bottom);
 }
 
-/// Pushes a list of patches with a field `boundaries`, lists of faces such as "2.front" by name.
-void push_patches(lua_State* L, const nurbs::SeveralPatches& several) {
-  push(L, several.patches);
-  lua_newtable(L);
-  for (const nurbs::Boundary& boundary : several.boundaries) {
-    std::vector<std::string> faces;
-    for (const auto& [patch, side] : boundary.faces) faces.push_back(text(patch + 1, ".", nurbs::name_of(side)));
-    set_field(L, boundary.name.c_str(), faces);
-  }
-  lua_setfield(L, -2, "boundaries");
-}
-
 template <auto function, Name... names> int made_several(lua_State* L) {
-  push_patches(L, result_of<function, names...>(Arguments(L)));
+  auto [patches, boundaries] = result_of<function, names...>(Arguments(L));
+  push_geometry(L, {std::move(patches), std::nullopt, std::move(boundaries)});
   return 1;
 }
 

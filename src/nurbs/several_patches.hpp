@@ -10,15 +10,16 @@
 namespace signorini::nurbs {
 
 /// A face of one of several patches.
-struct FaceOf {
+struct PatchFace {
   int patch; ///< from 0
   Side side;
+  bool operator==(const PatchFace&) const = default;
 };
 
 /// Faces that make up a named part of the surface.
 struct Boundary {
   std::string name;
-  std::vector<FaceOf> faces;
+  std::vector<PatchFace> faces;
 };
 
 struct SeveralPatches {

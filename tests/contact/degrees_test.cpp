@@ -11,7 +11,7 @@ using namespace test;
 
 const std::vector<int> mixed{2, 4, 1, 3, 4, 2, 2, 4};
 
-TEST(Degrees, AFaceOfSeveralDegrees) {
+TEST(Degrees, APatchFaceSeveralDegrees) {
   Random random(1);
   const nurbs::Discretization body = nurbs::test::strip(3, mixed);
   Surface<2> surface(body, {1, true});

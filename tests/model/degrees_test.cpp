@@ -11,7 +11,7 @@ namespace degrees_test {
 
 using namespace test;
 
-TEST(Degrees, RunWithAFaceOfSeveralDegrees) {
+TEST(Degrees, RunWithAPatchFaceSeveralDegrees) {
   Model<2> model(ironing_on(nurbs::test::strip(3, mixed_degrees)));
   for (int step = 1; step <= 52; ++step) {
     ASSERT_EQ(ironing_step(model, step).outcome, solve::Outcome::converged) << step;
