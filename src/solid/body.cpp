@@ -48,8 +48,7 @@ void check_radii(const nurbs::Discretization& space) {
 } // namespace
 
 template <int D>
-Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind,
-              Volumetric volumetric)
+Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind, Volumetric volumetric)
     : space_(std::move(space)), material_(std::move(material)), kind_(kind), volumetric_(volumetric),
       internal_variables_(static_cast<int>(material_.initial_values().size())) {
   require(space_->dimension() == D, "solid.body.dimension", {{"expected", D}, {"dimension", space_->dimension()}});
@@ -156,8 +155,8 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points, nurbs::
     if (q == 0) {
       table.functions = static_cast<int>(basis.functions.size());
       functions_.insert(functions_.end(), basis.functions.begin(), basis.functions.end());
-      table.kernels = volumetric_ == Volumetric::projected ? projected_kernels<D>()
-                                                           : material_.kernels<D>(kind_, table.functions);
+      table.kernels =
+          volumetric_ == Volumetric::projected ? projected_kernels<D>() : material_.kernels<D>(kind_, table.functions);
     }
     // ∂X/∂ξ = Σ_A X_A ⊗ ∂R_A/∂ξ,  ∂R/∂X = ∂R/∂ξ (∂X/∂ξ)⁻¹
     Vec<D> place = Vec<D>::Zero();
@@ -207,13 +206,11 @@ template <int D> VectorX Body<D>::reference_point(int e, int q) const {
 }
 
 std::shared_ptr<const Body<2>> revolved(const Body<2>& body) {
-  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::axisymmetric,
-                                         body.volumetric());
+  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::axisymmetric, body.volumetric());
 }
 
 std::shared_ptr<const Body<2>> in_plane_stress(const Body<2>& body) {
-  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::plane_stress,
-                                         body.volumetric());
+  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::plane_stress, body.volumetric());
 }
 
 template class Body<2>;

@@ -1,5 +1,6 @@
 #pragma once
-// Internal force and its consistent tangent, element by element, or by macro-elements if the volume change is projected.
+// Internal force and its consistent tangent, element by element, or by macro-elements if the volume change is
+// projected.
 
 #include "solid/body.hpp"
 
@@ -17,9 +18,9 @@ template <int D> struct ElementArrays {
   /// Bytes of the arrays.
   std::size_t memory() const;
   std::vector<double> force, blocks;
-  std::vector<double> local;   ///< work array: displacements, D rows of n values
-  std::vector<double> work;    ///< work array of the kernel
-  std::vector<double> factors; ///< work array: two values per Gauss point
+  std::vector<double> local;                   ///< work array: displacements, D rows of n values
+  std::vector<double> work;                    ///< work array of the kernel
+  std::vector<double> factors;                 ///< work array: two values per Gauss point
   std::vector<double> cell_force, cell_blocks; ///< of one element of a macro-element; only with projected volume change
 };
 

@@ -59,7 +59,7 @@ private:
   Mat<3> (*stress_)(const void* law, const Mat<3>& f, std::span<const double> committed, std::span<double> trial);
   Moduli (*moduli_)(const void* law, const Mat<3>& f, std::span<const double> committed);
   double (*thickness_)(const void* law, const Mat<2>& f);
-  Respond respond_[2]; ///< in 2 and 3 dimensions
+  Respond respond_[2];                              ///< in 2 and 3 dimensions
   Kernels (*kernels_[2])(Kind kind, int functions); ///< in 2 and 3 dimensions
 };
 

@@ -26,8 +26,9 @@ Eigen::Index stride_of(const MacroElement& macro) {
 template <int D> struct Deformations {
   static constexpr int entries = entries_in(D);
   using Entries = Eigen::Matrix<double, entries, 1>;
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, entries>; ///< one row per point; its columns are the rows of a PointBlock
-  Rows f, directions;                                           ///< F and T
+  using Rows =
+      Eigen::Matrix<double, Eigen::Dynamic, entries>; ///< one row per point; its columns are the rows of a PointBlock
+  Rows f, directions;                                 ///< F and T
   VectorX dilation;
   std::optional<Inversion> inversion;
 };
@@ -57,8 +58,7 @@ template <int D> StrainRows<D> strain_rows(const Body<D>& body, int e, int q) {
 template <int D> Deformations<D> deformations(const Body<D>& body, int m, const double* displacement) {
   const MacroElement& macro = body.macro(m);
   const Eigen::Index points = macro.modes.rows();
-  Deformations<D> result{
-      {stride_of(macro), entries_in(D)}, {points, entries_in(D)}, VectorX(points), {}};
+  Deformations<D> result{{stride_of(macro), entries_in(D)}, {points, entries_in(D)}, VectorX(points), {}};
   Eigen::Index point = 0;
   for (int e : macro.elements) {
     const auto functions = body.functions_of(e);
@@ -68,8 +68,7 @@ template <int D> Deformations<D> deformations(const Body<D>& body, int m, const 
       for (int i = 0; i < D; ++i)
         for (int r = 0; r < rows.count(i); ++r) {
           double& sum = strain(rows.entry(i, r) / 3, rows.entry(i, r) % 3);
-          for (std::size_t a = 0; a < functions.size(); ++a)
-            sum += displacement[D * functions[a] + i] * rows.row(r)[a];
+          for (std::size_t a = 0; a < functions.size(); ++a) sum += displacement[D * functions[a] + i] * rows.row(r)[a];
         }
       const Mat<3> f = strain + Mat<3>::Identity();
       Mat<3> direction = Mat<3>::Identity();
@@ -268,8 +267,8 @@ std::optional<Inversion> projected_force(const Body<D>& body, int m, const doubl
       mean += stress.col(k).head(points) / 3;
   }
   const VectorX excess = macro.modes * coefficients(macro, weights, mean) - mean; // π − τ
-  typename Deformations<D>::Rows coupling(tangent ? points : 0, entries);        // v
-  VectorX square(tangent ? points : 0);                                          // b
+  typename Deformations<D>::Rows coupling(tangent ? points : 0, entries);         // v
+  VectorX square(tangent ? points : 0);                                           // b
   for (Eigen::Index q = 0; q < points; ++q) {
     const double scale = finite ? std::exp(c(q)) : 1;
     const Entries p = stress.row(q), t = state.directions.row(q), f = finite ? Entries(state.f.row(q)) : t;

@@ -35,7 +35,7 @@ MacroElements macro_elements(const nurbs::Discretization& space) {
   result.degrees = lowest_degrees(space);
   int size = 1;
   for (int d = 0; d < dimensions; ++d) {
-    result.counts.push_back(std::max(1, space.elements(d) / (result.degrees[at(d)] + 1)));
+    result.counts.push_back(std::max(1, space.elements(d) / result.degrees[at(d)]));
     size *= result.counts.back();
     --result.degrees[at(d)];
   }
@@ -90,8 +90,8 @@ void orthonormalize(MacroElement& macro, const MatrixX& polynomials, std::span<c
   // Φ = Π L⁻ᵀ with L Lᵀ = Πᵀ W Π
   const MatrixX gram = polynomials.transpose() * w.asDiagonal() * polynomials;
   const MatrixX lower = gram.llt().matrixL();
-  macro.combine = lower.transpose().triangularView<Eigen::Upper>().solve(
-      MatrixX(MatrixX::Identity(gram.rows(), gram.cols())));
+  macro.combine =
+      lower.transpose().triangularView<Eigen::Upper>().solve(MatrixX(MatrixX::Identity(gram.rows(), gram.cols())));
   macro.modes = polynomials * macro.combine;
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 // Projection of the volume change against locking of nearly incompressible bodies (F̄ method).
 //
-// In each macro-element of (p+1)^D neighboring elements θ = ln J is replaced by its L₂ projection Pθ on polynomials of
-// degree p − 1 per direction of the macro-element, as in the F̄ method for splines of T. Elguedj,
-// Y. Bazilevs, V. M. Calo, T. J. R. Hughes, Comput. Methods Appl. Mech. Engrg. 197 (2008), but local, so that the
-// tangent remains sparse: projection on continuous splines of degree p − 1 makes it dense. With p + 1 elements per
-// direction, (2p+1)^D functions face p^D constraints, and the inf-sup constant does not decrease with the mesh; it does
-// for macro-elements of p elements, for projection on each element, and for splines of degree p − 1.
+// In each macro-element of p × p (× p) neighboring elements of degree p, θ = ln J is replaced by its L₂ projection Pθ
+// on polynomials of degree p − 1 per direction of the macro-element, as in the F̄ method for splines of T. Elguedj, Y.
+// Bazilevs, V. M. Calo, T. J. R. Hughes, Comput. Methods Appl. Mech. Engrg. 197 (2008), but local, so that the tangent
+// remains sparse: projection on continuous splines of degree p − 1 makes it dense. Both have one constraint per
+// element, as many as D unknowns per element bear; projection in each element has p^D and locks. For p = 1 it is the
+// mean dilatation of each element. Macro-elements of p + 1 elements have an inf-sup constant that does not decrease
+// with the mesh, unlike these, but are too soft on coarse meshes (share/doc/locking.md).
 //
 // F̄ = exp((Pθ − θ)/3) F, at small strains ε̄ = ε + (P tr ε − tr ε)/3 I. The energy is ∫ W(F̄) dV; forces and tangent
 // are its derivatives. Projecting ln J instead of J keeps the volume positive.

@@ -50,18 +50,23 @@ TEST(Projected, ForceAndTangentAreDerivativesOfBodiesOfRevolution) {
   force_and_tangent_are_derivatives(projected(bodies_of_revolution(soft)));
 }
 
-TEST(Projected, ElementsFormMacroElementsOfOneMoreThanTheDegree) {
-  const Body<2> body = projected(make_body<2>(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), {7, 2}, "N2", "north",
-                                              rubber));
+TEST(Projected, ElementsFormMacroElementsOfAsManyAsTheDegree) {
+  const nurbs::Patch square = nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0));
+  const Body<2> body = projected(make_body<2>(square, {7, 2}, "N2", "north", rubber));
   // 7 elements of degree 2 along the face, 2 of degree 1 across it
-  ASSERT_EQ(body.macro_elements(), 2);
-  EXPECT_EQ(body.macro_elements(0), 2);
-  EXPECT_EQ(body.macro_elements(1), 1);
-  EXPECT_EQ(body.macro(0).modes.cols(), 2);
-  EXPECT_EQ(body.macro(0).elements.size() + body.macro(1).elements.size(), 14u);
-  for (int m = 0; m < 2; ++m)
+  ASSERT_EQ(body.macro_elements(), 6);
+  EXPECT_EQ(body.macro_elements(0), 3);
+  EXPECT_EQ(body.macro_elements(1), 2);
+  std::size_t elements = 0;
+  for (int m = 0; m < body.macro_elements(); ++m) {
+    EXPECT_EQ(body.macro(m).modes.cols(), 2);
+    elements += body.macro(m).elements.size();
     for (int e : body.macro(m).elements) EXPECT_EQ(body.macro_of(e), m);
-  EXPECT_EQ(body.most_functions_of_macro(), (4 + 2) * 3);
+  }
+  EXPECT_EQ(elements, 14u);
+  EXPECT_EQ(body.macro_index(5, 0), 2);
+  EXPECT_EQ(body.macro_index(5, 1), 1);
+  EXPECT_EQ(body.most_functions_of_macro(), (3 + 2) * 2);
 }
 
 template <int D> void same_in_homogeneous_states(const std::vector<Body<D>>& bodies, const Mat<D>& f) {
