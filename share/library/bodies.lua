@@ -264,7 +264,7 @@ local material = {}
 ---volumetric: 'pointwise' or 'projected'; by default "pointwise". Volume change of each point, or its projection on
 ---```text
 ---            polynomials of one degree less in macro-elements of p elements per direction: nothing locks for nu near
----            0.5, at about twice the time. Not for plane stress
+---            0.5, at the cost of larger coupled groups. Not for plane stress
 ---```
 ---@field volumetric? "pointwise"|"projected"
 ---grading: where elements are concentrated; false: uniform (a list of entries: each a table of named arguments or
