@@ -11,20 +11,6 @@
 
 namespace signorini::model {
 
-namespace {
-
-/// c of FieldPoint.
-template <int D> double dilation(const Model<D>& model, int body, int e, const VectorX& xi, const BodyPoint<D>& point) {
-  const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
-  const int m = solid.macro_of(e);
-  const VectorX coefficients = solid::projected_dilation(solid, m, body_displacement(model, body).data());
-  const Mat<3> f = solid::in_space<D>(point.state.deformation, point.state.hoop);
-  const double own = solid.linear() ? f.trace() - 3 : std::log(f.determinant());
-  return (solid.modes_at(m, xi).dot(coefficients) - own) / 3;
-}
-
-} // namespace
-
 template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e, const VectorX& xi) {
   const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
   const nurbs::ElementBasis basis = space.basis(e, xi);
@@ -50,7 +36,10 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
     const double radius = point.reference(0), size = jacobian.cwiseAbs().maxCoeff();
     point.state.hoop = radius > 1e-8 * size ? 1 + point.state.displacement(0) / radius : point.state.deformation(0, 0);
   }
-  if (solid.volumetric() == solid::Volumetric::projected) point.state.dilation = dilation(model, body, e, xi, point);
+  if (solid.volumetric() == solid::Volumetric::projected) {
+    const Mat<3> f = solid::in_space<D>(point.state.deformation, point.state.hoop);
+    point.state.dilation = solid::projected_change(solid, e, xi, f, body_displacement(model, body).data());
+  }
   return point;
 }
 

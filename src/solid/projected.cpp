@@ -327,9 +327,15 @@ double projected_energy(const Body<D>& body, int m, const double* displacement, 
   return sum;
 }
 
-template <int D> VectorX projected_dilation(const Body<D>& body, int m, const double* displacement) {
+template <int D>
+double projected_change(const Body<D>& body, int e, const VectorX& xi, const Mat<3>& f, const double* displacement) {
+  const int m = body.macro_of(e);
   const MacroElement& macro = body.macro(m);
-  return coefficients(macro, weights_in(body, macro), deformations(body, m, displacement).dilation);
+  const Deformations<D> state = deformations(body, m, displacement);
+  if (state.inversion) return 0;
+  const VectorX values = coefficients(macro, weights_in(body, macro), state.dilation);
+  const double own = body.linear() ? f.trace() - 3 : std::log(f.determinant());
+  return (body.modes_at(m, xi).dot(values) - own) / 3;
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
@@ -337,7 +343,7 @@ template <int D> VectorX projected_dilation(const Body<D>& body, int m, const do
   template std::optional<Inversion> projected_force(const Body<D>&, int, const double*, ElementArrays<D>&, bool,       \
                                                     std::span<const double>, std::span<double>);                       \
   template double projected_energy(const Body<D>&, int, const double*, std::span<const double>);                       \
-  template VectorX projected_dilation(const Body<D>&, int, const double*);
+  template double projected_change(const Body<D>&, int, const VectorX&, const Mat<3>&, const double*);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE
