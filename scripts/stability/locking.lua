@@ -1,4 +1,5 @@
--- Nearly incompressible bodies, Poisson's ratio against discretization: convergence and volumetric locking.
+-- Nearly incompressible bodies, Poisson's ratio against discretization: convergence and volumetric locking, without and
+-- with projected volume change.
 --
 -- Problem: a rigid cylinder is pressed into a block that slides on its base: the material must flow sideways.
 --
@@ -19,12 +20,14 @@
 --           0.49, L1 and N2-N4 at 0.4, N4 and L2 at 0.499) or cycle (L1 at 0.3). All controls converge in all cells,
 --           with as many iterations where both converge. Errors at nu = 0.3, 0.49, 0.499: L1 3 %, 14 %, 79 %; N2 0.7 %,
 --           0.6 %, 3.2 %; N4 0.1 %, 0.1 %, 0.1 %. A layer reduces the error of N2 at 0.499 only by a third, since it is
---           the bulk that locks.
+--           the bulk that locks. With projected volume change L1 is off by 2 %, all others by at most 0.7 %, also at
+--           0.4999.
 -- Run: signorini scripts/stability/locking.lua [orders=L1,L2,N2,N3,N4,N2-N2.1,N2-N4] [nu=0.3,0.4,0.45,0.49,0.495,0.499]
---      [elements=8] [reference=24] [steps=5] [depth=0.15] [jobs=2] [limit=600] [keep=no] [with=robust]
---      [out=out/stability/locking]; elements, reference: elements along each side of the block; keep=yes reuses the
---      cells that an earlier call left in the folder; with=cutting, fallback or prediction turns on only one of the
---      controls.
+--      [volumetric=pointwise] [elements=8] [reference=24] [steps=5] [depth=0.15] [jobs=2] [limit=600] [keep=no]
+--      [with=robust] [out=out/stability/locking]; orders: N2:1 is N2 with degree 1 in the thickness direction,
+--      otherwise that of the bulk; volumetric=pointwise,projected draws both maps of the error side by side; elements,
+--      reference: elements along each side of the block; keep=yes reuses the cells that an earlier call left in the
+--      folder; with=cutting, fallback or prediction turns on only one of the controls.
 
 local sg = require "signorini"
 local controls = require "stability.controls"
@@ -32,17 +35,20 @@ local study = require "stability.study"
 
 local options = study.arguments{
   orders = { "L1", "L2", "N2", "N3", "N4", "N2-N2.1", "N2-N4" },
-  nu = { { 0.3, 0.4, 0.45, 0.49, 0.495, 0.499 }, above = 0 }, elements = 8, reference = 24, steps = 5,
+  nu = { { 0.3, 0.4, 0.45, 0.49, 0.495, 0.499 }, above = 0 },
+  volumetric = { { "pointwise" }, choices = { "pointwise", "projected" } }, elements = 8, reference = 24, steps = 5,
   depth = { 0.15, above = 0 }, out = "out/stability/locking",
 }
 local elements, finest, ratios = options.elements, options.reference, options.nu
 local stages = { { name = "press", steps = options.steps, push = { 0, -options.depth } } }
 
-local function scene(order, nu, count)
-  local degree = math.tointeger(order:match "^%a(%d+)") -- of the bulk, in both directions, which determines locking
+local function scene(order, nu, count, volumetric)
+  -- Without another one the degree of the bulk, in both directions, which determines locking
+  local degree = math.tointeger(order:match ":(%d+)$" or order:match "^%a(%d+)")
   local block = sg.body{
-    patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { count, count }, order = order,
-    thickness_degree = degree, contact = "north", material = sg.neo_hookean{ E = 1, nu = nu },
+    patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { count, count },
+    order = order:match "^[^:]*", thickness_degree = degree, volumetric = volumetric, contact = "north",
+    material = sg.neo_hookean{ E = 1, nu = nu },
   }
   local punch = sg.rigid.cylinder{ center = { 0, 1.5 }, radius = 0.5 }
   return sg.model{
@@ -66,16 +72,32 @@ local reference = sg.convergence_map{
 print(reference)
 
 local files = sg.files(options.out)
-local maps = study.solve({
-  name = ("Indentation, %d × %d elements"):format(elements, elements),
-  x = { name = "order", values = options.orders }, y = { name = "Poisson's ratio", values = ratios },
-  scene = function(order, nu) return scene(order, nu, elements) end,
-  path = function() return stages end,
-  results = function(_, run, _, nu)
-    local exact = reference:cell("N4", nu).results.force
-    return { force = force(run), error = exact and math.abs(force(run) / exact - 1) }
-  end,
-  charts = { { key = "error", name = "error", log = true, label = "error of the force" } },
-}, options, files)
+
+--- The maps of bodies with one treatment of the volume change.
+local function solve(volumetric)
+  local projected = volumetric == "projected"
+  return study.solve({
+    name = ("Indentation, %d × %d elements%s"):format(elements, elements, projected and ", projected volume" or ""),
+    key = projected and volumetric or nil,
+    x = { name = "order", values = options.orders }, y = { name = "Poisson's ratio", values = ratios },
+    scene = function(order, nu) return scene(order, nu, elements, volumetric) end,
+    path = function() return stages end,
+    results = function(_, run, _, nu)
+      local exact = reference:cell("N4", nu).results.force
+      return { force = force(run), error = exact and math.abs(force(run) / exact - 1) }
+    end,
+    charts = { { key = "error", name = "error", log = true, label = "error of the force" } },
+  }, options, files)
+end
+
+local maps = {}
+for _, volumetric in ipairs(options.volumetric) do maps[volumetric] = solve(volumetric) end
+if maps.pointwise and maps.projected then
+  maps.pointwise.robust:heatmap{
+    file = files "both.png", name = "error", log = true, label = "error of the force",
+    title = ("Indentation, %d × %d elements: error of the force"):format(elements, elements),
+    other = maps.projected.robust, titles = { 'volumetric = "pointwise"', '"projected"' },
+  }
+end
 files:report()
 return { maps = maps, reference = reference, files = files }

@@ -275,6 +275,12 @@ local material = {}
 ---              studies, has fewer unknowns and takes about half of the time, but locks in bending and for nu near 0.5
 ---```
 ---@field thickness_degree? integer
+---volumetric: 'pointwise' or 'projected'; by default "pointwise". Volume change of each point, or its projection on
+---```text
+---            polynomials of one degree less in macro-elements of p elements per direction: nothing locks for nu near
+---            0.5, at the cost of larger coupled groups. Not for plane stress
+---```
+---@field volumetric? "pointwise"|"projected"
 ---grading: where elements are concentrated; false: uniform (a list of entries: each a table of named arguments or
 ---false,
 ---```text
@@ -289,7 +295,7 @@ local material = {}
 ---Returns a solid body: a patch with a discretization and a material.
 ---
 ---```text
----sg.body{ patch, elements, order, contact, material, thickness_degree, grading }
+---sg.body{ patch, elements, order, contact, material, thickness_degree, volumetric, grading }
 ---```
 ---
 ---Where two opposite faces of the patch coincide, as in a full ring, the body is joined at this seam. print(body) shows

@@ -173,8 +173,11 @@ void check_size(const nurbs::Plan& plan, int dimensions) {
 
 template <int D> int push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Arguments& a) {
   const auto& made =
-      push_object<Body<D>>(L, std::make_shared<const solid::Body<D>>(nurbs::Discretization(patch, plan),
-                                                                     a.object<solid::Material>("material")));
+      push_object<Body<D>>(L, std::make_shared<const solid::Body<D>>(
+                                  std::make_shared<const nurbs::Discretization>(patch, plan),
+                                  a.object<solid::Material>("material"), solid::Kind::plane_strain,
+                                  a.get<std::string>("volumetric") == "projected" ? solid::Volumetric::projected
+                                                                                  : solid::Volumetric::pointwise));
   count_memory(L, static_cast<double>(made->memory()));
   return 1;
 }
@@ -231,6 +234,7 @@ template <int D> std::string body_text(const solid::Body<D>& body) {
   for (int d = 0; d < D; ++d) elements += text(d == 0 ? "" : " x ", space.elements(d));
   return text(D == 2 ? "plane" : "solid", " body: ", elements, " elements, degree ", all_degrees_in_words(space), ", ",
               D * space.functions(), " degrees of freedom, ", closed, closed.empty() ? "" : ", ",
+              body.volumetric() == solid::Volumetric::projected ? "projected volume change, " : "",
               body.linear() ? "linear elastic, " : "", constants_in_words(body.material()));
 }
 

@@ -31,10 +31,10 @@ template <int D> void Assembly<D>::build_bulk() {
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const solid::Body<D>& body = *scene_.bodies[b].body;
     supported_.emplace_back();
-    for (int e = 0; e < body.elements(); ++e) {
+    for (int e = 0; e < body.macro_elements(); ++e) {
       Nodes group;
       bool supported = false;
-      for (int function : body.functions_of(e))
+      for (int function : body.functions_of_macro(e))
         for (int c = 0; c < D; ++c) {
           const int dof = unknowns_.offset(static_cast<int>(b)) + D * function + c;
           group.push_back(unknowns_.unknown(dof));
@@ -74,11 +74,11 @@ template <int D> void Assembly<D>::build_bulk() {
   for (std::size_t body = 0; body < scene_.bodies.size(); ++body) {
     const Partition& shares = partitions_[body];
     first_position_.emplace_back();
-    for (int e = 0; e < scene_.bodies[body].body->elements(); ++e, ++g) {
+    for (int e = 0; e < scene_.bodies[body].body->macro_elements(); ++e, ++g) {
       trash = first_trash + shares.share[at(e)];
       const Nodes& group = groups[g];
       find(group);
-      const int n = scene_.bodies[body].body->element(e).functions;
+      const auto n = static_cast<int>(scene_.bodies[body].body->functions_of_macro(e).size());
       const auto add = [&](int row, int column) { bulk_positions_.push_back(found[at(column * D * n + row)]); };
       first_position_.back().push_back(bulk_positions_.size());
       for (int i = 0; i < D; ++i)
@@ -142,7 +142,7 @@ template <int D> void Assembly<D>::build_constant() {
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const solid::Body<D>& body = *scene_.bodies[b].body;
     solid::ElementArrays<D> arrays(body);
-    for (int e = 0; e < body.elements(); ++e) {
+    for (int e = 0; e < body.macro_elements(); ++e) {
       internal_force(body, e, rest.data(), arrays);
       scatter(static_cast<int>(b), e, arrays, constant_.data());
     }
@@ -269,7 +269,7 @@ template <int D> void Assembly<D>::add_element(int e, const Request& request, Ta
     task.inverted = BodyInversion{b, *inversion};
     return;
   }
-  const auto functions = body.functions_of(e);
+  const auto functions = body.functions_of_macro(e);
   const std::size_t n = functions.size();
   VectorX& force = request.states.present.force;
   for (std::size_t a = 0; a < n; ++a)
@@ -280,7 +280,7 @@ template <int D> void Assembly<D>::add_element(int e, const Request& request, Ta
 }
 
 template <int D> void Assembly<D>::scatter(int b, int e, const solid::ElementArrays<D>& arrays, double* values) const {
-  const std::size_t n = scene_.bodies[at(b)].body->functions_of(e).size();
+  const std::size_t n = scene_.bodies[at(b)].body->functions_of_macro(e).size();
   const int* position = positions_.data() + first_position_[at(b)][at(e)];
   const double* block = arrays.blocks.data();
   for (int i = 0; i < D; ++i)
@@ -292,7 +292,7 @@ template <int D> void Assembly<D>::scatter(int b, int e, const solid::ElementArr
 /// Adds the element's tangent times `direction` to product().
 template <int D>
 void Assembly<D>::multiply(int b, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction) {
-  const auto functions = scene_.bodies[at(b)].body->functions_of(e);
+  const auto functions = scene_.bodies[at(b)].body->functions_of_macro(e);
   const int n = static_cast<int>(functions.size()), offset = unknowns_.offset(b);
   const auto dof = [&](int a, int i) { return offset + D * functions[at(a)] + i; };
   const double* block = arrays.blocks.data();

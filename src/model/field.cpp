@@ -11,7 +11,9 @@ namespace {
 using solid::Material;
 
 template <int D> Mat<3> cauchy_stress(const Material& material, const FieldPoint<D>& point) {
-  return material.cauchy_stress(solid::in_space<D>(point.deformation, point.hoop));
+  const Mat<3> f = solid::in_space<D>(point.deformation, point.hoop);
+  if (material.linear()) return material.cauchy_stress(f + point.dilation * Mat<3>::Identity());
+  return material.cauchy_stress(std::exp(point.dilation) * f);
 }
 
 template <int D, int I> double displacement(const Material&, const FieldPoint<D>& point) {

@@ -16,15 +16,14 @@ struct Slabs {
 };
 
 template <int D> Slabs slabs_across(const solid::Body<D>& body, int direction) {
-  const nurbs::Discretization& space = body.space();
-  Slabs slabs{direction, space.elements(direction), std::vector<int>(at(space.elements(direction)), 0)};
+  Slabs slabs{direction, body.macro_elements(direction), std::vector<int>(at(body.macro_elements(direction)), 0)};
   std::vector<int> last(at(body.functions()), 0); // last slab of each control point
-  for (int e = 0; e < body.elements(); ++e)
-    for (int function : body.functions_of(e))
-      last[at(function)] = std::max(last[at(function)], space.element_index(e, direction));
-  for (int e = 0; e < body.elements(); ++e)
-    for (int function : body.functions_of(e)) {
-      int& reach = slabs.reach[at(space.element_index(e, direction))];
+  for (int e = 0; e < body.macro_elements(); ++e)
+    for (int function : body.functions_of_macro(e))
+      last[at(function)] = std::max(last[at(function)], body.macro_index(e, direction));
+  for (int e = 0; e < body.macro_elements(); ++e)
+    for (int function : body.functions_of_macro(e)) {
+      int& reach = slabs.reach[at(body.macro_index(e, direction))];
       reach = std::max(reach, last[at(function)]);
     }
   return slabs;
@@ -69,14 +68,14 @@ template <int D>
 std::vector<char> on_shared_unknowns(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset,
                                      bool one_share) {
   std::vector<int> owner(at(unknowns.size()), -1);
-  std::vector<char> shared(at(unknowns.size()), false), result(at(body.elements()), false);
+  std::vector<char> shared(at(unknowns.size()), false), result(at(body.macro_elements()), false);
   for (int dof = offset; dof < offset + D * body.functions(); ++dof)
     if (const int i = unknowns.unknown(dof); i >= 0) {
       shared[at(i)] = unknowns.of_several_bodies(i) || (owner[at(i)] >= 0 && !one_share);
       owner[at(i)] = dof;
     }
-  for (int e = 0; e < body.elements(); ++e)
-    for (int function : body.functions_of(e))
+  for (int e = 0; e < body.macro_elements(); ++e)
+    for (int function : body.functions_of_macro(e))
       for (int c = 0; c < D; ++c)
         if (const int i = unknowns.unknown(offset + D * function + c); i >= 0 && shared[at(i)]) result[at(e)] = true;
   return result;
@@ -85,8 +84,7 @@ std::vector<char> on_shared_unknowns(const Unknowns<D>& unknowns, const solid::B
 } // namespace
 
 template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset) {
-  const nurbs::Discretization& space = body.space();
-  Slabs best{0, space.elements(0), {}};
+  Slabs best{0, body.macro_elements(0), {}};
   std::vector<int> starts{0, best.count};
   double least = 1;
   for (int d = 0; d < D; ++d) {
@@ -106,9 +104,9 @@ template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::B
   result.heads.resize(shares);
   result.tails.resize(shares);
   const std::vector<char> in_rest = on_shared_unknowns(unknowns, body, offset, shares == 1);
-  for (int e = 0; e < body.elements(); ++e) {
+  for (int e = 0; e < body.macro_elements(); ++e) {
     // First slabs of heads and tails alternate in `starts`.
-    const int slab = space.element_index(e, best.direction);
+    const int slab = body.macro_index(e, best.direction);
     const int piece = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), slab) - starts.begin()) - 1;
     result.share.push_back(piece / 2);
     auto& list = in_rest[at(e)] ? result.rest : (piece % 2 == 0 ? result.heads : result.tails)[at(piece / 2)];

@@ -2,6 +2,7 @@
 
 #include "base/index.hpp"
 #include "model/results.hpp"
+#include "solid/projected.hpp"
 #include "solid/quadrature.hpp"
 
 #include <algorithm>
@@ -34,6 +35,10 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
     // F_θθ = 1 + u_r/R → 1 + ∂u_r/∂R on the axis; at smaller radii the quotient is rounding error
     const double radius = point.reference(0), size = jacobian.cwiseAbs().maxCoeff();
     point.state.hoop = radius > 1e-8 * size ? 1 + point.state.displacement(0) / radius : point.state.deformation(0, 0);
+  }
+  if (solid.volumetric() == solid::Volumetric::projected) {
+    const Mat<3> f = solid::in_space<D>(point.state.deformation, point.state.hoop);
+    point.state.dilation = solid::projected_change(solid, e, xi, f, body_displacement(model, body).data());
   }
   return point;
 }

@@ -39,6 +39,8 @@ template <int D> std::pair<int, int> lowest_degree(const nurbs::Discretization& 
 /// ν = 0.49, 3 % for N2 at 0.499.
 template <int D> void warn_of_locking(const Scene<D>& scene, std::vector<Message>& warnings) {
   for (const NamedBody<D>& named : scene.bodies) {
+    // Under plane stress the thickness adjusts the volume.
+    if (named.body->volumetric() == solid::Volumetric::projected || scene.kind == solid::Kind::plane_stress) continue;
     const double nu = named.body->material().constants().poissons_ratio;
     const auto [degree, direction] = lowest_degree<D>(named.body->space());
     if (nu <= locking_any && (degree > 1 || nu < locking_linear)) continue;

@@ -70,13 +70,14 @@ Material read(ArchiveReader& from, std::type_identity<Material>) {
 }
 
 template <int D> void write(ArchiveWriter& to, const Body<D>& body) {
-  to.put(body.space(), body.material(), body.kind());
+  to.put(body.space(), body.material(), body.kind(), body.volumetric());
 }
 
 template <int D> std::shared_ptr<const Body<D>> read_body(ArchiveReader& from) {
   auto space = std::make_shared<const nurbs::Discretization>(from.get<nurbs::Discretization>());
   const Material material = read(from, std::type_identity<Material>());
-  return std::make_shared<const Body<D>>(std::move(space), material, from.get<Kind>());
+  const auto kind = from.get<Kind>();
+  return std::make_shared<const Body<D>>(std::move(space), material, kind, from.get<Volumetric>());
 }
 
 template void write(ArchiveWriter&, const Body<2>&);

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "nurbs/constants.hpp"
+#include "solid/projected.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,11 +48,12 @@ void check_radii(const nurbs::Discretization& space) {
 } // namespace
 
 template <int D>
-Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind)
-    : space_(std::move(space)), material_(std::move(material)), kind_(kind),
+Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind, Volumetric volumetric)
+    : space_(std::move(space)), material_(std::move(material)), kind_(kind), volumetric_(volumetric),
       internal_variables_(static_cast<int>(material_.initial_values().size())) {
   require(space_->dimension() == D, "solid.body.dimension", {{"expected", D}, {"dimension", space_->dimension()}});
   require(D == 2 || kind_ == Kind::plane_strain, "solid.body.axisymmetric", {{"dimension", D}});
+  require(kind_ != Kind::plane_stress || volumetric_ == Volumetric::pointwise, "solid.body.projected_plane_stress");
   if (kind_ == Kind::axisymmetric) check_radii(*space_);
   const MatrixX points = space_->points();
   volumes_ = VectorX::Zero(functions());
@@ -70,11 +72,61 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material mater
   constants_.resize(constants_.size() + vector_padding);
   for (int e = 0; e < elements(); ++e) add_constant(element(e), arguments(e));
   for (auto* table : {&weights_, &gradients_, &hoops_, &constants_}) table->shrink_to_fit();
+  if (volumetric_ == Volumetric::projected) add_macro_elements();
+}
+
+template <int D> void Body<D>::add_macro_elements() {
+  macros_ = solid::macro_elements(*space_);
+  for (MacroElement& macro : macros_.list) {
+    std::vector<double> weights;
+    for (int e : macro.elements) {
+      const auto functions = functions_of(e);
+      macro.functions.insert(macro.functions.end(), functions.begin(), functions.end());
+      weights.insert(weights.end(), weights_of(e), weights_of(e) + element(e).points);
+    }
+    std::sort(macro.functions.begin(), macro.functions.end());
+    macro.functions.erase(std::unique(macro.functions.begin(), macro.functions.end()), macro.functions.end());
+    int modes = 1;
+    for (int degree : macros_.degrees) modes *= degree + 1;
+    MatrixX polynomials(std::ssize(weights), modes);
+    Eigen::Index row = 0;
+    for (int e : macro.elements) {
+      macro.places.emplace_back();
+      for (int function : functions_of(e))
+        macro.places.back().push_back(static_cast<int>(
+            std::lower_bound(macro.functions.begin(), macro.functions.end(), function) - macro.functions.begin()));
+      const ElementQuadrature rule = element_quadrature(*space_, e);
+      for (Eigen::Index q = 0; q < rule.points.cols(); ++q)
+        polynomials.row(row++) = legendre_products(macro, macros_.degrees, rule.points.col(q));
+    }
+    orthonormalize(macro, polynomials, weights);
+  }
+}
+
+template <int D> int Body<D>::macro_index(int m, int d) const {
+  if (macros_.list.empty()) return space_->element_index(m, d);
+  for (int lower = 0; lower < d; ++lower) m /= macros_.counts[at(lower)];
+  return m % macros_.counts[at(d)];
+}
+
+template <int D> int Body<D>::macro_of(int e) const {
+  return macro_containing(macros_, *space_, e);
+}
+
+template <int D> VectorX Body<D>::modes_at(int m, const VectorX& xi) const {
+  return macro(m).combine.transpose() * legendre_products(macro(m), macros_.degrees, xi);
+}
+
+template <int D> int Body<D>::most_functions_of_macro() const {
+  int most = macros_.list.empty() ? most_functions_ : 0;
+  for (const MacroElement& macro : macros_.list) most = std::max(most, static_cast<int>(macro.functions.size()));
+  return most;
 }
 
 template <int D> std::size_t Body<D>::memory() const {
   return sizeof(double) * (weights_.size() + gradients_.size() + hoops_.size() + constants_.size()) +
-         sizeof(double) * volumes_.size() + sizeof(int) * functions_.size() + sizeof(ElementTable) * elements_.size();
+         sizeof(double) * volumes_.size() + sizeof(int) * functions_.size() + sizeof(ElementTable) * elements_.size() +
+         solid::memory(macros_);
 }
 
 template <int D>
@@ -103,7 +155,8 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points, nurbs::
     if (q == 0) {
       table.functions = static_cast<int>(basis.functions.size());
       functions_.insert(functions_.end(), basis.functions.begin(), basis.functions.end());
-      table.kernels = material_.kernels<D>(kind_, table.functions);
+      table.kernels =
+          volumetric_ == Volumetric::projected ? projected_kernels<D>() : material_.kernels<D>(kind_, table.functions);
     }
     // ∂X/∂ξ = Σ_A X_A ⊗ ∂R_A/∂ξ,  ∂R/∂X = ∂R/∂ξ (∂X/∂ξ)⁻¹
     Vec<D> place = Vec<D>::Zero();
@@ -153,11 +206,11 @@ template <int D> VectorX Body<D>::reference_point(int e, int q) const {
 }
 
 std::shared_ptr<const Body<2>> revolved(const Body<2>& body) {
-  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::axisymmetric);
+  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::axisymmetric, body.volumetric());
 }
 
 std::shared_ptr<const Body<2>> in_plane_stress(const Body<2>& body) {
-  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::plane_stress);
+  return std::make_shared<const Body<2>>(body.shared_space(), body.material(), Kind::plane_stress, body.volumetric());
 }
 
 template class Body<2>;

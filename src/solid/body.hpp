@@ -5,6 +5,7 @@
 #include "base/index.hpp"
 #include "nurbs/discretization.hpp"
 #include "solid/material.hpp"
+#include "solid/projection.hpp"
 #include "solid/quadrature.hpp"
 
 #include <memory>
@@ -37,13 +38,16 @@ public:
   /// Builds the tables with (degree+1) Gauss points per direction and element, with the highest degree on the element.
   /// Throws Error if the map is not right-handed somewhere (Jacobian ≤ 0), or if an axisymmetric body extends beyond
   /// its axis (R < 0).
-  Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind = Kind::plane_strain);
+  /// Throws Error for projected volume change under plane stress.
+  Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind = Kind::plane_strain,
+       Volumetric volumetric = Volumetric::pointwise);
   Body(nurbs::Discretization space, Material material);
 
   const nurbs::Discretization& space() const { return *space_; }
   const std::shared_ptr<const nurbs::Discretization>& shared_space() const { return space_; }
   const Material& material() const { return material_; }
   Kind kind() const { return kind_; }
+  Volumetric volumetric() const { return volumetric_; }
   /// Whether forces are linear in displacements: the tangent is constant.
   bool linear() const { return material_.linear(); }
   int functions() const { return space_->functions(); }
@@ -56,6 +60,19 @@ public:
   /// Largest numbers of functions and of Gauss points on one element.
   int most_functions() const { return most_functions_; }
   int most_points() const { return most_points_; }
+  /// Parts of the body with a force and a tangent of their own: elements or, with projected volume change,
+  /// macro-elements of several; of them in direction d; the place of part m in that direction.
+  int macro_elements() const { return macros_.list.empty() ? elements() : static_cast<int>(macros_.list.size()); }
+  int macro_elements(int d) const { return macros_.list.empty() ? space_->elements(d) : macros_.counts[at(d)]; }
+  int macro_index(int m, int d) const;
+  std::span<const int> functions_of_macro(int m) const {
+    return macros_.list.empty() ? functions_of(m) : std::span<const int>(macro(m).functions);
+  }
+  int most_functions_of_macro() const;
+  /// Only with projected volume change: macro-element m, the one that contains element e, and the modes at a point.
+  const MacroElement& macro(int m) const { return macros_.list[at(m)]; }
+  int macro_of(int e) const;
+  VectorX modes_at(int m, const VectorX& xi) const;
   /// Bytes of the tables.
   std::size_t memory() const;
 
@@ -76,15 +93,18 @@ public:
 
 private:
   void add_element(int e, const MatrixX& points, nurbs::ElementBasis& basis);
+  void add_macro_elements();
   void add_constant(const ElementTable& table, KernelArguments arguments);
 
   std::shared_ptr<const nurbs::Discretization> space_;
   Material material_;
   Kind kind_;
+  Volumetric volumetric_;
   std::vector<ElementTable> elements_;
   std::vector<int> functions_;
   std::vector<double> weights_, gradients_, hoops_, constants_;
   VectorX volumes_;
+  MacroElements macros_; ///< empty unless the volume change is projected
   int most_functions_ = 0, most_points_ = 0, internal_variables_ = 0;
 };
 

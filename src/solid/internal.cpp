@@ -1,6 +1,7 @@
 #include "solid/internal.hpp"
 
 #include "base/error.hpp"
+#include "solid/projected.hpp"
 
 #include <limits>
 
@@ -36,10 +37,14 @@ void each_deformation(const Body<D>& body, const double* displacement, const Vis
 } // namespace
 
 template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
-  const std::size_t n = at(body.most_functions());
+  const std::size_t n = at(body.most_functions()), all = at(body.most_functions_of_macro());
   const std::size_t points = at(body.most_points());
-  force.resize(D * n);
-  blocks.resize(D * (D + 1) / 2 * n * n + vector_padding);
+  force.resize(D * all);
+  blocks.resize(D * (D + 1) / 2 * all * all + vector_padding);
+  if (body.volumetric() == Volumetric::projected) {
+    cell_force.resize(D * n);
+    cell_blocks.resize(D * (D + 1) / 2 * n * n + vector_padding);
+  }
   local.resize(D * n);
   const bool moduli = body.elements() > 0 && body.element(0).kernels.respond;
   work.resize(moduli ? moduli_working_size(D, n, points) : working_size(D, n, points));
@@ -47,7 +52,8 @@ template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
 }
 
 template <int D> std::size_t ElementArrays<D>::memory() const {
-  return sizeof(double) * (force.size() + blocks.size() + local.size() + work.size() + factors.size());
+  return sizeof(double) * (force.size() + blocks.size() + local.size() + work.size() + factors.size() +
+                           cell_force.size() + cell_blocks.size());
 }
 
 template <int D> std::vector<double> initial_values(const Body<D>& body) {
@@ -59,30 +65,34 @@ template <int D> std::vector<double> initial_values(const Body<D>& body) {
 }
 
 template <int D>
-std::optional<Inversion> internal_force(const Body<D>& body, int e, const double* displacement,
+std::optional<Inversion> internal_force(const Body<D>& body, int m, const double* displacement,
                                         ElementArrays<D>& arrays, bool tangent, std::span<const double> committed,
                                         std::span<double> trial) {
-  gather(body, e, displacement, arrays.local.data());
-  KernelArguments arguments = body.arguments(e);
-  arguments.local = arrays.local.data();
-  arguments.force = arrays.force.data();
-  arguments.work = arrays.work.data();
-  arguments.factors = arrays.factors.data();
-  arguments.blocks = tangent ? arrays.blocks.data() : nullptr;
-  if (const std::size_t variables = at(body.internal_variables())) {
+  const std::size_t variables = at(body.internal_variables());
+  if (variables)
     require(committed.size() == variables * body.points() && trial.size() == committed.size(),
             "solid.body.internal_variables",
             {{"material", body.material().name()},
              {"expected", variables * body.points()},
              {"committed", committed.size()},
              {"trial", trial.size()}});
+  if (body.volumetric() == Volumetric::projected)
+    return projected_force(body, m, displacement, arrays, tangent, committed, trial);
+  gather(body, m, displacement, arrays.local.data());
+  KernelArguments arguments = body.arguments(m);
+  arguments.local = arrays.local.data();
+  arguments.force = arrays.force.data();
+  arguments.work = arrays.work.data();
+  arguments.factors = arrays.factors.data();
+  arguments.blocks = tangent ? arrays.blocks.data() : nullptr;
+  if (variables) {
     arguments.internal_variables = body.internal_variables();
-    arguments.committed = committed.data() + body.element(e).point * variables;
-    arguments.trial = trial.data() + body.element(e).point * variables;
+    arguments.committed = committed.data() + body.element(m).point * variables;
+    arguments.trial = trial.data() + body.element(m).point * variables;
   }
-  const KernelResult result = body.element(e).kernels.element(arguments);
+  const KernelResult result = body.element(m).kernels.element(arguments);
   if (result.point < 0) return std::nullopt;
-  return Inversion{e, body.reference_point(e, result.point), result.jacobian};
+  return Inversion{m, body.reference_point(m, result.point), result.jacobian};
 }
 
 template <int D> std::optional<Inversion> worst_inversion(const Body<D>& body, const double* displacement) {
@@ -97,8 +107,12 @@ template <int D> std::optional<Inversion> worst_inversion(const Body<D>& body, c
 
 template <int D>
 double stored_energy(const Body<D>& body, const double* displacement, std::span<const double> committed) {
-  const std::size_t variables = committed.empty() ? 0 : at(body.internal_variables());
   double sum = 0;
+  if (body.volumetric() == Volumetric::projected) {
+    for (int m = 0; m < body.macro_elements(); ++m) sum += projected_energy(body, m, displacement, committed);
+    return sum;
+  }
+  const std::size_t variables = committed.empty() ? 0 : at(body.internal_variables());
   each_deformation(body, displacement, [&](int e, int q, const Mat<D>& f, const auto& u) {
     double across = 1;
     if (body.kind() == Kind::axisymmetric) {

@@ -1,5 +1,6 @@
 #pragma once
-// Internal force and its consistent tangent, element by element.
+// Internal force and its consistent tangent, element by element, or by macro-elements if the volume change is
+// projected.
 
 #include "solid/body.hpp"
 
@@ -17,9 +18,10 @@ template <int D> struct ElementArrays {
   /// Bytes of the arrays.
   std::size_t memory() const;
   std::vector<double> force, blocks;
-  std::vector<double> local;   ///< work array: displacements, D rows of n values
-  std::vector<double> work;    ///< work array of the kernel
-  std::vector<double> factors; ///< work array: two values per Gauss point
+  std::vector<double> local;                   ///< work array: displacements, D rows of n values
+  std::vector<double> work;                    ///< work array of the kernel
+  std::vector<double> factors;                 ///< work array: two values per Gauss point
+  std::vector<double> cell_force, cell_blocks; ///< of one element of a macro-element; only with projected volume change
 };
 
 /// Internal variables of an unstrained body, by Gauss point in the order of its elements; empty for most materials. A
@@ -27,8 +29,8 @@ template <int D> struct ElementArrays {
 /// discards them.
 template <int D> std::vector<double> initial_values(const Body<D>& body);
 
-/// f_iA = ∫ P_ik ∂R_A/∂X_k dV and, if `tangent`, ∂f_iA/∂u_jB for element e; per unit depth in plane strain, over the
-/// full circle for a body of revolution.
+/// f_iA = ∫ P_ik ∂R_A/∂X_k dV and, if `tangent`, ∂f_iA/∂u_jB for macro-element m, which is element m unless the volume
+/// change is projected; per unit depth in plane strain, over the full circle for a body of revolution.
 ///
 /// `displacement` holds u of the body's control points, D values each. Returns a point with J ≤ 0 if the element is
 /// inverted (the arrays are then undefined), otherwise nothing; small-strain laws have no inversion.
@@ -37,7 +39,7 @@ template <int D> std::vector<double> initial_values(const Body<D>& body);
 /// `trial` receives those of this element at `displacement`; both have the layout of initial_values(). The tangent is
 /// that at fixed committed values. Throws Error if their sizes are wrong.
 template <int D>
-std::optional<Inversion> internal_force(const Body<D>& body, int e, const double* displacement,
+std::optional<Inversion> internal_force(const Body<D>& body, int m, const double* displacement,
                                         ElementArrays<D>& arrays, bool tangent = true,
                                         std::span<const double> committed = {}, std::span<double> trial = {});
 

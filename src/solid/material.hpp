@@ -36,6 +36,14 @@ public:
   double energy(const Mat<3>& f, std::span<const double> committed = {}) const;
   /// First Piola–Kirchhoff stress; arguments as for energy().
   Mat<3> stress(const Mat<3>& f, std::span<const double> committed = {}) const;
+  /// The same with the trial values of internal variables.
+  Mat<3> stress(const Mat<3>& f, std::span<const double> committed, std::span<double> trial) const {
+    return stress_(law(), f, committed, trial);
+  }
+  /// ∂P/∂F at fixed committed values.
+  Moduli moduli(const Mat<3>& f, std::span<const double> committed) const { return moduli_(law(), f, committed); }
+  /// Stress and moduli at many points in D dimensions; null for a law with internal variables.
+  template <int D> Respond respond() const { return respond_[D - 2]; }
   /// Cauchy stress; arguments as for energy(). In plane strain σ₃₃ is the out-of-plane stress.
   Mat<3> cauchy_stress(const Mat<3>& f, std::span<const double> committed = {}) const;
   /// F₃₃ with P₃₃ = 0 for F in the plane; 1 if there is none, or if the law has internal variables.
@@ -49,7 +57,9 @@ private:
   std::vector<double> initial_;
   double (*energy_)(const void* law, const Mat<3>& f, std::span<const double> committed);
   Mat<3> (*stress_)(const void* law, const Mat<3>& f, std::span<const double> committed, std::span<double> trial);
+  Moduli (*moduli_)(const void* law, const Mat<3>& f, std::span<const double> committed);
   double (*thickness_)(const void* law, const Mat<2>& f);
+  Respond respond_[2];                              ///< in 2 and 3 dimensions
   Kernels (*kernels_[2])(Kind kind, int functions); ///< in 2 and 3 dimensions
 };
 
@@ -69,6 +79,11 @@ template <Law T> double thickness_of(const void* given, const Mat<2>& f) {
   return 1;
 }
 
+template <Law T, int D> constexpr Respond response_or_none() {
+  if constexpr (ElasticResponse<T>) return response<T, D>();
+  return nullptr;
+}
+
 template <Law T>
 Material::Material(T law)
     : name_(T::name), linear_(T::linear), law_(std::make_shared<const T>(law)), constants_(law),
@@ -78,7 +93,11 @@ Material::Material(T law)
       stress_([](const void* law, const Mat<3>& f, std::span<const double> committed, std::span<double> trial) {
         return solid::stress(*static_cast<const T*>(law), f, committed, trial);
       }),
-      thickness_(thickness_of<T>), kernels_{law_kernels<T, 2>, law_kernels<T, 3>} {
+      moduli_([](const void* law, const Mat<3>& f, std::span<const double> committed) {
+        return solid::moduli(*static_cast<const T*>(law), f, committed);
+      }),
+      thickness_(thickness_of<T>), respond_{response_or_none<T, 2>(), response_or_none<T, 3>()},
+      kernels_{law_kernels<T, 2>, law_kernels<T, 3>} {
   if constexpr (InelasticResponse<T>) initial_ = law.initial_values();
 }
 

@@ -1,14 +1,17 @@
 #include "solid/stability.hpp"
 
 #include "solid/energy.hpp"
+#include "solid/projected.hpp"
 
 #include <Eigen/Eigenvalues>
+
+#include <cmath>
 
 namespace signorini::solid {
 
 namespace {
 
-/// F at a Gauss point.
+/// F at a Gauss point, F̄ if the volume change is projected.
 template <int D> Mat<3> deformation_at_point(const Body<D>& body, int e, int q, const double* displacement) {
   const std::span<const int> functions = body.functions_of(e);
   const int n = static_cast<int>(functions.size());
@@ -22,7 +25,10 @@ template <int D> Mat<3> deformation_at_point(const Body<D>& body, int e, int q, 
   }
   if constexpr (D == 2)
     if (body.kind() == Kind::plane_stress) across = body.material().thickness_stretch(f);
-  return in_space<D>(f, across);
+  const Mat<3> result = in_space<D>(f, across);
+  if (body.volumetric() == Volumetric::pointwise) return result;
+  const VectorX xi = element_quadrature(body.space(), e).points.col(q);
+  return std::exp(projected_change(body, e, xi, result, displacement)) * result;
 }
 
 } // namespace

@@ -99,16 +99,22 @@ check.case("ironing back and forth: drag changes its sign; long steps fail while
   check_files(result, 5)
 end)
 
-check.case("locking: the force of L1 is too high the nearer nu comes to 0.5, that of N4 is not", function()
-  local result = study("locking", "orders=L1,N2,N4", "nu=0.45,0.499", "elements=4", "reference=8")
-  local robust = result.maps.robust
-  check_controls(result.maps, 6)
-  check.equal({ result.reference:converged() }, { 2, 2 })
-  local function off(order, nu) return robust:cell(order, nu).results.error end
-  check.near({ off("L1", 0.45), off("L1", 0.499), off("N2", 0.45) }, { 0.2125, 1.537, 0.0085 }, 1e-3)
-  check.near({ off("N4", 0.45), off("N4", 0.499) }, { 0.0047, 0.0104 }, 1e-3)
-  check_files(result, 6)
-end)
+check.case("locking: the force of L1 is too high the nearer nu comes to 0.5, that of N4 or of projected volume is not",
+  function()
+    local result = study("locking", "orders=L1,N2,N2:1,N4", "nu=0.45,0.499", "elements=4", "reference=8",
+      "volumetric=pointwise,projected")
+    for _, maps in pairs(result.maps) do check_controls(maps, 8) end
+    check.equal({ result.reference:converged() }, { 2, 2 })
+    local function off(order, nu, volumetric)
+      return result.maps[volumetric or "pointwise"].robust:cell(order, nu).results.error
+    end
+    check.near({ off("L1", 0.45), off("L1", 0.499), off("N2", 0.45) }, { 0.2125, 1.537, 0.0085 }, 1e-3)
+    check.near({ off("N4", 0.45), off("N4", 0.499) }, { 0.0047, 0.0104 }, 1e-3)
+    check.near({ off("N2", 0.499), off("N2:1", 0.499) }, { 0.1328, 0.2209 }, 1e-3)
+    local function projected(order) return off(order, 0.499, "projected") end
+    check.near({ projected "L1", projected "N2", projected "N2:1" }, { 0.1066, 0.0133, 0.0062 }, 1e-3)
+    check_files(result, 13)
+  end)
 
 check.case("first contact: an unconstrained body is singular before it touches; damping converges", function()
   local result = study("first_touch", "under=plane,slab", "friction=0.3", "gaps=-1e-3,1e-3", "loads=1e-3")

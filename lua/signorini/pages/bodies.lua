@@ -42,6 +42,9 @@ for orders with a layer. Any face can be slave or master of a contact]],
       { "thickness_degree", patch_types.degree, [[Degree in the thickness direction, from the contact face to the
 opposite one, at least the geometry's own. Degree 1, as in the published studies, has fewer unknowns and takes
 about half of the time, but locks in bending and for nu near 0.5]], otherwise = "that of the label's bulk" },
+      { "volumetric", t.choice { "pointwise", "projected" }, [[Volume change of each point, or its projection on
+polynomials of one degree less in macro-elements of p elements per direction: nothing locks for nu near 0.5, at
+the cost of larger coupled groups. Not for plane stress]], otherwise = '"pointwise"' },
       { "grading", patch_types.grading, "where elements are concentrated; false: uniform",
         otherwise = "uniform elements" },
     },

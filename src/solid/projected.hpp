@@ -1,0 +1,26 @@
+#pragma once
+// Force, tangent and energy of bodies with projected volume change (projection.hpp).
+
+#include "solid/internal.hpp"
+
+namespace signorini::solid {
+
+/// The kernels of its elements, for stress and moduli that projected_force() gives them.
+template <int D> Kernels projected_kernels();
+
+/// internal_force() of macro-element m.
+template <int D>
+std::optional<Inversion> projected_force(const Body<D>& body, int m, const double* displacement,
+                                         ElementArrays<D>& arrays, bool tangent, std::span<const double> committed,
+                                         std::span<double> trial);
+
+/// stored_energy() of macro-element m.
+template <int D>
+double projected_energy(const Body<D>& body, int m, const double* displacement, std::span<const double> committed);
+
+/// c = (Pθ − θ)/3 at the parametric point xi of element e, where the deformation gradient in space is f; 0 if the
+/// macro-element is inverted.
+template <int D>
+double projected_change(const Body<D>& body, int e, const VectorX& xi, const Mat<3>& f, const double* displacement);
+
+} // namespace signorini::solid

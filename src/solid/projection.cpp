@@ -1,0 +1,98 @@
+#include "solid/projection.hpp"
+
+#include "base/index.hpp"
+
+#include <algorithm>
+
+namespace signorini::solid {
+
+namespace {
+
+/// The lowest degree of the elements per direction: constraints must be few for the poorest of them.
+std::vector<int> lowest_degrees(const nurbs::Discretization& space) {
+  std::vector<int> lowest(at(space.parametric_dimension()), space.degree(0, 0));
+  for (int d = 0; d < space.parametric_dimension(); ++d) {
+    lowest[at(d)] = space.degree(0, d);
+    for (int e = 1; e < space.elements(); ++e) lowest[at(d)] = std::min(lowest[at(d)], space.degree(e, d));
+  }
+  return lowest;
+}
+
+/// P_0 … P_degree at x.
+std::vector<double> legendre(int degree, double x) {
+  std::vector<double> values{1};
+  if (degree > 0) values.push_back(x);
+  for (int k = 2; k <= degree; ++k)
+    values.push_back(((2 * k - 1) * x * values[at(k - 1)] - (k - 1) * values[at(k - 2)]) / k);
+  return values;
+}
+
+} // namespace
+
+MacroElements macro_elements(const nurbs::Discretization& space) {
+  const int dimensions = space.parametric_dimension();
+  MacroElements result;
+  result.degrees = lowest_degrees(space);
+  int size = 1;
+  for (int d = 0; d < dimensions; ++d) {
+    result.counts.push_back(std::max(1, space.elements(d) / result.degrees[at(d)]));
+    size *= result.counts.back();
+    --result.degrees[at(d)];
+  }
+  result.list.resize(at(size));
+  for (int e = 0; e < space.elements(); ++e) {
+    MacroElement& macro = result.list[at(macro_containing(result, space, e))];
+    if (macro.elements.empty()) macro.box = MatrixX::Constant(2, dimensions, space.interval(e, 0)[0]);
+    for (int d = 0; d < dimensions; ++d) {
+      const auto [from, to] = space.interval(e, d);
+      macro.box(0, d) = macro.elements.empty() ? from : std::min(macro.box(0, d), from);
+      macro.box(1, d) = macro.elements.empty() ? to : std::max(macro.box(1, d), to);
+    }
+    macro.elements.push_back(e);
+  }
+  return result;
+}
+
+int macro_containing(const MacroElements& macros, const nurbs::Discretization& space, int e) {
+  int index = 0, stride = 1;
+  for (int d = 0; d < space.parametric_dimension(); ++d) {
+    index += stride * (space.element_index(e, d) * macros.counts[at(d)] / space.elements(d));
+    stride *= macros.counts[at(d)];
+  }
+  return index;
+}
+
+std::size_t memory(const MacroElements& macros) {
+  std::size_t numbers = 0, indices = 0;
+  for (const MacroElement& macro : macros.list) {
+    numbers += static_cast<std::size_t>(macro.modes.size() + macro.combine.size() + macro.box.size());
+    indices += macro.elements.size() + macro.functions.size();
+    for (const auto& places : macro.places) indices += places.size();
+  }
+  return sizeof(double) * numbers + sizeof(int) * indices;
+}
+
+VectorX legendre_products(const MacroElement& macro, const std::vector<int>& degrees, const VectorX& xi) {
+  VectorX products = VectorX::Ones(1);
+  for (int d = 0; d < static_cast<int>(degrees.size()); ++d) {
+    const double from = macro.box(0, d), to = macro.box(1, d);
+    const std::vector<double> values = legendre(degrees[at(d)], (2 * xi(d) - from - to) / (to - from));
+    VectorX next(products.size() * static_cast<Eigen::Index>(values.size()));
+    for (std::size_t k = 0; k < values.size(); ++k)
+      next.segment(static_cast<Eigen::Index>(k) * products.size(), products.size()) = values[k] * products;
+    products = std::move(next);
+  }
+  return products;
+}
+
+void orthonormalize(MacroElement& macro, const MatrixX& polynomials, std::span<const double> weights) {
+  const Eigen::Map<const VectorX> w(weights.data(), static_cast<Eigen::Index>(weights.size()));
+  // Φ = Π L⁻ᵀ with L Lᵀ = Πᵀ W Π
+  const MatrixX gram = polynomials.transpose() * w.asDiagonal() * polynomials;
+  const MatrixX lower = gram.llt().matrixL();
+  macro.combine =
+      lower.transpose().triangularView<Eigen::Upper>().solve(MatrixX(MatrixX::Identity(gram.rows(), gram.cols())));
+  macro.modes = polynomials * macro.combine;
+}
+
+} // namespace signorini::solid
