@@ -25,6 +25,7 @@ function sg.hyperelastic(values) return require("signorini.hyperelastic").new(va
 for _, name in ipairs { "mooney_rivlin", "yeoh", "ogden", "saint_venant_kirchhoff" } do
   sg[name] = function(values) return require("signorini.elastic_laws")[name](values) end
 end
+require "signorini.compound_type" (sg)
 types.model.run = require "signorini.run"
 types.model.cost = require "signorini.cost"(types.model.cost)
 local energies, profiles, named = types.model.energy, types.model.profile, require "signorini.named"
@@ -45,6 +46,7 @@ methods.guard("model", "run cost energy profile show")
 methods.guard("state", "show")
 methods.guard("patch", "show")
 methods.guard("picture", "show")
+methods.guard("compound", "corner edge face part")
 methods.guard("run", "attempts column columns csv hdf5 report residuals states")
 methods.guard("study", "by cancel chart column csv execute heatmap median read report row table watch where with")
 methods.guard("comparison", "front table")

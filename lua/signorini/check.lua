@@ -5,6 +5,7 @@ local check_dependencies = require "signorini.dependencies"
 local core = require "signorini.core"
 local describe = require "signorini.describe"
 local fits = require "signorini.fits"
+local list_shape = require "signorini.list_shape"
 local lists = require "signorini.lists"
 local meant = require "signorini.meant"
 local pages = require "signorini.pages"
@@ -57,23 +58,14 @@ end
 -- ── Tables: read entry by entry ──────────────────────────────────────────────────────────────────────────────────────
 
 local read
+local length, flattened = list_shape.length, list_shape.flattened
 
 local reads = {}
-
---- The length of a list; nil if the value is not a list. `also`: a name that it may have as a key.
-local function length(value, also)
-  if type(value) ~= "table" then return nil end
-  local count = 0
-  for key in next, value do
-    if also == nil or key ~= also then count = count + 1 end
-  end
-  return count == #value and count or nil
-end
 
 local function list_cure(of, value)
   if of.cure then return of.cure(value) end
   if type(value) == "number" then return "put it into braces, as in {1, 2}" end
-  if type(value) == "table" and not length(value) then
+  if pages.kind(value) == "table" and not length(value) then
     return "write its values one after the other, as in {1, 2}, without names or gaps"
   end
 end
@@ -116,13 +108,26 @@ local function read_single(of, value, where, name, row)
   mismatch(of, value, where, name, row, list_cure(of, value))
 end
 
+--- Checks the entries of a list that have names.
+local function read_fields(fields, list, where, name)
+  for key, value in next, list do
+    if not math.type(key) then
+      local row = lists.filter(fields, function(one) return one[1] == key end)[1]
+      if not row then reject_unknown(where, name, list, { key }, fields) end
+      read(row[2], value, where, ("%s.%s"):format(name, key))
+    end
+  end
+end
+
 function reads.list(of, value, where, name, row)
-  local also, also_type = table.unpack(of.also or {})
-  local count = length(value, also)
+  local count = length(value, of.fields)
   if of.single and not count then return read_single(of, value, where, name, row) end
+  if of.flat and count then
+    value = flattened(value)
+    count = #value
+  end
   local wrong = not count or of.size and count ~= of.size or of.least and count < of.least
   if wrong then mismatch(of, value, where, name, row, list_cure(of, value)) end
-  if also and value[also] ~= nil then read(also_type, value[also], where, ("%s.%s"):format(name, also)) end
   local copy
   for i = 1, count do
     local entry = read_entry(of.of, value, i, where, name)
@@ -131,6 +136,7 @@ function reads.list(of, value, where, name, row)
       copy[i] = entry
     end
   end
+  if of.fields then read_fields(of.fields, value, where, name) end
   return copy or value
 end
 

@@ -2,6 +2,7 @@
 -- call.
 
 local core = require "signorini.core"
+local lists = require "signorini.lists"
 local t = require "signorini.types"
 
 local patch_types = {}
@@ -9,7 +10,7 @@ local patch_types = {}
 --- The numbers of parametric directions and coordinates of the patch of a call; nil if there is none.
 local function sizes(owner, given)
   local patch = owner or given and given.patch
-  if patch then return core.patch_sizes(patch) end
+  if patch and core.kind(patch) == "patch" then return core.patch_sizes(patch) end
 end
 
 --- A face of the object on which a method is called; the core rejects others and suggests the most similar one.
@@ -73,6 +74,19 @@ patch_types.vector_or_space = t.by(t.point, function(owner, given)
 end)
 
 patch_types.elements = patch_types.per_direction(t.integer(1, 1000000))
+
+local places = t.list(t.text, nil, 1)
+
+--- Several patches: a list with interfaces and boundaries, faces such as "2.north".
+patch_types.several = t.worded(t.list_with(t.object "patch", {
+  { "interfaces", t.list(t.worded(t.list(t.text, 2), "a list of two faces such as '1.east'")), "faces on each other",
+    optional = true },
+  { "boundaries", t.map(places), "faces by name", optional = true },
+}), "a list of one or more patches")
+
+--- The same, or a single patch without braces, which becomes a list of one.
+patch_types.one_or_several = lists.merged(patch_types.several, { single = true })
+
 patch_types.degree = t.integer(1, core.max_degree)
 
 local below_one = { kind = "number", above = 0, below = 1 }

@@ -50,6 +50,12 @@ function types.object(name) return { kind = "object", name = name } end
 --- A list of entries of one type; exactly `size` or at least `least`, if given.
 function types.list(of, size, least) return { kind = "list", of = of, size = size, least = least } end
 
+--- A list of entries of one type that may have entries with names, rows, too.
+function types.list_with(of, fields) return { kind = "list", of = of, least = 1, fields = fields } end
+
+--- A list of entries of one type or of lists of these, or a single one.
+function types.flat(of) return { kind = "list", of = of, least = 1, single = true, flat = true } end
+
 --- A list of entries of one type, or a single one without braces, which becomes a list of one.
 function types.one_or_more(of) return { kind = "list", of = of, least = 1, single = true } end
 
@@ -58,12 +64,6 @@ function types.numbers(size, gaps) return types.list({ kind = "number", gaps = g
 
 --- Values of these types in order, of which the first `least` are required: {1, "m1"}.
 function types.tuple(of, least) return { kind = "tuple", of = of, least = least } end
-
---- A list of patches, which may have a field `boundaries`: lists of faces such as "2.south" by name. patches: or a
---- single patch. also: the name and type of such a field of a list.
-types.patch_list = merged(types.list(types.object "patch", nil, 1),
-  { also = { "boundaries", { kind = "map", of = types.list(types.text) } } })
-types.patches = merged(types.patch_list, { single = true })
 
 --- {low, high}, increasing.
 types.interval = { kind = "tuple", of = { types.number, types.number }, least = 2, rising = true,

@@ -224,6 +224,14 @@ function sg.hyperelastic(arguments) end
 ---@class sg.material
 local material = {}
 
+---@class (exact) sg.body.arguments.patch
+---interfaces: faces on each other (a list of entries: each a list of two faces such as '1.east'; optional)
+---@field interfaces? [string, string][]
+---boundaries: faces by name (a table of names { name = … }; optional)
+---@field boundaries? table<string, string[]>
+---@field [integer] sg.patch
+---@field [string] sg.unknown_argument
+
 ---@alias sg.body.arguments.order.choice "N1"|"N2"|"N3"|"N4"|"N2-N2.1"|"N2-N2.2"|"N2-N4"|"L1"|"L2"|string
 
 ---@alias sg.body.arguments.contact.choice "west"|"east"|"south"|"north"|"front"|"back"|string
@@ -238,9 +246,15 @@ local material = {}
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.body.arguments
----patch: shape: a surface in the plane, a volume in 3D (a patch)
----@field patch sg.patch
----elements: knot spans (a list of whole numbers from 1 to 1000000, one per direction)
+---patch: shape: a surface in the plane, a volume in 3D, or a list of these, see help "compound" (a patch or a list of
+---```text
+---       one or more patches)
+---```
+---@field patch sg.patch|sg.body.arguments.patch
+---elements: knot spans; with a list of patches also a list with an entry per patch (a list of whole numbers from 1 to
+---```text
+---          1000000, one per direction)
+---```
 ---@field elements integer|integer[]
 ---order: discretization label such as "N2-N2.2", help "orders" (a label or a list of labels, one per direction (along
 ---```text
@@ -291,7 +305,7 @@ local material = {}
 ---         contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
 ---```
 ---@param arguments sg.body.arguments
----@return sg.body
+---@return sg.body|sg.compound
 function sg.body(arguments) end
 
 ---The result of sg.body, an immutable value. print(body) shows elements and degrees per direction (per row of control
@@ -300,6 +314,68 @@ function sg.body(arguments) end
 ---Methods: face, edge, corner, dofs, points.
 ---@class sg.body
 local body = {}
+
+---The result of sg.body for a list of patches, such as sg.nurbs.read returns: a body of several patches, whose parts
+---are single bodies. In a model the parts of `ball` are "ball.1", "ball.2", …, in the order of the list; as `bodies` of
+---a picture "ball" means all of them.
+---
+---Faces of two parts that lie on each other are joined; where their meshes do not match they are tied. print(model)
+---shows which of the two happened. If the list has `interfaces`, only the faces in it are: { { "1.east", "2.west" }, …
+---}. `boundaries` of the list names faces: { outer = { "1.south", "2.south" } }; compound:face "outer" then returns
+---these. Arguments of sg.body: order is one label for all; contact lists faces such as "1.south", or boundaries; parts
+---without such a face have the label's bulk, N2 of N2-N4. Methods: face, edge, corner, part.
+---
+---Example:
+---```lua
+---square = sg.shapes.rectangle
+---pair = sg.body{ patch = { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = {1, 0} },
+---                          boundaries = { top = { "1.north", "2.north" } } },
+---                elements = {2, 2}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+---beam = sg.model{ bodies = { pair = pair }, supports = { lid = { on = pair:face "top", fix = "xy" } } }
+---```
+---@class sg.compound
+local compound = {}
+
+---Returns the control point of a corner of a part, for supports.
+---
+---Example:
+---```lua
+---pair:corner "1.south-west"
+---```
+---@param name string # name: part and corner: "2.south-west" (a corner name)
+---@return sg.face
+function compound:corner(name) end
+
+---Returns the control points of an edge of a part of a solid body, for supports.
+---
+---Example:
+---```lua
+---cubes:edge "1.south-front"
+---```
+---@param name string # name: part and edge: "2.south-front" (an edge name)
+---@return sg.face
+function compound:edge(name) end
+
+---Returns a face of a part, or the list of the faces of a boundary, for supports, loads, contacts, ties and joins. As
+---slave or master the faces of a list must be adjacent.
+---
+---Example:
+---```lua
+---pair:face "top"
+---```
+---@param name string # name: part and face, "2.north", or a boundary (a face name)
+---@return any
+function compound:face(name) end
+
+---Returns a part as a body.
+---
+---Example:
+---```lua
+---pair:part(2):dofs().total
+---```
+---@param number integer # number: from 1, in the order of the patches (a whole number, 1 or more)
+---@return sg.body
+function compound:part(number) end
 
 ---@class (exact) sg.body.dofs.result
 ---@field interface integer

@@ -751,14 +751,24 @@ function sg.nurbs.revolve(arguments) end
 ---@return sg.patch
 function sg.nurbs.coons(arguments) end
 
----Returns all patches of a file as a list, in the file's order. The format is detected from the beginning of the file:
+---@class (exact) sg.nurbs.read.result
+---interfaces: faces on each other (a list of entries: each a list of two faces such as '1.east'; optional)
+---@field interfaces? [string, string][]
+---boundaries: faces by name (a table of names { name = … }; optional)
+---@field boundaries? table<string, string[]>
+---@field [integer] sg.patch
+
+---Returns all patches of a file as a list, in the file's order; sg.body takes the list as a body of several patches.
+---The format is detected from the beginning of the file:
 ---
 ---```text
 ---  G+Smo's XML: geometries BSpline, Nurbs, TensorBSpline2 and 3, TensorNurbs2 and 3
 ---  the text file of GeoPDEs and the NURBS toolbox, versions 0.7, 1.0 and 2.1, one or several patches
 ---  MFEM NURBS mesh v1.0 with a section `patches`
 ---```
----Interfaces between patches and boundaries are not read. Errors in a file are reported with file and line.
+---The list has the fields `interfaces`, { { "1.east", "2.west" }, … }, and `boundaries`, { name = { "1.north", … } },
+---as far as the file has them; in MFEM's files the name of a boundary is its attribute. Errors in a file are reported
+---with file and line.
 ---
 ---Example:
 ---```lua
@@ -766,17 +776,27 @@ function sg.nurbs.coons(arguments) end
 ---bracket = sg.nurbs.read("bracket.xml")[1]
 ---```
 ---@param file string # file: name of the patch file (a string)
----@return sg.patch[]
+---@return sg.nurbs.read.result
 function sg.nurbs.read(file) end
 
+---@class (exact) sg.nurbs.write.patches
+---interfaces: faces on each other (a list of entries: each a list of two faces such as '1.east'; optional)
+---@field interfaces? [string, string][]
+---boundaries: faces by name (a table of names { name = … }; optional)
+---@field boundaries? table<string, string[]>
+---@field [integer] sg.patch
+---@field [string] sg.unknown_argument
+
 ---Writes a patch or a list of patches to a file, atomically; knots, weights and control points are read back bitwise
----identical.
+---identical. Written, too, are interfaces (those of the list, otherwise all faces of two patches that match point by
+---point) and boundaries.
 ---
 ---```text
 ---  "gismo":   .xml, G+Smo's XML
----  "geopdes": .txt, text file of GeoPDEs, version 2.1, without interfaces
----  "mfem":    .mesh, MFEM NURBS mesh v1.0 of one patch; the attributes of its sides are west 1, east 2, south 3, north 4,
----             front 5, back 6
+---  "geopdes": .txt, text file of GeoPDEs, version 2.1
+---  "mfem":    .mesh, MFEM NURBS mesh v1.0; neighbors must run along their common edges in the same direction. The
+---             attributes of the sides of one patch are west 1, east 2, south 3, north 4, front 5, back 6; of several the
+---             numbers of the boundaries by name, other faces the next number
 ---```
 ---
 ---Example:
@@ -784,7 +804,7 @@ function sg.nurbs.read(file) end
 ---sg.nurbs.write("annulus.txt", sg.shapes.half_annulus{ inner = 1, outer = 2 })
 ---```
 ---@param file string # file: name of the patch file (a string)
----@param patches sg.patch|sg.patch[] # patches: patches to write (a patch or a list of at least one patch)
+---@param patches sg.patch|sg.nurbs.write.patches # patches: patches to write (a patch or a list of one or more patches)
 ---@param form? "gismo"|"geopdes"|"mfem" # form: format of the file ('gismo', 'geopdes' or 'mfem'; by default by the file's ending)
 function sg.nurbs.write(file, patches, form) end
 

@@ -6,8 +6,11 @@
 local sg = {}
 
 ---@class (exact) sg.model.arguments
----bodies: the bodies (a table of names { name = … })
----@field bodies table<string, sg.body|nil>
+---bodies: the bodies. The parts of one of several patches are named after it: "ball.1", "ball.2", … (a table of names {
+---```text
+---        name = … })
+---```
+---@field bodies table<string, (sg.body|sg.compound)|nil>
 ---supports: supports of bodies and obstacles; entries with traction or pressure are loads (a table of names { name = …
 ---```text
 ---          }; optional)
@@ -29,6 +32,8 @@ local sg = {}
 ---  see help "tie"
 ---```
 ---@field ties? table<string, sg.tie|nil>
+---joins: pairs of faces of which the bodies become one (a table of names { name = … }; optional)
+---@field joins? table<string, [sg.face, sg.face]|nil>
 ---kind: plane strain, thin plates, or a section of bodies of revolution ('plane_strain', 'plane_stress' or
 ---```text
 ---      'axisymmetric'; by default "plane_strain" for plane bodies)
@@ -42,7 +47,7 @@ local sg = {}
 ---the axis, and forces refer to the full circle.
 ---
 ---```text
----sg.model{ bodies, supports, loads, contacts, ties, kind }
+---sg.model{ bodies, supports, loads, contacts, ties, joins, kind }
 ---```
 ---
 ---The load path: help "stage".
@@ -88,7 +93,7 @@ function sg.model(arguments) end
 ---```
 ---@class (exact) sg.support
 ---on: where; the reaction of a list is the sum (a face or a list of faces, an edge, a corner or an obstacle)
----@field on sg.face|sg.obstacle|(sg.face|sg.obstacle)[]
+---@field on sg.face|sg.obstacle|(sg.face|sg.obstacle|(sg.face|sg.obstacle)[])[]
 ---fix: components with zero displacement ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; optional)
 ---@field fix? sg.support.fix.choice
 ---drive: components that stages prescribe ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; length; optional)
@@ -132,7 +137,7 @@ function sg.model(arguments) end
 ---```
 ---@class (exact) sg.load
 ---on: loaded faces (a face or a list of faces)
----@field on sg.face|sg.face[]
+---@field on sg.face|(sg.face|sg.face[])[]
 ---traction: dead load {tx, ty}, in 3D {tx, ty, tz} (a list of 2 or 3 numbers; force per reference area; optional)
 ---@field traction? [number, number]|[number, number, number]
 ---pressure: dead load against the outward normal of the reference shape (a number; force per reference area; optional)
@@ -175,17 +180,20 @@ function sg.model(arguments) end
 ---                           friction = { mu = 0.2, penalty = 100 } } }
 ---```
 ---@class (exact) sg.contact
----slave: a face. Face over which contact is integrated; pressures are computed at its contact points. Use the finer
+---slave: a face or a list of adjacent faces. Face over which contact is integrated; pressures are computed at its
 ---```text
----       mesh, of equal meshes the softer body (the published ironing studies use the stiff die)
+---       contact points. Use the finer mesh, of equal meshes the softer body (the published ironing studies use the
+---       stiff die). A list of adjacent faces, of joined bodies or of one, acts as one face: a chain in the plane, a row
+---       or a full grid in 3D
 ---```
----@field slave sg.face
----master: a face or an obstacle. Face of the other body onto which these points are projected, or an obstacle. Beyond
+---@field slave sg.face|(sg.face|sg.face[])[]
+---master: an obstacle or a face or a list of at least one face. Face of the other body onto which these points are
 ---```text
----        its edges (a closed ring has none along its arc) the master is extended by 0.3 of its last element; there the
----        traction decreases to zero
+---        projected, a list of adjacent faces, or an obstacle. Points slide across the borders of a list; only its ends
+---        are edges. Beyond its edges (a closed ring has none along its arc) the master is extended by 0.3 of its last
+---        element; there the traction decreases to zero
 ---```
----@field master sg.face|sg.obstacle
+---@field master sg.obstacle|sg.face|(sg.face|sg.face[])[]
 ---penalty: a positive number; pressure per length; by default from material and mesh; required with enforcement =
 ---```text
 ---         "penalty", except with adhesion. Normal penalty: p = -penalty g where the gap g is negative. 10 to 1000 times
@@ -276,10 +284,16 @@ function sg.model(arguments) end
 ---ties = { seam = { slave = coating:face "south", master = block:face "north" } }
 ---```
 ---@class (exact) sg.tie
----slave: face with the multipliers, over which the coupling is integrated; in general the finer mesh (a face)
----@field slave sg.face
----master: face of the other body that coincides with it, as a whole or in part (a face)
----@field master sg.face
+---slave: a face or a list of adjacent faces. Face with the multipliers, over which the coupling is integrated; in
+---```text
+---       general the finer mesh. A list of adjacent faces acts as one face
+---```
+---@field slave sg.face|(sg.face|sg.face[])[]
+---master: face of the other body that coincides with it, as a whole or in part, or such a list (a face or a list of
+---```text
+---        adjacent faces)
+---```
+---@field master sg.face|(sg.face|sg.face[])[]
 ---multipliers: 'equal' or 'reduced'; default "equal". Functions of the tractions. equal: those of the slave face, with
 ---```text
 ---             optimal rates of convergence. reduced: of degree p - 2 on its elements, continuity two less (N2: constant

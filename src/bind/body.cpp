@@ -6,6 +6,7 @@
 #include "bind/patch.hpp"
 #include "bind/scene.hpp"
 #include "bind/wording/wording.hpp"
+#include "model/coincident_faces.hpp"
 #include "nurbs/coincident.hpp"
 
 #include <algorithm>
@@ -233,10 +234,36 @@ template <int D> std::string body_text(const solid::Body<D>& body) {
               body.linear() ? "linear elastic, " : "", constants_in_words(body.material()));
 }
 
+// ── Bodies of several patches ────────────────────────────────────────────────────────────────────────────────────────
+
+/// The pairs of coincident faces of a list of bodies: { { 1, "east", 2, "west" }, … }.
+template <int D> int push_coincident_faces(lua_State* L) {
+  std::vector<Body<D>> bodies;
+  for (lua_Integer i = 1; lua_rawgeti(L, 1, i) != LUA_TNIL; lua_pop(L, 1), ++i)
+    bodies.push_back(read_object<Body<D>>(L, -1));
+  push_list(L, model::coincident_faces<D>(bodies), [&](const model::FacePair& pair) {
+    lua_createtable(L, 4, 0);
+    lua_Integer i = 0;
+    for (const model::FaceReference& face : pair) {
+      push(L, face.body + 1);
+      lua_rawseti(L, -2, ++i);
+      push(L, nurbs::name_of(face.side));
+      lua_rawseti(L, -2, ++i);
+    }
+  });
+  return 1;
+}
+
+int coincident_faces(lua_State* L) {
+  lua_rawgeti(L, 1, 1);
+  const bool plane = test_object<Body<2>>(L, -1) != nullptr;
+  return plane ? push_coincident_faces<2>(L) : push_coincident_faces<3>(L);
+}
+
 constexpr Function body_functions[] = {
     {"body", call<body>},
 };
-constexpr Function body_core_entries[] = {{"place_names", place_names}};
+constexpr Function body_core_entries[] = {{"place_names", place_names}, {"coincident_faces", coincident_faces}};
 
 template <int D> constexpr Function place_entries[] = {{"__tostring", call<place_text<D>>}};
 template <int D>

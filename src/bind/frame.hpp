@@ -42,7 +42,8 @@ inline constexpr const char* pressure_name = "contact_pressure";
 
 /// A band along the slave face of a contact, inside its body, colored by the pressure; `size`: longest side of the
 /// drawn bodies.
-view::Body pressure_band(const model::Model<2>& model, int contact, const Showing& showing, double size);
+view::Body pressure_band(const model::Model<2>& model, int contact, std::size_t face, const Showing& showing,
+                         double size);
 
 /// The tractions at the closed contact points on the slave faces of the drawn bodies.
 template <int D> std::vector<view::PointVector> tractions(const model::Model<D>& model, const std::vector<int>& bodies);

@@ -162,22 +162,26 @@ template <int D> int push_displacement(lua_State* L, const Model<D>& model, cons
   return 2;
 }
 
-/// "south of die"
-template <int D> std::string face_in_words(const Model<D>& model, const model::FaceReference& face) {
-  return text(nurbs::name_of(face.side), " of ", model->system.scene.bodies[at(face.body)].name);
+/// "south of die"; the faces of a list with commas between them.
+template <int D> std::string faces_in_words(const Model<D>& model, const model::Faces& faces) {
+  std::string words;
+  for (const model::FaceReference& face : faces)
+    words += text(words.empty() ? "" : ", ", nurbs::name_of(face.side), " of ",
+                  model->system.scene.bodies[at(face.body)].name);
+  return words;
 }
 
 template <int D> int push_faces(lua_State* L, const Model<D>& model, const std::string& name) {
   const auto& scene = model->system.scene;
   for (const model::Tie& tie : scene.ties)
     if (tie.name == name) {
-      push_fields(L, "slave", face_in_words(model, tie.slave), "master", face_in_words(model, tie.master));
+      push_fields(L, "slave", faces_in_words(model, tie.slave), "master", faces_in_words(model, tie.master));
       return 1;
     }
   const auto& contact = scene.contacts[at(find(scene.contacts, name, "contact"))];
-  const auto* master = std::get_if<model::FaceReference>(&contact.master);
-  push_fields(L, "slave", face_in_words(model, contact.slave), "master",
-              master ? face_in_words(model, *master) : "rigid obstacle");
+  const auto* master = std::get_if<model::Faces>(&contact.master);
+  push_fields(L, "slave", faces_in_words(model, contact.slave), "master",
+              master ? faces_in_words(model, *master) : "rigid obstacle");
   return 1;
 }
 

@@ -3,6 +3,7 @@
 #include "base/words.hpp"
 #include "bind/open.hpp"
 #include "bind/wording/wording.hpp"
+#include "model/joins.hpp"
 
 #include <algorithm>
 
@@ -51,6 +52,19 @@ template <int D> int solver(const model::Model<D>& model, lua_State* L) {
   return 1;
 }
 
+/// What became of each join.
+template <int D> std::string joins_text(const model::Scene<D>& scene) {
+  std::string result;
+  const auto add = [&](const std::string& name, const auto&... words) {
+    result += text(result.empty() ? "; joins: " : ", ", name, " ", words...);
+  };
+  for (const model::Join& join : scene.joins) add(join.name, "shares ", counted(join.pairs.size(), "control point"));
+  for (const model::Tie& tie : scene.ties)
+    if (tie.from_join)
+      add(tie.name, "is tied, because ", worded(model::difference(scene, tie.slave.front(), tie.master.front())));
+  return result;
+}
+
 template <int D> std::string model_text(const model::Model<D>& model) {
   const auto& scene = model.system.scene;
   constexpr const char* kinds[] = {"plane-strain", "axisymmetric", "plane-stress"};
@@ -58,7 +72,7 @@ template <int D> std::string model_text(const model::Model<D>& model) {
   return text(kind, " model of ", listed(names_of(scene.bodies)), ": ", model.system.unknowns.dofs(),
               " degrees of freedom, ", model.system.unknowns.size(), " of them free, ",
               counted(scene.supports.size(), "support"), ", ", counted(scene.contacts.size(), "contact"),
-              scene.ties.empty() ? "" : ", " + counted(scene.ties.size(), "tie"));
+              scene.ties.empty() ? "" : ", " + counted(scene.ties.size(), "tie"), joins_text(scene));
 }
 
 template <int D>

@@ -64,8 +64,9 @@ void add_pressure(view::Panel& panel, const model::Model<2>& model, const Showin
   std::vector<view::Body> bands;
   const auto& contacts = model.system.scene.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    if (std::count(showing.bodies.begin(), showing.bodies.end(), contacts[c].slave.body) > 0)
-      bands.push_back(pressure_band(model, static_cast<int>(c), showing, box.size()));
+    for (std::size_t k = 0; k < contacts[c].slave.size(); ++k)
+      if (std::count(showing.bodies.begin(), showing.bodies.end(), contacts[c].slave[k].body) > 0)
+        bands.push_back(pressure_band(model, static_cast<int>(c), k, showing, box.size()));
   panel.bodies.insert(panel.bodies.begin(), bands.begin(), bands.end());
 }
 

@@ -187,7 +187,7 @@ template <int D> std::vector<std::string> unconstrained_bodies(model::Model<D>& 
   std::vector<std::string> names;
   for (const model::UnconstrainedMotion& unconstrained : model.system.unconstrained()) {
     const std::string& name = model.system.scene.bodies[at(unconstrained.body)].name;
-    if (names.empty() || names.back() != name) names.push_back(name);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;
 }

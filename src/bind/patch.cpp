@@ -1,7 +1,7 @@
 #include "bind/patch.hpp"
 
+#include "bind/geometry.hpp"
 #include "bind/open.hpp"
-#include "exchange/exchange.hpp"
 #include "nurbs/directions.hpp"
 #include "nurbs/transform.hpp"
 
@@ -99,22 +99,19 @@ int swap(const Patch& patch, lua_State* L) {
 // ── Files of other programs ──────────────────────────────────────────────────────────────────────────────────────────
 
 /// Writes to the file at a stack index, in the format given as third argument, by default that of the extension.
-int write_to(lua_State* L, int file_index, const std::vector<Patch>& patches) {
+int write_to(lua_State* L, int file_index, const exchange::Geometry& geometry) {
   const auto file = to<std::string>(L, file_index);
   const auto form = lua_isnoneornil(L, 3) ? exchange::form_named_by(file) : to<std::string>(L, 3);
   if (form.empty())
     reject(L, file_index, {"file", "name of the file"}, "a name that ends with .xml, .txt or .mesh",
            "or give also the format: " + one_of(exchange::forms()));
-  exchange::write_patches(file, patches, form);
+  exchange::write_geometry(file, geometry, form);
   return 0;
 }
 
 int write_patches(lua_State* L) {
-  std::vector<Patch> patches;
-  for (lua_Integer i = 1; lua_rawgeti(L, 2, i) != LUA_TNIL; lua_pop(L, 1), ++i)
-    patches.push_back(read_object<Patch>(L, -1));
-  lua_pop(L, 1);
-  return write_to(L, 1, patches);
+  const auto* patch = test_object<Patch>(L, 2);
+  return write_to(L, 1, patch ? exchange::Geometry{{*patch}} : read_geometry(L, 2));
 }
 
 /// core.patch_sizes(patch): its number of parametric directions and of coordinates.
@@ -124,7 +121,12 @@ int patch_sizes(const Patch& patch, lua_State* L) {
   return 2;
 }
 
-constexpr Function patch_functions[] = {{"read", call<exchange::read_patches>}, {"write", write_patches}};
+int read_patches(const std::string& file, lua_State* L) {
+  push_geometry(L, exchange::read_geometry(file));
+  return 1;
+}
+
+constexpr Function patch_functions[] = {{"read", call<read_patches>}, {"write", write_patches}};
 constexpr Function patch_core_entries[] = {{"patch_sizes", call<patch_sizes>}};
 
 constexpr Function patch_entries[] = {
@@ -153,7 +155,7 @@ constexpr Function patch_entries[] = {
     {"to_plane", call<nurbs::to_plane>},
     {"to_space",
      call<[](const Patch& patch, const Arguments& a) { return nurbs::to_space(patch, a.get<double>("z")); }>},
-    {"write", call<[](const Patch& patch, lua_State* L) { return write_to(L, 2, {patch}); }>},
+    {"write", call<[](const Patch& patch, lua_State* L) { return write_to(L, 2, {{patch}}); }>},
 };
 
 } // namespace

@@ -30,10 +30,12 @@ BandPoint band_point(const model::Model<2>& model, const model::FaceReference& s
 
 } // namespace
 
-view::Body pressure_band(const model::Model<2>& model, int contact, const Showing& showing, double size) {
-  const model::FaceReference& reference = model.system.scene.contacts[static_cast<std::size_t>(contact)].slave;
-  const contact::Surface<2>& slave = model.system.contacts[static_cast<std::size_t>(contact)]->slave();
-  const model::FacePressure<2> pressure(model, contact);
+view::Body pressure_band(const model::Model<2>& model, int contact, std::size_t face, const Showing& showing,
+                         double size) {
+  const model::FaceReference& reference = model.system.scene.contacts[static_cast<std::size_t>(contact)].slave[face];
+  const contact::Surface<2> slave(model.system.scene.bodies[static_cast<std::size_t>(reference.body)].body->space(),
+                                  reference.side);
+  const model::FacePressure<2> pressure(model, contact, face);
   const int divisions = std::clamp(400 / slave.elements(), 8, 40), count = slave.elements() * (divisions + 1);
   std::vector<BandPoint> places;
   view::Body band;
@@ -79,7 +81,8 @@ std::vector<view::PointVector> tractions(const model::Model<D>& model, const std
           "vectors = \"traction\" needs a contact, and the model has none: add contacts to sg.model");
   std::vector<view::PointVector> vectors;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    if (std::count(bodies.begin(), bodies.end(), contacts[c].slave.body) == 0) continue;
+    const model::Faces& slave = contacts[c].slave;
+    if (std::none_of(bodies.begin(), bodies.end(), [&](int body) { return slave.on(body); })) continue;
     for (const auto& point : model.present.contacts[c].results) {
       if (!(point.force.norm() > 0 && point.area > 0)) continue;
       view::PointVector& one = vectors.emplace_back(view::PointVector{Vec<3>::Zero(), Vec<3>::Zero()});

@@ -23,11 +23,12 @@ void check_disc(const RigidShape<2>& rigid, bool revolved, const std::string& wh
 
 /// Gauss points per slave element and direction: 3(p+1), p the full degree along the slave face (thesis 7.1.1), the
 /// higher of its two directions.
-template <int D> int default_points(const model::Scene<D>& scene, const model::FaceReference& slave) {
-  const auto& space = scene.bodies[at(slave.body)].body->space();
-  const nurbs::Row face = space.face(slave.side);
+template <int D> int default_points(const model::Scene<D>& scene, const model::Faces& slave) {
   int degree = 0;
-  for (const nurbs::Space1D& direction : face.directions()) degree = std::max(degree, direction.degree());
+  for (const model::FaceReference& part : slave) {
+    const nurbs::Row face = scene.bodies[at(part.body)].body->space().face(part.side);
+    for (const nurbs::Space1D& direction : face.directions()) degree = std::max(degree, direction.degree());
+  }
   return 3 * (degree + 1);
 }
 
@@ -78,17 +79,24 @@ template <int D> contact::Region<D> read_region(const Arguments& a, const std::s
   };
 }
 
+template <int D> model::Faces read_faces(const SceneBuilder<D>& builder, const Arguments& a, const char* key) {
+  model::Faces faces;
+  a.list(key,
+         [&](int, int index, const std::string&) { faces.push_back(builder.face(a.state(), index, a.name(key))); });
+  return faces;
+}
+
 /// An entry of `contacts` with this name in sg.model's argument.
 template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const Arguments& a, const std::string& name) {
-  lua_State* L = a.state();
-  model::Contact<D> contact{{}, builder.face(L, a.push("slave"), a.name("slave")), {}, {}, 0, {}};
-  if (const int master = a.push("master"); has_type(L, master, Type<Rigid<D>>::name))
+  model::Contact<D> contact{{}, read_faces(builder, a, "slave"), {}, {}, 0, {}};
+  if (has_type(a.state(), a.push("master"), Type<Rigid<D>>::name))
     contact.master = model::ObstacleReference{builder.index_of(a.object<Rigid<D>>("master"), a.name("master"))};
   else
-    contact.master = builder.face(L, master, a.name("master"));
-  const auto* face = std::get_if<model::FaceReference>(&contact.master);
-  require(!face || contact.slave != *face, a.name("master"), " is the same face as ", a.name("slave"),
-          "; self-contact is not available: use a face of the other body");
+    contact.master = read_faces(builder, a, "master");
+  const auto* master = std::get_if<model::Faces>(&contact.master);
+  for (const model::FaceReference& face : contact.slave)
+    require(!master || !master->contains(face), a.name("master"), " is the same face as ", a.name("slave"),
+            "; self-contact is not available: use a face of the other body");
   contact.method = read_method<D>(a);
   contact.points = a.has("points") ? a.get<int>("points") : default_points(builder.scene, contact.slave);
   contact.where = read_region<D>(a, name);
@@ -97,7 +105,7 @@ template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const 
 
 /// The half pass over the master face of a contact.
 template <int D> model::Contact<D> swapped(const SceneBuilder<D>& builder, const Arguments& a, model::Contact<D> pass) {
-  const model::FaceReference slave = std::get<model::FaceReference>(pass.master);
+  const model::Faces slave = std::get<model::Faces>(pass.master);
   pass.master = pass.slave;
   pass.slave = slave;
   if (!a.has("points")) pass.points = default_points(builder.scene, slave);
@@ -107,11 +115,23 @@ template <int D> model::Contact<D> swapped(const SceneBuilder<D>& builder, const
 
 /// An entry of `ties`.
 template <int D> model::Tie read_tie(const SceneBuilder<D>& builder, const Arguments& a) {
-  lua_State* L = a.state();
-  model::Tie tie{{}, builder.face(L, a.push("slave"), a.name("slave")), {}, contact::MultiplierSpace::equal};
-  tie.master = builder.face(L, a.push("master"), a.name("master"));
+  model::Tie tie{
+      {}, read_faces(builder, a, "slave"), read_faces(builder, a, "master"), contact::MultiplierSpace::equal};
   if (a.get<std::string>("multipliers") == "reduced") tie.multipliers = contact::MultiplierSpace::reduced;
   return tie;
+}
+
+/// The two faces of an entry of `joins`, a list at a stack index.
+template <int D>
+model::Join read_join(const SceneBuilder<D>& builder, lua_State* L, int index, const std::string& where) {
+  const auto face = [&](int i) {
+    lua_rawgeti(L, index, i);
+    const model::FaceReference found = builder.face(L, lua_gettop(L), text(where, "[", i, "]"));
+    lua_pop(L, 1);
+    return found;
+  };
+  const model::FaceReference first = face(1);
+  return {{}, first, face(2)};
 }
 
 template <int D> std::vector<model::NamedBody<D>> read_bodies(const Arguments& a) {
@@ -137,6 +157,7 @@ void check_name(const Arguments& a, const model::Scene<D>& scene, const std::str
   clash(scene.loads, "load");
   clash(scene.contacts, "contact"); // the second one of two half passes
   clash(scene.ties, "tie");
+  clash(scene.joins, "join");
   if (name == "name" || name == "steps")
     a.fail(path, " cannot be called '", name, "', which is a key of stages: choose another name");
 }
@@ -202,6 +223,12 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
   each("ties", [&](const Arguments& part, const std::string&) -> std::string& {
     return scene.ties.emplace_back(read_tie(builder, part)).name;
   });
+  if (a.has("joins"))
+    a.each("joins", [&](const std::string& name, int index, const std::string& path) {
+      check_name(a, scene, name, path);
+      scene.joins.push_back(read_join(builder, L, index, path));
+      scene.joins.back().name = name;
+    });
   if constexpr (D == 2)
     if (scene.kind != solid::Kind::plane_strain) set_kind(scene);
   const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));

@@ -179,7 +179,7 @@ Picture read_model(const Arguments& a, const Model<D>& model, const std::string&
   Showing showing = read_showing(a, field);
   if (a.has("bodies")) {
     for (const auto& name : a.get<std::vector<std::string>>("bodies"))
-      showing.bodies.push_back(find_body(*model, name));
+      for (const int body : find_bodies(*model, name)) showing.bodies.push_back(body);
   } else {
     showing.bodies.resize(model->system.scene.bodies.size());
     std::iota(showing.bodies.begin(), showing.bodies.end(), 0);

@@ -58,8 +58,11 @@ template <int D> exchange::BezierGrid grid_of(const model::Model<D>& model, bool
   grid.names = {{"body_names", names_of(scene.bodies)}, {"contact_names", names_of(scene.contacts)}};
   for (std::size_t b = 0; b < bodies.size(); ++b) append(grid, bodies[b], {static_cast<int>(b) + 1, 0});
   for (std::size_t c = 0; c < scene.contacts.size(); ++c) {
-    const int contact = static_cast<int>(c), body = scene.contacts[c].slave.body;
-    append(grid, tessellation::contact_cells(model, contact, bodies[at(body)]), {body + 1, contact + 1});
+    const int contact = static_cast<int>(c);
+    for (std::size_t k = 0; k < scene.contacts[c].slave.size(); ++k) {
+      const int body = scene.contacts[c].slave[k].body;
+      append(grid, tessellation::contact_cells(model, contact, k, bodies[at(body)]), {body + 1, contact + 1});
+    }
   }
   return grid;
 }

@@ -36,6 +36,10 @@ inline constexpr double same_place = 1e-10;
 /// A border is collapsed if its points at these fractions coincide: an end, and an inner point off any symmetry.
 inline constexpr double border_probes[] = {0.37, 1.0};
 
+/// Largest relative difference of weights on the border of two faces of a list, apart from a constant factor: as for
+/// joins, whose control points may come from files.
+inline constexpr double same_weights = 1e-6;
+
 // ── Ends of masters ──────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// A face is extended beyond an open end by this fraction of its last element, over which tractions fade to zero.

@@ -42,7 +42,8 @@ template <int D> struct Trial {
   const double* extra = nullptr; ///< values of the formulation's additional unknowns
 };
 
-/// First degree of freedom of the slave's body, of the master's body or obstacle, and of the additional unknowns.
+/// First degree of freedom of the functions of the slave, of those of the master or of the obstacle, and of the
+/// additional unknowns.
 struct Offsets {
   int slave, master, extra;
 };

@@ -49,8 +49,12 @@ nurbs::Space1D extended(const nurbs::Space1D& space, double part, std::array<dou
 } // namespace
 
 template <int D>
-Surface<D>::Surface(const nurbs::Discretization& body, nurbs::Side side)
-    : Surface(body.face(side), body.face_functions(side), nurbs::outward_sign(side)) {}
+Surface<D>::Surface(const nurbs::Discretization& body, nurbs::Side side, int first)
+    : Surface(body.face(side), body.face_functions(side), nurbs::outward_sign(side)) {
+  for (int& function : functions_) function += first;
+}
+
+template <int D> Surface<D>::Surface(FaceGrid grid) : Surface(grid.row, std::move(grid.nodes), grid.orientation) {}
 
 template <int D>
 Surface<D>::Surface(const nurbs::Patch& patch) : Surface(nurbs::make_row(patch), numbers(patch.functions()), 1) {}

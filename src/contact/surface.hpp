@@ -3,6 +3,7 @@
 
 #include "base/eigen.hpp"
 #include "base/index.hpp"
+#include "contact/face_grid.hpp"
 #include "nurbs/discretization.hpp"
 
 #include <array>
@@ -41,11 +42,14 @@ template <int D> Vec<D> normal_of(const std::array<Vec<D>, D - 1>& tangent) {
     return tangent[0].cross(tangent[1]);
 }
 
-/// A face of a body; face-local indices number the control points of the face.
+/// A face of a body, or several faces with common borders; face-local indices number its control points.
 template <int D> class Surface {
 public:
-  /// Throws Error unless `side` is a tensor-product face of the body (see Discretization::face).
-  Surface(const nurbs::Discretization& body, nurbs::Side side);
+  /// `first`: number of the body's first function. Throws Error unless `side` is a tensor-product face of the body (see
+  /// Discretization::face).
+  Surface(const nurbs::Discretization& body, nurbs::Side side, int first = 0);
+  /// Several faces as one, with the numbers of their nodes.
+  explicit Surface(FaceGrid grid);
   /// A patch without a body, with the outside on the right of its direction (2D), or with outward normal τ₁×τ₂ (3D).
   explicit Surface(const nurbs::Patch& patch);
 
@@ -58,7 +62,7 @@ public:
   int functions() const { return static_cast<int>(functions_.size()); }
   /// Face-local indices of the functions of an element.
   const int* nodes(int element) const { return nodes_.data() + elements_[at(element)].nodes; }
-  /// The body's function of face-local index i.
+  /// The body's function of face-local index i, in a scene numbered through all bodies.
   int body_function(int i) const { return functions_[at(i)]; }
   /// Degree of an element along the face's direction α.
   int degree(int element, int alpha) const { return direction(alpha).degree(index(element, alpha)); }
@@ -79,7 +83,8 @@ public:
   /// first derivatives `rate` with respect to xi.
   double fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const;
 
-  /// Sets the current control points: reference positions plus displacement (D values per function of the body).
+  /// Sets the current control points: reference positions plus displacement (D values per function, in the numbering of
+  /// body_function()).
   void move(const double* displacement);
   /// Current control points, D × functions.
   const Eigen::Matrix<double, D, Eigen::Dynamic>& points() const { return points_; }

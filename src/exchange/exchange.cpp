@@ -13,8 +13,8 @@ namespace {
 
 struct Form {
   std::string name, ending;
-  std::vector<Patch> (*read)(const std::string& file, const std::string& text);
-  std::string (*write)(const std::vector<Patch>& patches);
+  Geometry (*read)(const std::string& file, const std::string& text);
+  std::string (*write)(const Geometry& geometry);
 };
 
 const std::vector<Form> known = {{"gismo", ".xml", read_gismo, gismo},
@@ -51,15 +51,15 @@ std::string form_named_by(const std::string& file) {
   return "";
 }
 
-std::vector<Patch> read_patches(const std::string& file) {
+Geometry read_geometry(const std::string& file) {
   const std::string text = read_file(file);
   return form_of(file, text).read(file, text);
 }
 
-void write_patches(const std::string& file, const std::vector<Patch>& patches, const std::string& form) {
-  require(!patches.empty(), "exchange.write.nothing");
+void write_geometry(const std::string& file, const Geometry& geometry, const std::string& form) {
+  require(!geometry.patches.empty(), "exchange.write.nothing");
   for (const Form& one : known)
-    if (one.name == form) return write_atomically(file, one.write(patches));
+    if (one.name == form) return write_atomically(file, one.write(geometry));
   fail("exchange.write.form", {{"form", form}, {"known", forms()}});
 }
 

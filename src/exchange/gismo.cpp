@@ -1,9 +1,12 @@
 // G+Smo's XML: elements <Geometry> with a tensor basis of knot vectors, weights in the basis, and control points that
 // are not multiplied by their weights, ξ¹ fastest.
+#include "exchange/interfaces.hpp"
 #include "exchange/text.hpp"
 
 #include <algorithm>
+#include <map>
 #include <pugixml.hpp>
+#include <sstream>
 
 namespace signorini::exchange {
 
@@ -132,22 +135,126 @@ std::string basis_of(const Patch& patch, const std::string& indent) {
   return text(indent, "<Basis type=\"TensorBSplineBasis", directions, "\">\n", out, indent, "</Basis>\n");
 }
 
-} // namespace
+/// Reads the faces of <interfaces> and <boundary>, which name patches by their ids.
+class TopologyReader {
+public:
+  TopologyReader(const Document& document, const std::map<int, int>& index, const std::vector<Patch>& patches)
+      : document_(document), index_(index), patches_(patches) {}
 
-std::vector<Patch> read_gismo(const std::string& file, const std::string& text) {
-  pugi::xml_document parsed;
-  const Document document{file, text};
-  const pugi::xml_parse_result result = parsed.load_buffer(text.data(), text.size());
-  require(result, "exchange.gismo.xml",
-          {{"file", file}, {"line", document.line(result.offset)}, {"reason", result.description()}});
-  std::vector<Patch> patches;
-  for (const pugi::xpath_node& geometry : parsed.select_nodes("//Geometry"))
-    patches.push_back(read_patch(document, geometry.node()));
-  require(!patches.empty(), "exchange.gismo.nothing", {{"file", file}});
-  return patches;
+  /// An interface continues with the second face's direction for each of the first, and whether it runs along it; the
+  /// geometry says so, too.
+  std::vector<Interface> interfaces(const pugi::xml_node& node) const {
+    std::vector<Interface> result;
+    if (!node.first_child()) return result;
+    for (TextReader from = document_.inside(node); !from.at_end();) {
+      const PatchFace first = face(from), second = face(from);
+      const int directions = patches_[static_cast<std::size_t>(first.patch)].parametric_dimension();
+      for (int d = 0; d < directions; ++d) from.integer(0, 2, "exchange.expected.direction");
+      for (int d = 0; d < directions; ++d) from.integer(0, 1, "exchange.expected.orientation");
+      result.push_back({first, second});
+    }
+    return result;
+  }
+
+  std::vector<PatchFace> faces(const pugi::xml_node& node) const {
+    std::vector<PatchFace> result;
+    if (!node.first_child()) return result;
+    for (TextReader from = document_.inside(node); !from.at_end();) result.push_back(face(from));
+    return result;
+  }
+
+private:
+  PatchFace face(TextReader& from) const {
+    const int id = from.integer(0, most_functions, "exchange.expected.patch_id");
+    const auto found = index_.find(id);
+    if (found == index_.end()) from.wrong("exchange.gismo.patch_id", {{"id", id}});
+    const int sides = 2 * patches_[static_cast<std::size_t>(found->second)].parametric_dimension();
+    return {found->second, side_of_number(from.integer(1, sides, "exchange.expected.side"))};
+  }
+
+  const Document& document_;
+  const std::map<int, int>& index_;
+  const std::vector<Patch>& patches_;
+};
+
+/// The element <MultiPatch>, without which G+Smo reads the patches separately.
+std::string topology_of(const Geometry& geometry) {
+  const int parametric = geometry.patches.front().parametric_dimension();
+  std::string out = text("  <MultiPatch parDim=\"", parametric, "\" id=\"", geometry.patches.size(),
+                         "\">\n    <patches type=\"id_range\">0 ", geometry.patches.size() - 1, "</patches>\n");
+  const auto face = [](const PatchFace& one) { return text(one.patch, " ", number_of(one.side)); };
+  const std::vector<OrientedInterface> interfaces = interfaces_of(geometry);
+  if (!interfaces.empty()) {
+    out += "    <interfaces>";
+    for (const auto& [faces, way] : interfaces) {
+      std::vector<int> direction(static_cast<std::size_t>(parametric)), same(direction);
+      for (int d = 0, k = 0; d < parametric; ++d) {
+        const auto i = static_cast<std::size_t>(d), own = static_cast<std::size_t>(k);
+        if (d == faces[0].side.direction) {
+          direction[i] = faces[1].side.direction;
+          same[i] = faces[0].side.at_end != faces[1].side.at_end;
+          continue;
+        }
+        const int other = static_cast<int>(way.to[own]);
+        direction[i] = other + (other >= faces[1].side.direction ? 1 : 0);
+        same[i] = !way.flip[own];
+        ++k;
+      }
+      out += text(face(faces[0]), " ", face(faces[1]));
+      for (const int d : direction) out += text(" ", d);
+      for (const int one : same) out += text(" ", one);
+      out += "\n";
+    }
+    out += "</interfaces>\n";
+  }
+  std::vector<PatchFace> unnamed = outer_faces(geometry, interfaces);
+  const auto list = [&](const std::vector<PatchFace>& faces) {
+    for (const PatchFace& one : faces) out += face(one) + "\n";
+    out += "</boundary>\n";
+  };
+  for (const auto& [name, faces] : geometry.boundaries) {
+    for (const PatchFace& one : faces) std::erase(unnamed, one);
+    pugi::xml_document escaped;
+    escaped.append_child("boundary").append_attribute("name").set_value(name.c_str());
+    std::ostringstream head;
+    escaped.first_child().print(head, "", pugi::format_raw);
+    const std::string element = head.str();
+    out += "    " + element.substr(0, element.rfind("/>")) + ">";
+    list(faces);
+  }
+  if (!unnamed.empty()) {
+    out += "    <boundary>";
+    list(unnamed);
+  }
+  return out + "  </MultiPatch>\n";
 }
 
-std::string gismo(const std::vector<Patch>& patches) {
+} // namespace
+
+Geometry read_gismo(const std::string& file, const std::string& text) {
+  pugi::xml_document parsed;
+  const Document document{file, text};
+  const pugi::xml_parse_result parsing = parsed.load_buffer(text.data(), text.size());
+  require(parsing, "exchange.gismo.xml",
+          {{"file", file}, {"line", document.line(parsing.offset)}, {"reason", parsing.description()}});
+  Geometry result;
+  std::map<int, int> index; // of the patch with an id
+  for (const pugi::xpath_node& geometry : parsed.select_nodes("//Geometry")) {
+    index.emplace(geometry.node().attribute("id").as_int(-1), static_cast<int>(result.patches.size()));
+    result.patches.push_back(read_patch(document, geometry.node()));
+  }
+  require(!result.patches.empty(), "exchange.gismo.nothing", {{"file", file}});
+  const TopologyReader reader(document, index, result.patches);
+  const pugi::xml_node whole = parsed.select_node("//MultiPatch").node();
+  if (const pugi::xml_node interfaces = whole.child("interfaces")) result.interfaces = reader.interfaces(interfaces);
+  for (const pugi::xml_node& boundary : whole.children("boundary"))
+    if (const std::string name = boundary.attribute("name").value(); !name.empty())
+      result.boundaries.push_back({name, reader.faces(boundary)});
+  return result;
+}
+
+std::string gismo(const Geometry& geometry) {
+  const std::vector<Patch>& patches = geometry.patches;
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<xml>\n";
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const Patch& patch = patches[i];
@@ -169,13 +276,11 @@ std::string gismo(const std::vector<Patch>& patches) {
     for (int a = 0; a < patch.functions(); ++a) out += line_of(points.col(a));
     out += "    </coefs>\n  </Geometry>\n";
   }
-  // Without this element G+Smo reads the patches separately.
   const int parametric = patches.front().parametric_dimension();
   const bool alike = std::all_of(patches.begin(), patches.end(),
                                  [&](const Patch& patch) { return patch.parametric_dimension() == parametric; });
-  if (patches.size() > 1 && alike)
-    out += text("  <MultiPatch parDim=\"", parametric, "\" id=\"", patches.size(),
-                "\">\n    <patches type=\"id_range\">0 ", patches.size() - 1, "</patches>\n  </MultiPatch>\n");
+  const bool named = geometry.interfaces || !geometry.boundaries.empty();
+  if (alike && (patches.size() > 1 || named)) out += topology_of(geometry);
   return out + "</xml>\n";
 }
 

@@ -1,6 +1,11 @@
 // MFEM NURBS mesh v1.0 with the section "patches": a topology of vertices, edges and elements, then per patch knots and
 // control points, ξ¹ fastest.
+#include "base/groups.hpp"
+#include "exchange/interfaces.hpp"
 #include "exchange/text.hpp"
+
+#include <algorithm>
+#include <map>
 
 namespace signorini::exchange {
 
@@ -34,53 +39,256 @@ Patch read_patch(TextReader& from) {
   return placed(from.file(), from.line(), [&] { return Patch(std::move(directions), std::move(homogeneous)); });
 }
 
-/// Vertices of the square and the cube in MFEM's numbering. An edge: its direction and its end points; a side: its
-/// attribute (west 1, east 2, south 3, north 4, front 5, back 6) and vertices.
-struct Topology {
-  int vertices, element;
-  const char *corners, *sides, *edges;
+// ── Topology ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// A side of an element: its number (interfaces.hpp) and vertices, in MFEM's order.
+struct ElementSide {
+  int number;
+  std::vector<int> vertices;
 };
 
-constexpr Topology topologies[] = {
-    {2, 1, "0 1", "2\n1 0 0\n2 0 1\n", "1\n0 0 1\n"},
-    {4, 3, "0 1 2 3", "4\n3 1 0 1\n2 1 1 2\n4 1 2 3\n1 1 3 0\n", "4\n0 0 1\n0 3 2\n1 0 3\n1 1 2\n"},
-    {8, 5, "0 1 2 3 4 5 6 7", "6\n5 3 3 2 1 0\n3 3 0 1 5 4\n2 3 1 2 6 5\n4 3 2 3 7 6\n1 3 3 0 4 7\n6 3 4 5 6 7\n",
-     "12\n0 0 1\n0 3 2\n0 4 5\n0 7 6\n1 0 3\n1 1 2\n1 4 7\n1 5 6\n2 0 4\n2 1 5\n2 2 6\n2 3 7\n"}};
+/// Segment, square or cube in MFEM's numbering. Edges: by direction, from the first to the second vertex.
+struct Element {
+  int type, side_type;
+  std::vector<int> vertex_of_corner; ///< corners count in binary: ξ¹ at its end 1, ξ² 2, ξ³ 4
+  std::vector<ElementSide> sides;
+  std::vector<std::vector<std::array<int, 2>>> edges;
+};
+
+const Element& element_of(int parametric) {
+  static const Element elements[] = {
+      {1, 0, {0, 1}, {{1, {0}}, {2, {1}}}, {{{0, 1}}}},
+      {3, 1, {0, 1, 3, 2}, {{3, {0, 1}}, {2, {1, 2}}, {4, {2, 3}}, {1, {3, 0}}}, {{{0, 1}, {3, 2}}, {{0, 3}, {1, 2}}}},
+      {5,
+       3,
+       {0, 1, 3, 2, 4, 5, 7, 6},
+       {{5, {3, 2, 1, 0}},
+        {3, {0, 1, 5, 4}},
+        {2, {1, 2, 6, 5}},
+        {4, {2, 3, 7, 6}},
+        {1, {3, 0, 4, 7}},
+        {6, {4, 5, 6, 7}}},
+       {{{0, 1}, {3, 2}, {4, 5}, {7, 6}}, {{0, 3}, {1, 2}, {4, 7}, {5, 6}}, {{0, 4}, {1, 5}, {2, 6}, {3, 7}}}}};
+  return elements[parametric - 1];
+}
+
+std::vector<int> sorted(std::vector<int> values) {
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+/// The vertices of a side of an element with these vertices, sorted.
+std::vector<int> vertices_on(const std::vector<int>& vertices, const ElementSide& side) {
+  std::vector<int> own;
+  for (const int v : side.vertices) own.push_back(vertices[static_cast<std::size_t>(v)]);
+  return sorted(own);
+}
+
+/// The vertices of all elements.
+using Vertices = std::vector<std::vector<int>>;
+
+/// The faces with these vertices (sorted), one or two.
+std::vector<PatchFace> faces_with(const Vertices& vertices, const std::vector<int>& wanted) {
+  std::vector<PatchFace> faces;
+  for (std::size_t p = 0; p < vertices.size(); ++p) {
+    const int parametric = vertices[p].size() == 2 ? 1 : vertices[p].size() == 4 ? 2 : 3;
+    for (const ElementSide& side : element_of(parametric).sides)
+      if (vertices_on(vertices[p], side) == wanted) faces.push_back({static_cast<int>(p), side_of_number(side.number)});
+  }
+  return faces;
+}
+
+std::vector<int> read_vertices(TextReader& from, std::size_t count) {
+  std::vector<int> vertices;
+  while (vertices.size() < count) vertices.push_back(from.integer(0, most_functions, "exchange.expected.vertex"));
+  return vertices;
+}
+
+/// An attribute or a type of element, which precede the vertices.
+int read_number(TextReader& from) {
+  return from.integer(0, most_functions, "exchange.expected.attribute_or_type");
+}
+
+/// Elements: attribute, type, vertices.
+Vertices read_elements(TextReader& from) {
+  const int count = from.integer(1, most_functions, "exchange.expected.elements");
+  Vertices vertices;
+  for (int i = 0; i < count; ++i) {
+    read_number(from);
+    const int type = read_number(from);
+    if (type != 1 && type != 3 && type != 5) from.wrong("exchange.mfem.element", {{"type", type}});
+    vertices.push_back(read_vertices(from, type == 1 ? 2 : type == 3 ? 4 : 8));
+  }
+  return vertices;
+}
+
+/// Sides of the boundary: those of one attribute are a boundary, whose name is this number.
+std::vector<Boundary> read_boundary_section(TextReader& from, const Vertices& vertices) {
+  const int count = from.integer(0, most_functions, "exchange.expected.sides");
+  std::vector<Boundary> boundaries;
+  for (int i = 0; i < count; ++i) {
+    const std::string name = text(read_number(from));
+    const int type = read_number(from);
+    if (type != 0 && type != 1 && type != 3) from.wrong("exchange.mfem.element", {{"type", type}});
+    const std::vector<int> own = read_vertices(from, type == 0 ? 1 : type == 1 ? 2 : 4);
+    auto found = std::find_if(boundaries.begin(), boundaries.end(), [&](const auto& one) { return one.name == name; });
+    if (found == boundaries.end()) found = boundaries.insert(found, {name, {}});
+    for (const PatchFace& face : faces_with(vertices, sorted(own))) found->faces.push_back(face);
+  }
+  return boundaries;
+}
+
+/// Sides of two elements with the same vertices.
+std::vector<Interface> common_sides(const Vertices& vertices, int parametric) {
+  std::vector<Interface> interfaces;
+  for (std::size_t p = 0; p < vertices.size(); ++p)
+    for (const ElementSide& side : element_of(parametric).sides) {
+      const std::vector<PatchFace> faces = faces_with(vertices, vertices_on(vertices[p], side));
+      if (faces.size() == 2 && faces[0].patch == static_cast<int>(p) && faces[1].patch > faces[0].patch)
+        interfaces.push_back({faces[0], faces[1]});
+    }
+  return interfaces;
+}
+
+/// Numbers of the vertices of all patches, common ones at interfaces.
+Vertices number_vertices(const Geometry& geometry, const std::vector<OrientedInterface>& interfaces) {
+  const int parametric = geometry.patches.front().parametric_dimension(), corners = 1 << parametric;
+  Groups groups(static_cast<int>(geometry.patches.size()) * corners);
+  // A corner of a face from the ends of the face's directions.
+  const auto corner = [&](const PatchFace& face, const std::array<bool, 2>& ends) {
+    int index = face.side.at_end ? 1 << face.side.direction : 0;
+    for (int d = 0, k = 0; d < parametric; ++d)
+      if (d != face.side.direction && ends[static_cast<std::size_t>(k++)]) index += 1 << d;
+    return face.patch * corners + index;
+  };
+  for (const auto& [faces, way] : interfaces)
+    for (int i = 0; i < 1 << (parametric - 1); ++i) {
+      const std::array<bool, 2> here{(i & 1) != 0, (i & 2) != 0};
+      groups.unite(corner(faces[0], here),
+                   corner(faces[1], way.turn(here, [](std::size_t, bool end) { return !end; })));
+    }
+  std::map<int, int> number;
+  Vertices result;
+  for (std::size_t p = 0; p < geometry.patches.size(); ++p) {
+    const std::vector<int>& order = element_of(parametric).vertex_of_corner;
+    std::vector<int> leaders(order.size());
+    for (std::size_t c = 0; c < order.size(); ++c)
+      leaders[static_cast<std::size_t>(order[c])] = groups.leader(static_cast<int>(p) * corners + static_cast<int>(c));
+    result.emplace_back();
+    for (const int leader : leaders)
+      result.back().push_back(number.emplace(leader, static_cast<int>(number.size())).first->second);
+  }
+  return result;
+}
+
+/// The section `edges`: the knot vector of each edge, which runs from its first to its second vertex. Edges of several
+/// patches must run the same way in all of them.
+std::string edges_of(const Vertices& vertices, int parametric) {
+  Groups knots(static_cast<int>(vertices.size()) * parametric);
+  std::map<std::array<int, 2>, int> direction_of; // of one patch with the edge
+  std::vector<std::array<int, 2>> order;
+  for (std::size_t p = 0; p < vertices.size(); ++p)
+    for (int d = 0; d < parametric; ++d)
+      for (const auto& [a, b] : element_of(parametric).edges[static_cast<std::size_t>(d)]) {
+        const std::array<int, 2> edge{vertices[p][static_cast<std::size_t>(a)],
+                                      vertices[p][static_cast<std::size_t>(b)]};
+        require(!direction_of.contains({edge[1], edge[0]}), "exchange.mfem.opposite",
+                {{"number", p + 1}, {"direction", d + 1}});
+        const int own = static_cast<int>(p) * parametric + d;
+        const auto [found, added] = direction_of.emplace(edge, own);
+        if (added) order.push_back(edge);
+        knots.unite(found->second, own);
+      }
+  std::map<int, int> number;
+  std::string lines;
+  for (const auto& edge : order) {
+    const int leader = knots.leader(direction_of[edge]);
+    const int own = number.emplace(leader, static_cast<int>(number.size())).first->second;
+    lines += text(own, " ", edge[0], " ", edge[1], "\n");
+  }
+  return text(order.size(), "\n", lines);
+}
+
+/// The section `boundary`. Attributes: of one patch the numbers of its sides; of several the numbers of the named
+/// boundaries, and the next number for all other faces.
+std::string boundary_of(const Geometry& geometry, const Vertices& vertices,
+                        const std::vector<OrientedInterface>& interfaces) {
+  const Element& element = element_of(geometry.patches.front().parametric_dimension());
+  const std::vector<PatchFace> outer = outer_faces(geometry, interfaces);
+  const auto attribute = [&](const PatchFace& face) {
+    if (geometry.boundaries.empty() && geometry.patches.size() == 1) return number_of(face.side);
+    const auto named = std::find_if(geometry.boundaries.begin(), geometry.boundaries.end(), [&](const Boundary& one) {
+      return std::find(one.faces.begin(), one.faces.end(), face) != one.faces.end();
+    });
+    return 1 + static_cast<int>(named - geometry.boundaries.begin());
+  };
+  std::string lines;
+  for (std::size_t p = 0; p < vertices.size(); ++p)
+    for (const ElementSide& side : element.sides) {
+      const PatchFace face{static_cast<int>(p), side_of_number(side.number)};
+      if (std::find(outer.begin(), outer.end(), face) == outer.end()) continue;
+      lines += text(attribute(face), " ", element.side_type);
+      for (const int v : side.vertices) lines += text(" ", vertices[p][static_cast<std::size_t>(v)]);
+      lines += "\n";
+    }
+  return text(outer.size(), "\n", lines);
+}
 
 } // namespace
 
-std::vector<Patch> read_mfem(const std::string& file, const std::string& text) {
+Geometry read_mfem(const std::string& file, const std::string& text) {
   const std::string_view first = std::string_view(text).substr(0, text.find('\n'));
   require(first.starts_with(title), "exchange.mfem.title", {{"file", file}, {"expected", title}, {"line", first}});
   TextReader from(file, text);
   from.rest_of_line();
-  int elements = 0;
+  Vertices vertices;
+  Geometry geometry;
   while (from.peek() != "patches") {
     const std::string_view word = from.word("exchange.expected.patches");
     if (word == "weights") from.wrong("exchange.mfem.weights");
-    if (word == "elements") elements = from.integer(1, most_functions, "exchange.expected.elements");
+    if (word == "elements") vertices = read_elements(from);
+    if (word == "boundary") geometry.boundaries = read_boundary_section(from, vertices);
   }
   from.keyword("patches");
-  std::vector<Patch> patches;
-  while (from.peek() == "knotvectors") patches.push_back(read_patch(from));
-  if (patches.empty()) from.keyword("knotvectors");
-  if (static_cast<int>(patches.size()) != elements)
-    from.wrong("exchange.mfem.patches", {{"expected", elements}, {"count", patches.size()}});
-  return patches;
+  while (from.peek() == "knotvectors") geometry.patches.push_back(read_patch(from));
+  if (geometry.patches.empty()) from.keyword("knotvectors");
+  if (geometry.patches.size() != vertices.size())
+    from.wrong("exchange.mfem.patches", {{"expected", vertices.size()}, {"count", geometry.patches.size()}});
+  const int parametric = geometry.patches.front().parametric_dimension();
+  for (std::size_t p = 0; p < vertices.size(); ++p)
+    if (vertices[p].size() != std::size_t{1} << geometry.patches[p].parametric_dimension() ||
+        geometry.patches[p].parametric_dimension() != parametric)
+      from.wrong("exchange.mfem.mixed", {{"number", p + 1}});
+  geometry.interfaces = common_sides(vertices, parametric);
+  return geometry;
 }
 
-std::string mfem(const std::vector<Patch>& patches) {
-  require(patches.size() == 1, "exchange.mfem.one_patch", {{"count", patches.size()}});
-  const Patch& patch = patches.front();
-  const int parametric = patch.parametric_dimension();
-  const Topology& topology = topologies[parametric - 1];
-  std::string out = text(title, "\n\ndimension\n", parametric, "\n\nelements\n1\n1 ", topology.element, " ",
-                         topology.corners, "\n\nboundary\n", topology.sides, "\nedges\n", topology.edges,
-                         "\nvertices\n", topology.vertices, "\n\npatches\n\nknotvectors\n", parametric, "\n");
-  for (const KnotVector& knots : patch.directions())
-    out += text(knots.degree(), " ", knots.functions(), " ", line_of(knots.knots()));
-  out += text("\ndimension\n", patch.dimension(), "\n\ncontrolpoints\n");
-  for (int a = 0; a < patch.functions(); ++a) out += line_of(patch.homogeneous().col(a));
+std::string mfem(const Geometry& geometry) {
+  const int parametric = geometry.patches.front().parametric_dimension();
+  for (std::size_t p = 0; p < geometry.patches.size(); ++p)
+    require(geometry.patches[p].parametric_dimension() == parametric, "exchange.mfem.mixed", {{"number", p + 1}});
+  const std::vector<OrientedInterface> interfaces = interfaces_of(geometry);
+  const Vertices vertices = number_vertices(geometry, interfaces);
+  const Element& element = element_of(parametric);
+  std::string out = text(title, "\n\ndimension\n", parametric, "\n\nelements\n", vertices.size(), "\n");
+  int last = 0;
+  for (const std::vector<int>& own : vertices) {
+    out += text("1 ", element.type);
+    for (const int v : own) {
+      out += text(" ", v);
+      last = std::max(last, v);
+    }
+    out += "\n";
+  }
+  out += text("\nboundary\n", boundary_of(geometry, vertices, interfaces), "\nedges\n", edges_of(vertices, parametric),
+              "\nvertices\n", last + 1, "\n\npatches\n");
+  for (const Patch& patch : geometry.patches) {
+    out += text("\nknotvectors\n", parametric, "\n");
+    for (const KnotVector& knots : patch.directions())
+      out += text(knots.degree(), " ", knots.functions(), " ", line_of(knots.knots()));
+    out += text("\ndimension\n", patch.dimension(), "\n\ncontrolpoints\n");
+    for (int a = 0; a < patch.functions(); ++a) out += line_of(patch.homogeneous().col(a));
+  }
   return out;
 }
 

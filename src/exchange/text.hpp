@@ -2,6 +2,7 @@
 // Tokens of text files with the line numbers for messages, and readers and writers of the individual formats.
 
 #include "base/error.hpp"
+#include "exchange/exchange.hpp"
 #include "nurbs/patch.hpp"
 
 #include <string>
@@ -11,7 +12,6 @@
 namespace signorini::exchange {
 
 using nurbs::KnotVector;
-using nurbs::Patch;
 
 /// The shortest decimal number that reads back with the same bits.
 std::string digits(double value);
@@ -74,13 +74,13 @@ inline constexpr int most_functions = 10'000'000;
 /// Reads functions + degree + 1 knots of an open knot vector.
 KnotVector read_knots(TextReader& from, int degree, int functions);
 
-std::vector<Patch> read_gismo(const std::string& file, const std::string& text);
-std::vector<Patch> read_geopdes(const std::string& file, const std::string& text);
-std::vector<Patch> read_mfem(const std::string& file, const std::string& text);
+Geometry read_gismo(const std::string& file, const std::string& text);
+Geometry read_geopdes(const std::string& file, const std::string& text);
+Geometry read_mfem(const std::string& file, const std::string& text);
 
 /// Contents of files in each format.
-std::string gismo(const std::vector<Patch>& patches);
-std::string geopdes(const std::vector<Patch>& patches);
-std::string mfem(const std::vector<Patch>& patches);
+std::string gismo(const Geometry& geometry);
+std::string geopdes(const Geometry& geometry);
+std::string mfem(const Geometry& geometry);
 
 } // namespace signorini::exchange

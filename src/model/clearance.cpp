@@ -78,14 +78,14 @@ double percent(double part) {
 
 /// Checks two bodies whose deepest contact point penetrates; returns a warning, or nothing.
 template <int D>
-Message check_overlap(const Scene<D>& scene, const Contact<D>& contact, const FaceReference& master,
+Message check_overlap(const Scene<D>& scene, const Contact<D>& contact, const Faces& master,
                       const contact::PointResult<D>& deepest) {
   const double depth = -deepest.gap, behind = thickness(scene, master);
   const double part = depth / std::min(thickness(scene, contact.slave), behind);
   if (part <= meant_overlap) return {};
-  const Message slave_face = face_message(scene, contact.slave), master_face = face_message(scene, master);
+  const Message slave_face = faces_message(scene, contact.slave), master_face = faces_message(scene, master);
   // If the slave lies behind the master's body, the opposite face was probably meant.
-  const std::string other = nurbs::name_of({master.side.direction, !master.side.at_end});
+  const std::string other = nurbs::name_of({master.front().side.direction, !master.front().side.at_end});
   require(part <= mistaken_overlap, "model.clearance.overlap",
           {{"contact", contact.name},
            {"slave", slave_face},
@@ -94,8 +94,9 @@ Message check_overlap(const Scene<D>& scene, const Contact<D>& contact, const Fa
            {"at", deepest.position},
            {"percent", percent(part)},
            {"most", percent(mistaken_overlap)},
-           {"hint", depth > whole_depth * behind ? Message("model.clearance.wrong_face", {{"face", other}})
-                                                 : Message("model.clearance.apart")}});
+           {"hint", master.size() == 1 && depth > whole_depth * behind
+                        ? Message("model.clearance.wrong_face", {{"face", other}})
+                        : Message("model.clearance.apart")}});
   return Message("model.warning.overlap", {{"contact", contact.name},
                                            {"slave", slave_face},
                                            {"master", master_face},
@@ -114,8 +115,8 @@ std::vector<Message> check_clearance(const Scene<D>& scene, const std::vector<co
     const auto& results = contacts[k].results;
     const auto& deepest =
         *std::min_element(results.begin(), results.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; });
-    const NamedBody<D>& named = scene.bodies[at(contact.slave.body)];
-    if (const auto* face = std::get_if<FaceReference>(&contact.master)) {
+    const NamedBody<D>& named = scene.bodies[at(contact.slave.front().body)];
+    if (const auto* face = std::get_if<Faces>(&contact.master)) {
       if (deepest.gap < 0)
         if (const Message warning = check_overlap(scene, contact, *face, deepest); !warning.code.empty())
           warnings.push_back(warning);

@@ -62,6 +62,9 @@ inline constexpr double tie_scale = 10, tie_proximal = 1e-8;
 /// Largest distance of tied faces relative to an element's length: chords of arcs of 45° are 0.1 of their length away
 /// from them.
 inline constexpr double most_seam_distance = 0.1;
+/// Faces of the patches of a body coincide if their normals are opposite, at least by this cosine, on more than this
+/// part of the face: faces that meet at an edge are perpendicular or overlap by rounding error.
+inline constexpr double coincident_facing = -0.5, least_coincidence = 1e-3;
 /// Fraction from which a face counts as tied as a whole.
 inline constexpr double least_whole = 1 - 1e-6;
 /// Relative residual up to which rigid-body modes depend on each other at prescribed control points.

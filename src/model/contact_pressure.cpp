@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "model/contact_faces.hpp"
 #include "solid/quadrature.hpp"
 
 #include <algorithm>
@@ -9,22 +10,28 @@
 
 namespace signorini::model {
 
-template <int D> MatrixX contact_point_pressures(const Model<D>& model, int contact) {
+template <int D> MatrixX contact_point_pressures(const Model<D>& model, int contact, std::size_t face) {
   const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
-  const int points = model.system.scene.contacts[at(contact)].points;
-  MatrixX result = MatrixX::Zero(D == 3 ? points * points : points, formulation.slave().elements());
+  const Contact<D>& named = model.system.scene.contacts[at(contact)];
+  const int points = named.points;
+  MatrixX all = MatrixX::Zero(D == 3 ? points * points : points, formulation.slave().elements());
   for (std::size_t i = 0; i < formulation.points().size(); ++i) {
     const contact::ContactPoint& point = formulation.points().list[i];
-    result(point.number, point.element) = model.present.contacts[at(contact)].results[i].pressure;
+    all(point.number, point.element) = model.present.contacts[at(contact)].results[i].pressure;
   }
+  if (named.slave.size() == 1) return all;
+  const contact::FacePlace place = face_places(model.system.scene, named.slave)[face];
+  MatrixX result(all.rows(), place.elements[0] * place.elements[1]);
+  for (int f = 0; f < result.cols(); ++f)
+    for (int k = 0; k < result.rows(); ++k) result(k, f) = all(place.point(k, points, D - 1), place.element(f));
   return result;
 }
 
 template <int D>
-FacePressure<D>::FacePressure(const Model<D>& model, int contact)
-    : side_(model.system.scene.contacts[at(contact)].slave.side),
+FacePressure<D>::FacePressure(const Model<D>& model, int contact, std::size_t face)
+    : side_(model.system.scene.contacts[at(contact)].slave[face].side),
       points_(model.system.scene.contacts[at(contact)].points), places_(solid::gauss_legendre(points_, 0, 1).points),
-      values_(contact_point_pressures(model, contact)) {}
+      values_(contact_point_pressures(model, contact, face)) {}
 
 template <int D> double FacePressure<D>::at_place(int e, const contact::FaceCoordinates<D>& fraction) const {
   double sum = 0;
@@ -61,13 +68,13 @@ double end_of(const nurbs::Discretization& space, nurbs::Side side) {
 /// Throws the Error that lists the faces of a body with a contact pressure.
 template <int D> [[noreturn]] void throw_without_pressure(const Model<D>& model, int body) {
   std::vector<Message> places;
-  for (const auto& contact : model.system.scene.contacts) {
-    const auto [on, side] = contact.slave;
-    if (on != body) continue;
-    const double end = end_of(model.system.scene.bodies[at(body)].body->space(), side);
-    places.push_back(
-        Message("model.field.pressure_place", {{"direction", side.direction}, {"xi", end}, {"contact", contact.name}}));
-  }
+  for (const auto& contact : model.system.scene.contacts)
+    for (const auto& [on, side] : contact.slave) {
+      if (on != body) continue;
+      const double end = end_of(model.system.scene.bodies[at(body)].body->space(), side);
+      places.push_back(Message("model.field.pressure_place",
+                               {{"direction", side.direction}, {"xi", end}, {"contact", contact.name}}));
+    }
   if (places.empty()) fail("model.field.pressure_nowhere");
   fail("model.field.pressure_known", {{"places", places}});
 }
@@ -76,33 +83,34 @@ template <int D> [[noreturn]] void throw_without_pressure(const Model<D>& model,
 
 template <int D> double sample_contact_pressure(const Model<D>& model, int body, const VectorX& xi) {
   const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
-  space.find_element(xi); // throws Error outside
+  const int e = space.find_element(xi); // throws Error outside
   double sum = 0;
   bool found = false;
   for (std::size_t c = 0; c < model.system.scene.contacts.size(); ++c) {
-    const auto& contact = model.system.scene.contacts[c];
-    if (contact.slave.body != body) continue;
-    const int across = contact.slave.side.direction;
-    const double end = end_of(space, contact.slave.side);
-    if (std::abs(xi(across) - end) > 1e-12 * std::max(1.0, std::abs(end))) continue;
-    found = true;
-    contact::FaceCoordinates<D> on_face, fraction;
-    for (int d = 0, k = 0; d < D; ++d)
-      if (d != across) on_face(k++) = xi(d);
-    const auto& slave = model.system.contacts[c]->slave();
-    const int e = slave.find_element(on_face);
-    for (int d = 0; d < D - 1; ++d) {
-      const auto [from, to] = slave.interval(e, d);
-      fraction(d) = (on_face(d) - from) / (to - from);
+    const Faces& faces = model.system.scene.contacts[c].slave;
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+      const int across = faces[k].side.direction;
+      const double end = end_of(space, faces[k].side);
+      if (faces[k].body != body || std::abs(xi(across) - end) > 1e-12 * std::max(1.0, std::abs(end))) continue;
+      found = true;
+      contact::FaceCoordinates<D> fraction;
+      int on_face = 0;
+      for (int d = 0, i = 0, stride = 1; d < D; ++d) {
+        if (d == across) continue;
+        const auto [from, to] = space.interval(e, d);
+        fraction(i++) = (xi(d) - from) / (to - from);
+        on_face += stride * space.element_index(e, d);
+        stride *= space.elements(d);
+      }
+      sum += FacePressure<D>(model, static_cast<int>(c), k).at_place(on_face, fraction);
     }
-    sum += FacePressure<D>(model, static_cast<int>(c)).at_place(e, fraction);
   }
   if (!found) throw_without_pressure(model, body);
   return sum;
 }
 
-template MatrixX contact_point_pressures(const Model<2>&, int);
-template MatrixX contact_point_pressures(const Model<3>&, int);
+template MatrixX contact_point_pressures(const Model<2>&, int, std::size_t);
+template MatrixX contact_point_pressures(const Model<3>&, int, std::size_t);
 template class FacePressure<2>;
 template class FacePressure<3>;
 template double sample_contact_pressure<2>(const Model<2>&, int, const VectorX&);

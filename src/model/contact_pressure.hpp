@@ -5,14 +5,15 @@
 
 namespace signorini::model {
 
-/// The pressures at the contact points, one column per slave element; 0 at points outside the region.
-template <int D> MatrixX contact_point_pressures(const Model<D>& model, int contact);
+/// The pressures at the contact points of one of the slave faces, one column per element of this face; 0 at points
+/// outside the region.
+template <int D> MatrixX contact_point_pressures(const Model<D>& model, int contact, std::size_t face);
 
 /// Contact pressure on a slave face: linear in each direction between the contact points of an element, constant beyond
 /// the outer ones, 0 at points outside the region.
 template <int D> class FacePressure {
 public:
-  FacePressure(const Model<D>& model, int contact);
+  FacePressure(const Model<D>& model, int contact, std::size_t face);
 
   const nurbs::Side& side() const { return side_; }
   /// At fractions of the parametric intervals of the face's element e (ξ¹ fastest).

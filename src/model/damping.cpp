@@ -12,20 +12,24 @@ namespace signorini::model {
 
 namespace {
 
-/// The bodies of a scene, those together that ties join.
-template <int D> std::vector<std::vector<int>> tied_groups(const Scene<D>& scene) {
+/// The bodies of a scene, those together that joins or ties connect.
+template <int D> std::vector<std::vector<int>> connected_groups(const Scene<D>& scene) {
   std::vector<std::vector<int>> groups;
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) groups.push_back({b});
   const auto group_of = [&](int body) {
     return std::find_if(groups.begin(), groups.end(),
                         [&](const auto& group) { return std::find(group.begin(), group.end(), body) != group.end(); });
   };
-  for (const Tie& tie : scene.ties) {
-    const auto first = group_of(tie.slave.body), second = group_of(tie.master.body);
-    if (first == second) continue;
+  const auto connect = [&](int body, int other) {
+    const auto first = group_of(body), second = group_of(other);
+    if (first == second) return;
     first->insert(first->end(), second->begin(), second->end());
     groups.erase(second);
-  }
+  };
+  for (const Tie& tie : scene.ties)
+    for (const Faces* faces : {&tie.slave, &tie.master})
+      for (const FaceReference& face : *faces) connect(tie.slave.front().body, face.body);
+  for (const Join& join : scene.joins) connect(join.first.body, join.second.body);
   return groups;
 }
 
@@ -34,7 +38,7 @@ template <int D> std::vector<std::vector<int>> tied_groups(const Scene<D>& scene
 template <int D>
 std::vector<UnconstrainedMotion> unconstrained_motions(const Scene<D>& scene, const Unknowns<D>& unknowns) {
   std::vector<UnconstrainedMotion> unconstrained;
-  for (const std::vector<int>& group : tied_groups(scene)) {
+  for (const std::vector<int>& group : connected_groups(scene)) {
     MatrixX points(D, 0);
     for (const int b : group) {
       const MatrixX own = scene.bodies[at(b)].body->space().points();
@@ -90,10 +94,10 @@ std::vector<double> strides(const Scene<D>& scene, const contact::Formulations<D
     double distance = touch;
     if (touch > 0)
       for (const double gap : contacts[k]->gaps(state.contacts[k])) distance = std::min(distance, std::abs(gap));
-    note(scene.contacts[k].slave.body, distance);
-    if (const auto* face = std::get_if<FaceReference>(&scene.contacts[k].master)) note(face->body, distance);
+    for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
+      if (acts_on(scene.contacts[k], b)) note(b, distance);
   }
-  for (const std::vector<int>& group : tied_groups(scene)) {
+  for (const std::vector<int>& group : connected_groups(scene)) {
     double least = infinity;
     for (const int b : group) least = std::min(least, nearest[at(b)]);
     for (const int b : group) nearest[at(b)] = least;

@@ -12,8 +12,7 @@ namespace {
 
 template <int D> double default_penalty(const Scene<D>& scene, const Contact<D>& contact) {
   double softer = youngs_modulus(scene, contact.slave);
-  if (const auto* face = std::get_if<FaceReference>(&contact.master))
-    softer = std::min(softer, youngs_modulus(scene, *face));
+  if (const auto* face = std::get_if<Faces>(&contact.master)) softer = std::min(softer, youngs_modulus(scene, *face));
   // ε = 10 E/h
   return default_penalty_ratio * softer / element_size(scene, contact.slave, contact.points, contact.where);
 }

@@ -168,9 +168,7 @@ template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model,
 /// Whether a displacement d of a body is tangential at all touching points of a frictionless contact.
 template <int D> bool slides(const Model<D>& model, std::size_t contact, std::size_t body, const Vec<D>& d) {
   const Contact<D>& named = model.system.scene.contacts[contact];
-  const auto* face = std::get_if<FaceReference>(&named.master);
-  const bool is_part = at(named.slave.body) == body || (face && at(face->body) == body);
-  if (model.system.contacts[contact]->friction() > 0 || !is_part) return false;
+  if (model.system.contacts[contact]->friction() > 0 || !acts_on(named, static_cast<int>(body))) return false;
   bool touches = false;
   for (const auto& point : model.present.contacts[contact].results) {
     if (point.state == contact::ContactState::open) continue;

@@ -1,15 +1,17 @@
 #include "model/element_size.hpp"
 
 #include "base/index.hpp"
+#include "model/contact_faces.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini::model {
 
 template <int D>
-double element_size(const Scene<D>& scene, const FaceReference& face, int points, const contact::Region<D>& where) {
-  const contact::Surface<D> surface(scene.bodies[at(face.body)].body->space(), face.side);
+double element_size(const Scene<D>& scene, const Faces& faces, int points, const contact::Region<D>& where) {
+  const contact::Surface<D> surface = surface_of(scene, faces);
   constexpr bool revolved = false; // sizes in the meridian plane
   const auto list = contact::ContactPoints<D>(surface, points, revolved, where).list;
   double elements = 0, inverse = 0;
@@ -32,13 +34,16 @@ double element_size(const Scene<D>& scene, const FaceReference& face, int points
   return elements / inverse;
 }
 
-template <int D> double youngs_modulus(const Scene<D>& scene, const FaceReference& face) {
-  return scene.bodies[at(face.body)].body->material().constants().youngs_modulus;
+template <int D> double youngs_modulus(const Scene<D>& scene, const Faces& faces) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const FaceReference& face : faces)
+    least = std::min(least, scene.bodies[at(face.body)].body->material().constants().youngs_modulus);
+  return least;
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template double element_size(const Scene<D>&, const FaceReference&, int, const contact::Region<D>&);                 \
-  template double youngs_modulus(const Scene<D>&, const FaceReference&);
+  template double element_size(const Scene<D>&, const Faces&, int, const contact::Region<D>&);                         \
+  template double youngs_modulus(const Scene<D>&, const Faces&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

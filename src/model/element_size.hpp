@@ -9,9 +9,9 @@ namespace signorini::model {
 /// meshes are graded towards the places that come into contact, and their many small elements count most. `points`: of
 /// quadrature per element and direction.
 template <int D>
-double element_size(const Scene<D>& scene, const FaceReference& face, int points, const contact::Region<D>& where = {});
+double element_size(const Scene<D>& scene, const Faces& faces, int points, const contact::Region<D>& where = {});
 
 /// Small-strain Young's modulus of the face's body.
-template <int D> double youngs_modulus(const Scene<D>& scene, const FaceReference& face);
+template <int D> double youngs_modulus(const Scene<D>& scene, const Faces& faces);
 
 } // namespace signorini::model

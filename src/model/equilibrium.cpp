@@ -99,12 +99,9 @@ template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& op
   bool any = false;
   for (std::size_t k = 0; k < system.contacts.size() && damping; ++k) {
     const Contact<D>& contact = system.scene.contacts[k];
-    const auto* face = std::get_if<FaceReference>(&contact.master);
     const bool falls = resultant(model.present.contacts[k]).active == 0 &&
                        std::any_of(system.unconstrained().begin(), system.unconstrained().end(),
-                                   [&](const UnconstrainedMotion& motion) {
-                                     return motion.body == contact.slave.body || (face && motion.body == face->body);
-                                   });
+                                   [&](const UnconstrainedMotion& motion) { return acts_on(contact, motion.body); });
     model.controls[k].landing = falls;
     any = any || falls;
   }

@@ -64,14 +64,15 @@ double time_on_two(const Slabs& slabs, std::vector<int> starts) {
   return static_cast<double>(sum) / slabs.count;
 }
 
-/// Per element: whether it has an unknown that several control points share.
+/// Per element: whether it has an unknown that several control points share; with one share those of other bodies.
 template <int D>
-std::vector<char> on_shared_unknowns(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset) {
+std::vector<char> on_shared_unknowns(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset,
+                                     bool one_share) {
   std::vector<int> owner(at(unknowns.size()), -1);
   std::vector<char> shared(at(unknowns.size()), false), result(at(body.elements()), false);
   for (int dof = offset; dof < offset + D * body.functions(); ++dof)
     if (const int i = unknowns.unknown(dof); i >= 0) {
-      shared[at(i)] = owner[at(i)] >= 0;
+      shared[at(i)] = unknowns.of_several_bodies(i) || (owner[at(i)] >= 0 && !one_share);
       owner[at(i)] = dof;
     }
   for (int e = 0; e < body.elements(); ++e)
@@ -104,8 +105,7 @@ template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::B
   const std::size_t shares = starts.size() / 2;
   result.heads.resize(shares);
   result.tails.resize(shares);
-  const std::vector<char> in_rest =
-      shares > 1 ? on_shared_unknowns(unknowns, body, offset) : std::vector<char>(at(body.elements()), false);
+  const std::vector<char> in_rest = on_shared_unknowns(unknowns, body, offset, shares == 1);
   for (int e = 0; e < body.elements(); ++e) {
     // First slabs of heads and tails alternate in `starts`.
     const int slab = space.element_index(e, best.direction);

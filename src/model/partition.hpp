@@ -10,7 +10,7 @@ namespace signorini::model {
 /// bitwise the same for any number of threads.
 struct Partition {
   std::vector<std::vector<int>> heads, tails; ///< elements of each share; of equal number
-  std::vector<int> rest;                      ///< elements with an unknown shared by several control points
+  std::vector<int> rest;                      ///< elements with an unknown of several control points or bodies
   std::vector<int> share;                     ///< per element, also of `rest`: index of its share
 };
 

@@ -1,11 +1,12 @@
 #pragma once
-// Scene of a model: named bodies, supports, loads, obstacles, contacts and ties, as plain values.
+// Scene of a model: named bodies, supports, loads, obstacles, contacts, ties and joins, as plain values.
 
 #include "base/message.hpp"
 #include "contact/method.hpp"
 #include "contact/tie.hpp"
 #include "solid/body.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -23,6 +24,22 @@ struct FaceReference {
   int body; ///< index into Scene::bodies
   nurbs::Side side;
   bool operator==(const FaceReference&) const = default;
+};
+
+/// One face, or a list of faces with common borders that act as one (contact/face_grid.hpp).
+struct Faces : std::vector<FaceReference> {
+  using std::vector<FaceReference>::vector;
+  Faces(int body, nurbs::Side side) : Faces(FaceReference{body, side}) {}
+  Faces(const FaceReference& face) : std::vector<FaceReference>{face} {}
+
+  bool contains(const FaceReference& face) const { return std::find(begin(), end(), face) != end(); }
+  bool meets(const Faces& other) const {
+    return std::any_of(begin(), end(), [&](const FaceReference& face) { return other.contains(face); });
+  }
+  /// Whether one of the faces belongs to a body.
+  bool on(int body) const {
+    return std::any_of(begin(), end(), [&](const FaceReference& face) { return face.body == body; });
+  }
 };
 
 /// A rigid obstacle of the scene.
@@ -65,8 +82,8 @@ struct Load {
 
 template <int D> struct Contact {
   std::string name;
-  FaceReference slave;
-  std::variant<FaceReference, ObstacleReference> master;
+  Faces slave;
+  std::variant<Faces, ObstacleReference> master;
   contact::Method<D> method;
   int points; ///< Gauss points per slave element and direction
   contact::Region<D> where = {};
@@ -77,8 +94,16 @@ template <int D> struct Contact {
 /// Two faces that move as one, see contact/tie.hpp.
 struct Tie {
   std::string name;
-  FaceReference slave, master;
+  Faces slave, master;
   contact::MultiplierSpace multipliers;
+  bool from_join = false; ///< of the joins, between faces that do not match
+};
+
+/// Two faces that match point by point and share their unknowns, see nurbs/matching.hpp.
+struct Join {
+  std::string name;
+  FaceReference first, second;
+  std::vector<std::array<int, 2>> pairs = {}; ///< functions of the two bodies; found by resolve_joins()
 };
 
 template <int D> struct Scene {
@@ -88,14 +113,32 @@ template <int D> struct Scene {
   std::vector<Load> loads = {};
   std::vector<Contact<D>> contacts;
   std::vector<Tie> ties = {};
+  std::vector<Join> joins = {};
   solid::Kind kind = solid::Kind::plane_strain; ///< of all bodies
 };
+
+/// Whether a face of a body acts in a contact, as slave or master.
+template <int D> bool acts_on(const Contact<D>& contact, int body) {
+  const auto* master = std::get_if<Faces>(&contact.master);
+  return contact.slave.on(body) || (master && master->on(body));
+}
 
 /// A face and its body, for messages.
 template <int D> Message face_message(const Scene<D>& scene, const FaceReference& face) {
   return Message("model.face.of_body",
                  {{"face", nurbs::name_of(face.side)}, {"body", scene.bodies[at(face.body)].name}});
 }
+
+/// The faces of a list, for messages.
+template <int D> Message faces_message(const Scene<D>& scene, const Faces& faces) {
+  if (faces.size() == 1) return face_message(scene, faces.front());
+  std::vector<Message> all;
+  for (const FaceReference& face : faces) all.push_back(face_message(scene, face));
+  return Message("model.face.list", {{"faces", all}});
+}
+
+/// A tie, by the key under which the user has given it, for messages.
+Message tie_message(const Tie& tie);
 
 /// "x", "y", "z".
 std::string component_name(int component);

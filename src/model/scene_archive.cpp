@@ -14,6 +14,15 @@ auto members(FaceReference& face) {
   return std::tie(body, side);
 }
 
+void write(ArchiveWriter& to, const Faces& faces) {
+  to.put(static_cast<const std::vector<FaceReference>&>(faces));
+}
+
+Faces read(ArchiveReader& from, std::type_identity<Faces>) {
+  const auto list = from.get<std::vector<FaceReference>>();
+  return {list.begin(), list.end()};
+}
+
 auto members(SupportedControlPoints& points) {
   auto& [body, functions] = points;
   return std::tie(body, functions);
@@ -30,8 +39,14 @@ auto members(Load& load) {
 }
 
 auto members(Tie& tie) {
-  auto& [name, slave, master, multipliers] = tie;
-  return std::tie(name, slave, master, multipliers);
+  auto& [name, slave, master, multipliers, from_join] = tie;
+  return std::tie(name, slave, master, multipliers, from_join);
+}
+
+/// The pairs of control points follow from the faces.
+auto members(Join& join) {
+  auto& [name, first, second, pairs] = join;
+  return std::tie(name, first, second);
 }
 
 template <int D> void write(ArchiveWriter& to, const NamedBody<D>& named) {
@@ -73,21 +88,19 @@ template <int D> contact::Region<D> region_of(const Places<D>& points) {
 template <int D>
 void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Formulation<D>& formulation) {
   const auto& [name, slave, master, method, points, where, other_pass, default_penalty] = contact;
-  const auto* face = std::get_if<FaceReference>(&master);
-  to.put(name, slave, face != nullptr, face ? *face : FaceReference{},
-         face ? -1 : std::get<ObstacleReference>(master).obstacle, method, points,
-         points_of_region(contact, formulation), other_pass, default_penalty);
+  const auto* faces = std::get_if<Faces>(&master);
+  to.put(name, slave, faces ? *faces : Faces{}, faces ? -1 : std::get<ObstacleReference>(master).obstacle, method,
+         points, points_of_region(contact, formulation), other_pass, default_penalty);
 }
 
 template <int D> Contact<D> read_contact(ArchiveReader& from) {
   Contact<D> contact{};
   auto& [name, slave, master, method, points, where, other_pass, default_penalty] = contact;
   from.into(name, slave);
-  const bool is_face = from.get<bool>();
-  const auto face = from.get<FaceReference>();
+  const Faces faces = from.get<Faces>();
   const ObstacleReference obstacle{from.get<int>()};
-  if (is_face)
-    master = face;
+  if (obstacle.obstacle < 0)
+    master = faces;
   else
     master = obstacle;
   method = contact::read_method<D>(from);
@@ -97,15 +110,15 @@ template <int D> Contact<D> read_contact(ArchiveReader& from) {
   return contact;
 }
 
-/// The parts in order: kind and numbers, bodies, obstacles, supports, loads, contacts, ties.
+/// The parts in order: kind and numbers, bodies, obstacles, supports, loads, contacts, ties, joins.
 struct Counts {
   solid::Kind kind;
-  int bodies, obstacles, supports, loads, contacts, ties;
+  int bodies, obstacles, supports, loads, contacts, ties, joins;
 };
 
 auto members(Counts& counts) {
-  auto& [kind, bodies, obstacles, supports, loads, contacts, ties] = counts;
-  return std::tie(kind, bodies, obstacles, supports, loads, contacts, ties);
+  auto& [kind, bodies, obstacles, supports, loads, contacts, ties, joins] = counts;
+  return std::tie(kind, bodies, obstacles, supports, loads, contacts, ties, joins);
 }
 
 template <class Part> ScenePart named(const char* kind, const std::string& name, const Part& part) {
@@ -118,10 +131,11 @@ template <class Part> ScenePart named(const char* kind, const std::string& name,
 
 template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
   const Scene<D>& scene = model.system.scene;
-  const auto& [bodies, obstacles, supports, loads, contacts, ties, kind] = scene;
+  const auto& [bodies, obstacles, supports, loads, contacts, ties, joins, kind] = scene;
   const auto size = [](const auto& list) { return static_cast<int>(list.size()); };
   ArchiveWriter counts;
-  counts.put(Counts{kind, size(bodies), size(obstacles), size(supports), size(loads), size(contacts), size(ties)});
+  counts.put(Counts{kind, size(bodies), size(obstacles), size(supports), size(loads), size(contacts), size(ties),
+                    size(joins)});
   std::vector<ScenePart> parts{{"the kind of scene or the number of its parts", counts.bytes()}};
   const auto add = [&](const char* what, const auto& list) {
     for (const auto& item : list) parts.push_back(named(what, item.name, [&](ArchiveWriter& to) { to.put(item); }));
@@ -135,6 +149,7 @@ template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
     parts.push_back(named("contact", contacts[k].name,
                           [&](ArchiveWriter& to) { write_contact(to, contacts[k], *model.system.contacts[k]); }));
   add("tie", ties);
+  add("join", joins);
   return parts;
 }
 
@@ -159,6 +174,7 @@ template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts) {
     scene.contacts.push_back(read_contact<D>(from));
   }
   fill(scene.ties, counts.ties);
+  fill(scene.joins, counts.joins);
   return scene;
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -16,8 +17,13 @@ namespace signorini::model {
 
 namespace {
 
-template <int D> PenaltyRatio ratio_behind(const Scene<D>& scene, const FaceReference& face) {
-  return {0, element_stiffness(scene, face), scene.bodies[at(face.body)].name};
+/// The softest element behind several faces.
+template <int D> PenaltyRatio ratio_behind(const Scene<D>& scene, const Faces& faces) {
+  PenaltyRatio softest{0, std::numeric_limits<double>::infinity(), {}};
+  for (const FaceReference& face : faces)
+    if (const double stiffness = element_stiffness(scene, face); stiffness < softest.stiffness)
+      softest = {0, stiffness, scene.bodies[at(face.body)].name};
+  return softest;
 }
 
 /// The lowest degree of a body's functions, and a direction with this degree.
@@ -70,14 +76,14 @@ void warn_of_stiffness(const Scene<D>& scene, const Contact<D>& contact, const c
 template <int D>
 void warn_of_stiff_slave(const Scene<D>& scene, const Contact<D>& contact, std::vector<Message>& warnings) {
   const contact::PenaltyLaw* law = contact::penalty_law(contact.method);
-  const auto* face = std::get_if<FaceReference>(&contact.master);
+  const auto* face = std::get_if<Faces>(&contact.master);
   if (!face || !law || law->enforcement != contact::Enforcement::multipliers) return;
   const double ratio = youngs_modulus(scene, contact.slave) / youngs_modulus(scene, *face);
   if (ratio < stiff_slave || element_size(scene, contact.slave, 2) > coarse_slave * element_size(scene, *face, 2))
     return;
   warnings.push_back(Message("model.warning.stiff_slave", {{"contact", contact.name},
-                                                           {"slave", scene.bodies[at(contact.slave.body)].name},
-                                                           {"master", scene.bodies[at(face->body)].name},
+                                                           {"slave", scene.bodies[at(contact.slave.front().body)].name},
+                                                           {"master", scene.bodies[at(face->front().body)].name},
                                                            {"ratio", ratio}}));
 }
 
@@ -95,7 +101,7 @@ template <int D>
 bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Formulation<D>& first,
                const contact::Formulation<D>& second) {
   if (a.method.index() != b.method.index()) return false;
-  const auto* master = a.other_pass < 0 ? std::get_if<FaceReference>(&a.master) : nullptr;
+  const auto* master = a.other_pass < 0 ? std::get_if<Faces>(&a.master) : nullptr;
   if (master && *master == b.slave && b.master == decltype(b.master)(a.slave)) return true; // slave and master swapped
   if (!(a.slave == b.slave) || !(a.master == b.master)) return false;
   const bool points = a.points == b.points;
@@ -109,12 +115,12 @@ void warn_of_twins(const Scene<D>& scene, const contact::Formulations<D>& contac
     for (std::size_t k = i + 1; k < contacts.size(); ++k) {
       const Contact<D>&a = scene.contacts[i], &b = scene.contacts[k];
       if (!act_twice(a, b, *contacts[i], *contacts[k])) continue;
-      const auto* master = std::get_if<FaceReference>(&a.master);
-      warnings.push_back(Message("model.warning.twins",
-                                 {{"first", a.name},
-                                  {"second", b.name},
-                                  {"slave", face_message(scene, a.slave)},
-                                  {"master", master ? face_message(scene, *master) : Message("model.face.obstacle")}}));
+      const auto* master = std::get_if<Faces>(&a.master);
+      warnings.push_back(Message("model.warning.twins", {{"first", a.name},
+                                                         {"second", b.name},
+                                                         {"slave", faces_message(scene, a.slave)},
+                                                         {"master", master ? faces_message(scene, *master)
+                                                                           : Message("model.face.obstacle")}}));
     }
 }
 
@@ -124,7 +130,7 @@ template <int D>
 PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact,
                            const contact::Formulation<D>& formulation) {
   PenaltyRatio softest = ratio_behind(scene, contact.slave);
-  if (const auto* face = std::get_if<FaceReference>(&contact.master)) {
+  if (const auto* face = std::get_if<Faces>(&contact.master)) {
     const PenaltyRatio other = ratio_behind(scene, *face);
     if (other.stiffness < softest.stiffness) softest = other;
   }

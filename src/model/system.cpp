@@ -2,7 +2,9 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "model/contact_faces.hpp"
 #include "model/default_penalty.hpp"
+#include "model/joins.hpp"
 #include "model/path_norm.hpp"
 #include "model/ties.hpp"
 
@@ -13,31 +15,43 @@ namespace signorini::model {
 
 namespace {
 
-/// The scene, with default penalties. Throws Error if it has no body, or parts that do not fit.
+/// Throws Error if a list of a contact's faces has one twice, or if they do not form one surface.
+template <int D> void check_list(const Scene<D>& scene, const Faces& faces, const Message& list) {
+  for (auto face = faces.begin(); face != faces.end(); ++face)
+    require(std::find(faces.begin(), face, *face) == face, "model.contact.face_twice",
+            {{"list", list}, {"face", face_message(scene, *face)}});
+  if (faces.size() > 1) surface_of(scene, faces, list);
+}
+
+template <int D> void check_faces(const Scene<D>& scene, const Contact<D>& contact) {
+  check_list(scene, contact.slave, Message("model.contact.slave", {{"name", contact.name}}));
+  const auto* master = std::get_if<Faces>(&contact.master);
+  if (!master) return;
+  check_list(scene, *master, Message("model.contact.master", {{"name", contact.name}}));
+  for (const FaceReference& face : contact.slave)
+    require(!master->contains(face), "model.scene.own_face", {{"contact", contact.name}});
+}
+
+/// The scene, with default penalties and resolved joins. Throws Error if it has no body, or parts that do not fit.
 template <int D> const Scene<D>& completed(Scene<D>& scene) {
   require(!scene.bodies.empty(), "model.scene.no_body");
-  for (const Contact<D>& contact : scene.contacts) {
-    const auto* face = std::get_if<FaceReference>(&contact.master);
-    require(!face || !(contact.slave == *face), "model.scene.own_face", {{"contact", contact.name}});
-  }
   for (const auto& named : scene.bodies)
     require(named.body->kind() == scene.kind, "model.scene.kind", {{"body", named.name}});
+  resolve_joins(scene);
+  for (const Contact<D>& contact : scene.contacts) check_faces(scene, contact);
   set_default_penalties(scene);
   return scene;
 }
 
 template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
-  const auto surface = [&](const FaceReference& face) {
-    return contact::Surface<D>(scene.bodies[at(face.body)].body->space(), face.side);
-  };
   contact::Formulations<D> contacts;
   for (const Contact<D>& contact : scene.contacts) {
-    const auto* face = std::get_if<FaceReference>(&contact.master);
-    contact::Master<D> master = face ? contact::Master<D>(surface(*face))
-                                     : contact::Master<D>(scene.obstacles[at(std::get<1>(contact.master).obstacle)]);
-    contacts.push_back(
-        contact::make_formulation<D>(contact.method, {surface(contact.slave), std::move(master), contact.points,
-                                                      scene.kind == solid::Kind::axisymmetric, contact.where}));
+    const auto* faces = std::get_if<Faces>(&contact.master);
+    contact::Master<D> master = faces ? contact::Master<D>(surface_of(scene, *faces))
+                                      : contact::Master<D>(scene.obstacles[at(std::get<1>(contact.master).obstacle)]);
+    contacts.push_back(contact::make_formulation<D>(
+        contact.method, {surface_of(scene, contact.slave), std::move(master), contact.points,
+                         scene.kind == solid::Kind::axisymmetric, contact.where}));
   }
   return contacts;
 }

@@ -4,12 +4,21 @@
 #include "base/index.hpp"
 #include "model/scene.hpp"
 
+#include <limits>
+
 namespace signorini::model {
 
 /// Mean distance between a face of a body and the opposite one, along the thickness direction.
 double thickness(const nurbs::Discretization& space, nurbs::Side side);
 template <int D> double thickness(const Scene<D>& scene, const FaceReference& face) {
   return thickness(scene.bodies[at(face.body)].body->space(), face.side);
+}
+
+/// The least of several faces.
+template <int D> double thickness(const Scene<D>& scene, const Faces& faces) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const FaceReference& face : faces) least = std::min(least, thickness(scene, face));
+  return least;
 }
 
 /// E/h behind a face, h the thickness of the elements there.

@@ -31,11 +31,10 @@ template <int D> TieResultant<D> tie_resultant(const Model<D>& model, int tie) {
 template <int D> TieProfile tie_profile(const Model<D>& model, int tie) {
   const System<D>& system = model.system;
   const contact::Tie<D>& own = system.ties[at(tie)];
-  const Tie& named = system.scene.ties[at(tie)];
   const VectorX lambda = tractions(model, tie);
   contact::Surface<D> slave = own.slave(), master = own.master();
-  slave.move(model.present.displacement.data() + system.unknowns.offset(named.slave.body));
-  master.move(model.present.displacement.data() + system.unknowns.offset(named.master.body));
+  slave.move(model.present.displacement.data());
+  master.move(model.present.displacement.data());
   TieProfile result;
   contact::FacePoint<D> now, foot, foot_before;
   const auto& points = own.seam().points;

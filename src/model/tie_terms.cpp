@@ -20,15 +20,14 @@ void TieTerms::multiply(const VectorX& vector, VectorX& product) const {
 template <int D> TieTerms tie_terms(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Ties<D>& ties) {
   TieTerms terms;
   for (std::size_t k = 0; k < ties.size(); ++k) {
-    const Tie& named = scene.ties[k];
-    const double scale = tie_scale * tied_stiffness(scene, named);
+    const double scale = tie_scale * tied_stiffness(scene, scene.ties[k]);
     int multiplier = unknowns.of_tie(k);
     for (const auto& row : ties[k].rows())
       for (int c = 0; c < D; ++c, ++multiplier) {
         for (const auto& [function, value] : row.slave)
-          terms.couplings.push_back({multiplier, unknowns.offset(named.slave.body) + D * function + c, -scale * value});
+          terms.couplings.push_back({multiplier, D * function + c, -scale * value});
         for (const auto& [function, value] : row.master)
-          terms.couplings.push_back({multiplier, unknowns.offset(named.master.body) + D * function + c, scale * value});
+          terms.couplings.push_back({multiplier, D * function + c, scale * value});
         terms.proximal.push_back({multiplier, -tie_proximal * scale * row.area});
       }
   }
@@ -64,13 +63,15 @@ std::vector<int> tie_border(const Scene<D>& scene, const Unknowns<D>& unknowns, 
   };
   for (std::size_t k = 0; k < ties.size(); ++k) {
     for (int i = 0; i < ties[k].multipliers(); ++i) add(unknowns.of_tie(k) + i);
-    const auto add_face = [&](const contact::Surface<D>& face, int body) {
-      if (is_held(scene, unknowns, body)) return;
-      for (int i = 0; i < face.functions(); ++i)
-        for (int c = 0; c < D; ++c) add(unknowns.offset(body) + D * face.body_function(i) + c);
+    const auto add_faces = [&](const contact::Surface<D>& surface, const Faces& faces) {
+      if (std::all_of(faces.begin(), faces.end(),
+                      [&](const FaceReference& face) { return is_held(scene, unknowns, face.body); }))
+        return;
+      for (int i = 0; i < surface.functions(); ++i)
+        for (int c = 0; c < D; ++c) add(D * surface.body_function(i) + c);
     };
-    add_face(ties[k].slave(), scene.ties[k].slave.body);
-    add_face(ties[k].master(), scene.ties[k].master.body);
+    add_faces(ties[k].slave(), scene.ties[k].slave);
+    add_faces(ties[k].master(), scene.ties[k].master);
   }
   std::sort(border.begin(), border.end());
   border.erase(std::unique(border.begin(), border.end()), border.end());

@@ -1,10 +1,9 @@
 #include "model/unknowns.hpp"
 
 #include "base/error.hpp"
-#include "nurbs/coincident.hpp"
+#include "model/contact_faces.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace signorini::model {
 
@@ -32,19 +31,11 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
   obstacles_ = count;
   count += D * static_cast<int>(scene.obstacles.size());
 
-  // Coincident control points of a body share the unknowns of the first of them.
-  std::vector<int> leader(at(count));
-  std::iota(leader.begin(), leader.end(), 0);
-  std::vector<std::vector<int>> mates; // coincident degrees of freedom, the leader first
-  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
-    for (const std::vector<int>& group : nurbs::coincident_functions(scene.bodies[at(b)].body->space()))
-      for (int c = 0; c < D; ++c) {
-        mates.emplace_back();
-        for (int function : group) {
-          mates.back().push_back(offset(b) + D * function + c);
-          leader[at(mates.back().back())] = mates.back().front();
-        }
-      }
+  // Coincident control points of a body, and those of joined faces, share the unknowns of the first of them.
+  const std::vector<std::vector<int>> mates = coincident_points(scene).all();
+  std::vector<int> group_of(at(count / D), -1);
+  for (std::size_t group = 0; group < mates.size(); ++group)
+    for (int member : mates[group]) group_of[at(member)] = static_cast<int>(group);
 
   // The support of each degree of freedom
   std::vector<const Support<D>*> support_of(at(count), nullptr);
@@ -55,10 +46,9 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
       for (const SupportedControlPoints& points : support.on)
         for (int function : points.functions) list.push_back(offset(points.body) + D * function + c);
       for (int obstacle : support.obstacles) list.push_back(obstacle_offset(obstacle) + c);
-      for (const std::vector<int>& group : mates) {
-        const auto in_group = [&](int dof) { return leader[at(dof)] == group.front(); };
-        if (std::any_of(list.begin(), list.end(), in_group)) list.insert(list.end(), group.begin(), group.end());
-      }
+      for (std::size_t i = 0, own = list.size(); i < own; ++i)
+        if (const int group = group_of[at(list[i] / D)]; group >= 0)
+          for (int member : mates[at(group)]) list.push_back(D * member + c);
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
       if (constraint != Constraint::free || support.rotates)
@@ -84,7 +74,7 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
     const int c = dof % D; // every body and obstacle has D components per control point
     constrained_.push_back(support != nullptr || dof >= obstacles_);
     if (!support) {
-      const int lead = leader[at(dof)];
+      const int group = group_of[at(dof / D)], lead = group < 0 ? dof : D * mates[at(group)].front() + c;
       unknown_.push_back(dof >= obstacles_ ? -1 : lead < dof ? unknown(lead) : size_++);
     } else if (support->rotates && support->constraint[at(c)] == Constraint::free) {
       int& unknown = shared[static_cast<std::size_t>(support - scene.supports.data())][at(c)];
@@ -96,6 +86,14 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
   }
   displacements_ = count;
   free_displacements_ = size_;
+  std::vector<int> owner(at(size_), -1);
+  of_several_bodies_.assign(at(size_), false);
+  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
+    for (int dof = offset(b), end = dof + D * scene.bodies[at(b)].body->functions(); dof < end; ++dof)
+      if (const int i = unknown(dof); i >= 0) {
+        if (owner[at(i)] >= 0 && owner[at(i)] != b) of_several_bodies_[at(i)] = true;
+        owner[at(i)] = b;
+      }
   const auto add = [&](int further) {
     for (int i = 0; i < further; ++i) {
       constrained_.push_back(false);
@@ -104,10 +102,8 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
   };
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<D>& contact = scene.contacts[k];
-    const auto* face = std::get_if<FaceReference>(&contact.master);
-    const int master =
-        face ? offset(face->body) : obstacle_offset(std::get<ObstacleReference>(contact.master).obstacle);
-    of_contacts_.push_back({offset(contact.slave.body), master, dofs()});
+    const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);
+    of_contacts_.push_back({0, obstacle ? obstacle_offset(obstacle->obstacle) : 0, dofs()});
     add(contacts[k]->extra_unknowns());
   }
   for (const contact::Tie<D>& tie : ties) {

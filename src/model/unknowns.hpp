@@ -11,8 +11,8 @@ namespace signorini::model {
 /// Degrees of freedom are numbered by body, control point and component, then by obstacle, D translations each, then by
 /// contact, the additional unknowns of its formulation, and by tie, its multipliers, which are all free. The free ones
 /// are numbered consecutively as unknowns. The control points of a rotating support share one unknown for each free
-/// component of its translation. Coincident control points of a body, such as the pole of a sphere, share their
-/// unknowns; a support of one of them acts on all.
+/// component of its translation. Coincident control points of a body, such as the pole of a sphere, and those of joined
+/// faces share their unknowns; a support of one of them acts on all.
 template <int D> class Unknowns {
 public:
   /// Throws Error if two supports constrain the same component in contradictory ways.
@@ -34,6 +34,8 @@ public:
   int of_tie(std::size_t tie) const { return of_ties_[tie]; }
   /// Unknown of a degree of freedom; −1 if it is prescribed.
   int unknown(int dof) const { return unknown_[at(dof)]; }
+  /// Whether an unknown belongs to several bodies, which are joined or rotate together.
+  bool of_several_bodies(int unknown) const { return of_several_bodies_[at(unknown)] != 0; }
   /// Whether a support constrains this degree of freedom: it is prescribed, or rotates with others.
   bool constrained(int dof) const { return constrained_[at(dof)] != 0; }
   /// Degrees of freedom of a support in one component, also if that is free.
@@ -52,7 +54,7 @@ private:
   int size_ = 0, obstacles_ = 0, displacements_ = 0, free_displacements_ = 0;
   std::vector<int> offsets_, unknown_, of_ties_;
   std::vector<contact::Offsets> of_contacts_;
-  std::vector<char> constrained_;
+  std::vector<char> constrained_, of_several_bodies_;
   std::vector<std::vector<int>> of_support_;
 };
 

@@ -1,48 +1,18 @@
 #include "nurbs/coincident.hpp"
 
 #include "base/error.hpp"
+#include "base/groups.hpp"
 #include "base/index.hpp"
 #include "nurbs/constants.hpp"
 
 #include <algorithm>
 #include <iterator>
-#include <map>
-#include <numeric>
 
 namespace signorini::nurbs {
 
 namespace {
 
 using Functions = std::vector<int>;
-
-/// Union-find of functions; a group is represented by its lowest function.
-class Groups {
-public:
-  explicit Groups(int functions) : leader_(at(functions)) { std::iota(leader_.begin(), leader_.end(), 0); }
-
-  void unite(int a, int b) {
-    const int first = find(a), second = find(b);
-    leader_[at(std::max(first, second))] = std::min(first, second);
-  }
-
-  std::vector<Functions> all() const {
-    std::map<int, Functions> members;
-    for (int function = 0; function < static_cast<int>(leader_.size()); ++function)
-      members[find(function)].push_back(function);
-    std::vector<Functions> result;
-    for (auto& [leader, group] : members)
-      if (group.size() > 1) result.push_back(std::move(group));
-    return result;
-  }
-
-private:
-  int find(int function) const {
-    while (leader_[at(function)] != function) function = leader_[at(function)];
-    return function;
-  }
-
-  std::vector<int> leader_;
-};
 
 /// Positions of the control points and the tolerance for coincidence.
 class Positions {

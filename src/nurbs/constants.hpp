@@ -14,6 +14,9 @@ inline constexpr double same_place = 1e-10;
 /// Control points that users computed on two curves coincide within this fraction of the patch's size; also the
 /// tolerance for integer shares of elements.
 inline constexpr double computed = 1e-9;
+/// Control points of two patches that are joined coincide within this fraction of the face's size: files of other
+/// programs often have six or seven digits.
+inline constexpr double joinable = 1e-6;
 /// A Jacobian below this fraction of the product of its columns' lengths counts as zero (folded flat).
 inline constexpr double folded_flat = 1e-13;
 

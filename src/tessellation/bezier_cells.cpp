@@ -175,15 +175,16 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
   return cells;
 }
 
-template <int D> BezierCells contact_cells(const Model<D>& model, int contact, const BezierCells& cells) {
+template <int D>
+BezierCells contact_cells(const Model<D>& model, int contact, std::size_t face, const BezierCells& cells) {
   const Contact<D>& definition = model.system.scene.contacts[at(contact)];
-  const nurbs::Side side = definition.slave.side;
-  const nurbs::Discretization& space = model.system.scene.bodies[at(definition.slave.body)].body->space();
+  const auto& [body, side] = definition.slave[face];
+  const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
   std::vector<int> first_point = {0};
   for (const std::vector<int>& degrees : cells.degrees) first_point.push_back(first_point.back() + points_of(degrees));
 
   const std::vector<std::vector<double>> places(D - 1, solid::gauss_legendre(definition.points, 0, 1).points);
-  const MatrixX pressures = contact_point_pressures(model, contact);
+  const MatrixX pressures = contact_point_pressures(model, contact, face);
   BezierCells result;
   std::vector<int> chosen;        // among the points of the body's cells
   std::vector<double> on_contact; // pressures there
@@ -207,7 +208,7 @@ template <int D> BezierCells contact_cells(const Model<D>& model, int contact, c
 
 template BezierCells bezier_cells<2>(const Model<2>&, int, bool);
 template BezierCells bezier_cells<3>(const Model<3>&, int, bool);
-template BezierCells contact_cells<2>(const Model<2>&, int, const BezierCells&);
-template BezierCells contact_cells<3>(const Model<3>&, int, const BezierCells&);
+template BezierCells contact_cells<2>(const Model<2>&, int, std::size_t, const BezierCells&);
+template BezierCells contact_cells<3>(const Model<3>&, int, std::size_t, const BezierCells&);
 
 } // namespace signorini::tessellation

@@ -31,6 +31,7 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
 /// The sides of a body's cells on the slave face of a contact, with all fields and contact_pressure, the least-squares
 /// fit of the cell's degrees to the pressures at the contact points of an element. `cells` are those of the slave's
 /// body.
-template <int D> BezierCells contact_cells(const Model<D>& model, int contact, const BezierCells& cells);
+template <int D>
+BezierCells contact_cells(const Model<D>& model, int contact, std::size_t face, const BezierCells& cells);
 
 } // namespace signorini::tessellation

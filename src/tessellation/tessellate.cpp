@@ -170,7 +170,8 @@ Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sa
 VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sampling) {
   std::vector<FacePressure<3>> faces;
   for (std::size_t c = 0; c < model.system.scene.contacts.size(); ++c)
-    if (model.system.scene.contacts[c].slave.body == body) faces.emplace_back(model, static_cast<int>(c));
+    for (std::size_t k = 0; k < model.system.scene.contacts[c].slave.size(); ++k)
+      if (model.system.scene.contacts[c].slave[k].body == body) faces.emplace_back(model, static_cast<int>(c), k);
   if (faces.empty()) return {};
   std::vector<double> values;
   each_side_element(model, body, false, [&](const SkinSide& side, int i, int j) {

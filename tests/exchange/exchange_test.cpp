@@ -3,6 +3,7 @@
 #include "exchange/exchange.hpp"
 
 #include "base/whole_file.hpp"
+#include "nurbs/directions.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/refine.hpp"
 #include "nurbs/shapes.hpp"
@@ -20,7 +21,7 @@ using signorini::test::message_of;
 using signorini::test::ScratchFolder;
 
 std::vector<Patch> sample(const std::string& name) {
-  return read_patches(std::string(SAMPLE_DIR) + "/" + name);
+  return read_geometry(std::string(SAMPLE_DIR) + "/" + name).patches;
 }
 
 VectorX at(const Patch& patch, std::initializer_list<double> xi) {
@@ -84,8 +85,8 @@ TEST(Exchange, RoundTripsPreserveAllBits) {
     const Patch other = elevate(nurbs::test::random_patch(random, parametric, dimension), 0, 1);
     for (const std::string& form : forms()) {
       const std::vector<Patch> written = form == "mfem" ? std::vector{patch} : std::vector{patch, other};
-      write_patches(folder.file("p"), written, form);
-      const std::vector<Patch> read = read_patches(folder.file("p"));
+      write_geometry(folder.file("p"), {written}, form);
+      const std::vector<Patch> read = read_geometry(folder.file("p")).patches;
       ASSERT_EQ(read.size(), written.size());
       for (std::size_t k = 0; k < read.size(); ++k) expect_same(read[k], written[k]);
       if (form != "gismo") {
@@ -98,17 +99,17 @@ TEST(Exchange, RoundTripsPreserveAllBits) {
 TEST(Exchange, WritesPolynomialPatchesToXmlWithoutWeights) {
   ScratchFolder folder;
   const Patch square = rectangle(1, 1, Vec<2>::Zero());
-  write_patches(folder.file("p.xml"), {square}, form_named_by("p.xml"));
+  write_geometry(folder.file("p.xml"), {{square}}, form_named_by("p.xml"));
   const std::string text = read_file(folder.file("p.xml"));
   EXPECT_NE(text.find("TensorBSpline2"), std::string::npos);
   EXPECT_EQ(text.find("weights"), std::string::npos);
-  expect_same(read_patches(folder.file("p.xml"))[0], square);
+  expect_same(read_geometry(folder.file("p.xml")).patches[0], square);
 }
 
 TEST(Exchange, WritesAMultiPatchToXmlForPatchesOfOneKind) {
   ScratchFolder folder;
   const auto text_of = [&](const std::vector<Patch>& patches) {
-    write_patches(folder.file("p.xml"), patches, "gismo");
+    write_geometry(folder.file("p.xml"), {patches}, "gismo");
     return read_file(folder.file("p.xml"));
   };
   const Patch square = rectangle(1, 1, Vec<2>::Zero());
@@ -130,7 +131,7 @@ std::string refusal(const std::string& text) {
   const std::string file = folder.file("f");
   std::ofstream(file) << text;
   try {
-    read_patches(file);
+    read_geometry(file);
   } catch (const Error& error) {
     const Message& message = error.message();
     if (message.code != "exchange.file.at_line") return message.code;
@@ -169,8 +170,9 @@ TEST(Exchange, RejectsInvalidFilesWithTheLine) {
   EXPECT_EQ(refusal(replaced(mesh, "v1.0", "v2.0")), "exchange.mfem.title");
   EXPECT_TRUE(refusal(replaced(mesh, "patches", "weights")).starts_with(":31: exchange.mfem.weights"));
   EXPECT_TRUE(refusal(replaced(mesh, "_cartesian", "_polar")).starts_with(":41: exchange.mfem.points: word = "));
-  EXPECT_TRUE(refusal(replaced(mesh, "elements\n1", "elements\n2")).find("exchange.mfem.patches: expected = 2") !=
-              std::string::npos);
+  EXPECT_TRUE(
+      refusal(replaced(mesh, "elements\n1", "elements\n2\n1 3 0 1 2 3")).find("exchange.mfem.patches: expected = 2") !=
+      std::string::npos);
   EXPECT_TRUE(refusal(replaced(mesh, " 1.4142135623730951 1.4142135623730951 1", "1 2"))
                   .starts_with(":50: exchange.text.end: expected = (exchange.expected.weight)"));
 
@@ -214,7 +216,7 @@ TEST(Exchange, DamagedFilesAreReadOrRejectedWithoutCrash) {
         text.erase(place(), static_cast<std::size_t>(nurbs::test::integer(random, 1, 20)));
       }
       std::ofstream(file) << text;
-      const std::string message = message_of([&] { taken += !read_patches(file).empty(); });
+      const std::string message = message_of([&] { taken += !read_geometry(file).patches.empty(); });
       if (message == "no error") continue;
       ++refused;
       EXPECT_NE(message.find(": file = " + file), std::string::npos) << message;
@@ -227,10 +229,11 @@ TEST(Exchange, RejectsWhatAFormatCannotRepresent) {
   ScratchFolder folder;
   const Patch square = rectangle(1, 1, Vec<2>::Zero());
   const auto refused = [&](const std::vector<Patch>& patches, const std::string& form) {
-    return message_of([&] { write_patches(folder.file("p"), patches, form); });
+    return message_of([&] { write_geometry(folder.file("p"), {patches}, form); });
   };
   EXPECT_EQ(refused({}, "gismo"), "exchange.write.nothing");
-  EXPECT_TRUE(refused({square, square}, "mfem").find("exchange.mfem.one_patch: count = 2") != std::string::npos);
+  EXPECT_TRUE(refused({square, reverse(reverse(square, 0), 1)}, "mfem").find("exchange.mfem.opposite") !=
+              std::string::npos);
   EXPECT_TRUE(refused({square, face(square, {0, false})}, "geopdes").find("exchange.geopdes.mixed: number = 1") !=
               std::string::npos);
   EXPECT_TRUE(refused({square}, "iges").find("exchange.write.form: form = iges, known = (gismo, geopdes, mfem)") !=

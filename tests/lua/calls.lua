@@ -40,6 +40,10 @@ function make.model()
   local body = make.body()
   return sg.model { bodies = { slab = body }, supports = { bed = { on = body:face "south", fix = "x", drive = "y" } } }
 end
+--- With one part, whose faces, edges and corners have the names of a plane body's after "1.".
+function make.compound()
+  return sg.body { patch = { make.patch() }, elements = { 2, 2 }, order = "N2", material = make.material() }
+end
 function make.snapshot() return make.model():snapshot() end
 function make.run() return make.model():run { { steps = 1, bed = 0.01 } } end
 function make.state() return make.run():states()[1] end

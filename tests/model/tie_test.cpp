@@ -178,7 +178,7 @@ TEST(Ties, FacesThatDoNotFitAreErrors) {
   EXPECT_ERROR(error_with([](auto& s) {
                  s.bodies[1].body = make_body(nurbs::rectangle(2, 1, Eigen::Vector2d(0, 0)), {3, 2}, "N2", "north",
                                               solid::linear_elastic(1, 0.3));
-                 s.ties[0].master.side = nurbs::side_of("north", 2);
+                 s.ties[0].master[0].side = nurbs::side_of("north", 2);
                }),
                "model.tie.facing");
 }
@@ -191,7 +191,7 @@ TEST(Ties, AFaceTiedInPartIsAWarning) {
   EXPECT_EQ(codes(stacked(solid::linear_elastic(1, 0.3), MultiplierSpace::equal)), "");
   EXPECT_EQ(codes(stacked(solid::linear_elastic(1, 0.3), MultiplierSpace::equal, 3)), ""); // a larger master
   const std::string part = codes(stacked(solid::linear_elastic(1, 0.3), MultiplierSpace::equal, 1));
-  EXPECT_NE(part.find("model.warning.tied_part: tie = seam"), std::string::npos) << part;
+  EXPECT_NE(part.find("model.warning.tied_part: tie = model.tie.name: name = seam"), std::string::npos) << part;
   EXPECT_NE(part.find("percent = 50"), std::string::npos) << part;
 }
 

@@ -87,9 +87,13 @@ function texts.point(of) return union(table.move(coordinates, of.low, of.high, 1
 function texts.points() return ("(%s|%s)[]"):format(coordinates[2], coordinates[3]) end
 
 function texts.list(of, place, found)
+  if of.fields then
+    found[#found + 1] = annotation.class(place, { rows = of.fields, entries = { "entry", of.of } }, found)
+    return of.single and union { text_of(of.of, place, found), place } or place
+  end
   local one = text_of(of.of, place, found)
+  if of.flat then return union { one, enclosed(union { one, enclosed(one) .. "[]" }) .. "[]" } end
   local list = of.size and of.size <= 3 and ("[%s]"):format((one .. ", "):rep(of.size):sub(1, -3))
-    or of.also and ("table<integer|%q, %s|%s>"):format(of.also[1], one, text_of(of.also[2], place, found))
     or enclosed(one) .. "[]"
   return of.single and union { one, list } or list
 end

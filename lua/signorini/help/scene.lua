@@ -31,6 +31,12 @@ coated = sg.model{
 }
 coated:run{ { name = "shear", steps = 1, grip = {0.01, 0} } }
 
+-- Two patches are joined to a beam.
+left = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, order = "N2",
+                material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+right = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = {1, 0} }, elements = {2, 2},
+                 order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+
 model, stages = press("N2-N2.2", 1)
 die, slab = model:body "die", model:body "slab"
 patch = sg.shapes.rectangle{ width = 3, height = 1 }
@@ -38,6 +44,15 @@ run = model:run(stages)
 files = sg.files "out/press"
 finer = press("N2-N2.2", 2)
 finer:run(stages)
+
+-- Bodies of two patches.
+pair = sg.body{ patch = { sg.shapes.rectangle{ width = 1, height = 1 },
+                          sg.shapes.rectangle{ width = 1, height = 1, corner = {1, 0} },
+                          boundaries = { top = { "1.north", "2.north" } } },
+                elements = {2, 2}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+cubes = sg.body{ patch = { sg.shapes.block{ size = {1, 1, 1} },
+                           sg.shapes.block{ size = {1, 1, 1}, corner = {1, 0, 0} } },
+                 elements = {1, 1, 1}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
 
 -- A cube is compressed.
 cube = sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {2, 2, 2}, order = "N2",

@@ -24,7 +24,9 @@ return {
     "Initial stresses and temperatures are not available. Models start from the stress-free reference shape.",
     "sg.model" },
   -- Contact
-  { "tied, bonded, glue, mesh tying, multipatch, multi patch",
+  { "multipatch, multi patch, several patches, merge, weld, share nodes, interface of patches",
+    "`joins` of sg.model make one body of several patches, with one sg.body per patch.", "join", "sg.model" },
+  { "tied, bonded, glue, mesh tying",
     "`ties` of sg.model make faces move as one, also with meshes that do not match: one body per patch.", "tie",
     "sg.model" },
   { "mortar, segment to segment, node to surface, nts, gpts, contact formulation",

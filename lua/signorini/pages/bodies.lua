@@ -17,6 +17,11 @@ local order = t.by({ kind = "list", of = label, single = true,
            ending = ", one per direction" .. along }
 end)
 
+--- A place of a part of a body of several patches.
+local function part_place(count, noun)
+  return t.name(function(body) return require("signorini.compound").place_names(body, count) end, noun)
+end
+
 local name_of_face = "west, east (ends of xi1), south, north (xi2), front, back (xi3)"
 local driven = [[A support can move it: see help "obstacle".]]
 
@@ -24,8 +29,9 @@ return {
   title = "Materials, bodies, obstacles", word = "bodies",
   { "sg.body", "Returns a solid body: a patch with a discretization and a material.",
     named = {
-      { "patch", t.object "patch", "shape: a surface in the plane, a volume in 3D" },
-      { "elements", patch_types.elements, "knot spans" },
+      { "patch", t.by(t.either(t.object "patch", patch_types.several), function() return t.object "patch" end),
+        "shape: a surface in the plane, a volume in 3D, or a list of these, see help \"compound\"" },
+      { "elements", patch_types.elements, "knot spans; with a list of patches also a list with an entry per patch" },
       { "order", order, [[discretization label such as "N2-N2.2", help "orders"]] },
       { "contact", t.one_or_more(patch_types.any_face), [[face that carries the layer, or two opposite ones; required
 for orders with a layer. Any face can be slave or master of a contact]],
@@ -41,7 +47,7 @@ about half of the time, but locks in bending and for nu near 0.5]], otherwise = 
     more = [[Where two opposite faces of the patch coincide, as in a full ring, the body is joined at this seam.
 print(body) shows the degrees and the closed directions.
 Source: k-refinement 2.3.3, varying-order layers (5.1) to (5.6) of ]] .. thesis .. ".",
-    returns = t.object "body",
+    returns = t.either(t.object "body", t.object "compound"),
     example = { [[
 sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2-N2.2",
          contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }]], [[
@@ -50,6 +56,38 @@ sg.body{ patch = sg.shapes.block{ size = {4, 4, 2} }, elements = {4, 4, 2}, orde
   { "body", [[The result of sg.body, an immutable value. print(body) shows elements and degrees per direction (per row
 of control points where these differ) and the size; tostring(body) shows the first line only.]],
     more = "Methods: face, edge, corner, dofs, points." },
+  { "compound", [[The result of sg.body for a list of patches, such as sg.nurbs.read returns: a body of several patches,
+whose parts are single bodies. In a model the parts of `ball` are "ball.1", "ball.2", …, in the order of the list; as
+`bodies` of a picture "ball" means all of them.]],
+    more = [[
+Faces of two parts that lie on each other are joined; where their meshes do not match they are tied. print(model) shows
+which of the two happened. If the list has `interfaces`, only the faces in it are: { { "1.east", "2.west" }, … }.
+`boundaries` of the list names faces: { outer = { "1.south", "2.south" } }; compound:face "outer" then returns these.
+Arguments of sg.body: order is one label for all; contact lists faces such as "1.south", or boundaries; parts without
+such a face have the label's bulk, N2 of N2-N4. Methods: face, edge, corner, part.]],
+    example = [[
+square = sg.shapes.rectangle
+pair = sg.body{ patch = { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = {1, 0} },
+                          boundaries = { top = { "1.north", "2.north" } } },
+                elements = {2, 2}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+beam = sg.model{ bodies = { pair = pair }, supports = { lid = { on = pair:face "top", fix = "xy" } } }]] },
+  { "compound:corner", "Returns the control point of a corner of a part, for supports.",
+    arguments = { { "name", part_place(0, "corner name"), 'part and corner: "2.south-west"' } },
+    returns = t.object "face",
+    example = 'pair:corner "1.south-west"' },
+  { "compound:edge", "Returns the control points of an edge of a part of a solid body, for supports.",
+    arguments = { { "name", part_place(2, "edge name"), 'part and edge: "2.south-front"' } },
+    returns = t.object "face",
+    example = 'cubes:edge "1.south-front"' },
+  { "compound:face", [[Returns a face of a part, or the list of the faces of a boundary, for supports, loads, contacts,
+ties and joins. As slave or master the faces of a list must be adjacent.]],
+    arguments = { { "name", part_place(1, "face name"), 'part and face, "2.north", or a boundary' } },
+    returns = t.any,
+    example = 'pair:face "top"' },
+  { "compound:part", "Returns a part as a body.",
+    arguments = { { "number", t.count, "from 1, in the order of the patches" } },
+    returns = t.object "body",
+    example = "pair:part(2):dofs().total" },
   { "body:dofs", [[Returns the numbers of degrees of freedom { interface, bulk, total }: those of the contact faces'
 control points, of all others, of all.]],
     returns = t.record("interface bulk total", t.integer(0)),

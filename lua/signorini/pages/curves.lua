@@ -91,26 +91,30 @@ line = sg.nurbs.line
 sg.nurbs.coons{ west = line{ from = {0, 0}, to = {0, 1} }, east = line{ from = {1, 0}, to = {1, 2} },
                 south = line{ from = {0, 0}, to = {1, 0} }, north = line{ from = {0, 1}, to = {1, 2} } }]],
   },
-  { "sg.nurbs.read", [[Returns all patches of a file as a list, in the file's order. The format is detected from the
-beginning of the file:]],
+  { "sg.nurbs.read", [[Returns all patches of a file as a list, in the file's order; sg.body takes the list as a body of
+several patches. The format is detected from the beginning of the file:]],
     arguments = { file },
     more = [[
   G+Smo's XML: geometries BSpline, Nurbs, TensorBSpline2 and 3, TensorNurbs2 and 3
   the text file of GeoPDEs and the NURBS toolbox, versions 0.7, 1.0 and 2.1, one or several patches
   MFEM NURBS mesh v1.0 with a section `patches`
-Interfaces between patches and boundaries are not read. Errors in a file are reported with file and line.]],
-    returns = t.list(patch),
+The list has the fields `interfaces`, { { "1.east", "2.west" }, … }, and `boundaries`, { name = { "1.north", … } }, as
+far as the file has them; in MFEM's files the name of a boundary is its attribute. Errors in a file are reported with
+file and line.]],
+    returns = patch_types.several,
     example = [=[
 sg.shapes.half_annulus{ inner = 1, outer = 2 }:write "bracket.xml"
 bracket = sg.nurbs.read("bracket.xml")[1]]=] },
   { "sg.nurbs.write", [[Writes a patch or a list of patches to a file, atomically; knots, weights and control points are
-read back bitwise identical.]],
-    arguments = { file, { "patches", t.one_or_more(patch), "patches to write" }, patch_types.form },
+read back bitwise identical. Written, too, are interfaces (those of the list, otherwise all faces of two patches that
+match point by point) and boundaries.]],
+    arguments = { file, { "patches", t.either(patch, patch_types.several), "patches to write" }, patch_types.form },
     more = [[
   "gismo":   .xml, G+Smo's XML
-  "geopdes": .txt, text file of GeoPDEs, version 2.1, without interfaces
-  "mfem":    .mesh, MFEM NURBS mesh v1.0 of one patch; the attributes of its sides are west 1, east 2, south 3, north 4,
-             front 5, back 6]],
+  "geopdes": .txt, text file of GeoPDEs, version 2.1
+  "mfem":    .mesh, MFEM NURBS mesh v1.0; neighbors must run along their common edges in the same direction. The
+             attributes of the sides of one patch are west 1, east 2, south 3, north 4, front 5, back 6; of several the
+             numbers of the boundaries by name, other faces the next number]],
     returns = {},
     example = 'sg.nurbs.write("annulus.txt", sg.shapes.half_annulus{ inner = 1, outer = 2 })' },
 }

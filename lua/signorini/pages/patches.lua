@@ -1,5 +1,6 @@
 -- Pages: shapes and patches.
 
+local patch_types = require "signorini.patch_types"
 local t = require "signorini.types"
 
 local a_patch = t.object "patch"
@@ -54,7 +55,7 @@ inner radius (north).]],
 the core (north), the neighbors are at west and east. 5 is the core, a square with its corners at half the radius, xi1
 along x, xi2 along y. Boundary: outer, the circle.]],
     named = { radius, center_in_plane }, more = several "outer",
-    returns = t.patch_list,
+    returns = patch_types.several,
     example = "disc = sg.shapes.disc{ radius = 1 }\nsg.picture{ patch = disc }" },
   { "sg.shapes.polar_disc", [[Returns a disc of one patch: xi1 once around, counterclockwise from the highest point
 (west and east are the seam), xi2 from the circle (south) to the center, to which north is collapsed: the map is
@@ -101,7 +102,7 @@ extruded sg.shapes.disc. 1 (below), 2 (right), 3 (above) and 4 (left): xi1 along
 circle (front) to the core (back). 5 is the core; xi1, xi2, xi3 along x, y, z. Boundaries: outer, the curved surface;
 south and north, the flat ends, with the center at the origin in y = 0 and y = width.]],
     named = { radius, width, axis_start }, more = several "outer, south, north",
-    returns = t.patch_list,
+    returns = patch_types.several,
     example = "sg.shapes.cylinder{ radius = 0.5, width = 2 }" },
   { "sg.shapes.polar_cylinder", [[Returns a solid cylinder along y of one patch: xi1 once around from the highest line
 (west and east are the seam), xi2 along y, xi3 from the circle (front) to the axis, to which back is collapsed: the map
@@ -117,7 +118,7 @@ from the axis, xi3 along z. Boundary: outer, the surface.]],
               { "section", t.positive, "radius of the section, below radius", unit = "length" },
               { "center", t.space_point, "center of the torus", default = { 0, 0, 0 }, unit = "length" } },
     more = several "outer",
-    returns = t.patch_list,
+    returns = patch_types.several,
     example = "sg.shapes.torus{ radius = 2, section = 0.5 }" },
   { "sg.shapes.ball", [[Returns a solid ball of seven patches of degree 4 without singular points. 1 (below), 2 (+x), 3
 (+y), 4 (-x), 5 (-y) and 6 (above) have a sixth of the sphere each, exact (J. E. Cobb 1988): front is the sphere, back
@@ -125,7 +126,7 @@ the core, the other four faces are the neighbors'. 7 is the core, a cube along t
 radius. xi1 and xi2 of patch 1 and all of the core run along x, y, z. Boundary: outer, the sphere. Bodies need at least
 the label N4.]],
     named = { radius, center_in_space }, more = several "outer",
-    returns = t.patch_list,
+    returns = patch_types.several,
     example = "#sg.shapes.ball{ radius = 1 }  --> 7" },
   { "sg.shapes.polar_ball", [[Returns a solid ball of one patch of degree 2: xi1 once around the z axis from x over y
 (west and east are the seam), xi2 from the upper to the lower pole, xi3 from the sphere (front) to the center. The map

@@ -3,6 +3,7 @@
 local core = require "signorini.core"
 local lists = require "signorini.lists"
 local filter, merged = lists.filter, lists.merged
+local patch_types = require "signorini.patch_types"
 local t = require "signorini.types"
 local chart_rows = require "signorini.pages.chart_rows"
 
@@ -84,7 +85,7 @@ it to `file` if given. Later changes of the model do not affect the picture.]],
       "Contents, one of these, or states below:",
       { "model", t.object "model", "shows its current state", optional = true },
       { "state", t.object "state", "an entry of run:states()", optional = true, excludes = { "states", "patch" } },
-      { "patch", t.patches,
+      { "patch", patch_types.one_or_several,
         "patches in gray, all in the plane or all in 3D", optional = true, excludes = { "model" } },
       "Several states or fields:",
       of_models { "states", t.list(t.object "state", nil, 1), [[run:states(): one picture each, as in sg.sheet; or,

@@ -7,9 +7,10 @@ local t = require "signorini.types"
 local thesis = "V. Agrawal, thesis, IIT Guwahati, 2020"
 local axes = t.choice { "x", "y", "z", "xy", "xz", "yz", "xyz" }
 local face, obstacle = t.object "face", t.object "obstacle"
-local faces = t.worded(t.one_or_more(face), "a face or a list of faces")
+local faces = t.worded(t.flat(face), "a face or a list of faces")
 
-local slave = t.object "face"
+local adjacent = t.worded(t.flat(face), "a face or a list of adjacent faces")
+local slave = t.worded(t.flat(face), "a face or a list of adjacent faces")
 slave.cure = function(value)
   return require("signorini.pages").kind(value) == "obstacle" and "an obstacle can only be the master: exchange the two"
     or nil
@@ -21,10 +22,12 @@ region.cure = "write a function of a reference position of the slave face, as in
 
 local contact = {
   { "slave", slave, [[face over which contact is integrated; pressures are computed at its contact points. Use the finer
-mesh, of equal meshes the softer body (the published ironing studies use the stiff die)]] },
-  { "master", t.either(face, obstacle), [[face of the other body onto which these points are projected, or an obstacle.
-Beyond its edges (a closed ring has none along its arc) the master is extended by 0.3 of its last element; there the
-traction decreases to zero]] },
+mesh, of equal meshes the softer body (the published ironing studies use the stiff die). A list of adjacent faces, of
+joined bodies or of one, acts as one face: a chain in the plane, a row or a full grid in 3D]] },
+  { "master", t.either(obstacle, t.flat(face)), [[face of the other body onto which these points are projected, a
+list of adjacent faces, or an obstacle. Points slide across the borders of a list; only its ends are edges. Beyond its
+edges (a closed ring has none along its arc) the master is extended by 0.3 of its last element; there the traction
+decreases to zero]] },
   { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. 10 to 1000 times E / h of the
 softer body is usual, h its element size; model:contact_resultant(name).max_penetration is the penetration that remains.
 With enforcement = "augmented" it determines the number of augmentations, not the result, and with "multipliers" it only
@@ -139,9 +142,9 @@ contact.conflict = function(values)
 end
 
 local tie = {
-  { "slave", t.object "face", [[face with the multipliers, over which the coupling is integrated; in general the finer
-mesh]] },
-  { "master", t.object "face", "face of the other body that coincides with it, as a whole or in part" },
+  { "slave", adjacent, [[face with the multipliers, over which the coupling is integrated; in general the finer mesh. A
+list of adjacent faces acts as one face]] },
+  { "master", adjacent, "face of the other body that coincides with it, as a whole or in part, or such a list" },
   { "multipliers", t.choice { "equal", "reduced" }, [[functions of the tractions. equal: those of the slave face, with
 optimal rates of convergence. reduced: of degree p - 2 on its elements, continuity two less (N2: constant per element),
 proven stable (inf-sup), less accurate; for degree p >= 2]], default = "equal" },
@@ -167,13 +170,16 @@ as keys. Plane strain has unit depth; under plane stress forces and energies ref
 is 1, and pressures of contacts to the current length and the undeformed thickness; in an axisymmetric model x is the
 radius, y the axis, and forces refer to the full circle.]],
     named = {
-      { "bodies", t.map(t.or_nil(t.object "body"), 1), "the bodies" },
+      { "bodies", t.map(t.or_nil(t.either(t.object "body", t.object "compound")), 1), [[the bodies. The parts of one of
+several patches are named after it: "ball.1", "ball.2", …]] },
       { "supports", t.map(t.or_nil(t.either(t.named "support", t.named "load"))),
         "supports of bodies and obstacles; entries with traction or pressure are loads",
         optional = true },
       { "loads", t.map(t.or_nil(t.named "load")), "external forces", optional = true },
       { "contacts", t.map(t.or_nil(t.named "contact")), "pairs of faces that may touch", optional = true },
       { "ties", t.map(t.or_nil(t.named "tie")), "pairs of faces that move as one", optional = true },
+      { "joins", t.map(t.or_nil(t.worded(t.list(face, 2), "a list of two faces"))),
+        "pairs of faces of which the bodies become one", optional = true },
       { "kind", t.choice { "plane_strain", "plane_stress", "axisymmetric" },
         "plane strain, thin plates, or a section of bodies of revolution",
         otherwise = '"plane_strain" for plane bodies' },
@@ -196,7 +202,7 @@ sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", tr
   { "support", "Fixes or prescribes displacements of faces, edges, corners or obstacles; at least one component.",
     head = "supports = { <name> = { on, fix, drive, free, rotate, symmetry } }, in sg.model{ … }",
     named = {
-      { "on", t.worded(t.one_or_more(t.either(face, obstacle)),
+      { "on", t.worded(t.flat(t.either(face, obstacle)),
         "a face or a list of faces, an edge, a corner or an obstacle"), "where; the reaction of a list is the sum" },
       { "fix", axes, "components with zero displacement", optional = true },
       { "drive", axes, "components that stages prescribe", unit = "length", optional = true },
@@ -233,6 +239,17 @@ Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), fricti
     example = [[
 contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
                            friction = { mu = 0.2, penalty = 100 } } }]] },
+  { "join", "Joins two faces, so that their bodies deform as one without further unknowns.",
+    head = "joins = { <name> = { face, face } }, in sg.model{ … }",
+    more = [[Faces that match point by point share their control points' unknowns (C0): they have the same degrees and
+elements, with parameters that differ by a constant factor, the same control points, and weights that differ by a
+constant factor; directions may be reversed, in 3D also exchanged. On sides that cross a layer the layers must match,
+too. Two faces of one body can be joined, as in a ring. Where several joins meet, all share one unknown. Other pairs of
+faces that coincide are tied (help "tie"), with the face of more elements as slave; model:tie_profile and
+model:tie_resultant then accept the join's name. print(model) shows for each join what was done, and what differs.
+Supports, symmetry and reactions act on all control points that share an unknown; a joined face cannot be in contact.]],
+    example = [[
+joins = { seam = { left:face "east", right:face "west" } }]] },
   { "tie", "Ties two faces whose meshes need not match: they neither open nor slip.",
     head = "ties = { <name> = { slave, master, multipliers } }, in sg.model{ … }",
     named = tie,

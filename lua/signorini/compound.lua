@@ -1,0 +1,182 @@
+-- Bodies of several patches: single bodies, the parts, whose coincident faces sg.model joins.
+
+local check = require "signorini.check"
+local core = require "signorini.core"
+local counted = require "signorini.counted"
+local lists = require "signorini.lists"
+local meant = require "signorini.meant"
+local patch_types = require "signorini.patch_types"
+local t = require "signorini.types"
+
+local compound = {}
+
+local Compound = core.types.compound
+
+--- The part and the face of a text such as "2.north"; nil for other texts.
+local function split(text)
+  local number, name = text:match "^(%d+)%.(.+)$"
+  return math.tointeger(tonumber(number)), name
+end
+
+--- A face, edge or corner of a part by a text such as "2.north"; `kind`: the method of bodies that returns it.
+local function place(parts, kind, text, where)
+  local number, name = split(text)
+  local part = parts[number]
+  if not part then
+    core.fail(("%s must be a %s of a part from 1 to %d, such as '1.%s', got '%s'"):format(where, kind, #parts,
+      core.place_names(parts[1], kind == "face" and 1 or kind == "edge" and 2 or 0)[1] or "west", text))
+  end
+  return part[kind](part, name)
+end
+
+-- ── Making ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+local contact_names = t.worded(t.one_or_more(t.text),
+  "a face such as '1.north', the name of a boundary, or a list of these")
+
+--- The faces that carry the layer, by part: { [2] = { "north" } }, from names of faces or of boundaries.
+local function contact_faces(given, patches)
+  local faces = {}
+  local function add(text)
+    local number, name = split(text)
+    if not patches[number] then
+      core.fail(("sg.body: contact must be a face such as '1.north' of the patches 1 to %d, or the name of a boundary, "
+        .. "got '%s'%s"):format(#patches, text, meant(text, lists.sorted_names(patches.boundaries or {}))))
+    end
+    faces[number] = faces[number] or {}
+    table.insert(faces[number], name)
+  end
+  for _, text in ipairs(given) do
+    for _, one in ipairs(patches.boundaries and patches.boundaries[text] or { text }) do add(one) end
+  end
+  return faces
+end
+
+--- The label of bodies without the layer: "N2" of "N2-N4".
+local function bulk(label) return label:match "^[^-]*" end
+
+--- The arguments of sg.body for one part. Parts without a face in `contact` have the label's bulk.
+local function part_values(values, patches, i, contact)
+  local own = lists.merged(values, { patch = patches[i], contact = contact[i] })
+  if type(values.elements) == "table" and type(values.elements[1]) == "table" then own.elements = values.elements[i] end
+  if values.contact and not contact[i] then
+    own.order, own.thickness_degree, own.contact = bulk(values.order), nil, nil
+  end
+  return own
+end
+
+--- The pairs of faces of parts on each other, { { 1, "east", 2, "west" }, … }: those listed, or all that coincide.
+local function pairs_of(patches, parts)
+  if not patches.interfaces then return core.coincident_faces(parts) end
+  local found = {}
+  for i, faces in ipairs(patches.interfaces) do
+    local pair = {}
+    for k, text in ipairs(faces) do
+      place(parts, "face", text, ("sg.body: patch.interfaces[%d][%d]"):format(i, k))
+      pair[2 * k - 1], pair[2 * k] = split(text)
+    end
+    found[i] = pair
+  end
+  return found
+end
+
+--- The boundaries as lists of faces.
+local function boundaries_of(patches, parts)
+  local result = {}
+  for name, texts in pairs(patches.boundaries or {}) do
+    result[name] = {}
+    for i, text in ipairs(texts) do
+      result[name][i] = place(parts, "face", text, ("sg.body: patch.boundaries.%s[%d]"):format(name, i))
+    end
+  end
+  return result
+end
+
+--- The body of several patches; make(values): sg.body for one patch.
+function compound.new(make, values)
+  local patches = check.value(patch_types.several, values.patch, "sg.body", "patch")
+  if type(values.order) ~= "string" then
+    check.reject("sg.body", "order", "one label for all directions, as patch is a list", values.order)
+  end
+  if type(values.elements) == "table" and type(values.elements[1]) == "table" and #values.elements ~= #patches then
+    check.reject("sg.body", "elements", ("a list of %d lists, one per patch"):format(#patches), values.elements)
+  end
+  local named = values.contact and check.value(contact_names, values.contact, "sg.body", "contact")
+  local contact = named and contact_faces(named, patches) or {}
+  local parts = {}
+  for i = 1, #patches do parts[i] = make(part_values(values, patches, i, contact)) end
+  return setmetatable({ parts = parts, pairs = pairs_of(patches, parts), boundaries = boundaries_of(patches, parts) },
+    Compound)
+end
+
+-- ── Places ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The names of faces (count = 1), edges (2) and corners (0): "1.west", …; faces also by boundary.
+function compound.place_names(self, count)
+  local names = count == 1 and lists.sorted_names(self.boundaries) or {}
+  for i, part in ipairs(self.parts) do
+    for _, name in ipairs(core.place_names(part, count)) do names[#names + 1] = ("%d.%s"):format(i, name) end
+  end
+  return names
+end
+
+function compound.face(self, name)
+  local named = self.boundaries[name]
+  if named then return table.move(named, 1, #named, 1, {}) end
+  if not split(name) then
+    local known = lists.sorted_names(self.boundaries)
+    core.fail(("compound:face: there is no boundary '%s'%s; this body has %s, and faces of its parts such as '1.west'")
+      :format(name, meant(name, known), #known > 0 and table.concat(known, ", ") or "none"))
+  end
+  return place(self.parts, "face", name, "compound:face: name")
+end
+
+function compound.edge(self, name) return place(self.parts, "edge", name, "compound:edge: name") end
+function compound.corner(self, name) return place(self.parts, "corner", name, "compound:corner: name") end
+
+function compound.part(self, number)
+  return self.parts[number] or
+    check.reject("compound:part", "number", ("a whole number from 1 to %d"):format(#self.parts), number)
+end
+
+function compound.text(self)
+  local dofs = 0
+  for _, part in ipairs(self.parts) do dofs = dofs + part:dofs().total end
+  return ("body of %d patches with %d degrees of freedom, %s of faces on each other%s"):format(#self.parts, dofs,
+    counted(#self.pairs, "pair"), next(self.boundaries) and
+      "; boundaries: " .. table.concat(lists.sorted_names(self.boundaries), ", ") or "")
+end
+
+-- ── Models ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The arguments of sg.model with parts in place of bodies of several patches, and joins of their faces.
+function compound.expanded(values)
+  if type(values.joins or {}) ~= "table" then return values end -- which sg.model rejects
+  local bodies = {}
+  local joins = lists.merged(values.joins or {}, {})
+  local function add(into, name, value, kind)
+    if into[name] ~= nil then
+      core.fail(("sg.model: %s.%s has the name of a part of a body of several patches: choose another name")
+        :format(kind, name))
+    end
+    into[name] = value
+  end
+  for name, body in pairs(values.bodies) do
+    if not compound.is(body) then add(bodies, name, body, "bodies") end
+  end
+  for name, body in pairs(values.bodies) do
+    for i, part in ipairs(compound.is(body) and body.parts or {}) do
+      add(bodies, ("%s.%d"):format(name, i), part, "bodies")
+    end
+    for _, pair in ipairs(compound.is(body) and body.pairs or {}) do
+      local i, face, j, other = table.unpack(pair)
+      add(joins, ("%s.%d.%s-%d.%s"):format(name, i, face, j, other),
+        { body.parts[i]:face(face), body.parts[j]:face(other) }, "joins")
+    end
+  end
+  return lists.merged(values, { bodies = bodies, joins = joins })
+end
+
+function compound.is(value) return getmetatable(value) == Compound end
+
+return compound

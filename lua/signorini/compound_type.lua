@@ -1,0 +1,45 @@
+-- The type of bodies of several patches, with sg.body and sg.model that accept them; compound.lua is loaded for the
+-- first one.
+
+local core = require "signorini.core"
+
+local Compound = { __name = "compound" }
+Compound.__index = Compound
+core.types.compound = Compound
+
+for _, name in ipairs { "corner", "edge", "face", "part" } do
+  Compound[name] = function(...) return require("signorini.compound")[name](...) end
+end
+function Compound:__tostring() return require("signorini.compound").text(self) end
+
+local function has_compound(bodies)
+  for _, body in pairs(bodies) do
+    if getmetatable(body) == Compound then return true end
+  end
+  return false
+end
+
+--- Replaces a function of sg by one of the same name, which calls the original.
+local function replace(sg, key, make)
+  local name = "sg." .. key
+  sg[key] = core.offered(make(sg[key]))
+  core.names[sg[key]] = name
+end
+
+return function(sg)
+  replace(sg, "body", function(body)
+    return function(values, ...)
+      local several = type(values) == "table" and type(values.patch) == "table"
+      if several and select("#", ...) == 0 then return require("signorini.compound").new(body, values) end
+      return body(values, ...)
+    end
+  end)
+  replace(sg, "model", function(model)
+    return function(values, ...)
+      local bodies = type(values) == "table" and values.bodies
+      local several = type(bodies) == "table" and has_compound(bodies)
+      if several and select("#", ...) == 0 then values = require("signorini.compound").expanded(values) end
+      return model(values, ...)
+    end
+  end)
+end

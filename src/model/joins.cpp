@@ -1,0 +1,119 @@
+#include "model/joins.hpp"
+
+#include "base/error.hpp"
+#include "contact/surface.hpp"
+#include "model/coincident_faces.hpp"
+#include "nurbs/matching.hpp"
+
+#include <algorithm>
+
+namespace signorini::model {
+
+namespace {
+
+template <int D> const nurbs::Discretization& space_of(const Scene<D>& scene, const FaceReference& face) {
+  return scene.bodies[at(face.body)].body->space();
+}
+
+/// Outward unit normal in the middle of a face.
+template <int D> Vec<D> middle_normal(const Scene<D>& scene, const FaceReference& face) {
+  const nurbs::Discretization& space = space_of(scene, face);
+  VectorX fractions = VectorX::Constant(D, 0.5);
+  fractions(face.side.direction) = face.side.at_end ? 1 : 0;
+  const int e = space.element_behind(face.side, space.elements_on(face.side) / 2);
+  const nurbs::ElementBasis basis = space.basis(e, space.parameter(e, fractions));
+  std::array<Vec<D>, D - 1> tangent;
+  for (int d = 0, k = 0; d < D; ++d)
+    if (d != face.side.direction)
+      tangent[at(k++)] = space.points()(Eigen::all, basis.functions) * basis.gradients.row(d).transpose();
+  return (nurbs::outward_sign(face.side) * contact::normal_of<D>(tangent)).normalized();
+}
+
+template <int D>
+nurbs::FaceMatch match(const Scene<D>& scene, const FaceReference& first, const FaceReference& second) {
+  return nurbs::match_faces(space_of(scene, first), first.side, space_of(scene, second), second.side);
+}
+
+Message message_of(nurbs::Mismatch mismatch) {
+  switch (mismatch) {
+  case nurbs::Mismatch::corners:
+    return Message("model.join.corners");
+  case nurbs::Mismatch::elements:
+    return Message("model.join.elements");
+  case nurbs::Mismatch::borders:
+    return Message("model.join.borders");
+  case nurbs::Mismatch::functions:
+    return Message("model.join.functions");
+  default:
+    return Message("model.join.points");
+  }
+}
+
+Faces both(Faces slave, const Faces* master) {
+  if (master) slave.insert(slave.end(), master->begin(), master->end());
+  return slave;
+}
+
+/// Throws Error if a join's matching faces are used otherwise.
+template <int D> void check_join(const Scene<D>& scene, const Join& join) {
+  const Message first = face_message(scene, join.first), second = face_message(scene, join.second);
+  require(middle_normal(scene, join.first).dot(middle_normal(scene, join.second)) <= 0, "model.join.facing",
+          {{"join", join.name}, {"first", first}, {"second", second}});
+  const auto is_joined = [&](const FaceReference& face) { return face == join.first || face == join.second; };
+  const auto message = [&](const FaceReference& face) { return face == join.first ? first : second; };
+  for (const Join& other : scene.joins)
+    for (const FaceReference& face : {other.first, other.second})
+      require(&other == &join || !is_joined(face), "model.join.twice",
+              {{"join", join.name}, {"other", other.name}, {"face", message(face)}});
+  for (const Tie& tie : scene.ties)
+    for (const FaceReference& face : both(tie.slave, &tie.master))
+      require(!is_joined(face), "model.join.tied",
+              {{"join", join.name}, {"tie", tie_message(tie)}, {"face", message(face)}});
+  for (const Contact<D>& contact : scene.contacts) {
+    for (const FaceReference& face : both(contact.slave, std::get_if<Faces>(&contact.master)))
+      require(!is_joined(face), "model.join.in_contact",
+              {{"join", join.name}, {"contact", contact.name}, {"face", message(face)}});
+  }
+}
+
+} // namespace
+
+template <int D> Message difference(const Scene<D>& scene, const FaceReference& first, const FaceReference& second) {
+  return message_of(match<D>(scene, first, second).mismatch);
+}
+
+template <int D> void resolve_joins(Scene<D>& scene) {
+  std::vector<Join> matching;
+  for (Join& join : scene.joins) {
+    require(!(join.first == join.second), "model.join.own_face",
+            {{"join", join.name}, {"face", face_message(scene, join.first)}});
+    nurbs::FaceMatch found = match(scene, join.first, join.second);
+    if (found.mismatch == nurbs::Mismatch::none) {
+      join.pairs = std::move(found.pairs);
+      matching.push_back(std::move(join));
+      continue;
+    }
+    for (const FaceReference& face : {join.first, join.second})
+      require(!crosses_layer(space_of(scene, face), face.side), "model.join.layers",
+              {{"join", join.name},
+               {"first", face_message(scene, join.first)},
+               {"second", face_message(scene, join.second)},
+               {"why", message_of(found.mismatch)},
+               {"face", face_message(scene, face)}});
+    const auto elements = [&](const FaceReference& face) { return space_of(scene, face).elements_on(face.side); };
+    const bool finer = elements(join.second) > elements(join.first);
+    scene.ties.push_back({join.name, finer ? join.second : join.first, finer ? join.first : join.second,
+                          contact::MultiplierSpace::equal, true});
+  }
+  scene.joins = std::move(matching);
+  for (const Join& join : scene.joins) check_join(scene, join);
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template void resolve_joins(Scene<D>&);                                                                              \
+  template Message difference(const Scene<D>&, const FaceReference&, const FaceReference&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::model

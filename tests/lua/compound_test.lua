@@ -1,0 +1,169 @@
+-- Bodies of several patches: parts, joins and ties that are found, boundaries, the patch test across them, files.
+
+local sg = require "signorini"
+local check = require "check"
+
+local steel = sg.linear_elastic{ E = 1, nu = 0.3 }
+local square = sg.shapes.rectangle
+
+--- Three squares in the shape of an L; the last one in another order of its directions.
+local function corner_piece()
+  return { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = { 1, 0 } },
+           square{ width = 1, height = 1, corner = { 0, 1 } }:swap(1, 2):reverse(1),
+           boundaries = { bottom = { "1.south", "2.south" }, left = { "1.west", "3.south" } } }
+end
+
+local function body(patches, more)
+  local values = { patch = patches, elements = { 2, 2 }, order = "N2", material = steel }
+  for key, value in pairs(more or {}) do values[key] = value end
+  return sg.body(values)
+end
+
+local function solved(model, stages)
+  local run = model:run(stages, sg.plain{})
+  assert(not run.failed, run.report)
+  return model
+end
+
+local function refused(fragments, f, ...)
+  local ok, message = pcall(f, ...)
+  check.equal(ok, false)
+  check.holds(message, table.unpack(fragments))
+end
+
+check.case("parts are named after the body, and faces on each other are joined", function()
+  local piece = body(corner_piece())
+  check.equal(tostring(piece), "body of 3 patches with 96 degrees of freedom, 2 pairs of faces on each other; "
+    .. "boundaries: bottom, left")
+  local model = sg.model{ bodies = { piece = piece } }
+  check.equal(model:body_names(), { "piece.1", "piece.2", "piece.3" })
+  check.holds(tostring(model), "piece.1.east-2.west shares 4 control points",
+    "piece.1.north-3.east shares 4 control points")
+  check.equal(model:solver().unknowns, 96 - 2 * 2 * 4)
+  check.equal(#piece:face "left", 2)
+  check.equal(tostring(piece:face "3.south"), "face 'south' of a body, 4 control points")
+  check.equal(piece:part(3):dofs().total, 32)
+end)
+
+check.case("the patch test: uniform pressure gives uniform stress across joins and ties", function()
+  for joins, elements in pairs { [2] = { { 2, 2 }, { 2, 2 }, { 2, 2 } }, [0] = { { 2, 2 }, { 3, 3 }, { 4, 3 } } } do
+    local piece = body(corner_piece(), { elements = elements })
+    local model = sg.model{ bodies = { piece = piece },
+      supports = { pin = { on = piece:corner "1.south-west", fix = "xy" },
+                   roller = { on = piece:corner "2.south-east", fix = "y" } },
+      loads = { water = { on = { piece:face "left", piece:face "bottom", piece:face "2.east", piece:face "2.north",
+                                 piece:face "3.west", piece:face "3.north" }, pressure = 0 } } }
+    check.equal(#model:tie_names(), 2 - joins)
+    solved(model, { { name = "sink", steps = 1, water = 0.1 } })
+    for part = 1, 3 do
+      for _, xi in ipairs { { 0.1, 0.2 }, { 0.5, 0.9 }, { 1, 0.4 } } do
+        for field, value in pairs { sxx = -0.1, syy = -0.1, sxy = 0 } do
+          check.within(("%s in part %d"):format(field, part), model:sample("piece." .. part, field, xi), value, 1e-9)
+        end
+      end
+    end
+  end
+end)
+
+check.case("a list of faces with lists in it is one list", function()
+  local piece = body(corner_piece())
+  local model = sg.model{ bodies = { piece = piece },
+    supports = { all = { on = { piece:face "bottom", piece:face "3.east" }, fix = "xy" } } }
+  check.equal(model:solver().unknowns, 80 - 2 * (7 + 4)) -- the faces have 7 and 4 control points
+end)
+
+check.case("interfaces of the list replace the search: a slit stays open", function()
+  local patches = { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = { 1, 0 } },
+                    square{ width = 1, height = 1, corner = { 0, 1 } },
+                    square{ width = 1, height = 1, corner = { 1, 1 } } }
+  check.equal(sg.model{ bodies = { a = body(patches) } }:solver().unknowns, 2 * 7 * 7)
+  patches.interfaces = { { "1.east", "2.west" }, { "3.east", "4.west" }, { "1.north", "3.south" } }
+  check.equal(sg.model{ bodies = { a = body(patches) } }:solver().unknowns, 2 * (7 * 7 + 3))
+end)
+
+check.case("parts without a contact face have the label's bulk, the others its layer", function()
+  local patches = { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = { 1, 0 } },
+                    square{ width = 1, height = 1, corner = { 0, -1 } },
+                    square{ width = 1, height = 1, corner = { 1, -1 } },
+                    boundaries = { top = { "1.north", "2.north" } } }
+  local layered = body(patches, { order = "N2-N4", contact = "top" })
+  assert(layered:part(1):dofs().interface > 0)
+  check.equal(layered:part(3):dofs().interface, 0)
+  check.holds(tostring(sg.model{ bodies = { a = layered } }), "a.1.east-2.west shares", "a.1.south-3.north shares")
+end)
+
+check.case("faces that coincide in part are tied", function()
+  local wide = body({ square{ width = 2, height = 1 }, square{ width = 1, height = 1, corner = { 0.5, 1 } } })
+  local text = tostring(sg.model{ bodies = { t = wide } })
+  check.holds(text, "t.1.north-2.south is tied, because")
+end)
+
+check.case("lists of faces can be slave and master of a tie", function()
+  local upper = body({ square{ width = 1, height = 1, corner = { 0, 1 } },
+                       square{ width = 1, height = 1, corner = { 1, 1 } },
+                       boundaries = { bottom = { "1.south", "2.south" } } }, { elements = { 3, 2 } })
+  local lower = body({ square{ width = 0.8, height = 1 }, square{ width = 1.2, height = 1, corner = { 0.8, 0 } },
+                       boundaries = { top = { "1.north", "2.north" }, bottom = { "1.south", "2.south" } } })
+  local model = solved(sg.model{ bodies = { upper = upper, lower = lower },
+    ties = { seam = { slave = upper:face "bottom", master = lower:face "top" } },
+    supports = { bed = { on = lower:face "bottom", fix = "y" },
+                 side = { on = lower:corner "1.south-west", fix = "x" } },
+    loads = { weight = { on = { upper:face "1.north", upper:face "2.north" }, pressure = 0 } } },
+    { { name = "press", steps = 1, weight = 0.1 } })
+  check.near(model:reaction "bed", { 0, 0.2 }, 1e-10)
+  for _, name in ipairs { "upper.1", "upper.2", "lower.1", "lower.2" } do
+    check.within(name, model:sample(name, "syy", { 0.3, 0.6 }), -0.1, 1e-7)
+  end
+end)
+
+check.case("pictures of a body show all its parts", function()
+  local folder = check.folder()
+  local model = sg.model{ bodies = { piece = body(corner_piece()), other = body{ square{ width = 1, height = 1,
+    corner = { 3, 0 } } } } }
+  sg.picture{ model = model, bodies = { "piece" }, file = folder .. "/parts.png" }
+  check.pictures(folder, { "parts" })
+end)
+
+check.case("files keep patches, interfaces and boundaries, and sg.body takes the list", function()
+  local folder = check.folder()
+  local patches = { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = { 1, 0 } },
+                    boundaries = { top = { "1.north", "2.north" } } }
+  for _, ending in ipairs { "xml", "txt", "mesh" } do
+    local file = ("%s/pair.%s"):format(folder, ending)
+    sg.nurbs.write(file, patches)
+    local read = sg.nurbs.read(file)
+    check.equal(#read, 2)
+    check.equal(read.interfaces, { { "1.east", "2.west" } })
+    check.equal(read.boundaries[ending == "mesh" and "1" or "top"], { "1.north", "2.north" })
+    local model = sg.model{ bodies = { pair = body(read) } }
+    check.holds(tostring(model), "pair.1.east-2.west shares 4 control points")
+  end
+end)
+
+check.case("wrong lists, names and numbers are errors at the argument", function()
+  local piece = corner_piece()
+  refused({ "sg.body: patch[2] must be a patch" }, body, { piece[1], 3 })
+  refused({ "sg.body: patch", "unknown argument 'boundary'", "boundaries" }, body, { piece[1], boundary = {} })
+  refused({ "sg.body: patch.boundaries.top[1] must be a face of a part from 1 to 1", "'2.north'" }, body,
+    { piece[1], boundaries = { top = { "2.north" } } })
+  refused({ "sg.body: patch.interfaces[1] must be a list of two faces" }, body,
+    { piece[1], piece[2], interfaces = { { "1.east" } } })
+  refused({ "sg.body: order must be one label" }, body, piece, { order = { "N2", "N3" } })
+  refused({ "sg.body: elements must be a list of 3 lists" }, body, piece, { elements = { { 2, 2 } } })
+  refused({ "sg.body: contact must be a face such as '1.north'", "bottom" }, body, piece,
+    { order = "N2-N4", contact = "botom" })
+  local made = body(piece)
+  refused({ "there is no boundary 'lift'", "did you mean 'left'" }, made.face, made, "lift")
+  refused({ "compound:face: name must be a face of a part from 1 to 3", "'7.north'" }, made.face, made, "7.north")
+  refused({ "body:face", "nroth" }, made.face, made, "1.nroth")
+  refused({ "compound:part", "from 1 to 3" }, made.part, made, 4)
+  refused({ "bodies.a.1 has the name of a part" }, sg.model,
+    { bodies = { a = made, ["a.1"] = body{ piece[1] }:part(1) } })
+  refused({ "is the same body as" }, sg.model, { bodies = { a = made, b = made } })
+  refused({ "boundaries.top[1] must be a face of one of the patches 1 to 1", "'2.north'" }, sg.nurbs.write,
+    check.folder() .. "/a.xml", { piece[1], boundaries = { top = { "2.north" } } })
+  refused({ "interfaces[1]", "do not match point by point" }, sg.nurbs.write, check.folder() .. "/a.xml",
+    { piece[1], piece[2], interfaces = { { "1.west", "2.west" } } })
+end)
+
+check.done()

@@ -1,0 +1,26 @@
+-- The listing of share/doc/several_patches.md runs as printed; scripts/several_patches.lua shows what its header says.
+
+local core = require "signorini.core"
+local check = require "check"
+
+check.case("the page's listing", function()
+  local code = core.read_file(core.home .. "/share/doc/several_patches.md"):match "```lua\n(.-)```"
+  local folder = check.folder()
+  local file = assert(io.open(folder .. "/listing.lua", "wb"))
+  file:write(code):close()
+  local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s listing.lua"):format(folder, core.home, arg[-1]))
+  if status ~= 0 then error(output) end
+  check.holds(output, "L.1.east-2.west shares 4 control points", "L.1.north-3.south shares 6 control points")
+end)
+
+check.case("a die slides across a border without a kick, in the plane and in space", function()
+  local script = assert(loadfile(core.home .. "/scripts/several_patches.lua"))
+  for dimension, arguments in pairs { [2] = "steps=30", [3] = "steps=20" } do
+    local result = script("out=" .. check.folder(), "dimensions=" .. dimension, arguments)[dimension]
+    check.at_most("joined less line", result.line, 1e-10)
+    assert(result.joined < result.uncut, ("joined oscillates by %g, uncut by %g"):format(result.joined, result.uncut))
+    if dimension == 2 then check.at_most("fine", result.fine, result.uncut / 2) end
+  end
+end)
+
+check.done()
