@@ -2,6 +2,7 @@
 -- call.
 
 local core = require "signorini.core"
+local lists = require "signorini.lists"
 local t = require "signorini.types"
 
 local patch_types = {}
@@ -82,6 +83,10 @@ patch_types.several = t.worded(t.list_with(t.object "patch", {
     optional = true },
   { "boundaries", t.map(places), "faces by name", optional = true },
 }), "a list of one or more patches")
+
+--- The same, or a single patch without braces, which becomes a list of one.
+patch_types.one_or_several = lists.merged(patch_types.several, { single = true })
+
 patch_types.degree = t.integer(1, core.max_degree)
 
 local below_one = { kind = "number", above = 0, below = 1 }

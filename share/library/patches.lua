@@ -112,6 +112,13 @@ function sg.shapes.ring(arguments) end
 ---@field center? [number, number]
 ---@field [string] sg.unknown_argument
 
+---@class (exact) sg.shapes.disc.result
+---interfaces: faces on each other (a list of entries: each a list of two faces such as '1.east'; optional)
+---@field interfaces? [string, string][]
+---boundaries: faces by name (a table of names { name = … }; optional)
+---@field boundaries? table<string, string[]>
+---@field [integer] sg.patch
+
 ---Returns a disc of five patches of degree 2 without singular points. 1 (below), 2 (right), 3 (above) and 4 (left) have
 ---a quarter of the circle each: xi1 counterclockwise along it, xi2 from the circle (south) to the core (north), the
 ---neighbors are at west and east. 5 is the core, a square with its corners at half the radius, xi1 along x, xi2 along
@@ -131,7 +138,7 @@ function sg.shapes.ring(arguments) end
 ---sg.picture{ patch = disc }
 ---```
 ---@param arguments sg.shapes.disc.arguments
----@return table<integer|"boundaries", sg.patch|table<string, string[]>>
+---@return sg.shapes.disc.result
 function sg.shapes.disc(arguments) end
 
 ---@class (exact) sg.shapes.polar_disc.arguments
@@ -276,6 +283,13 @@ function sg.shapes.tube(arguments) end
 ---@field center? [number, number, number]
 ---@field [string] sg.unknown_argument
 
+---@class (exact) sg.shapes.cylinder.result
+---interfaces: faces on each other (a list of entries: each a list of two faces such as '1.east'; optional)
+---@field interfaces? [string, string][]
+---boundaries: faces by name (a table of names { name = … }; optional)
+---@field boundaries? table<string, string[]>
+---@field [integer] sg.patch
+
 ---Returns a solid cylinder along y of five patches of degree 2 without singular points, the extruded sg.shapes.disc. 1
 ---(below), 2 (right), 3 (above) and 4 (left): xi1 along the circle, xi2 along y, xi3 from the circle (front) to the
 ---core (back). 5 is the core; xi1, xi2, xi3 along x, y, z. Boundaries: outer, the curved surface; south and north, the
@@ -294,7 +308,7 @@ function sg.shapes.tube(arguments) end
 ---sg.shapes.cylinder{ radius = 0.5, width = 2 }
 ---```
 ---@param arguments sg.shapes.cylinder.arguments
----@return table<integer|"boundaries", sg.patch|table<string, string[]>>
+---@return sg.shapes.cylinder.result
 function sg.shapes.cylinder(arguments) end
 
 ---@class (exact) sg.shapes.polar_cylinder.arguments
@@ -331,6 +345,13 @@ function sg.shapes.polar_cylinder(arguments) end
 ---@field center? [number, number, number]
 ---@field [string] sg.unknown_argument
 
+---@class (exact) sg.shapes.torus.result
+---interfaces: faces on each other (a list of entries: each a list of two faces such as '1.east'; optional)
+---@field interfaces? [string, string][]
+---boundaries: faces by name (a table of names { name = … }; optional)
+---@field boundaries? table<string, string[]>
+---@field [integer] sg.patch
+
 ---Returns a solid torus about the z axis of five patches of degree 2 without singular points, sg.shapes.disc around a
 ---circle. 1 (below), 2 (outside), 3 (above), 4 (inside): xi1 along the section's circle, xi2 once around the axis
 ---(south and north are the seam), xi3 from the surface (front) to the core (back). 5 is the core: xi1 away from the
@@ -349,7 +370,7 @@ function sg.shapes.polar_cylinder(arguments) end
 ---sg.shapes.torus{ radius = 2, section = 0.5 }
 ---```
 ---@param arguments sg.shapes.torus.arguments
----@return table<integer|"boundaries", sg.patch|table<string, string[]>>
+---@return sg.shapes.torus.result
 function sg.shapes.torus(arguments) end
 
 ---@class (exact) sg.shapes.ball.arguments
@@ -358,6 +379,13 @@ function sg.shapes.torus(arguments) end
 ---center: center of the spheres (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
 ---@field center? [number, number, number]
 ---@field [string] sg.unknown_argument
+
+---@class (exact) sg.shapes.ball.result
+---interfaces: faces on each other (a list of entries: each a list of two faces such as '1.east'; optional)
+---@field interfaces? [string, string][]
+---boundaries: faces by name (a table of names { name = … }; optional)
+---@field boundaries? table<string, string[]>
+---@field [integer] sg.patch
 
 ---Returns a solid ball of seven patches of degree 4 without singular points. 1 (below), 2 (+x), 3 (+y), 4 (-x), 5 (-y)
 ---and 6 (above) have a sixth of the sphere each, exact (J. E. Cobb 1988): front is the sphere, back the core, the other
@@ -377,7 +405,7 @@ function sg.shapes.torus(arguments) end
 ---#sg.shapes.ball{ radius = 1 }  --> 7
 ---```
 ---@param arguments sg.shapes.ball.arguments
----@return table<integer|"boundaries", sg.patch|table<string, string[]>>
+---@return sg.shapes.ball.result
 function sg.shapes.ball(arguments) end
 
 ---@class (exact) sg.shapes.polar_ball.arguments

@@ -5,6 +5,14 @@
 ---@class sg
 local sg = {}
 
+---@class (exact) sg.picture.arguments.patch
+---interfaces: faces on each other (a list of entries: each a list of two faces such as '1.east'; optional)
+---@field interfaces? [string, string][]
+---boundaries: faces by name (a table of names { name = … }; optional)
+---@field boundaries? table<string, string[]>
+---@field [integer] sg.patch
+---@field [string] sg.unknown_argument
+
 ---@alias sg.picture.arguments.fields.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|string
 
 ---@alias sg.picture.arguments.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|string
@@ -50,8 +58,8 @@ local sg = {}
 ---@field model? sg.model
 ---state: an entry of run:states() (a state; optional)
 ---@field state? sg.state
----patch: patches in gray, all in the plane or all in 3D (a patch or a list of at least one patch; optional)
----@field patch? sg.patch|table<integer|"boundaries", sg.patch|table<string, string[]>>
+---patch: patches in gray, all in the plane or all in 3D (a list of one or more patches; optional)
+---@field patch? sg.patch|sg.picture.arguments.patch
 ---states: a list of at least one state; optional. run:states(): one picture each, as in sg.sheet; or, depending on the
 ---```text
 ---        file's name ("x-%04d.png", "x.ogv"), as in sg.film

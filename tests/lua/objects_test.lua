@@ -8,6 +8,11 @@ local function results(name, ...)
   return assert(loadfile(script(name)))("out=" .. check.folder(), ...)
 end
 
+check.case("bushing: the stiffness of Adkins and Gent", function()
+  local bushing = results("bushing", "elements=6", "steps=4", "most=0.2")
+  check.within("stiffness", bushing.stiffness / bushing.published, 1, 0.02)
+end)
+
 check.case("O-ring: Johnson's cylinder between plates", function()
   local ring = results("o_ring", "steps=5")
   for i, compression in ipairs(ring.compression) do
@@ -26,7 +31,17 @@ check.case("snap-fit hook: beam theory, and free of force before and after", fun
   for _, step in ipairs{ 1, steps, #hook.force } do check.at_most("force", hook.force[step], 1e-6) end
 end)
 
+check.case("ball of seven patches: a quarter of its section, which tends to Hertz's solution", function()
+  local found = results "ball"
+  check.within("force", found.ball.force / found.quarter.force, 1, 0.015)
+  check.within("pressure", found.ball.peak / found.quarter.peak, 1, 0.05)
+  -- A quarter of the radius of contact.
+  check.within("Hertz", (found.rigid.force - 1) / (found.small.force - 1), 4, 1)
+end)
+
 check.case("wrong arguments are errors", function()
+  check.refused(script "ball", { ["approach=0.6"] = "approach", ["elements=1"] = "elements", ["depth=0"] = "depth" })
+  check.refused(script "bushing", { ["most=0.9"] = "most", ["K=0"] = "K", ["steps=0"] = "steps" })
   check.refused(script "o_ring", { ["most=0.5"] = "most", ["elements=2"] = "elements", ["most=-1"] = "most" })
   check.refused(script "snap_fit", { ["mu=-1"] = "mu", ["steps=1"] = "steps", ["elements=3"] = "elements" })
 end)
