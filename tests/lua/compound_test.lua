@@ -118,6 +118,14 @@ check.case("faces on each other are found for any meshes and sizes, others are n
   check.equal(found({ at(0, 0, 2), at(1.7, 1, 2) }, { 1, 1 }), { "b.1.north-2.south" })
 end)
 
+check.case("closed faces are joined in any order of their directions", function()
+  local function ring(radius)
+    return sg.nurbs.revolve{ patch = square{ width = 1, height = 1, corner = { radius, 0 } }, angle = 360 }
+  end
+  local rings = body({ ring(3), ring(4):swap(2, 3):reverse(1) }, { elements = { { 1, 2, 8 }, { 1, 8, 2 } } })
+  check.holds(tostring(sg.model{ bodies = { rings = rings } }), "rings.1.east-2.east shares ")
+end)
+
 check.case("lists of faces can be slave and master of a tie", function()
   local upper = body({ square{ width = 1, height = 1, corner = { 0, 1 } },
                        square{ width = 1, height = 1, corner = { 1, 1 } },
