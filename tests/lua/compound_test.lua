@@ -185,6 +185,7 @@ check.case("wrong lists, names and numbers are errors at the argument", function
   refused({ "compound:face: name must be a face of a part from 1 to 3", "'7.north'" }, made.face, made, "7.north")
   refused({ "body:face", "nroth" }, made.face, made, "1.nroth")
   refused({ "compound:part", "from 1 to 3" }, made.part, made, 4)
+  refused({ "a compound has no method 'points'", "compound:part(1):points(…)" }, function() return made:points() end)
   refused({ "bodies.a.1 has the name of a part" }, sg.model,
     { bodies = { a = made, ["a.1"] = body{ piece[1] }:part(1) } })
   refused({ "is the same body as" }, sg.model, { bodies = { a = made, b = made } })
