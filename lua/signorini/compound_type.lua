@@ -10,6 +10,12 @@ core.types.compound = Compound
 for _, name in ipairs { "corner", "edge", "face", "part" } do
   Compound[name] = function(...) return require("signorini.compound")[name](...) end
 end
+-- An unknown method is an error, as that of bodies is.
+setmetatable(Compound, { __index = function(_, name)
+  if type(name) ~= "string" or name:find "^__" then return nil end
+  core.fail(("a compound has no method '%s'; it has corner, edge, face, part. Hint: its parts are bodies, as in "
+    .. "compound:part(1):%s(…)"):format(name, name))
+end })
 function Compound:__tostring() return require("signorini.compound").text(self) end
 
 local function has_compound(bodies)

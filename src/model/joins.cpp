@@ -1,7 +1,6 @@
 #include "model/joins.hpp"
 
 #include "base/error.hpp"
-#include "contact/surface.hpp"
 #include "model/coincident_faces.hpp"
 #include "nurbs/matching.hpp"
 
@@ -13,20 +12,6 @@ namespace {
 
 template <int D> const nurbs::Discretization& space_of(const Scene<D>& scene, const FaceReference& face) {
   return scene.bodies[at(face.body)].body->space();
-}
-
-/// Outward unit normal in the middle of a face.
-template <int D> Vec<D> middle_normal(const Scene<D>& scene, const FaceReference& face) {
-  const nurbs::Discretization& space = space_of(scene, face);
-  VectorX fractions = VectorX::Constant(D, 0.5);
-  fractions(face.side.direction) = face.side.at_end ? 1 : 0;
-  const int e = space.element_behind(face.side, space.elements_on(face.side) / 2);
-  const nurbs::ElementBasis basis = space.basis(e, space.parameter(e, fractions));
-  std::array<Vec<D>, D - 1> tangent;
-  for (int d = 0, k = 0; d < D; ++d)
-    if (d != face.side.direction)
-      tangent[at(k++)] = space.points()(Eigen::all, basis.functions) * basis.gradients.row(d).transpose();
-  return (nurbs::outward_sign(face.side) * contact::normal_of<D>(tangent)).normalized();
 }
 
 template <int D>
@@ -57,8 +42,6 @@ Faces both(Faces slave, const Faces* master) {
 /// Throws Error if a join's matching faces are used otherwise.
 template <int D> void check_join(const Scene<D>& scene, const Join& join) {
   const Message first = face_message(scene, join.first), second = face_message(scene, join.second);
-  require(middle_normal(scene, join.first).dot(middle_normal(scene, join.second)) <= 0, "model.join.facing",
-          {{"join", join.name}, {"first", first}, {"second", second}});
   const auto is_joined = [&](const FaceReference& face) { return face == join.first || face == join.second; };
   const auto message = [&](const FaceReference& face) { return face == join.first ? first : second; };
   for (const Join& other : scene.joins)
@@ -89,6 +72,10 @@ template <int D> void resolve_joins(Scene<D>& scene) {
             {{"join", join.name}, {"face", face_message(scene, join.first)}});
     nurbs::FaceMatch found = match(scene, join.first, join.second);
     if (found.mismatch == nurbs::Mismatch::none) {
+      require(found.facing, "model.join.facing",
+              {{"join", join.name},
+               {"first", face_message(scene, join.first)},
+               {"second", face_message(scene, join.second)}});
       join.pairs = std::move(found.pairs);
       matching.push_back(std::move(join));
       continue;

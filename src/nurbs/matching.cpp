@@ -153,7 +153,10 @@ FaceMatch match_faces(const Discretization& first, Side first_side, const Discre
   FaceMatch best;
   for (const Orientation& way : orientations(first.parametric_dimension() - 1)) {
     FaceMatch found = compare(one, other, way, tolerance);
-    if (found.mismatch == Mismatch::none) return found;
+    if (found.mismatch == Mismatch::none) {
+      found.facing = outward_sign(first_side) * outward_sign(second_side) * (way.mirrors() ? -1 : 1) < 0;
+      return found;
+    }
     best.mismatch = std::max(best.mismatch, found.mismatch);
   }
   return best;

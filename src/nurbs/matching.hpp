@@ -15,6 +15,8 @@ struct FaceMatch {
   Mismatch mismatch = Mismatch::corners;
   /// If they match: functions of the first face, each with the function of the second one that is equal to it.
   std::vector<std::array<int, 2>> pairs = {};
+  /// If they match: whether their outward normals are opposite, so that the patches do not overlap.
+  bool facing = false;
 };
 
 /// Compares two faces in each of their relative orientations (2 for curves, 8 for surfaces). They match if they have

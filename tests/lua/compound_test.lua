@@ -118,6 +118,14 @@ check.case("faces on each other are found for any meshes and sizes, others are n
   check.equal(found({ at(0, 0, 2), at(1.7, 1, 2) }, { 1, 1 }), { "b.1.north-2.south" })
 end)
 
+check.case("closed faces are joined in any order of their directions", function()
+  local function ring(radius)
+    return sg.nurbs.revolve{ patch = square{ width = 1, height = 1, corner = { radius, 0 } }, angle = 360 }
+  end
+  local rings = body({ ring(3), ring(4):swap(2, 3):reverse(1) }, { elements = { { 1, 2, 8 }, { 1, 8, 2 } } })
+  check.holds(tostring(sg.model{ bodies = { rings = rings } }), "rings.1.east-2.east shares ")
+end)
+
 check.case("lists of faces can be slave and master of a tie", function()
   local upper = body({ square{ width = 1, height = 1, corner = { 0, 1 } },
                        square{ width = 1, height = 1, corner = { 1, 1 } },
@@ -177,6 +185,7 @@ check.case("wrong lists, names and numbers are errors at the argument", function
   refused({ "compound:face: name must be a face of a part from 1 to 3", "'7.north'" }, made.face, made, "7.north")
   refused({ "body:face", "nroth" }, made.face, made, "1.nroth")
   refused({ "compound:part", "from 1 to 3" }, made.part, made, 4)
+  refused({ "a compound has no method 'points'", "compound:part(1):points(…)" }, function() return made:points() end)
   refused({ "bodies.a.1 has the name of a part" }, sg.model,
     { bodies = { a = made, ["a.1"] = body{ piece[1] }:part(1) } })
   refused({ "is the same body as" }, sg.model, { bodies = { a = made, b = made } })

@@ -67,7 +67,7 @@ Scene<2> strip() {
 /// A model on a path of one target of its first drive, and the parts to compute the path's tangent with dense algebra.
 struct Walk {
   Model<2> model;
-  Bench bench;
+  Bench<2> bench;
   Drives<2> drives;
   int component;
   double sense;    ///< of the target's change at the start

@@ -11,7 +11,7 @@ struct Seen {
   int open = 0, stick = 0, slip = 0, elsewhere = 0;
 };
 
-Seen states(const Bench& bench) {
+Seen states(const Bench<2>& bench) {
   Seen result;
   for (const auto& point : bench.present.contacts[0].results)
     ++(point.state == contact::ContactState::open    ? result.open

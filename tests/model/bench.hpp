@@ -11,15 +11,15 @@
 
 namespace signorini::model::test {
 
-struct Bench {
-  System<2> system;
-  State<2> accepted, present;
+template <int D> struct Bench {
+  System<D> system;
+  State<D> accepted, present;
   std::vector<contact::Controls> controls;
   Timings timings;
-  const Unknowns<2>& unknowns;
-  const Assembly<2>& assembly;
+  const Unknowns<D>& unknowns;
+  const Assembly<D>& assembly;
 
-  explicit Bench(Scene<2> scene)
+  explicit Bench(Scene<D> scene)
       : system(std::move(scene)), accepted(system.start()), present(accepted), controls(system.contacts.size()),
         unknowns(system.unknowns), assembly(system.assembly) {}
   std::optional<BodyInversion> assemble(const VectorX& u, const VectorX* direction = nullptr, bool tangent = true) {
@@ -58,7 +58,7 @@ struct Bench {
 
 /// Compares tangent and finite differences at u; returns false if a difference changes the discrete state. Also
 /// compares product() in a direction of all prescribed degrees of freedom.
-inline bool compare(Bench& bench, const VectorX& u) {
+template <int D> bool compare(Bench<D>& bench, const VectorX& u) {
   bench.residual(u);
   const MatrixX tangent = bench.tangent();
   const std::vector<int> before = bench.signature();

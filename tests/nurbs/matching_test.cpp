@@ -40,8 +40,8 @@ void expect_pairs(const FaceMatch& match, const Discretization& a, const Discret
 
 TEST(Matching, FindsPairsInTheEightOrientationsOfAFace) {
   // A face without symmetry: two lengths, and knots that are not in the middle
-  const Patch cube = insert_knots(insert_knots(block({1, 2, 1}, Vec<3>::Zero()), 0, {0.3}), 1, {0.2, 0.6});
-  const Discretization first = of(cube, {4, 6, 2});
+  const Patch cube = insert_knots(insert_knots(block({1, 2, 1}, Vec<3>::Zero()), 0, {0.25}), 1, {0.2, 0.6});
+  const Discretization first = of(cube, {4, 5, 2});
   for (const Orientation& way : orientations(2)) {
     Patch other = cube;
     std::vector<int> elements{first.elements(0), first.elements(1), 2};
@@ -52,7 +52,9 @@ TEST(Matching, FindsPairsInTheEightOrientationsOfAFace) {
     for (std::size_t k = 0; k < 2; ++k)
       if (way.flip[k]) other = reverse(other, static_cast<int>(way.to[k]));
     const Discretization second = of(other, elements);
-    expect_pairs(match_faces(first, back, second, back), first, second, first.face_functions(back).size());
+    const FaceMatch match = match_faces(first, back, second, back);
+    expect_pairs(match, first, second, first.face_functions(back).size());
+    EXPECT_EQ(match.facing, way.mirrors()); // opposite sides of one surface, if the copy is left-handed
   }
 }
 
@@ -76,6 +78,8 @@ TEST(Matching, NamesTheFirstDifference) {
     return match_faces(of(rectangle(1, 1, Vec<2>(0, 0)), {2, 4}), east, of(patch, std::move(elements), label), west)
         .mismatch;
   };
+  EXPECT_TRUE(match_faces(of(left, {2, 4}), east, of(right, {2, 4}), west).facing);
+  EXPECT_FALSE(match_faces(of(left, {2, 4}), east, of(reverse(right, 0), {2, 4}), east).facing);
   EXPECT_EQ(difference(right, {3, 4}), Mismatch::none); // elements along the normal do not matter
   EXPECT_EQ(difference(rectangle(1, 1.001, Vec<2>(1, 0)), {2, 4}), Mismatch::corners);
   EXPECT_EQ(difference(translate(right, Vec<2>(1e-3, 0)), {2, 4}), Mismatch::corners);
