@@ -6,6 +6,7 @@ local core = require "signorini.core"
 local describe = require "signorini.describe"
 local fits = require "signorini.fits"
 local list_shape = require "signorini.list_shape"
+local likely = require "signorini.likely"
 local lists = require "signorini.lists"
 local meant = require "signorini.meant"
 local pages = require "signorini.pages"
@@ -20,13 +21,6 @@ local longest_meaning = 60 -- characters of a row's text that is quoted in messa
 
 local function meaning(row)
   return row and row[3] and row[3] ~= "" and utf8.len(row[3]) <= longest_meaning and (" (%s)"):format(row[3]) or ""
-end
-
---- What is probably meant in place of a value.
-local function likely(expected, value)
-  if not expected:find "a face" then return nil end
-  if pages.kind(value) == "body" then return 'take a face of the body, such as body:face "south"' end
-  return type(value) == "string" and 'a face is a value: body:face "south"' or nil
 end
 
 --- Raises an error about an argument: "sg.f: E must be a positive number (Young's modulus), got …. Hint: …".

@@ -86,7 +86,10 @@ template <int D> int push_meeting(lua_State* L, const char* kind, int count, con
   const Body<D>& body = self<Body<D>>(L);
   const auto name = to<std::string>(L, 2);
   const std::vector<Side> sides = read_sides(name, D, count);
-  if (sides.empty()) reject(L, 2, {"name"}, one_of(names), "did you mean '" + nearest(name, names) + "'?");
+  if (sides.empty()) {
+    const std::string near = nearest(name, names);
+    reject(L, 2, {"name"}, one_of(names), near.empty() ? "" : "did you mean '" + near + "'?");
+  }
   std::vector<int> common = body->space().face_functions(sides.front());
   for (const Side& side : sides) {
     const std::vector<int> others = body->space().face_functions(side);
