@@ -81,7 +81,7 @@ check.case("invalid arguments", function()
   check.fails(function() sg.picture{ patch = block, cut = "y", file = file } end,
     "cut cannot be combined with patch, it is for models")
   check.fails(function() sg.picture{ patch = { ring, block }, file = file } end, "patch[2] is in 3D and patch[1] in 2D")
-  check.fails(function() sg.picture{ patch = {}, file = file } end, "list of at least one patch")
+  check.fails(function() sg.picture{ patch = {}, file = file } end, "list of one or more patches")
   check.fails(function() sg.picture{ patch = ring, camera = "top", file = file } end, "camera is for")
   check.fails(function() sg.vtu{ patch = ring, deformed = true, file = folder .. "/n.vtu" } end,
     "deformed is for models")
