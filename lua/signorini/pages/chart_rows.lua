@@ -105,4 +105,6 @@ function rows.pick(from, keys, otherwise)
   return picked
 end
 
+rows.chart.hints = { y = "each curve is a table: sg.chart{ x = {1, 2}, { y = {3, 4} } }" }
+
 return rows

@@ -9,6 +9,7 @@ local constants = {
   { "E", t.positive, "Young's modulus", unit = "force per area" },
   { "nu", { kind = "number", above = -1, below = 0.5, cure = cure }, "Poisson's ratio" },
 }
+constants.hints = { poisson = "Poisson's ratio is nu", young = "Young's modulus is E" }
 local in_2d = "In 2D the kind of the model decides: plane strain, plane stress or axisymmetric."
 local bulk = { "K", t.positive, "bulk modulus", unit = "force per area" }
 local function modulus(name, text, default)
