@@ -125,8 +125,8 @@ function compound.face(self, name)
   if named then return table.move(named, 1, #named, 1, {}) end
   if not split(name) then
     local known = lists.sorted_names(self.boundaries)
-    core.fail(("compound:face: there is no boundary '%s'%s; this body has %s, and faces of its parts such as '1.west'")
-      :format(name, meant(name, known), #known > 0 and table.concat(known, ", ") or "none"))
+    core.fail(("compound:face: name must be a boundary (%s) or a face of a part such as '1.west', got '%s'%s")
+      :format(#known > 0 and table.concat(known, ", ") or "this body has none", name, meant(name, known)))
   end
   return place(self.parts, "face", name, "compound:face: name")
 end

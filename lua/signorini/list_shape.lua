@@ -16,8 +16,9 @@ end
 
 --- A list with the entries of the lists in it in their place.
 function list_shape.flattened(list)
-  if not lists.any(list, list_shape.length) then return list end
-  return lists.flat(lists.map(list, function(entry) return list_shape.length(entry) and entry or { entry } end))
+  local function is_list(entry) return list_shape.length(entry) ~= nil end
+  if not lists.any(list, is_list) then return list end
+  return lists.flat(lists.map(list, function(entry) return is_list(entry) and entry or { entry } end))
 end
 
 return list_shape

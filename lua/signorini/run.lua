@@ -135,6 +135,7 @@ end
 
 --- Shows the accepted fraction of the step after an attempt.
 function Step:show_progress(part) self.display:attempt(self.stage.name, part, self.run.histories) end
+
 --- One attempt with given controls: accepts or rolls back, diagnoses a failure. `fallback`: name of the fallback, if
 --- another attempt has failed before.
 function Step:try(solver, to, fallback)
@@ -311,14 +312,14 @@ end
 
 --- Takes a step and calls on_step, which may request smaller increments. Returns the last result, and the result of
 --- on_step.
-local function take(step, run, options, display)
+local function take(step, run, options)
   while true do
     local result = options.policy:take(step)
     if not result.converged then return result end
     run:record_step()
-    display:step(step.stage.name)
+    step.display:step(step.stage.name)
     if not options.on_step then return result end
-    display:clear()
+    step.display:clear()
     core.interrupted_run = run -- for the prompt, where Ctrl-C ends the function
     local answer = options.on_step(run:info(step.stage, result))
     core.interrupted_run = nil
@@ -366,7 +367,7 @@ return function(model, stages, options)
     if place.number == 0 then run:begin_stage(model, stage) end
     for number = place.number + 1, stage.steps do
       local step = begin_step(model, run, stage, number, options, display)
-      local result, answer = take(step, run, options, display)
+      local result, answer = take(step, run, options)
       if answer == "stop" or result.reason == "stopped" then
         run.reason = "stopped"
       elseif not result.converged then

@@ -21,8 +21,7 @@ Run.__name = "run"
 core.types.run = Run
 
 -- Fields that some runs have, or only until they end. All other unknown names are misspelled.
-local private = named.strict_type(Run, "run", "cause failure timings recorders before step model outline "
-  .. "loose held")
+local private = named.strict_type(Run, "run", "cause failure timings recorders before step model outline singular")
 
 function Run:__newindex(name, value)
   if not (rawget(self, "recorders") or private[name]) then -- the run has ended
@@ -140,8 +139,7 @@ function Run:record_attempt(from, to, result, seconds, fallback, arc, again)
                               iterations = result.iterations, residuals = result.residuals, fallback = fallback,
                               arc = arc, restarted = again }
   if fallback and result.converged then self.fallback_steps = self.fallback_steps + 1 end
-  if result.reason == "singular" then self.loose = result.diagnosis and result.diagnosis.message end
-  if fallback == "damping" and result.converged then self.held = { step = #self.histories, why = self.loose } end
+  if result.reason == "singular" then self.singular = result.diagnosis and result.diagnosis.message end
 end
 
 --- Adds to an account of the run and of the stage: "cutbacks", or the "wall" time of a diagnosis.

@@ -189,9 +189,11 @@ end
 
 --- A sentence for a last step whose equilibrium is not unique, so that damping has selected one.
 local function held(run)
-  if not (run.held and run.held.step == run.steps) then return nil end
+  local attempts = run.histories[#run.histories] or {}
+  local last = attempts[#attempts]
+  if not (last and last.converged and last.fallback == "damping") then return nil end
   return ("damping alone determines the position in step %d: %s. Hint: add a support, unless contact is to hold it "
-    .. "later"):format(run.steps, run.held.why or "its tangent is singular")
+    .. "later"):format(run.steps, run.singular or "its tangent is singular")
 end
 
 --- A sentence for steps in unstable equilibrium.

@@ -124,7 +124,7 @@ function study:by(name) end
 ---@field y string|(fun(row: table<string, any>): any)
 ---series: column, or function of a row, with one curve per value (a column or a function; optional)
 ---@field series? string|(fun(row: table<string, any>): any)
----file: file name that ends with .png, .svg or .pdf (a string; optional)
+---file: file name that ends with .png, .svg or .pdf (a string; by default not written)
 ---@field file? string
 ---markers: marker at each point (true or false; default true)
 ---@field markers? boolean
@@ -317,7 +317,7 @@ function study:execute(arguments) end
 ---@field y string
 ---value: column, or function of a row (a column or a function)
 ---@field value string|(fun(row: table<string, any>): any)
----file: file name that ends with .png, .svg or .pdf (a string; optional)
+---file: file name that ends with .png, .svg or .pdf (a string; by default not written)
 ---@field file? string
 ---texts: numbers in the cells; "failed" or "error" for cases without results (true or false; default true)
 ---@field texts? boolean
@@ -774,7 +774,7 @@ function map:csv(file) end
 ---@class (exact) sg.map.heatmap.arguments
 ---name: such as "iterations" (a string)
 ---@field name string
----file: file name that ends with .png, .svg or .pdf (a string; optional)
+---file: file name that ends with .png, .svg or .pdf (a string; by default not written)
 ---@field file? string
 ---other: map of the same values, drawn next to this one (a convergence map; optional)
 ---@field other? sg.map
@@ -828,7 +828,7 @@ function map:heatmap(arguments) end
 function map:converged() end
 
 ---@class (exact) sg.map.picture.arguments
----file: file name that ends with .png, .svg or .pdf (a string; optional)
+---file: file name that ends with .png, .svg or .pdf (a string; by default not written)
 ---@field file? string
 ---text: number shown in the cells: of the run, such as "reached", or a result (a string; default "iterations")
 ---@field text? string

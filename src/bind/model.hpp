@@ -37,11 +37,13 @@ template <int D> int find_body(const model::Model<D>& model, const std::string& 
 /// Indices of the bodies with a name: one body, or the parts "name.1", "name.2", … of a body of several patches.
 template <int D> std::vector<int> find_bodies(const model::Model<D>& model, const std::string& name) {
   const auto& bodies = model.system.scene.bodies;
-  std::vector<int> found;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    if (bodies[b].name == name || bodies[b].name.starts_with(name + ".")) found.push_back(static_cast<int>(b));
-  if (found.empty()) found.push_back(find_body(model, name));
-  return found;
+  std::vector<int> parts;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].name == name) return {static_cast<int>(b)};
+    if (bodies[b].name.starts_with(name + ".")) parts.push_back(static_cast<int>(b));
+  }
+  if (parts.empty()) parts.push_back(find_body(model, name)); // which throws
+  return parts;
 }
 
 } // namespace signorini::bind

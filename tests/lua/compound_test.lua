@@ -181,7 +181,7 @@ check.case("wrong lists, names and numbers are errors at the argument", function
   refused({ "sg.body: contact must be a face such as '1.north'", "bottom" }, body, piece,
     { order = "N2-N4", contact = "botom" })
   local made = body(piece)
-  refused({ "there is no boundary 'lift'", "did you mean 'left'" }, made.face, made, "lift")
+  refused({ "compound:face: name must be a boundary (", "got 'lift'", "did you mean 'left'" }, made.face, made, "lift")
   refused({ "compound:face: name must be a face of a part from 1 to 3", "'7.north'" }, made.face, made, "7.north")
   refused({ "body:face", "nroth" }, made.face, made, "1.nroth")
   refused({ "compound:part", "from 1 to 3" }, made.part, made, 4)

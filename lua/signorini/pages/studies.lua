@@ -12,7 +12,7 @@ local x_and_y = { { "x", t.any }, { "y", t.any } }
 
 local column_or_function = t.either(t.column, t.of_row(t.any))
 local parameter = t.name(function(study) return study.parameters end)
-local file = { "file", t.text, "file name that ends with .png, .svg or .pdf", optional = true }
+local file = chart_rows.file
 
 --- Rows of sg.chart and sg.heatmap, to which these functions pass them on.
 local function of_chart(keys, otherwise) return chart_rows.pick(chart_rows.chart, keys, otherwise) end
