@@ -110,16 +110,7 @@ local function read_single(of, value, where, name, row)
   mismatch(of, value, where, name, row, list_cure(of, value))
 end
 
---- Checks the entries of a list that have names.
-local function read_fields(fields, list, where, name)
-  for key, value in next, list do
-    if not math.type(key) then
-      local row = lists.filter(fields, function(one) return one[1] == key end)[1]
-      if not row then reject_unknown(where, name, list, { key }, fields) end
-      read(row[2], value, where, ("%s.%s"):format(name, key))
-    end
-  end
-end
+local read_named
 
 function reads.list(of, value, where, name, row)
   local count = length(value, of.fields)
@@ -130,6 +121,7 @@ function reads.list(of, value, where, name, row)
   end
   local wrong = not count or of.size and count ~= of.size or of.least and count < of.least
   if wrong then mismatch(of, value, where, name, row, list_cure(of, value)) end
+  if of.fields then return read_named(of.fields, value, where, name, nil, nil, { nil, of.of }) end
   local copy
   for i = 1, count do
     local entry = read_entry(of.of, value, i, where, name)
@@ -138,7 +130,6 @@ function reads.list(of, value, where, name, row)
       copy[i] = entry
     end
   end
-  if of.fields then read_fields(of.fields, value, where, name) end
   return copy or value
 end
 
@@ -243,7 +234,7 @@ end
 
 --- Reads named arguments: those of the rows, checked, with defaults where they are not given, and others of the type
 --- `rest`. `owner`: of a method; `entries`: of a page. The rows' `conflict` checks the values against each other.
-local function read_named(rows, value, where, name, rest, owner, entries)
+function read_named(rows, value, where, name, rest, owner, entries)
   local count = entries and #value or 0
   if not rest then check_keys(rows, value, where, name, count) end
   local whole, prefix = {}, name == "" and "" or name .. "."

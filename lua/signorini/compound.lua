@@ -153,7 +153,7 @@ end
 function compound.expanded(values)
   if type(values.joins or {}) ~= "table" then return values end -- which sg.model rejects
   local bodies = {}
-  local joins = lists.merged(values.joins or {}, {})
+  local joins = lists.merged(values.joins or {})
   local function add(into, name, value, kind)
     if into[name] ~= nil then
       core.fail(("sg.model: %s.%s has the name of a part of a body of several patches: choose another name")

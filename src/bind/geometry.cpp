@@ -8,13 +8,13 @@ namespace signorini::bind {
 
 namespace {
 
-std::string name_of(const exchange::PatchFace& face) {
+std::string patch_face_name(const exchange::PatchFace& face) {
   return text(face.patch + 1, ".", nurbs::name_of(face.side));
 }
 
 std::vector<std::string> names_of_faces(const auto& faces) {
   std::vector<std::string> names;
-  for (const exchange::PatchFace& face : faces) names.push_back(name_of(face));
+  for (const exchange::PatchFace& face : faces) names.push_back(patch_face_name(face));
   return names;
 }
 
@@ -24,15 +24,14 @@ exchange::PatchFace read_patch_face(lua_State* L, const std::vector<nurbs::Patch
   lua_pop(L, 1);
   const std::size_t dot = name.find('.');
   for (std::size_t i = 0; i < patches.size(); ++i)
-    for (int d = 0; d < patches[i].parametric_dimension(); ++d)
-      for (const bool at_end : {false, true})
-        if (const exchange::PatchFace face{static_cast<int>(i), {d, at_end}}; name_of(face) == name) return face;
+    for (const nurbs::Side side : nurbs::sides(patches[i].parametric_dimension()))
+      if (const exchange::PatchFace face{static_cast<int>(i), side}; patch_face_name(face) == name) return face;
   fail(where, " must be a face of one of the patches 1 to ", patches.size(), ", such as '1.west', got '", name, "'",
        dot == std::string::npos ? ": write the number of the patch and a dot before the face" : "");
 }
 
-std::vector<exchange::PatchFace> read_faces(lua_State* L, int index, const std::vector<nurbs::Patch>& patches,
-                                            const std::string& where) {
+std::vector<exchange::PatchFace> read_patch_faces(lua_State* L, int index, const std::vector<nurbs::Patch>& patches,
+                                                  const std::string& where) {
   std::vector<exchange::PatchFace> faces;
   for (lua_Integer i = 1, count = static_cast<lua_Integer>(lua_rawlen(L, index)); i <= count; ++i) {
     lua_rawgeti(L, index, i);
@@ -65,7 +64,7 @@ exchange::Geometry read_geometry(lua_State* L, int index) {
     geometry.interfaces.emplace();
     const int list = lua_gettop(L);
     for (lua_Integer i = 1; lua_rawgeti(L, list, i) != LUA_TNIL; lua_pop(L, 1), ++i) {
-      const auto faces = read_faces(L, lua_gettop(L), geometry.patches, text("interfaces[", i, "]"));
+      const auto faces = read_patch_faces(L, lua_gettop(L), geometry.patches, text("interfaces[", i, "]"));
       geometry.interfaces->push_back({faces[0], faces[1]});
     }
     lua_pop(L, 1);
@@ -77,7 +76,7 @@ exchange::Geometry read_geometry(lua_State* L, int index) {
     std::sort(names.begin(), names.end());
     for (const std::string& name : names) {
       lua_getfield(L, -1, name.c_str());
-      geometry.boundaries.push_back({name, read_faces(L, lua_gettop(L), geometry.patches, "boundaries." + name)});
+      geometry.boundaries.push_back({name, read_patch_faces(L, lua_gettop(L), geometry.patches, "boundaries." + name)});
       lua_pop(L, 1);
     }
   }

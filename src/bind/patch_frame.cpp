@@ -33,20 +33,13 @@ double outward(const Patch& volume, nurbs::Side side) {
   return (left_handed(volume) ? -1 : 1) * nurbs::outward_sign(side);
 }
 
-std::vector<nurbs::Side> sides_of(const Patch& patch) {
-  std::vector<nurbs::Side> sides;
-  for (int d = 0; d < patch.parametric_dimension(); ++d)
-    for (bool at_end : {false, true}) sides.push_back({d, at_end});
-  return sides;
-}
-
 /// The patch, or the six sides of a volume, the first one with the control points.
 std::vector<tessellation::Skin> pieces_of(const Patch& patch, const std::vector<Window>& windows) {
   std::vector<tessellation::Skin> pieces;
   if (patch.parametric_dimension() < 3)
     pieces.push_back(tessellation::tessellate(patch, 1, windows));
   else
-    for (const nurbs::Side side : sides_of(patch))
+    for (const nurbs::Side side : nurbs::sides(patch.parametric_dimension()))
       pieces.push_back(tessellation::tessellate(nurbs::face(patch, side), outward(patch, side), windows));
   pieces[0].control_points.setZero(3, patch.functions());
   pieces[0].control_points.topRows(patch.dimension()) = patch.points();
@@ -104,7 +97,8 @@ view::Names patch_names(const std::vector<Patch>& patches) {
     const Patch& patch = patches[p];
     const int n = patch.parametric_dimension();
     if (n > 1)
-      for (const nurbs::Side side : sides_of(patch)) names.labels.push_back(side_label(patch, side));
+      for (const nurbs::Side side : nurbs::sides(patch.parametric_dimension()))
+        names.labels.push_back(side_label(patch, side));
     for (int d = 0; d < n; ++d) names.arrows.push_back(direction_arrow(patch, d));
     if (patches.size() > 1) names.labels.push_back({place_at(patch, VectorX::Constant(n, 0.5)), std::to_string(p + 1)});
   }

@@ -5,8 +5,8 @@
 #include "contact/constants.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
+#include <set>
 
 namespace signorini::contact {
 
@@ -68,7 +68,7 @@ public:
   Grid(const std::vector<FacePart>& parts, const Message& list)
       : parts_(parts), list_(list), dimensions_(parts.front().row.parametric_dimension()), placed_(parts.size()) {
     place(0, nurbs::orientations(dimensions_).front(), {0, 0});
-    // In order of placement each part takes its neighbors; a ring so continues at the end of its first part.
+    // In order of placement each part takes its neighbors; so a ring continues at the end of its first part.
     for (std::size_t i = 0; i < order_.size(); ++i)
       for (std::size_t d = 0; d < at(dimensions_); ++d)
         for (const bool at_end : {true, false}) take_neighbor(order_[i], d, at_end);
@@ -82,7 +82,7 @@ public:
 
 private:
   void place(std::size_t part, const nurbs::Orientation& way, const Index2& cell) {
-    require(at_cell_.emplace(cell, part).second, "contact.faces.grid", {{"list", list_}, {"face", parts_[part].name}});
+    require(taken_.insert(cell).second, "contact.faces.grid", {{"list", list_}, {"face", parts_[part].name}});
     placed_[part].emplace(Placed{TurnedPart(parts_[part], way), cell});
     order_.push_back(part);
   }
@@ -110,13 +110,10 @@ private:
         low[d] = std::min(low[d], placed->cell[d]);
         high[d] = std::max(high[d], placed->cell[d]);
       }
-    at_cell_.clear();
-    for (std::size_t i = 0; i < placed_.size(); ++i) {
-      for (std::size_t d = 0; d < 2; ++d) placed_[i]->cell[d] -= low[d];
-      at_cell_[placed_[i]->cell] = i;
-    }
+    for (auto& placed : placed_)
+      for (std::size_t d = 0; d < 2; ++d) placed->cell[d] -= low[d];
     for (std::size_t d = 0; d < 2; ++d) cells_[d] = high[d] - low[d] + 1;
-    require(at_cell_.size() == at(cells_[0] * cells_[1]), "contact.faces.grid",
+    require(placed_.size() == at(cells_[0] * cells_[1]), "contact.faces.grid",
             {{"list", list_}, {"face", parts_[order_.back()].name}});
   }
 
@@ -138,7 +135,7 @@ private:
   int dimensions_;
   std::vector<std::optional<Placed>> placed_;
   std::vector<std::size_t> order_;
-  std::map<Index2, std::size_t> at_cell_;
+  std::set<Index2> taken_;
   std::optional<std::size_t> turned_; ///< a part with a common border on the other side of its body
   Index2 cells_{1, 1};
 };
@@ -230,8 +227,7 @@ int FacePlace::element(int f) const {
   return first[0] + there[0] + width * (first[1] + there[1]);
 }
 
-int FacePlace::point(int number, int per_direction, int dimensions) const {
-  if (dimensions == 1) return way.flip[0] ? per_direction - 1 - number : number;
+int FacePlace::point(int number, int per_direction) const {
   const std::array<int, 2> own{number % per_direction, number / per_direction};
   const auto there = way.turn(own, [&](std::size_t, int i) { return per_direction - 1 - i; });
   return there[0] + per_direction * there[1];

@@ -27,7 +27,7 @@ struct FacePlace {
   /// The whole's element that is element f of the part (first direction fastest).
   int element(int f) const;
   /// Index of a point in the whole's element; `number`: in the part's, of a grid with this number per direction.
-  int point(int number, int per_direction, int dimensions) const;
+  int point(int number, int per_direction) const;
 };
 
 /// Continuous across the borders of the parts (C⁰), with the directions of the first part.

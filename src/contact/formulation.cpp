@@ -30,10 +30,10 @@ template <int D> void Formulation<D>::return_to_accepted() {
   accepted_travel_ = travel_;
 }
 
-template <int D> void Formulation<D>::append_slave(int element, const Offsets& offsets, std::vector<int>& dofs) const {
+template <int D> void Formulation<D>::append_slave(int element, std::vector<int>& dofs) const {
   const int* nodes = slave().nodes(element);
   for (int a = 0; a < slave().functions_on(element); ++a)
-    for (int c = 0; c < D; ++c) dofs.push_back(offsets.slave + D * slave().body_function(nodes[a]) + c);
+    for (int c = 0; c < D; ++c) dofs.push_back(D * slave().body_function(nodes[a]) + c);
 }
 
 template <int D>
@@ -55,14 +55,14 @@ template <int D>
 void Formulation<D>::append_dofs(const Block& block, const Offsets& offsets, std::vector<int>& dofs) const {
   if (block.group >= 0) {
     for (const int node : block.slave_nodes)
-      for (int c = 0; c < D; ++c) dofs.push_back(offsets.slave + D * slave().body_function(node) + c);
+      for (int c = 0; c < D; ++c) dofs.push_back(D * slave().body_function(node) + c);
     for (const int node : block.master_nodes)
       for (int c = 0; c < D; ++c)
         dofs.push_back(offsets.master + (master().rigid() ? 0 : D * master().surface()->body_function(node)) + c);
     for (const int number : block.extra) dofs.push_back(offsets.extra + number);
     return;
   }
-  append_slave(block.slave_element, offsets, dofs);
+  append_slave(block.slave_element, dofs);
   append_master(block.master_element, offsets, dofs);
   for (const int number : block.extra) dofs.push_back(offsets.extra + number);
   if (block.slip_element >= 0) append_master(block.slip_element, offsets, dofs);

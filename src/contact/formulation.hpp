@@ -42,10 +42,10 @@ template <int D> struct Trial {
   const double* extra = nullptr; ///< values of the formulation's additional unknowns
 };
 
-/// First degree of freedom of the functions of the slave, of those of the master or of the obstacle, and of the
-/// additional unknowns.
+/// First degree of freedom of the master, which is not 0 for an obstacle only, and of the additional unknowns.
+/// Functions of faces are numbered through all bodies.
 struct Offsets {
-  int slave, master, extra;
+  int master, extra;
 };
 
 /// One contact. Members hold constant data and the moving faces; everything else is in the History passed to its
@@ -88,7 +88,7 @@ public:
   /// Appends the degrees of freedom of a block's columns, those of the rows first.
   void append_dofs(const Block& block, const Offsets& offsets, std::vector<int>& dofs) const;
   /// Appends those of a slave element; of a master element and, if `and_next`, of its neighbors on the face.
-  void append_slave(int element, const Offsets& offsets, std::vector<int>& dofs) const;
+  void append_slave(int element, std::vector<int>& dofs) const;
   void append_master(int element, const Offsets& offsets, std::vector<int>& dofs, bool and_next = false) const;
 
   /// Updates the history at the end of an accepted step, for example by advancing slip points, at the displacements

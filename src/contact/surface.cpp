@@ -54,7 +54,9 @@ Surface<D>::Surface(const nurbs::Discretization& body, nurbs::Side side, int fir
   for (int& function : functions_) function += first;
 }
 
-template <int D> Surface<D>::Surface(FaceGrid grid) : Surface(grid.row, std::move(grid.nodes), grid.orientation) {}
+template <int D> Surface<D>::Surface(FaceGrid grid) : Surface(grid.row, std::move(grid.nodes), grid.orientation) {
+  places_ = std::move(grid.places);
+}
 
 template <int D>
 Surface<D>::Surface(const nurbs::Patch& patch) : Surface(nurbs::make_row(patch), numbers(patch.functions()), 1) {}

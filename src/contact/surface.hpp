@@ -53,6 +53,8 @@ public:
   /// A patch without a body, with the outside on the right of its direction (2D), or with outward normal τ₁×τ₂ (3D).
   explicit Surface(const nurbs::Patch& patch);
 
+  /// Of several faces, where each lies in the whole.
+  const std::vector<FacePlace>& places() const { return places_; }
   int elements() const { return static_cast<int>(elements_.size()); }
   /// Number of functions on an element.
   int functions_on(int element) const { return elements_[at(element)].functions; }
@@ -131,6 +133,7 @@ private:
   std::array<std::array<double, 2>, D - 1> ends_;     ///< of the face itself
   std::array<std::array<double, 2>, D - 1> beyond_{}; ///< parametric length of the extension at each end
   std::vector<int> functions_, nodes_;
+  std::vector<FacePlace> places_;
   VectorX weights_;
   bool polynomial_; ///< all weights are equal: not rational
   double orientation_;

@@ -148,7 +148,7 @@ public:
     if (!node.first_child()) return result;
     for (TextReader from = document_.inside(node); !from.at_end();) {
       const PatchFace first = face(from), second = face(from);
-      const int directions = patches_[static_cast<std::size_t>(first.patch)].parametric_dimension();
+      const int directions = patches_[at(first.patch)].parametric_dimension();
       for (int d = 0; d < directions; ++d) from.integer(0, 2, "exchange.expected.direction");
       for (int d = 0; d < directions; ++d) from.integer(0, 1, "exchange.expected.orientation");
       result.push_back({first, second});
@@ -168,7 +168,7 @@ private:
     const int id = from.integer(0, most_functions, "exchange.expected.patch_id");
     const auto found = index_.find(id);
     if (found == index_.end()) from.wrong("exchange.gismo.patch_id", {{"id", id}});
-    const int sides = 2 * patches_[static_cast<std::size_t>(found->second)].parametric_dimension();
+    const int sides = 2 * patches_[at(found->second)].parametric_dimension();
     return {found->second, side_of_number(from.integer(1, sides, "exchange.expected.side"))};
   }
 
@@ -187,9 +187,9 @@ std::string topology_of(const Geometry& geometry) {
   if (!interfaces.empty()) {
     out += "    <interfaces>";
     for (const auto& [faces, way] : interfaces) {
-      std::vector<int> direction(static_cast<std::size_t>(parametric)), same(direction);
+      std::vector<int> direction(at(parametric)), same(direction);
       for (int d = 0, k = 0; d < parametric; ++d) {
-        const auto i = static_cast<std::size_t>(d), own = static_cast<std::size_t>(k);
+        const std::size_t i = at(d), own = at(k);
         if (d == faces[0].side.direction) {
           direction[i] = faces[1].side.direction;
           same[i] = faces[0].side.at_end != faces[1].side.at_end;
@@ -208,24 +208,22 @@ std::string topology_of(const Geometry& geometry) {
     out += "</interfaces>\n";
   }
   std::vector<PatchFace> unnamed = outer_faces(geometry, interfaces);
-  const auto list = [&](const std::vector<PatchFace>& faces) {
-    for (const PatchFace& one : faces) out += face(one) + "\n";
-    out += "</boundary>\n";
+  const auto add_boundary = [&](const char* name, const std::vector<PatchFace>& faces) {
+    pugi::xml_document one;
+    pugi::xml_node node = one.append_child("boundary");
+    if (name) node.append_attribute("name").set_value(name);
+    std::string lines;
+    for (const PatchFace& own : faces) lines += face(own) + "\n";
+    node.text().set(lines.c_str());
+    std::ostringstream printed;
+    node.print(printed, "", pugi::format_raw);
+    out += "    " + printed.str() + "\n";
   };
   for (const auto& [name, faces] : geometry.boundaries) {
     for (const PatchFace& one : faces) std::erase(unnamed, one);
-    pugi::xml_document escaped;
-    escaped.append_child("boundary").append_attribute("name").set_value(name.c_str());
-    std::ostringstream head;
-    escaped.first_child().print(head, "", pugi::format_raw);
-    const std::string element = head.str();
-    out += "    " + element.substr(0, element.rfind("/>")) + ">";
-    list(faces);
+    add_boundary(name.c_str(), faces);
   }
-  if (!unnamed.empty()) {
-    out += "    <boundary>";
-    list(unnamed);
-  }
+  if (!unnamed.empty()) add_boundary(nullptr, unnamed);
   return out + "  </MultiPatch>\n";
 }
 

@@ -1,6 +1,7 @@
 #include "exchange/interfaces.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,15 +70,15 @@ struct BoxedFace {
 
 std::vector<BoxedFace> faces_of(const Geometry& geometry) {
   std::vector<BoxedFace> faces;
-  for (std::size_t i = 0; i < geometry.patches.size(); ++i)
-    for (int d = 0; d < geometry.patches[i].parametric_dimension(); ++d)
-      for (const bool at_end : {false, true}) {
-        if (geometry.patches[i].parametric_dimension() < 2) continue; // ends of curves are not patches
-        const Patch surface = nurbs::face(geometry.patches[i], {d, at_end});
-        const MatrixX points = surface.points();
-        faces.push_back(
-            {{static_cast<int>(i), {d, at_end}}, surface, points.rowwise().minCoeff(), points.rowwise().maxCoeff()});
-      }
+  for (std::size_t i = 0; i < geometry.patches.size(); ++i) {
+    const Patch& patch = geometry.patches[i];
+    if (patch.parametric_dimension() < 2) continue; // ends of curves are not patches
+    for (const Side side : nurbs::sides(patch.parametric_dimension())) {
+      const Patch surface = nurbs::face(patch, side);
+      const MatrixX points = surface.points();
+      faces.push_back({{static_cast<int>(i), side}, surface, points.rowwise().minCoeff(), points.rowwise().maxCoeff()});
+    }
+  }
   return faces;
 }
 
@@ -107,7 +108,7 @@ std::vector<OrientedInterface> interfaces_of(const Geometry& geometry) {
   std::vector<OrientedInterface> listed;
   for (const Interface& faces : *geometry.interfaces) {
     const auto surface = [&](const PatchFace& face) {
-      return nurbs::face(geometry.patches[static_cast<std::size_t>(face.patch)], face.side);
+      return nurbs::face(geometry.patches[at(face.patch)], face.side);
     };
     const auto way = orientation_of(surface(faces[0]), surface(faces[1]));
     require(way.has_value(), "exchange.write.interface",
@@ -124,14 +125,13 @@ std::vector<OrientedInterface> interfaces_of(const Geometry& geometry) {
 std::vector<PatchFace> outer_faces(const Geometry& geometry, const std::vector<OrientedInterface>& interfaces) {
   std::vector<PatchFace> outer;
   for (std::size_t i = 0; i < geometry.patches.size(); ++i)
-    for (int d = 0; d < geometry.patches[i].parametric_dimension(); ++d)
-      for (const bool at_end : {false, true}) {
-        const PatchFace face{static_cast<int>(i), {d, at_end}};
-        const bool inner = std::any_of(interfaces.begin(), interfaces.end(), [&](const OrientedInterface& one) {
-          return one.faces[0] == face || one.faces[1] == face;
-        });
-        if (!inner) outer.push_back(face);
-      }
+    for (const Side side : nurbs::sides(geometry.patches[i].parametric_dimension())) {
+      const PatchFace face{static_cast<int>(i), side};
+      const bool inner = std::any_of(interfaces.begin(), interfaces.end(), [&](const OrientedInterface& one) {
+        return one.faces[0] == face || one.faces[1] == face;
+      });
+      if (!inner) outer.push_back(face);
+    }
   return outer;
 }
 

@@ -4,8 +4,6 @@
 #include "exchange/exchange.hpp"
 #include "nurbs/orientation.hpp"
 
-#include <optional>
-
 namespace signorini::exchange {
 
 /// An interface and how the directions of its first face run along those of the second one.

@@ -1,6 +1,7 @@
 // MFEM NURBS mesh v1.0 with the section "patches": a topology of vertices, edges and elements, then per patch knots and
 // control points, ξ¹ fastest.
 #include "base/groups.hpp"
+#include "base/index.hpp"
 #include "exchange/interfaces.hpp"
 #include "exchange/text.hpp"
 
@@ -80,20 +81,22 @@ std::vector<int> sorted(std::vector<int> values) {
 /// The vertices of a side of an element with these vertices, sorted.
 std::vector<int> vertices_on(const std::vector<int>& vertices, const ElementSide& side) {
   std::vector<int> own;
-  for (const int v : side.vertices) own.push_back(vertices[static_cast<std::size_t>(v)]);
+  for (const int v : side.vertices) own.push_back(vertices[at(v)]);
   return sorted(own);
 }
 
 /// The vertices of all elements.
 using Vertices = std::vector<std::vector<int>>;
 
-/// The faces with these vertices (sorted), one or two.
-std::vector<PatchFace> faces_with(const Vertices& vertices, const std::vector<int>& wanted) {
-  std::vector<PatchFace> faces;
+/// Faces by their vertices (sorted): MFEM identifies sides by these.
+using FacesOf = std::map<std::vector<int>, std::vector<PatchFace>>;
+
+FacesOf faces_by_vertices(const Vertices& vertices) {
+  FacesOf faces;
   for (std::size_t p = 0; p < vertices.size(); ++p) {
     const int parametric = vertices[p].size() == 2 ? 1 : vertices[p].size() == 4 ? 2 : 3;
     for (const ElementSide& side : element_of(parametric).sides)
-      if (vertices_on(vertices[p], side) == wanted) faces.push_back({static_cast<int>(p), side_of_number(side.number)});
+      faces[vertices_on(vertices[p], side)].push_back({static_cast<int>(p), side_of_number(side.number)});
   }
   return faces;
 }
@@ -123,7 +126,7 @@ Vertices read_elements(TextReader& from) {
 }
 
 /// Sides of the boundary: those of one attribute are a boundary, whose name is this number.
-std::vector<Boundary> read_boundary_section(TextReader& from, const Vertices& vertices) {
+std::vector<Boundary> read_boundary_section(TextReader& from, const FacesOf& faces) {
   const int count = from.integer(0, most_functions, "exchange.expected.sides");
   std::vector<Boundary> boundaries;
   for (int i = 0; i < count; ++i) {
@@ -133,21 +136,37 @@ std::vector<Boundary> read_boundary_section(TextReader& from, const Vertices& ve
     const std::vector<int> own = read_vertices(from, type == 0 ? 1 : type == 1 ? 2 : 4);
     auto found = std::find_if(boundaries.begin(), boundaries.end(), [&](const auto& one) { return one.name == name; });
     if (found == boundaries.end()) found = boundaries.insert(found, {name, {}});
-    for (const PatchFace& face : faces_with(vertices, sorted(own))) found->faces.push_back(face);
+    if (const auto named = faces.find(sorted(own)); named != faces.end())
+      found->faces.insert(found->faces.end(), named->second.begin(), named->second.end());
   }
   return boundaries;
 }
 
 /// Sides of two elements with the same vertices.
-std::vector<Interface> common_sides(const Vertices& vertices, int parametric) {
+std::vector<Interface> common_sides(const Vertices& vertices, const FacesOf& faces, int parametric) {
   std::vector<Interface> interfaces;
   for (std::size_t p = 0; p < vertices.size(); ++p)
     for (const ElementSide& side : element_of(parametric).sides) {
-      const std::vector<PatchFace> faces = faces_with(vertices, vertices_on(vertices[p], side));
-      if (faces.size() == 2 && faces[0].patch == static_cast<int>(p) && faces[1].patch > faces[0].patch)
-        interfaces.push_back({faces[0], faces[1]});
+      const std::vector<PatchFace>& own = faces.at(vertices_on(vertices[p], side));
+      if (own.size() == 2 && own[0].patch == static_cast<int>(p) && own[1].patch > own[0].patch)
+        interfaces.push_back({own[0], own[1]});
     }
   return interfaces;
+}
+
+/// Throws Error if MFEM would take sides for an interface that is none: those of two patches that share all vertices.
+void check_sides(const FacesOf& faces, const std::vector<OrientedInterface>& interfaces) {
+  for (const auto& [vertices, own] : faces) {
+    if (own.size() == 1) continue;
+    const bool listed = own.size() == 2 && std::any_of(interfaces.begin(), interfaces.end(), [&](const auto& one) {
+                          return one.faces == Interface{own[0], own[1]} || one.faces == Interface{own[1], own[0]};
+                        });
+    require(listed, "exchange.mfem.same_vertices",
+            {{"first", own[0].patch + 1},
+             {"first_face", nurbs::name_of(own[0].side)},
+             {"second", own[1].patch + 1},
+             {"second_face", nurbs::name_of(own[1].side)}});
+  }
 }
 
 /// Numbers of the vertices of all patches, common ones at interfaces.
@@ -158,7 +177,7 @@ Vertices number_vertices(const Geometry& geometry, const std::vector<OrientedInt
   const auto corner = [&](const PatchFace& face, const std::array<bool, 2>& ends) {
     int index = face.side.at_end ? 1 << face.side.direction : 0;
     for (int d = 0, k = 0; d < parametric; ++d)
-      if (d != face.side.direction && ends[static_cast<std::size_t>(k++)]) index += 1 << d;
+      if (d != face.side.direction && ends[at(k++)]) index += 1 << d;
     return face.patch * corners + index;
   };
   for (const auto& [faces, way] : interfaces)
@@ -173,7 +192,7 @@ Vertices number_vertices(const Geometry& geometry, const std::vector<OrientedInt
     const std::vector<int>& order = element_of(parametric).vertex_of_corner;
     std::vector<int> leaders(order.size());
     for (std::size_t c = 0; c < order.size(); ++c)
-      leaders[static_cast<std::size_t>(order[c])] = groups.leader(static_cast<int>(p) * corners + static_cast<int>(c));
+      leaders[at(order[c])] = groups.leader(static_cast<int>(p) * corners + static_cast<int>(c));
     result.emplace_back();
     for (const int leader : leaders)
       result.back().push_back(number.emplace(leader, static_cast<int>(number.size())).first->second);
@@ -189,9 +208,8 @@ std::string edges_of(const Vertices& vertices, int parametric) {
   std::vector<std::array<int, 2>> order;
   for (std::size_t p = 0; p < vertices.size(); ++p)
     for (int d = 0; d < parametric; ++d)
-      for (const auto& [a, b] : element_of(parametric).edges[static_cast<std::size_t>(d)]) {
-        const std::array<int, 2> edge{vertices[p][static_cast<std::size_t>(a)],
-                                      vertices[p][static_cast<std::size_t>(b)]};
+      for (const auto& [a, b] : element_of(parametric).edges[at(d)]) {
+        const std::array<int, 2> edge{vertices[p][at(a)], vertices[p][at(b)]};
         require(!direction_of.contains({edge[1], edge[0]}), "exchange.mfem.opposite",
                 {{"number", p + 1}, {"direction", d + 1}});
         const int own = static_cast<int>(p) * parametric + d;
@@ -228,7 +246,7 @@ std::string boundary_of(const Geometry& geometry, const Vertices& vertices,
       const PatchFace face{static_cast<int>(p), side_of_number(side.number)};
       if (std::find(outer.begin(), outer.end(), face) == outer.end()) continue;
       lines += text(attribute(face), " ", element.side_type);
-      for (const int v : side.vertices) lines += text(" ", vertices[p][static_cast<std::size_t>(v)]);
+      for (const int v : side.vertices) lines += text(" ", vertices[p][at(v)]);
       lines += "\n";
     }
   return text(outer.size(), "\n", lines);
@@ -242,12 +260,16 @@ Geometry read_mfem(const std::string& file, const std::string& text) {
   TextReader from(file, text);
   from.rest_of_line();
   Vertices vertices;
+  FacesOf faces;
   Geometry geometry;
   while (from.peek() != "patches") {
     const std::string_view word = from.word("exchange.expected.patches");
     if (word == "weights") from.wrong("exchange.mfem.weights");
-    if (word == "elements") vertices = read_elements(from);
-    if (word == "boundary") geometry.boundaries = read_boundary_section(from, vertices);
+    if (word == "elements") {
+      vertices = read_elements(from);
+      faces = faces_by_vertices(vertices);
+    }
+    if (word == "boundary") geometry.boundaries = read_boundary_section(from, faces);
   }
   from.keyword("patches");
   while (from.peek() == "knotvectors") geometry.patches.push_back(read_patch(from));
@@ -259,7 +281,7 @@ Geometry read_mfem(const std::string& file, const std::string& text) {
     if (vertices[p].size() != std::size_t{1} << geometry.patches[p].parametric_dimension() ||
         geometry.patches[p].parametric_dimension() != parametric)
       from.wrong("exchange.mfem.mixed", {{"number", p + 1}});
-  geometry.interfaces = common_sides(vertices, parametric);
+  geometry.interfaces = common_sides(vertices, faces, parametric);
   return geometry;
 }
 
@@ -269,6 +291,7 @@ std::string mfem(const Geometry& geometry) {
     require(geometry.patches[p].parametric_dimension() == parametric, "exchange.mfem.mixed", {{"number", p + 1}});
   const std::vector<OrientedInterface> interfaces = interfaces_of(geometry);
   const Vertices vertices = number_vertices(geometry, interfaces);
+  check_sides(faces_by_vertices(vertices), interfaces);
   const Element& element = element_of(parametric);
   std::string out = text(title, "\n\ndimension\n", parametric, "\n\nelements\n", vertices.size(), "\n");
   int last = 0;

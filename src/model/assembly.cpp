@@ -351,10 +351,8 @@ template <int D> double Assembly<D>::memory() const {
 }
 
 template <int D> void Assembly<D>::move(const VectorX& displacement) const {
-  for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    const auto& [slave, master, extra] = unknowns_.of_contact(k);
-    contacts_[k]->move(displacement.data() + slave, displacement.data() + master);
-  }
+  for (std::size_t k = 0; k < contacts_.size(); ++k)
+    contacts_[k]->move(displacement.data(), displacement.data() + unknowns_.of_contact(k).master);
 }
 
 template class Assembly<2>;

@@ -46,7 +46,7 @@ template <int D> void Assembly<D>::watch_contacts() {
           for (int i = 0, e = block.slave_element; e >= 0 && i < margin; ++i) {
             e = contact.slave().neighbor(e, alpha, at_end);
             if (e < 0) break;
-            contact.append_slave(e, unknowns_.of_contact(k), dofs);
+            contact.append_slave(e, dofs);
           }
     }
     for (int dof : dofs)

@@ -27,15 +27,14 @@ template <int D> struct BoxedFace {
 template <int D>
 std::vector<BoxedFace<D>> boxed_faces(const std::vector<std::shared_ptr<const solid::Body<D>>>& bodies) {
   std::vector<BoxedFace<D>> faces;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    for (int d = 0; d < D; ++d)
-      for (const bool at_end : {false, true}) {
-        const nurbs::Discretization& space = bodies[b]->space();
-        const nurbs::Side side{d, at_end};
-        const MatrixX points = space.points()(Eigen::all, space.face_functions(side));
-        faces.push_back(
-            {{static_cast<int>(b), side}, &space, points.rowwise().minCoeff(), points.rowwise().maxCoeff()});
-      }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const nurbs::Discretization& space = bodies[b]->space();
+    const MatrixX all = space.points();
+    for (const nurbs::Side side : nurbs::sides(D)) {
+      const MatrixX points = all(Eigen::all, space.face_functions(side));
+      faces.push_back({{static_cast<int>(b), side}, &space, points.rowwise().minCoeff(), points.rowwise().maxCoeff()});
+    }
+  }
   return faces;
 }
 
@@ -85,21 +84,13 @@ template <int D> bool lies_on(const BoxedFace<D>& first, const BoxedFace<D>& sec
 
 /// Whether faces that do not match coincide nevertheless.
 template <int D> bool coincide(const BoxedFace<D>& a, const BoxedFace<D>& b, nurbs::Mismatch mismatch) {
-  if (crosses_layer(*a.space, a.face.side) || crosses_layer(*b.space, b.face.side))
+  if (a.space->crosses_layer(a.face.side) || b.space->crosses_layer(b.face.side))
     return mismatch > nurbs::Mismatch::corners; // an error of the model, which names the difference
   // Both ways: a small face can lie between the probes of a large one.
   return lies_on(a, b) || lies_on(b, a);
 }
 
 } // namespace
-
-bool crosses_layer(const nurbs::Discretization& space, nurbs::Side side) {
-  const auto& rows = space.rows();
-  if (space.parametric_dimension() == 2 || side.direction == space.through()) return false;
-  const int along = 1 - space.in_row(side.direction); // of a row, on the side
-  return std::any_of(rows.begin(), rows.end(),
-                     [&](const nurbs::Row& row) { return row.direction(along) != rows.front().direction(along); });
-}
 
 template <int D>
 std::vector<FacePair> coincident_faces(const std::vector<std::shared_ptr<const solid::Body<D>>>& bodies) {

@@ -12,7 +12,4 @@ using FacePair = std::array<FaceReference, 2>;
 template <int D>
 std::vector<FacePair> coincident_faces(const std::vector<std::shared_ptr<const solid::Body<D>>>& bodies);
 
-/// Whether the rows of a layer have different functions on a side, so that it is not a single NURBS and cannot be tied.
-bool crosses_layer(const nurbs::Discretization& space, nurbs::Side side);
-
 } // namespace signorini::model

@@ -1,6 +1,5 @@
 #include "model/contact_faces.hpp"
 
-#include "base/error.hpp"
 #include "nurbs/coincident.hpp"
 
 namespace signorini::model {
@@ -49,21 +48,10 @@ template <int D> contact::Surface<D> surface_of(const Scene<D>& scene, const Fac
   return {scene.bodies[at(face.body)].body->space(), face.side, first_control_point(scene, face.body)};
 }
 
-template <int D> std::vector<contact::FacePlace> face_places(const Scene<D>& scene, const Faces& faces) {
-  if (faces.size() > 1) return grid_of(scene, faces, {}).places;
-  const auto& [body, side] = faces.front();
-  const nurbs::Discretization& space = scene.bodies[at(body)].body->space();
-  std::array<int, 2> elements{1, 1};
-  for (int d = 0, k = 0; d < D; ++d)
-    if (d != side.direction) elements[at(k++)] = space.elements(d);
-  return {{nurbs::orientations(D - 1).front(), elements, {0, 0}, elements[0]}};
-}
-
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template int first_control_point(const Scene<D>&, int);                                                              \
   template Groups coincident_points(const Scene<D>&);                                                                  \
-  template contact::Surface<D> surface_of(const Scene<D>&, const Faces&, const Message&);                              \
-  template std::vector<contact::FacePlace> face_places(const Scene<D>&, const Faces&);
+  template contact::Surface<D> surface_of(const Scene<D>&, const Faces&, const Message&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

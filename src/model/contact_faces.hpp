@@ -17,7 +17,4 @@ template <int D> Groups coincident_points(const Scene<D>& scene);
 /// Error, with `list` as the name of the list, if the faces do not form one surface.
 template <int D> contact::Surface<D> surface_of(const Scene<D>& scene, const Faces& faces, const Message& list = {});
 
-/// Where the faces lie in surface_of().
-template <int D> std::vector<contact::FacePlace> face_places(const Scene<D>& scene, const Faces& faces);
-
 } // namespace signorini::model

@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
-#include "model/contact_faces.hpp"
 #include "solid/quadrature.hpp"
 
 #include <algorithm>
@@ -20,10 +19,10 @@ template <int D> MatrixX contact_point_pressures(const Model<D>& model, int cont
     all(point.number, point.element) = model.present.contacts[at(contact)].results[i].pressure;
   }
   if (named.slave.size() == 1) return all;
-  const contact::FacePlace place = face_places(model.system.scene, named.slave)[face];
+  const contact::FacePlace& place = formulation.slave().places()[face];
   MatrixX result(all.rows(), place.elements[0] * place.elements[1]);
   for (int f = 0; f < result.cols(); ++f)
-    for (int k = 0; k < result.rows(); ++k) result(k, f) = all(place.point(k, points, D - 1), place.element(f));
+    for (int k = 0; k < result.rows(); ++k) result(k, f) = all(place.point(k, points), place.element(f));
   return result;
 }
 

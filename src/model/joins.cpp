@@ -4,8 +4,6 @@
 #include "model/coincident_faces.hpp"
 #include "nurbs/matching.hpp"
 
-#include <algorithm>
-
 namespace signorini::model {
 
 namespace {
@@ -81,7 +79,7 @@ template <int D> void resolve_joins(Scene<D>& scene) {
       continue;
     }
     for (const FaceReference& face : {join.first, join.second})
-      require(!crosses_layer(space_of(scene, face), face.side), "model.join.layers",
+      require(!space_of(scene, face).crosses_layer(face.side), "model.join.layers",
               {{"join", join.name},
                {"first", face_message(scene, join.first)},
                {"second", face_message(scene, join.second)},

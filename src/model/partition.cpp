@@ -103,7 +103,9 @@ template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::B
   const std::size_t shares = starts.size() / 2;
   result.heads.resize(shares);
   result.tails.resize(shares);
-  const std::vector<char> in_rest = on_shared_unknowns(unknowns, body, offset, shares == 1);
+  const bool shares_unknowns = shares > 1 || unknowns.any_of_several_bodies();
+  const std::vector<char> in_rest = shares_unknowns ? on_shared_unknowns(unknowns, body, offset, shares == 1)
+                                                    : std::vector<char>(at(body.macro_elements()), false);
   for (int e = 0; e < body.macro_elements(); ++e) {
     // First slabs of heads and tails alternate in `starts`.
     const int slab = body.macro_index(e, best.direction);

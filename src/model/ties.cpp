@@ -18,7 +18,7 @@ bool acts_between(const Tie& tie, const Faces& first, const Faces& second) {
   return (tie.slave.meets(first) && tie.master.meets(second)) || (tie.slave.meets(second) && tie.master.meets(first));
 }
 
-template <int D> void check_faces(const Scene<D>& scene, const Tie& tie) {
+template <int D> void check_tied_faces(const Scene<D>& scene, const Tie& tie) {
   const Message slave = faces_message(scene, tie.slave), master = faces_message(scene, tie.master);
   require(!tie.slave.meets(tie.master), "model.tie.own_face", {{"tie", tie_message(tie)}});
   for (const Tie& other : scene.ties) {
@@ -63,7 +63,7 @@ Message tie_message(const Tie& tie) {
 template <int D> contact::Ties<D> make_ties(const Scene<D>& scene) {
   contact::Ties<D> ties;
   for (const Tie& tie : scene.ties) {
-    check_faces(scene, tie);
+    check_tied_faces(scene, tie);
     const auto surface = [&](const Faces& faces, const char* side) {
       return surface_of(scene, faces, Message("model.tie.faces", {{"tie", tie_message(tie)}, {"side", side}}));
     };

@@ -91,7 +91,7 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
     for (int dof = offset(b), end = dof + D * scene.bodies[at(b)].body->functions(); dof < end; ++dof)
       if (const int i = unknown(dof); i >= 0) {
-        if (owner[at(i)] >= 0 && owner[at(i)] != b) of_several_bodies_[at(i)] = true;
+        if (owner[at(i)] >= 0 && owner[at(i)] != b) of_several_bodies_[at(i)] = any_of_several_bodies_ = true;
         owner[at(i)] = b;
       }
   const auto add = [&](int further) {
@@ -103,7 +103,7 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<D>& contact = scene.contacts[k];
     const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);
-    of_contacts_.push_back({0, obstacle ? obstacle_offset(obstacle->obstacle) : 0, dofs()});
+    of_contacts_.push_back({obstacle ? obstacle_offset(obstacle->obstacle) : 0, dofs()});
     add(contacts[k]->extra_unknowns());
   }
   for (const contact::Tie<D>& tie : ties) {

@@ -34,6 +34,8 @@ public:
   int of_tie(std::size_t tie) const { return of_ties_[tie]; }
   /// Unknown of a degree of freedom; −1 if it is prescribed.
   int unknown(int dof) const { return unknown_[at(dof)]; }
+  /// Whether any unknown belongs to several bodies.
+  bool any_of_several_bodies() const { return any_of_several_bodies_; }
   /// Whether an unknown belongs to several bodies, which are joined or rotate together.
   bool of_several_bodies(int unknown) const { return of_several_bodies_[at(unknown)] != 0; }
   /// Whether a support constrains this degree of freedom: it is prescribed, or rotates with others.
@@ -55,6 +57,7 @@ private:
   std::vector<int> offsets_, unknown_, of_ties_;
   std::vector<contact::Offsets> of_contacts_;
   std::vector<char> constrained_, of_several_bodies_;
+  bool any_of_several_bodies_ = false;
   std::vector<std::vector<int>> of_support_;
 };
 

@@ -90,28 +90,18 @@ void check_layers(const Discretization& space, Side side, const Positions& posit
   if (side.direction == through || space.parametric_dimension() == 2) return;
   const int a = space.in_row(side.direction);
   const Row lead = face(space.rows().front(), {a, side.at_end});
-  bool layered = false, one_curve = true;
-  for (const Row& row : space.rows()) {
-    const Row cut = face(row, {a, side.at_end});
-    layered = layered || cut.directions() != lead.directions();
-    one_curve = one_curve && same_shape(cut, lead, positions);
-  }
-  if (layered && one_curve && !positions.one_point(space.row_end(0, a, side.at_end)))
+  const bool one_curve = std::all_of(space.rows().begin(), space.rows().end(), [&](const Row& row) {
+    return same_shape(face(row, {a, side.at_end}), lead, positions);
+  });
+  if (space.crosses_layer(side) && one_curve && !positions.one_point(space.row_end(0, a, side.at_end)))
     fail("nurbs.body.torn_layer", {{"face", name_of(side)}, {"contact", name_of(space.contact().front())}});
-}
-
-std::vector<Side> sides_of(const Discretization& space) {
-  std::vector<Side> sides;
-  for (int d = 0; d < space.parametric_dimension(); ++d)
-    for (bool at_end : {false, true}) sides.push_back({d, at_end});
-  return sides;
 }
 
 /// The edges of a solid: functions that two sides share.
 std::vector<Functions> edges_of(const Discretization& space) {
   std::vector<Functions> edges;
-  for (const Side& one : sides_of(space))
-    for (const Side& other : sides_of(space)) {
+  for (const Side& one : sides(space.parametric_dimension()))
+    for (const Side& other : sides(space.parametric_dimension())) {
       if (one.direction >= other.direction) continue;
       Functions first = space.face_functions(one), second = space.face_functions(other), edge;
       std::sort(first.begin(), first.end());
@@ -133,7 +123,7 @@ std::vector<std::vector<int>> coincident_functions(const Discretization& space) 
   const int dimensions = space.parametric_dimension();
 
   check_contact(space, positions);
-  for (const Side& side : sides_of(space)) {
+  for (const Side& side : sides(space.parametric_dimension())) {
     check_layers(space, side, positions);
     for (int k = 0; k < dimensions; ++k) {
       if (k == side.direction) continue;

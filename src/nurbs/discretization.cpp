@@ -309,17 +309,21 @@ std::vector<int> Discretization::face_functions(Side side) const {
   return result;
 }
 
+bool Discretization::crosses_layer(Side side) const {
+  if (parametric_dimension() == 2 || side.direction == through_) return false;
+  const int along = 1 - in_row(side.direction); // of a row, on the side
+  return std::any_of(rows_.begin(), rows_.end(),
+                     [&](const Row& row) { return row.direction(along) != rows_.front().direction(along); });
+}
+
 Row Discretization::face(Side side) const {
   if (side.direction == through_) return rows_[at(side.at_end ? stack_.functions() - 1 : 0)];
+  if (crosses_layer(side))
+    fail("nurbs.body.face_across_layer", {{"face", name_of(side)}, {"contact", name_of(contact_.front())}});
   const std::vector<int> functions = face_functions(side);
   std::vector<Space1D> directions;
-  for (int d = 0; d < parametric_dimension(); ++d) {
-    if (d == side.direction) continue;
-    for (const Row& row : rows_)
-      if (d != through_ && row.direction(in_row(d)) != direction(d))
-        fail("nurbs.body.face_across_layer", {{"face", name_of(side)}, {"contact", name_of(contact_.front())}});
-    directions.push_back(direction(d));
-  }
+  for (int d = 0; d < parametric_dimension(); ++d)
+    if (d != side.direction) directions.push_back(direction(d));
   return {std::move(directions), homogeneous_(Eigen::all, functions)};
 }
 

@@ -90,6 +90,8 @@ public:
   std::vector<int> row_end(int j, int a, bool at_end) const;
   /// Functions that do not vanish on a side, in the order of the control points of face().
   std::vector<int> face_functions(Side side) const;
+  /// Whether the rows of a layer have different functions on a side of a solid, so that it is not a single NURBS.
+  bool crosses_layer(Side side) const;
   /// The side as a NURBS; its control points are those of face_functions(). Throws Error for a side of a layered volume
   /// on which the rows' spaces differ: it is not a tensor product.
   Row face(Side side) const;

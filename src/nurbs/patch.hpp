@@ -77,6 +77,8 @@ struct Side {
   bool operator==(const Side&) const = default;
 };
 
+/// All sides, by direction.
+std::vector<Side> sides(int parametric_dimension);
 /// west/east (ξ¹), south/north (ξ²), front/back (ξ³). Throws Error that lists the valid names.
 Side side_of(const std::string& name, int parametric_dimension);
 std::string name_of(Side side);

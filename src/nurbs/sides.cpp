@@ -66,6 +66,13 @@ Side side_of(const std::string& name, int parametric_dimension) {
   return {i / 2, i % 2 == 1};
 }
 
+std::vector<Side> sides(int parametric_dimension) {
+  std::vector<Side> all;
+  for (int d = 0; d < parametric_dimension; ++d)
+    for (const bool at_end : {false, true}) all.push_back({d, at_end});
+  return all;
+}
+
 std::string name_of(Side side) {
   return names[2 * side.direction + (side.at_end ? 1 : 0)];
 }

@@ -42,16 +42,21 @@ TEST(FaceGrid, PutsPartsInAnyOrientationInTheirPlaces) {
       const auto point = points.col(static_cast<Eigen::Index>(a));
       EXPECT_EQ(whole.nodes[a], std::lround(2 * point(0)) + 100 * std::lround(2 * point(1)));
     }
-    // Middles of the elements of a part and of the whole
-    const auto middle = [](const nurbs::Row& row, int element) {
+    // Points of a grid of 2 × 2 on the elements of a part and of the whole
+    const auto point_on = [](const nurbs::Row& row, int element, int point) {
       const int along = row.direction(0).elements();
       const auto [a, b] = row.direction(0).interval(element % along);
       const auto [c, d] = row.direction(1).interval(element / along);
-      return nurbs::evaluate(row, Vec<2>((a + b) / 2, (c + d) / 2));
+      const auto within = [](double from, double to, int i) { return from + (to - from) * (i == 0 ? 0.25 : 0.75); };
+      return nurbs::evaluate(row, Vec<2>(within(a, b, point % 2), within(c, d, point / 2)));
     };
     for (std::size_t k = 0; k < parts.size(); ++k)
       for (int e = 0; e < 4; ++e)
-        EXPECT_LT((middle(parts[k].row, e) - middle(whole.row, whole.places[k].element(e))).norm(), 1e-14);
+        for (int point = 0; point < 4; ++point) {
+          const FacePlace& place = whole.places[k];
+          const VectorX expected = point_on(parts[k].row, e, point);
+          EXPECT_LT((expected - point_on(whole.row, place.element(e), place.point(point, 2))).norm(), 1e-14);
+        }
   }
 }
 
@@ -63,6 +68,12 @@ TEST(FaceGrid, ListsThatAreNotOneSurfaceAreErrors) {
   EXPECT_ERROR(of({first, square(1, 1, plain)}), "contact.faces.apart"); // a common corner
   EXPECT_ERROR(of({first, square(1, 0, plain, -1)}), "contact.faces.sides");
   EXPECT_ERROR(of({first, square(1, 0, plain), square(0, 1, plain)}), "contact.faces.grid");
+  // The weights of one corner on the border differ by a factor that those of the others do not have.
+  FacePart heavier = square(1, 0, plain);
+  MatrixX homogeneous = heavier.row.homogeneous();
+  homogeneous.col(0) *= 2;
+  heavier.row = nurbs::Row(heavier.row.directions(), homogeneous);
+  EXPECT_ERROR(of({first, heavier}), "contact.faces.mesh");
 }
 
 } // namespace face_grid_test

@@ -69,7 +69,7 @@ template <int D> Dense dense(const Pair<D>& pair, int slave_dofs, int master_dof
   Dense sum{VectorX::Zero(size), MatrixX::Zero(size, size)};
   for (const Block& block : pair.blocks()) {
     std::vector<int> dofs;
-    pair.formulation().append_dofs(block, {0, slave_dofs, slave_dofs + master_dofs}, dofs);
+    pair.formulation().append_dofs(block, {slave_dofs, slave_dofs + master_dofs}, dofs);
     for (int r = 0; r < block.rows; ++r) {
       const std::size_t row = static_cast<std::size_t>(r);
       sum.force(dofs[row]) += block.force[row];

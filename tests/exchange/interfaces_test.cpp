@@ -111,5 +111,16 @@ TEST(Interfaces, ASolidInMfemHasCommonVerticesAndEdges) {
   EXPECT_ERROR(write_geometry(folder.file("q"), {{two.patches[0], opposite}}, "mfem"), "exchange.mfem.opposite");
 }
 
+/// Two halves of a ring share all four corners, so that MFEM would also join their arcs.
+TEST(Interfaces, PatchesWithTheSameCornersAreAnErrorInMfem) {
+  ScratchFolder folder;
+  const Patch upper = nurbs::half_annulus(1, 2, Vec<2>(0, 0));
+  MatrixX lower = upper.homogeneous();
+  lower.topRows(2) *= -1;
+  const Geometry ring{{upper, reverse(Patch(upper.directions(), lower), 0)}};
+  EXPECT_EQ(interfaces_of(ring).size(), 2U);
+  EXPECT_ERROR(write_geometry(folder.file("p"), ring, "mfem"), "exchange.mfem.same_vertices");
+}
+
 } // namespace interfaces_test
 } // namespace signorini::exchange

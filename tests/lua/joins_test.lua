@@ -267,4 +267,25 @@ check.case("faces that cross the same layer match, others are tied or refused", 
     "face 'east' of body 'a' crosses a layer")
 end)
 
+-- ── Errors ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("joins that contradict each other are errors that name the faces", function()
+  local function square(x)
+    return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { x, 0 } }, elements = { 2, 2 },
+                    order = "N2", material = rubber }
+  end
+  local a, b, c = square(0), square(1), square(1)
+  local function refused(joins, ties, ...)
+    local ok, message = pcall(sg.model, { bodies = { a = a, b = b, c = c }, joins = joins, ties = ties })
+    check.equal(ok, false)
+    check.holds(message, ...)
+  end
+  local east, west = a:face "east", b:face "west"
+  refused({ one = { east, east } }, nil, "joins.one joins face 'east' of body 'a' with itself")
+  refused({ one = { east, west }, two = { east, c:face "west" } }, nil, "face 'east' of body 'a'", "joins already")
+  local tied = { two = { slave = east, master = c:face "west" } }
+  refused({ one = { east, west } }, tied, "joins.one joins face", "ties.two")
+  refused({ one = { b:face "west", c:face "west" } }, nil, "joins.one: ", "must face each other")
+end)
+
 check.done()
