@@ -64,16 +64,19 @@ struct Dense {
   MatrixX tangent;
 };
 
-template <int D> Dense dense(const Pair<D>& pair, int slave_dofs, int master_dofs) {
+/// `with_tangent`: whether it was evaluated; otherwise it is empty.
+template <int D> Dense dense(const Pair<D>& pair, int slave_dofs, int master_dofs, bool with_tangent = true) {
   const int size = slave_dofs + master_dofs + pair.extra_unknowns();
-  Dense sum{VectorX::Zero(size), MatrixX::Zero(size, size)};
+  Dense sum{VectorX::Zero(size), {}};
+  if (with_tangent) sum.tangent.setZero(size, size);
+  std::vector<int> dofs;
   for (const Block& block : pair.blocks()) {
-    std::vector<int> dofs;
+    dofs.clear();
     pair.formulation().append_dofs(block, {slave_dofs, slave_dofs + master_dofs}, dofs);
     for (int r = 0; r < block.rows; ++r) {
       const std::size_t row = static_cast<std::size_t>(r);
       sum.force(dofs[row]) += block.force[row];
-      for (int c = 0; c < block.columns; ++c)
+      for (int c = 0; with_tangent && c < block.columns; ++c)
         sum.tangent(dofs[row], dofs[static_cast<std::size_t>(c)]) +=
             block.matrix[row * static_cast<std::size_t>(block.columns) + static_cast<std::size_t>(c)];
     }
