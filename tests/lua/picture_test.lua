@@ -133,13 +133,12 @@ check.case("components change their sign in the mirror as they do in a model tha
                  range = { -1e-6, 1e-6 }, size = { 300, 200 },
                  crop = { side * x - 0.02, side * x + 0.02, y - 0.02, y + 0.02 } }.bytes
   end
-  for _, field in ipairs { "ux", "uy", "u", "sxx", "syy", "sxy", "F11", "F12", "F21", "F22", "von_mises" } do
-    for _, side in ipairs { -1, 1 } do
-      local right = picture(image, field, side)
-      check.equal(picture(model, field, side) == right, true)
-      check.equal(picture(model, field, side, -1) == right, false)
-    end
+  for _, field in ipairs { "ux", "uy", "sxx", "sxy", "F12", "F21", "von_mises" } do
+    local right = picture(image, field, -1)
+    check.equal(picture(model, field, -1) == right, true)
+    check.equal(picture(model, field, -1, -1) == right, false)
   end
+  check.equal(picture(model, "ux", 1) == picture(image, "ux", 1), true)
 end)
 
 check.case("a picture is no larger than its content", function()
