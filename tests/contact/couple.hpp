@@ -120,6 +120,20 @@ inline Balance balance(const Couple& couple) {
   return sum;
 }
 
+/// Forces on both bodies are those of the resultant and sum to zero; without friction their moments do, too.
+inline void expect_balanced(Couple& couple, double mu) {
+  couple.evaluate();
+  const Resultant<2> resultant = couple.pair.resultant();
+  ASSERT_GT(resultant.active, 0);
+  const auto [on_die, on_base, moment, size] = balance(couple);
+  EXPECT_LT((on_die + on_base).norm(), 1e-14 * size);
+  // The residual holds minus the force on the slave.
+  EXPECT_LT((on_die + resultant.force).norm(), 1e-13 * size);
+  if (mu == 0) {
+    EXPECT_LT(std::abs(moment), 1e-13 * size);
+  }
+}
+
 /// Presses, then drags by `drags` with a comparison after each, starting from random displacements.
 inline Census press_and_drag(Couple couple, unsigned seed, double depth, const std::vector<double>& drags) {
   Random random(seed);

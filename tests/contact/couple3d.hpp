@@ -93,4 +93,14 @@ inline void compare_with_differences(Couple3& couple, Random& random, Census3& c
     ++census.stepped_over;
 }
 
+/// Compares and accepts after each drag, with small random displacements.
+inline void drag_and_compare(Couple3& couple, Random& random, std::initializer_list<Vec<3>> drags, Census3& census) {
+  for (const Vec<3>& drag : drags) {
+    couple.move_die(drag);
+    couple.shake(random, 0.0003);
+    compare_with_differences(couple, random, census);
+    couple.pair.accept();
+  }
+}
+
 } // namespace signorini::contact::test

@@ -22,13 +22,7 @@ void wander(Couple3 couple, unsigned seed, double depth, Census3& census) {
   couple.shake(random, 0.001);
   compare_with_differences(couple, random, census);
   couple.pair.accept();
-  for (const Vec<3>& drag :
-       {Vec<3>(3e-4, 1e-4, 0), Vec<3>(0.02, 0.03, 0), Vec<3>(-0.05, 0.01, 0), Vec<3>(0.3, 0.2, 0)}) {
-    couple.move_die(drag);
-    couple.shake(random, 0.0003);
-    compare_with_differences(couple, random, census);
-    couple.pair.accept();
-  }
+  drag_and_compare(couple, random, {{3e-4, 1e-4, 0}, {0.02, 0.03, 0}, {-0.05, 0.01, 0}, {0.3, 0.2, 0}}, census);
   couple.turn_die(0.1, {1.5, 1.5, 0});
   compare_with_differences(couple, random, census);
 }
