@@ -1,6 +1,7 @@
 -- Twisting with friction: torque and force of a hollow hemisphere pressed into a cube and rotated.
 --
--- Problem: a hollow hemisphere rests on a cube; its ring is pressed down, then rotated about its axis.
+-- Problem: a hollow hemisphere rests on a cube; its ring is pressed down without friction, then rotated about its axis
+--          with friction.
 --
 --               ↻  ring: u_z = −1 in 10 steps, then rotated by 180° about z in 90 steps
 --          ┌┐       ┌┐   hollow hemisphere, radii 2/3 and 1, neo-Hooke, E = 5
@@ -24,9 +25,10 @@
 --           uniform pressure: mu N (√2 + ln(1 + √2))/3 for the square, mu N 2/3 (Ro³ − Ri³)/(Ro² − Ri²) for the tube.
 --           The difference in energy, work − stored − contact − friction, decreases with the step size.
 -- Run: signorini scripts/twisting3d.lua [parts=twist,punch,balance] [orders=N2,N4,N2-N4,N2-N2.2] [meshes=m1]
---      [press=10] [twist=90] [angle=180] [slave=hemisphere] [poles=ends] [formulation=gpts] [linear=auto]
---      [out=out/twisting3d]; slave: hemisphere or cube; poles: ends or bottom, see help(sg.shapes.hollow_hemisphere);
---      formulation: a row of formulations/rows.lua, such as equal or reduced-multipliers (not of the punches).
+--      [press=10] [twist=90] [angle=180] [friction=turn] [slave=hemisphere] [poles=ends] [formulation=gpts]
+--      [linear=auto] [out=out/twisting3d]; friction: turn, or always, also while pressed; slave: hemisphere or cube;
+--      poles: ends or bottom, see help(sg.shapes.hollow_hemisphere); formulation: a row of formulations/rows.lua, such
+--      as equal or reduced-multipliers (not of the punches).
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
@@ -120,8 +122,11 @@ local function twist(o, options)
                              imbalance = imbalance(energy) }
     if o.on_step then o.on_step(model, case.rows[info.step]) end
   end
-  case.run = model:run({ { name = "press", steps = o.press, ring = { -depth, 0 } },
-                         { name = "twist", steps = o.twist, ring = { -depth, options.angle } } },
+  local function friction(value) return { joint = { friction = { mu = value } } } end
+  case.run = model:run({ { name = "press", steps = o.press, ring = { -depth, 0 },
+                           contacts = friction(options.friction == "always" and mu or 0) },
+                         { name = "twist", steps = o.twist, ring = { -depth, options.angle },
+                           contacts = friction(mu) } },
                        sg.plain(formulations.options(formulations[options.formulation], {
                          linear = options.linear, step = { adaptive = true }, on_step = keep })))
   local least, most, sum, torque, off, count = math.huge, 0, 0, 0, 0, 0
@@ -247,7 +252,8 @@ end
 local options = sg.arguments{
   parts = { { "twist", "punch", "balance" }, choices = { "twist", "punch", "balance" } },
   orders = { "N2", "N4", "N2-N4", "N2-N2.2" }, meshes = { { "m1" }, choices = { "m1", "m2", "m3" } }, press = 10,
-  twist = 90, angle = { 180.0, above = 0 }, slave = { "hemisphere", choices = { "hemisphere", "cube" } },
+  twist = 90, angle = { 180.0, above = 0 }, friction = { "turn", choices = { "turn", "always" } },
+  slave = { "hemisphere", choices = { "hemisphere", "cube" } },
   poles = { "ends", choices = { "ends", "bottom" } }, formulation = formulations.argument "gpts", linear = "auto",
   out = "out/twisting3d",
 }

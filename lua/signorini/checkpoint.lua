@@ -26,10 +26,10 @@ local function difference(path, saved)
   if #path ~= #saved then return ("it has %s, the file's has %d"):format(counted(#path, "stage"), #saved) end
   for i, stage in ipairs(path) do
     local label = ("stage %d ('%s')"):format(i, stage.name)
-    for _, key in ipairs { "name", "steps", "targets" } do
+    for _, key in ipairs { "name", "steps", "targets", "contacts" } do
       local here, there = stage[key], saved[i][key]
       if core.pack(here) ~= core.pack(there) then
-        if key == "targets" then return label .. " has different targets" end
+        if type(here) == "table" then return ("%s has different %s"):format(label, key) end
         return ("%s.%s is %s, in the file %s"):format(label, key, describe.literal(here), describe.literal(there))
       end
     end
@@ -67,7 +67,7 @@ function Checkpoint:text(model, run, path, place, policy)
     if not lists.holds(apart, key) then record[key] = value end
   end
   local stage = path[place.stage]
-  local rest = core.pack { path = run.outline, place = place, starts = stage.starts or {},
+  local rest = core.pack { path = run.outline, place = place, starts = stage.starts or {}, fits = stage.fits or {},
                            memory = policy.memory or {}, names = run.names, record = record,
                            spent = seconds_spent(model, run.before) }
   return list { rest, grow(self.rows, run.rows, function(i) return row_of(run, i) end),
@@ -131,7 +131,9 @@ function Checkpoint:resume_from_file(model, run, path, policy)
   for key in pairs(policy.memory or {}) do
     if state.memory[key] ~= nil then policy.memory[key] = state.memory[key] end
   end
-  if state.place.number > 0 then path[state.place.stage].starts = state.starts end
+  if state.place.number > 0 then
+    path[state.place.stage].starts, path[state.place.stage].fits = state.starts, state.fits
+  end
   return state.place
 end
 

@@ -15,6 +15,20 @@ function drives.components(model, name)
   end)
 end
 
+--- The targets that a stage moves, at a fraction of it, in words: "edge.angle = 69.86".
+function drives.places(model, stage, part)
+  local texts = {}
+  for name, goal in pairs(stage.targets) do
+    local start = stage.starts[name]
+    for i, component in ipairs(drives.components(model, name)) do
+      local value = start[i] + (goal[i] - start[i]) * part
+      if goal[i] ~= start[i] then texts[#texts + 1] = ("%s.%s = %.6g"):format(name, component, value) end
+    end
+  end
+  table.sort(texts)
+  return texts
+end
+
 --- The names of nonzero loads that no stage changes.
 function drives.constant_loads(model, stages)
   return lists.filter(model:load_names(), function(load)

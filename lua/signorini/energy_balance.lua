@@ -2,6 +2,7 @@
 -- too long the balance is not met, because work is summed by the trapezoidal rule and slip is measured at the end of a
 -- step; the error is O(Δ) in the step length Δ, or smaller.
 
+local contact_changes = require "signorini.contact_changes"
 local drives = require "signorini.drives"
 local lists = require "signorini.lists"
 local path_controls = require "signorini.path_controls"
@@ -10,15 +11,16 @@ local energy_balance = {}
 
 local much = 0.1 -- of the work: missing energy that causes a warning
 
---- Appends the present energies and work of a model to a list, as plain numbers. `sudden`: a load acts in full from the
---- next step on, so that its work cannot be summed along a path.
+--- Appends the present energies and work of a model to a list, as plain numbers. `sudden`: the next step begins with a
+--- sudden change, such as a load that acts in full, so that its work cannot be summed along a path.
 function energy_balance.note(list, model, sudden)
   list[#list + 1] = lists.merged(model:energy(), { sudden = sudden })
 end
 
---- Whether a load acts at the start of a path that its first stage does not drive.
-function energy_balance.is_sudden(model, stage)
-  return #drives.constant_loads(model, { stage }) > 0
+--- Whether a stage begins with a sudden change: a load that acts from the start of a path, of which this is the first
+--- stage and does not drive it, or constants of contacts.
+function energy_balance.is_sudden(model, stage, is_first)
+  return is_first and #drives.constant_loads(model, { stage }) > 0 or contact_changes.is_sudden(model, stage)
 end
 
 --- Whether a state was not reached along the path: after damped motion, or on another branch.

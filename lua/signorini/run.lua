@@ -5,6 +5,7 @@ local core = require "signorini.core"
 local arc_length = require "signorini.arc_length"
 local check = require "signorini.check"
 local checkpoint = require "signorini.checkpoint"
+local contact_changes = require "signorini.contact_changes"
 local controls = require "signorini.controls"
 local drives = require "signorini.drives"
 local jumps = require "signorini.jumps"
@@ -90,6 +91,7 @@ function Step:set_targets(to)
     for i = 1, #goal do now[i] = part == 1 and goal[i] or start[i] + (goal[i] - start[i]) * part end
     self.model:set_target(name, now)
   end
+  contact_changes.set(self.model, stage, part)
 end
 
 --- The factor of the penalties at the fraction `to` of the step, if they grow along the path:
@@ -203,6 +205,7 @@ function Step:set_next_targets()
     for i = 1, #goal do now[i] = now[i] + (goal[i] - start[i]) / stage.steps end
     self.model:set_target(name, now)
   end
+  contact_changes.set(self.model, stage, 1) -- without offsets and overlaps, which arc length cannot follow
 end
 
 --- Takes an arc-length increment, backward beyond a turning point, and accepts it, without recording it in the run. An
@@ -226,8 +229,9 @@ function Step:solve_arc(length, iterations, diagnoses)
   return result, self.done + result.fraction, saved
 end
 
---- Whether the step changes a target or the penalties.
+--- Whether the step changes a target, the penalties or an offset.
 function Step:moves()
+  if contact_changes.ramps(self.stage) then return true end
   local penalty = self.options.penalty
   if penalty and self.run.steps < penalty.steps then return true end
   for name, goal in pairs(self.stage.targets) do
@@ -270,18 +274,11 @@ function Step:probe(to)
   return result
 end
 
---- The targets at a fraction of the step, in words: "edge.angle = 69.86".
+--- What drives the path at a fraction of the step, in words: "edge.angle = 69.86".
 function Step:place(part)
-  local texts = {}
-  for name, goal in pairs(self.stage.targets) do
-    local start = self.stage.starts[name]
-    for i, component in ipairs(drives.components(self.model, name)) do
-      local value = start[i] + (goal[i] - start[i]) * (self.number - 1 + part) / self.stage.steps
-      if goal[i] ~= start[i] then texts[#texts + 1] = ("%s.%s = %.6g"):format(name, component, value) end
-    end
-  end
-  table.sort(texts)
-  return table.concat(texts, ", ")
+  local there = (self.number - 1 + part) / self.stage.steps
+  return table.concat(lists.joined(drives.places(self.model, self.stage, there),
+    contact_changes.places(self.stage, there)), ", ")
 end
 
 --- Records a change of what drives the path.
@@ -294,8 +291,9 @@ function Step:cut_back() self.run:account("cutbacks", 1) end
 
 -- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local function begin_stage(model, stage)
+local function begin_stage(model, stage, is_first)
   local starts = stage.starts or {} -- those of a resumed stage
+  stage.fits = stage.fits or contact_changes.starts(model, stage, is_first)
   stage.starts, stage.now = starts, {}
   for name in pairs(stage.targets) do
     starts[name], stage.now[name] = starts[name] or model:target(name), {}
@@ -305,7 +303,8 @@ end
 --- Records why a step failed; unless the user stopped it, searches for a turning point, by arc length.
 local function fail(run, step, result)
   local began = core.now()
-  local turn = not (steps.is_wanted(result) or step.options.augmented) and arc_length.turning_point(step)
+  local turn = not (steps.is_wanted(result) or step.options.augmented or contact_changes.ramps(step.stage))
+    and arc_length.turning_point(step)
   run:account("wall", core.now() - began)
   run:record_failure(step, result, turn and step:place(turn))
 end
@@ -348,7 +347,7 @@ end
 
 --- The run of a model along stages; both arguments have been checked against the table of model:run.
 return function(model, stages, options)
-  local path, total = read_stages(model, stages)
+  local path, total = read_stages(model, stages, options)
   options = read_options(model, options, path, total)
   local policy, checkpoints = options.policy, options.checkpoints
   local said, early = {}, run_warnings.of_path(model, path, options.solver)
@@ -363,7 +362,7 @@ return function(model, stages, options)
     and require("signorini.hdf5").start(where, model, run, options, path[place.stage].name)
   for index = place.stage, #path do
     local stage = path[index]
-    begin_stage(model, stage)
+    begin_stage(model, stage, index == 1)
     if place.number == 0 then run:begin_stage(model, stage) end
     for number = place.number + 1, stage.steps do
       local step = begin_step(model, run, stage, number, options, display)

@@ -91,7 +91,7 @@ end
 --- The data of a path, without what a run adds to it.
 local function outline(path)
   return lists.map(path, function(stage)
-    return { name = stage.name, steps = stage.steps, targets = stage.targets }
+    return { name = stage.name, steps = stage.steps, targets = stage.targets, contacts = stage.contacts }
   end)
 end
 
@@ -115,7 +115,7 @@ function Run.new(model, path)
 end
 
 function Run:begin_stage(model, stage)
-  energy_balance.note(self.energies, model, #self.stages == 0 and energy_balance.is_sudden(model, stage))
+  energy_balance.note(self.energies, model, energy_balance.is_sudden(model, stage, #self.stages == 0))
   jumps.begin(self.jumps, model)
   self.stages[#self.stages + 1] = { name = stage.name, steps = 0, iterations = 0, cutbacks = 0, wall = 0 }
 end

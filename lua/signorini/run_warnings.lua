@@ -4,6 +4,7 @@
 -- equilibria, unstable elastic laws, idle processes of mpirun, and those of path_controls.lua, jumps.lua and
 -- energy_balance.lua.
 
+local contact_changes = require "signorini.contact_changes"
 local core = require "signorini.core"
 local counted = require "signorini.counted"
 local energy_balance = require "signorini.energy_balance"
@@ -24,9 +25,9 @@ local function ever_acts(run, model, contact)
   end)
 end
 
---- A sentence for a contact that never touched in the rows of a run, with the smallest gap at its end.
+--- A sentence for an active contact that never touched in the rows of a run, with the smallest gap at its end.
 local function untouched(run, model, contact)
-  if ever_acts(run, model, contact) then return nil end
+  if not model:contact_law(contact).active or ever_acts(run, model, contact) then return nil end
   local least = math.huge
   for _, gap in ipairs(model:profile(contact).gap) do
     if gap < least then least = gap end -- false for nan, where the master is not opposite
@@ -133,7 +134,7 @@ function run_warnings.of_path(model, path, solver)
     texts[#texts + 1] = ("linear = \"%s\" uses one of the %d processes that mpirun has started. Hint: linear = "
       .. "\"mumps\" shares factorizations among them"):format(solver.linear, core.ranks)
   end
-  return texts
+  return lists.joined(texts, contact_changes.warnings(path))
 end
 
 --- "1, 2"

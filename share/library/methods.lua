@@ -241,8 +241,9 @@ function model:solve_step(arguments) end
 ---@field parts number[]
 
 ---Performs one iteration of model:solve_step: evaluates the residual and, unless that ends the step, solves and updates
----the unknowns. The first iteration after model:accept, rollback, restore, set_target or set_penalty_factor starts a
----step. Returns the result of model:solve_step so far; reason is "iterating" until the step ends.
+---the unknowns. The first iteration after model:accept, rollback, restore, set_target, set_contact or
+---set_penalty_factor starts a step. Returns the result of model:solve_step so far; reason is "iterating" until the step
+---ends.
 ---
 ---```text
 ---model:iterate{ … }
@@ -346,6 +347,47 @@ function model:solve_arc(arguments) end
 ---```
 ---@return number
 function model:last_length() end
+
+---@class (exact) sg.model.set_contact.constants.friction
+---mu: Coulomb's coefficient of friction (a number, 0 or more; optional)
+---@field mu? number
+---penalty: tangential penalty (a positive number; pressure per length; optional)
+---@field penalty? number
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.model.set_contact.constants
+---active: whether the contact acts. One that does not has no pressure, friction or history (true or false; optional)
+---@field active? boolean
+---penalty: normal penalty (a positive number; pressure per length; optional)
+---@field penalty? number
+---friction: a table of named arguments; optional. Coulomb friction, of a contact that has friction in sg.model (there
+---mu
+---```text
+---          = 0 if it is without at first). Where friction begins, points stick at their present place
+---  mu:      Coulomb's coefficient of friction (a number, 0 or more; optional)
+---  penalty: tangential penalty (a positive number; pressure per length; optional)
+---```
+---@field friction? sg.model.set_contact.constants.friction
+---offset: gap at which the faces touch (a number; length; optional)
+---@field offset? number
+---overlap: fraction of the initial overlap that remains allowed with overlap = "interference" (a number from 0 to 1;
+---```text
+---         optional)
+---```
+---@field overlap? number
+---@field [string] sg.unknown_argument
+
+---Changes constants of a contact for the next step, as stages of model:run do; constants that are not given keep their
+---values. Two half passes change together. model:rollback restores the constants of the accepted state.
+---model:contact_law returns the present ones.
+---
+---Example:
+---```lua
+---model:set_contact("interface", { penalty = 200 })
+---```
+---@param name string # name: a contact (a string)
+---@param constants sg.model.set_contact.constants # constants: those that change (a table of named arguments) active: whether the contact acts. One that does not has no pressure, friction or history (true or false; optional) penalty: normal penalty (a positive number; pressure per length; optional) friction: a table of named arguments; optional. Coulomb friction, of a contact that has friction in sg.model (there mu = 0 if it is without at first). Where friction begins, points stick at their present place mu: Coulomb's coefficient of friction (a number, 0 or more; optional) penalty: tangential penalty (a positive number; pressure per length; optional) offset: gap at which the faces touch (a number; length; optional) overlap: fraction of the initial overlap that remains allowed with overlap = "interference" (a number from 0 to 1; optional)
+function model:set_contact(name, constants) end
 
 ---Sets the factor by which the penalty parameters of all contacts, as given to sg.model, are multiplied, for example to
 ---increase penalties along the path. model:rollback restores the factor of the accepted state.

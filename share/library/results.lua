@@ -61,10 +61,11 @@ function model:sample(body, field, xi) end
 ---@field area_growth number
 
 ---Returns { stored, contact, friction, work, area_growth }: strain energy of the bodies; energy of penalty springs or
----of adhesion; and, summed over all accepted steps (trapezoidal rule), dissipation by friction; work of supports and
----loads; energy of the springs times the growth of the area on which they act, zero for contacts with per =
----"reference". Per unit depth in plane strain. work + area_growth = stored + contact + friction in the limit of small
----steps (with friction: and of small penetration): see share/doc/theory.md, Output quantities.
+---of adhesion; and, summed over all accepted steps (trapezoidal rule), dissipation by friction; work of supports, of
+---loads and of changing offsets and overlaps of contacts; energy of the springs times the growth of the area on which
+---they act, zero for contacts with per = "reference". Per unit depth in plane strain. Where nothing changes suddenly,
+---as when a contact is switched off, work + area_growth = stored + contact + friction in the limit of small steps (with
+---friction: and of small penetration): see share/doc/theory.md, Output quantities.
 ---
 ---Example:
 ---```lua
@@ -103,12 +104,16 @@ function model:reaction(name) end
 ---@field friction_penalty? number
 ---@field hamaker? number
 ---@field r0? number
+---@field offset? number
+---@field overlap? number
+---@field active boolean
 ---@field default_penalty? boolean
 
----Returns the constants of a contact: { method, enforcement, per, points, penalty, default_penalty }, as given to
----sg.model or by default; default_penalty is true where the penalty is from material and mesh. With friction also mu,
----friction_penalty; with method = "mortar" multipliers; with adhesion { method, per, points, hamaker, r0 }.
----print(model) shows them.
+---Returns the constants of a contact: { method, enforcement, per, points, penalty, default_penalty, active, offset },
+---as given to sg.model or by default, in the present state; default_penalty is true where the penalty is from material
+---and mesh. With friction also mu, friction_penalty; with overlap = "interference" overlap, the fraction of the initial
+---overlap that is still allowed; with method = "mortar" multipliers; with adhesion { method, per, points, active,
+---hamaker, r0 }. print(model) shows them.
 ---
 ---Example:
 ---```lua

@@ -94,7 +94,7 @@ constexpr Function model_entries[] = {
 /// All methods, grouped by subject.
 template <int D> std::vector<Function> all_rows() {
   std::vector<Function> all(std::begin(model_entries<D>), std::end(model_entries<D>));
-  for (const std::span<const Function> part : {path_rows<D>(), result_rows<D>()})
+  for (const std::span<const Function> part : {path_rows<D>(), contact_rows<D>(), result_rows<D>()})
     all.insert(all.end(), part.begin(), part.end());
   return all;
 }
@@ -103,11 +103,14 @@ template <int D> std::string snapshot_text(const Snapshot<D>& snapshot) {
   return text("snapshot of a model with ", snapshot.model->system.unknowns.dofs(), " degrees of freedom");
 }
 
+constexpr Function model_core[] = {{"contact_problem", wrap<contact_problem>}};
+
 template <int D> constexpr Function snapshot_entries[] = {{"__tostring", call<snapshot_text<D>>}};
 
 } // namespace
 
 void open_model(lua_State* L) {
+  register_functions(L, "core", model_core);
   register_type<Model<2>, Model<3>>(L, all_rows<2>(), all_rows<3>());
   register_type<Snapshot<2>, Snapshot<3>>(L, snapshot_entries<2>, snapshot_entries<3>);
 }

@@ -9,6 +9,10 @@ namespace signorini::bind {
 /// Methods for the load path: targets, steps, accepting and rolling back, snapshots; and for Newton's method: residual,
 /// tangent, unknowns, diagnosis.
 template <int D> std::span<const Function> path_rows();
+/// Methods for constants of contacts that a load path changes.
+template <int D> std::span<const Function> contact_rows();
+/// core.contact_problem(model, contact, values): why the contact cannot have these constants; nil if it can.
+int contact_problem(lua_State* L);
 /// Methods for the present state: forces, profiles, samples, energies; and for the cost of the model.
 template <int D> std::span<const Function> result_rows();
 

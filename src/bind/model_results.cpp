@@ -57,7 +57,9 @@ const char* name_of(contact::Enforcement enforcement) {
 template <int D> int contact_law(const model::Model<D>& model, const std::string& name, lua_State* L) {
   const auto contact = at(find(model.system.scene.contacts, name, "contact"));
   const model::Contact<D>& named = model.system.scene.contacts[contact];
-  push_fields(L, "points", named.points, "per", area_name<D>(named.method));
+  const contact::History<D>& history = model.present.contacts[contact];
+  const contact::Formulation<D>& formulation = *model.system.contacts[contact];
+  push_fields(L, "points", named.points, "per", area_name<D>(named.method), "active", formulation.active(history));
   if (const auto* adhesion = std::get_if<contact::Adhesion>(&named.method)) {
     set_fields(L, "method", "gpts", "hamaker", adhesion->hamaker, "r0", adhesion->distance);
     return 1;
@@ -65,10 +67,11 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   const auto* mortar = std::get_if<contact::MortarLaw>(&named.method);
   set_field(L, "method", named.other_pass >= 0 ? "half_passes" : mortar ? "mortar" : "gpts");
   if (mortar) set_field(L, "multipliers", mortar->multipliers == contact::MultiplierSpace::equal ? "equal" : "reduced");
-  const contact::PenaltyLaw& law = *contact::penalty_law(named.method);
-  set_fields(L, "enforcement", name_of(law.enforcement), "penalty", law.normal, "default_penalty",
-             named.default_penalty);
-  if (law.friction > 0) set_fields(L, "mu", law.friction, "friction_penalty", law.tangential);
+  const contact::PenaltyLaw law = contact::changed(*contact::penalty_law(named.method), history.changes);
+  set_fields(L, "offset", formulation.offset(history), "enforcement", name_of(law.enforcement), "penalty", law.normal,
+             "default_penalty", named.default_penalty && !history.changes.normal);
+  if (named.start.interference) set_field(L, "overlap", history.changes.overlap);
+  if (contact::may_rub(law)) set_fields(L, "mu", law.friction, "friction_penalty", law.tangential);
   return 1;
 }
 

@@ -42,6 +42,7 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
     const Arguments friction = a.table("friction");
     law.friction = friction.get<double>("mu");
     law.tangential = friction.get("penalty", 0.0);
+    law.frictional = true;
   }
   const auto enforcement = a.get<std::string>("enforcement");
   law.enforcement = enforcement == "penalty"     ? contact::Enforcement::penalty
@@ -100,6 +101,7 @@ template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const 
   contact.method = read_method<D>(a);
   contact.points = a.has("points") ? a.get<int>("points") : default_points(builder.scene, contact.slave);
   contact.where = read_region<D>(a, name);
+  contact.start = {a.get<bool>("active"), a.get<double>("offset"), a.get<std::string>("overlap") == "interference"};
   return contact;
 }
 
@@ -158,7 +160,7 @@ void check_name(const Arguments& a, const model::Scene<D>& scene, const std::str
   clash(scene.contacts, "contact"); // the second one of two half passes
   clash(scene.ties, "tie");
   clash(scene.joins, "join");
-  if (name == "name" || name == "steps")
+  if (name == "name" || name == "steps" || name == "contacts")
     a.fail(path, " cannot be called '", name, "', which is a key of stages: choose another name");
 }
 

@@ -12,7 +12,7 @@ AdhesiveContact<D>::AdhesiveContact(ContactSetting<D> setting, const Adhesion& l
 }
 
 template <int D> void AdhesiveContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) {
-  if (!this->find_foot(i, trial, part, at)) return;
+  if (!this->active(trial.present) || !this->find_foot(i, trial, part, at)) return;
   const LocalGeometry<D> geometry = this->geometry(i, trial, at);
   LocalForce<D> force;
   adhesion_force(law_, geometry, force);

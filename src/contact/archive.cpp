@@ -20,8 +20,13 @@ auto members(Cylinder& cylinder) {
 }
 
 auto members(PenaltyLaw& law) {
-  auto& [normal, tangential, friction, per, enforcement] = law;
-  return std::tie(normal, tangential, friction, per, enforcement);
+  auto& [normal, tangential, friction, per, enforcement, frictional] = law;
+  return std::tie(normal, tangential, friction, per, enforcement, frictional);
+}
+
+auto members(Changes& changes) {
+  auto& [active, offset, normal, tangential, friction, overlap] = changes;
+  return std::tie(active, offset, normal, tangential, friction, overlap);
 }
 
 auto members(Adhesion& law) {
@@ -119,8 +124,8 @@ template <int D> Method<D> read_method(ArchiveReader& from) {
 }
 
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {
-  const auto& [points, results, multipliers, multiplier_results, dissipated, growth] = history;
-  to.put(dissipated, growth, static_cast<std::uint64_t>(points.size()));
+  const auto& [points, results, multipliers, multiplier_results, changes, dissipated, growth, offset_work] = history;
+  to.put(changes, dissipated, growth, offset_work, static_cast<std::uint64_t>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool acts = results[i].area != 0;
     to.put(points[i], acts);
@@ -130,8 +135,8 @@ template <int D> void write_history(ArchiveWriter& to, const History<D>& history
 }
 
 template <int D> void read_history(ArchiveReader& from, History<D>& history) {
-  auto& [points, results, multipliers, multiplier_results, dissipated, growth] = history;
-  from.into(dissipated, growth);
+  auto& [points, results, multipliers, multiplier_results, changes, dissipated, growth, offset_work] = history;
+  from.into(changes, dissipated, growth, offset_work);
   const auto count = from.get<std::uint64_t>();
   require(count == points.size(), "contact.archive.points", {{"saved", count}, {"count", points.size()}});
   for (std::size_t i = 0; i < points.size(); ++i) {

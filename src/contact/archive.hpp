@@ -11,6 +11,11 @@ void write(ArchiveWriter& to, const Obstacle<3>& obstacle);
 Obstacle<2> read(ArchiveReader& from, std::type_identity<Obstacle<2>>);
 Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>);
 
+inline auto members(Start& start) {
+  auto& [active, offset, interference] = start;
+  return std::tie(active, offset, interference);
+}
+
 /// Throws Error for a user-defined formulation, which cannot be saved.
 template <int D> void write(ArchiveWriter& to, const Method<D>& method);
 template <int D> Method<D> read_method(ArchiveReader& from);

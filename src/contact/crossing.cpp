@@ -6,7 +6,7 @@ namespace signorini::contact {
 
 template <int D>
 bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& from, const Vec<D>& to,
-                 const Vec<D>& outward, const Projection<D>& seed) {
+                 const Vec<D>& outward, const Projection<D>& seed, double allowed) {
   FacePoint<D> foot, foot_before, point;
   Projection<D> found = now.project(to, seed, foot);
   if (found.foot != Foot::regular || found.gap <= 0 || now.normal(foot).dot(outward) <= back_to_back) return false;
@@ -17,14 +17,14 @@ bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& fr
   for (double s = std::max(found.gap, length / crossing_pieces); s < length;
        s += std::max(found.gap, length / crossing_pieces)) {
     found = now.project(to + (s / length) * way, found, point);
-    if (found.foot == Foot::regular && found.gap < 0) return true;
+    if (found.foot == Foot::regular && found.gap < allowed) return true;
   }
   return false;
 }
 
 template bool has_crossed<2>(const Master<2>&, const Master<2>&, const Vec<2>&, const Vec<2>&, const Vec<2>&,
-                             const Projection<2>&);
+                             const Projection<2>&, double);
 template bool has_crossed<3>(const Master<3>&, const Master<3>&, const Vec<3>&, const Vec<3>&, const Vec<3>&,
-                             const Projection<3>&);
+                             const Projection<3>&, double);
 
 } // namespace signorini::contact

@@ -3,6 +3,7 @@
 #include "base/timer.hpp"
 #include "contact/crossing.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace signorini::contact {
@@ -10,7 +11,11 @@ namespace signorini::contact {
 template <int D>
 Formulation<D>::Formulation(ContactSetting<D> setting)
     : slave_(std::move(setting.slave)), master_(std::move(setting.master)), accepted_master_(master_),
-      points_(slave_, setting.points, setting.revolved, setting.where), previous_slave_(slave_.points()) {}
+      points_(slave_, setting.points, setting.revolved, setting.where), start_(setting.start),
+      previous_slave_(slave_.points()) {
+  if (!start_.interference) return;
+  for (const double gap : gaps(History<D>(points_))) overlap_.push_back(std::max(0.0, -gap));
+}
 
 template <int D> void Formulation<D>::move(const double* slave_displacement, const double* master_displacement) {
   slave_.move(slave_displacement);
@@ -69,9 +74,12 @@ void Formulation<D>::append_dofs(const Block& block, const Offsets& offsets, std
 }
 
 template <int D> void Formulation<D>::commit(History<D>& present, const History<D>& accepted, double penalty_factor) {
-  commit_points(present, penalty_factor);
+  commit_points(present, accepted, penalty_factor);
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    present.growth += growth(accepted.results[i], present.results[i]);
+    const PointResult<D>&before = accepted.results[i], &after = present.results[i];
+    present.growth += growth(before, after);
+    present.offset_work += share() * 0.5 * (before.pressure * before.area + after.pressure * after.area) *
+                           (offset(i, present) - offset(i, accepted));
     if (!present.results[i].settled) unsettled_ = {unsettled_.count + 1, points_.reference[i]};
     if (has_crossed(i, present, accepted)) crossed_ = {crossed_.count + 1, points_.reference[i]};
   }
@@ -87,12 +95,13 @@ bool Formulation<D>::has_crossed(std::size_t i, const History<D>& present, const
   const PointHistory<D>& point = present.points[i];
   const PointResult<D>& result = present.results[i];
   const double moved = travel_ - accepted_travel_;
-  const double least = point.cleared > 0 ? point.cleared - travel_ : point.projection.gap; // distance
+  const double touching = offset(i, present);
+  const double least = point.cleared > 0 ? point.cleared - travel_ + touching : point.projection.gap; // distance
   if (moved <= 0 || least > moved || result.beyond) return false;
   if (result.state == ContactState::stick || result.state == ContactState::slip) return false;
   const Vec<D> outward = slave().outward(tangents(points_, slave(), i)).normalized();
   return contact::has_crossed(accepted_master_, master_, accepted.results[i].position, result.position, outward,
-                              point.projection);
+                              point.projection, std::min(0.0, touching));
 }
 
 template <int D> void Formulation<D>::settle(History<D>& accepted) {
@@ -109,7 +118,8 @@ template <int D> std::vector<double> Formulation<D>::gaps(const History<D>& hist
   std::vector<double> gaps;
   FacePoint<D> foot;
   for (std::size_t i = 0; i < points_.size(); ++i)
-    gaps.push_back(master().project(history.results[i].position, history.points[i].projection, foot).gap);
+    gaps.push_back(master().project(history.results[i].position, history.points[i].projection, foot).gap -
+                   offset(i, history));
   return gaps;
 }
 

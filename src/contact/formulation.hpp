@@ -4,6 +4,7 @@
 #include "contact/block.hpp"
 #include "contact/history.hpp"
 #include "contact/master.hpp"
+#include "contact/penalty.hpp"
 
 #include <memory>
 #include <string>
@@ -17,6 +18,7 @@ template <int D> struct ContactSetting {
   int points;            ///< Gauss points per slave element and direction
   bool revolved = false; ///< the scene is axisymmetric about the second axis
   Region<D> where = {};
+  Start start = {};
 };
 
 /// Rules of a step that take precedence over the gap and friction of contact points.
@@ -67,10 +69,18 @@ public:
   /// area fades.
   virtual bool has_potential() const = 0;
   /// Coulomb's μ and the penalty parameter ε_N (0: none), which warnings and the diagnosis compare with usual values.
-  virtual double friction() const { return 0; }
-  virtual double penalty() const { return 0; }
+  double friction(const History<D>& history) const { return law() ? changed(*law(), history.changes).friction : 0; }
+  double penalty(const History<D>& history) const { return law() ? changed(*law(), history.changes).normal : 0; }
   /// Whether steps augment it until its violation() is small.
-  virtual bool augmented() const { return false; }
+  bool augmented() const { return law() && law()->enforcement == Enforcement::augmented; }
+  bool active(const History<D>& history) const { return history.changes.active.value_or(start_.active); }
+  /// The gap at which the faces touch; at point i, where an overlap is allowed.
+  double offset(const History<D>& history) const { return history.changes.offset.value_or(start_.offset); }
+  double offset(std::size_t i, const History<D>& history) const {
+    return offset(history) - (overlap_.empty() ? 0 : history.changes.overlap * overlap_[i]);
+  }
+  /// Overlap of the initial shapes at the points, if the contact is an interference fit; otherwise empty.
+  const std::vector<double>& overlap() const { return overlap_; }
 
   /// Number of multipliers, eliminated or unknowns; their histories are then the constraints of history.hpp.
   virtual int multipliers() const { return 0; }
@@ -107,7 +117,8 @@ public:
 
   /// Factor from independent errors of gaps and slips to the residual: ‖a ∂t/∂g‖ over the active points, a their areas.
   virtual double stiffness(const History<D>& history, double penalty_factor) const = 0;
-  /// Gaps of all points at the faces' current position (an evaluation projects only points that may touch).
+  /// Gaps of all points, less their offsets, at the faces' current position (an evaluation projects only points that
+  /// may touch).
   std::vector<double> gaps(const History<D>& history) const;
 
   /// Number of points, summed over all accepted states, and reference position of the latest.
@@ -127,8 +138,12 @@ public:
   virtual double memory() const;
 
 protected:
+  /// The penalty law of the scene, if the formulation has one.
+  virtual const PenaltyLaw* law() const { return nullptr; }
+  /// Its share of the energies, since the energies of two half passes are added.
+  virtual double share() const { return 1; }
   /// Called by commit() before points are counted.
-  virtual void commit_points(History<D>&, double /*penalty_factor*/) {}
+  virtual void commit_points(History<D>& /*present*/, const History<D>& /*accepted*/, double /*penalty_factor*/) {}
   /// Returns the last evaluation's blocks to their source, to reuse their memory.
   virtual void take_back(std::vector<Block>& blocks) { blocks.clear(); }
 
@@ -138,6 +153,8 @@ protected:
   /// last reached or restored.
   double travel_ = 0, accepted_travel_ = 0;
   ContactPoints<D> points_;
+  Start start_;
+  std::vector<double> overlap_;
   std::vector<Block> blocks_;
   bool times_search_ = false;
   double search_seconds_ = 0;

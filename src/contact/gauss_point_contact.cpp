@@ -44,8 +44,11 @@ bool GaussPointContact<D>::find_foot(std::size_t i, const Trial<D>& trial, Part&
 
 template <int D> LocalGeometry<D> GaussPointContact<D>::geometry(std::size_t i, const Trial<D>& trial, Feet& at) const {
   this->master().functions(at.foot, 1);
-  return point_geometry(this->points_, i, this->slave(), this->master(), trial.present.results[i].position,
-                        trial.present.points[i].projection, at.foot);
+  LocalGeometry<D> geometry =
+      point_geometry(this->points_, i, this->slave(), this->master(), trial.present.results[i].position,
+                     trial.present.points[i].projection, at.foot);
+  geometry.offset = this->offset(i, trial.present);
+  return geometry;
 }
 
 template <int D>
@@ -54,7 +57,7 @@ void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const Lo
   PointResult<D>& result = trial.present.results[i];
   const double weight = this->points_.list[i].weight;
   result.state = force.state;
-  result.gap = geometry.gap;
+  result.gap = geometry.gap - geometry.offset;
   // Cauchy tractions, whatever the area on which the law's act: t da = T dA
   result.pressure = force.pressure / force.stretch;
   for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[static_cast<std::size_t>(k)];

@@ -19,6 +19,7 @@ public:
 
 protected:
   Pass pass() const { return pass_; }
+  double share() const final { return energy_share(pass_); }
 
   /// A piece of the slave face: whole elements.
   struct Part {

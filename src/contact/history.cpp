@@ -62,6 +62,19 @@ template <int D> void look_again(History<D>& history) {
     if (point.multiplier > 0) point.cleared = 0;
 }
 
+template <int D> void change(History<D>& history, const Changes& changes) {
+  history.changes = changes;
+  for (PointHistory<D>& point : history.points) {
+    point.cleared = 0;
+    if (changes.active == false) point.multiplier = 0;
+  }
+  for (MultiplierHistory<D>& multiplier : history.multipliers) {
+    multiplier.cleared = 0;
+    if (changes.active == false) multiplier.pressure = 0;
+    if (changes.active == false) multiplier.friction.setZero();
+  }
+}
+
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template struct History<D>;                                                                                          \
   template Resultant<D> resultant(const History<D>&);                                                                  \
@@ -71,7 +84,8 @@ template <int D> void look_again(History<D>& history) {
   template double growth(const PointResult<D>&, const PointResult<D>&);                                                \
   template double growth(const MultiplierResult<D>&, const MultiplierResult<D>&);                                      \
   template double memory(const History<D>&);                                                                           \
-  template void look_again(History<D>&);
+  template void look_again(History<D>&);                                                                               \
+  template void change(History<D>&, const Changes&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -1,6 +1,7 @@
 #pragma once
 // History and results of contact points: plain values, part of a model's state.
 
+#include "contact/changes.hpp"
 #include "contact/contact_points.hpp"
 #include "contact/local.hpp"
 
@@ -10,7 +11,7 @@ namespace signorini::contact {
 template <int D> struct PointResult {
   ContactState state = ContactState::open;
   Vec<D> position = Vec<D>::Zero(); ///< current slave point
-  double gap = 0;                   ///< of an active point
+  double gap = 0;                   ///< of an active point, less its offset
   bool beyond = false;              ///< its closest point is an open end of the master
   bool settled = true;              ///< the searches for its closest point and, once accepted, its slip point converged
   double pressure = 0;
@@ -69,9 +70,11 @@ template <int D> struct History {
   std::vector<PointResult<D>> results;
   std::vector<MultiplierHistory<D>> multipliers;
   std::vector<MultiplierResult<D>> multiplier_results;
-  /// Sums over all accepted steps, by the trapezoidal rule over each: work of friction, ∫ μ t_N dγ da; and ∫∫ φ dA, the
-  /// law's energy φ per area times the growth of the area A on which its tractions act, which no force does.
-  double dissipated = 0, growth = 0;
+  Changes changes = {};
+  /// Sums over all accepted steps, by the trapezoidal rule over each: work of friction, ∫ μ t_N dγ da; ∫∫ φ dA, the
+  /// law's energy φ per area times the growth of the area A on which its tractions act, which no force does; and the
+  /// work of changing offsets o, ∫∫ t_N do dA.
+  double dissipated = 0, growth = 0, offset_work = 0;
 };
 
 /// ½ (φ₀ + φ₁) (A₁ − A₀) of a point or a multiplier over a step, zero if it is open before or after.
@@ -104,5 +107,8 @@ template <int D> double memory(const History<D>& history);
 /// Makes the next evaluation project all points with a multiplier: after a change of the penalty parameter the gap at
 /// which they touch differs.
 template <int D> void look_again(History<D>& history);
+
+/// Changes constants. The next evaluation projects all points; a contact that is switched off loses its multipliers.
+template <int D> void change(History<D>& history, const Changes& changes);
 
 } // namespace signorini::contact

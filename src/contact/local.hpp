@@ -25,6 +25,7 @@ template <int D> struct LocalGeometry {
   Foot foot;
   int along = 0; ///< Foot::edge: parametric direction along the kink
   double gap;
+  double offset = 0;        ///< gap at which the surfaces touch
   Vec<D> normal;            ///< n̄, unit, outward from the master
   const Vec<D>* slip_point; ///< xᵐ(ξ_sl) on the current master; null: no friction at this point yet
   bool revolved = false;    ///< axisymmetric: the first coordinate is the radius, areas are those of the full circle

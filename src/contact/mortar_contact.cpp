@@ -34,21 +34,23 @@ MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLa
 }
 
 template <int D> int MortarContact<D>::extra_unknowns() const {
-  return solves_multipliers() ? functions_.count() * unknowns_per_multiplier<D>(frictional()) : 0;
+  return solves_multipliers() ? functions_.count() * unknowns_per_multiplier<D>(may_rub(law_)) : 0;
 }
 
 // ── Gaps and slips weighted by multiplier ────────────────────────────────────────────────────────────────────────────
 
 /// Whether a multiplier is open without a look at its gap.
 template <int D> bool MortarContact<D>::is_far(int multiplier, const Trial<D>& trial) const {
+  if (!this->active(trial.present)) return true;
   const auto& fixed = trial.controls.fixed_states;
   const FixedContactState state = fixed.empty() ? FixedContactState::free : fixed[at(multiplier)];
   if (state != FixedContactState::free) return state == FixedContactState::open;
   const MultiplierHistory<D>& history = trial.present.multipliers[at(multiplier)];
   // A multiplier with a pressure remains closed up to the gap pressure/ε.
-  const double closed = solves_multipliers()
-                            ? scale_ * unknowns_of<D>(trial.extra, multiplier, frictional()).normal / law_.normal
-                            : history.pressure / (law_.normal * trial.penalty_factor);
+  const double penalty = law(trial.present, solves_multipliers() ? 1 : trial.penalty_factor).normal;
+  const double closed = (solves_multipliers() ? scale_ * unknowns_of<D>(trial.extra, multiplier, may_rub(law_)).normal
+                                              : history.pressure) /
+                        penalty;
   return this->travel_ + trial.controls.guessed + std::max(closed, 0.0) < history.cleared;
 }
 
@@ -97,7 +99,8 @@ template <int D> void MortarContact<D>::weigh(std::size_t i, const Trial<D>& tri
   const auto& [foot, element, along, xi, gap] = point.projection;
   result.beyond = foot == Foot::none;
   result.settled = at.foot.settled;
-  point.cleared = foot == Foot::regular && at.foot.settled && gap > 0 ? this->travel_ + gap : 0;
+  const double distance = gap - this->offset(i, trial.present);
+  point.cleared = foot == Foot::regular && at.foot.settled && distance > 0 ? this->travel_ + distance : 0;
   FaceCoordinates<D> rate;
   const double fade = result.beyond || (foot != Foot::regular && gap == 0) ? 0 : master.fade(xi, rate);
   if (fade == 0) return;
@@ -105,8 +108,9 @@ template <int D> void MortarContact<D>::weigh(std::size_t i, const Trial<D>& tri
   const ContactPoint& own = this->points_.list[i];
   MultiplierSums<D> one;
   one.area = own.weight * measure(i, result.position) * fade;
-  one.gap = one.area * gap;
-  if (frictional()) {
+  one.gap = one.area * distance;
+  const bool slides = frictional(trial.present);
+  if (slides) {
     one.normal = one.area *
                  (foot == Foot::regular ? master.normal(at.foot) : Vec<D>((result.position - at.foot.position) / gap));
     one.along = one.area * tangents(this->points_, this->slave(), i)[0];
@@ -122,7 +126,7 @@ template <int D> void MortarContact<D>::weigh(std::size_t i, const Trial<D>& tri
   for (std::size_t a = 0; a < count; ++a) {
     sums[a].area += values[a] * one.area;
     sums[a].gap += values[a] * one.gap;
-    if (!frictional()) continue;
+    if (!slides) continue;
     sums[a].normal += values[a] * one.normal;
     sums[a].slip += values[a] * one.slip;
     sums[a].along += values[a] * one.along;
@@ -160,7 +164,7 @@ template <int D> MultiplierSums<D> MortarContact<D>::sum_up(int multiplier) cons
 }
 
 template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
-  const PenaltyLaw law = scaled(law_, trial.penalty_factor);
+  const PenaltyLaw law = this->law(trial.present, solves_multipliers() ? 1 : trial.penalty_factor);
   const Controls& controls = trial.controls;
   const double tie = controls.onward ? -controls.guessed : controls.guessed;
   for (int a = 0; a < functions_.count(); ++a) {
@@ -182,9 +186,9 @@ template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
       result.potential *= energy_share(pass_);
       continue;
     }
-    const auto unknowns = unknowns_of<D>(trial.extra, a, frictional());
+    const auto unknowns = unknowns_of<D>(trial.extra, a, may_rub(law_));
     conditions_[at(a)] = open ? open_multiplier(scale_, whole_[at(a)], unknowns)
-                              : multiplier_law(law_, scale_, sum, whole_[at(a)], unknowns, control, result);
+                              : multiplier_law(law, scale_, sum, whole_[at(a)], unknowns, control, result);
   }
 }
 
@@ -237,8 +241,9 @@ void MortarContact<D>::add_point(std::size_t i, const Trial<D>& trial, bool tang
   const Master<D>& master = this->master();
   master.locate(projection, at.foot);
   master.functions(at.foot, 1);
-  const LocalGeometry<D> geometry =
+  LocalGeometry<D> geometry =
       point_geometry(this->points_, i, this->slave(), master, result.position, projection, at.foot);
+  geometry.offset = this->offset(i, trial.present);
   if (geometry.fade == 0) return;
   LocalForce<D> force;
   const GapRows<D> gap = gap_rows(geometry, force.shift);
@@ -251,7 +256,7 @@ void MortarContact<D>::add_point(std::size_t i, const Trial<D>& trial, bool tang
   force.tangent.noalias() += traction * measure_row;
   part.sums.add(this->points_, i, at.foot, nullptr, force, tangent);
 
-  result.gap = projection.gap;
+  result.gap = projection.gap - geometry.offset;
   result.pressure = pressure;
   for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[signorini::at(k)];
   result.friction = friction;
@@ -259,7 +264,8 @@ void MortarContact<D>::add_point(std::size_t i, const Trial<D>& trial, bool tang
   result.area = own.weight * force.measure;
   if (!tangent) return;
   const FacePoint<D>* slip_point = nullptr;
-  if (frictional() && point.slips) {
+  const bool slides = frictional(trial.present);
+  if (slides && point.slips) {
     master.locate(point.slip, at.slip_point);
     slip_point = &at.slip_point;
   }
@@ -267,8 +273,8 @@ void MortarContact<D>::add_point(std::size_t i, const Trial<D>& trial, bool tang
   const double ratio = force.measure / geometry.reference_measure;
   measure_row /= geometry.reference_measure;
   part.rows.add(this->points_, i, at.foot, slip_point,
-                point_rows(geometry, gap, force.shift, ratio, measure_row, slip_point, frictional()),
-                PointRows<D>::count(frictional()), ratio, weights.data());
+                point_rows(geometry, gap, force.shift, ratio, measure_row, slip_point, slides),
+                PointRows<D>::count(slides), ratio, weights.data());
 }
 
 // ── Coupling of a multiplier's unknowns ──────────────────────────────────────────────────────────────────────────────
@@ -283,15 +289,15 @@ template <int D> Block& MortarContact<D>::new_block() {
 /// Appends the blocks of multipliers that are unknowns.
 template <int D> void MortarContact<D>::add_conditions(bool tangent) {
   for (int a = 0; a < functions_.count(); ++a)
-    fill_conditions(conditions_[at(a)], a, frictional(), tangent, new_block());
+    fill_conditions(conditions_[at(a)], a, may_rub(law_), tangent, new_block());
   if (!tangent) return;
   for (const Part& part : parts_)
     for (const Strip& strip : part.rows.strips())
-      fill_coupling(strip, this->slave(), this->master(), functions_, conditions_, scale_, frictional(), new_block());
+      fill_coupling(strip, this->slave(), this->master(), functions_, conditions_, scale_, may_rub(law_), new_block());
 }
 
 /// Appends a block for each group with a multiplier that is not open.
-template <int D> void MortarContact<D>::couple_all() {
+template <int D> void MortarContact<D>::couple_all(bool frictional) {
   for (auto& list : strips_) list.clear();
   for (const Part& part : parts_)
     for (const Strip& strip : part.rows.strips()) strips_[at(strip.slave_element)].push_back(&strip);
@@ -310,7 +316,7 @@ template <int D> void MortarContact<D>::couple_all() {
     for (std::size_t k = own * count / chunks; k < (own + 1) * count / chunks; ++k) {
       Block& block = this->blocks_[first + k];
       couple<D>(groups[at(block.group)], functions_, sums_, tangents_, this->slave(), this->master(), strips_,
-                PointRows<D>::count(frictional()), pass_, parts_[own].space, block);
+                PointRows<D>::count(frictional), pass_, parts_[own].space, block);
     }
   });
 }
@@ -325,7 +331,7 @@ template <int D> void MortarContact<D>::gather(const Trial<D>& trial, bool tange
   if (solves_multipliers())
     add_conditions(tangent);
   else if (tangent)
-    couple_all();
+    couple_all(frictional(trial.present));
 }
 
 template <int D> void MortarContact<D>::take_back(std::vector<Block>& blocks) {
@@ -334,54 +340,6 @@ template <int D> void MortarContact<D>::take_back(std::vector<Block>& blocks) {
     for (; part.blocks > 0; --part.blocks) part.sums.recycle(std::move(*block++));
   std::move(block, blocks.end(), std::back_inserter(spare_));
   blocks.clear();
-}
-
-// ── Histories ────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-template <int D> void MortarContact<D>::commit_points(History<D>& present, double /*penalty_factor*/) {
-  if (!frictional()) return;
-  for (std::size_t a = 0; a < present.multipliers.size(); ++a) {
-    MultiplierHistory<D>& history = present.multipliers[a];
-    const MultiplierResult<D>& result = present.multiplier_results[a];
-    const bool open = result.state == ContactState::open;
-    const double limit = open ? 0 : law_.friction * result.pressure * result.area;
-    // ∫ μ z dγ a by the trapezoidal rule
-    present.dissipated += energy_share(pass_) * 0.5 * (history.limit + limit) * result.slipped;
-    history.limit = limit;
-    history.elastic = result.elastic;
-    if (open) history.friction.setZero();
-  }
-  for (std::size_t i = 0; i < present.points.size(); ++i) {
-    PointHistory<D>& point = present.points[i];
-    point.slips = !is_skipped_[at(this->points_.list[i].element)] && point.projection.foot != Foot::none;
-    point.slip = point.projection.xi;
-  }
-}
-
-/// λ_A and λ_TA become the pressure and friction of the last evaluation.
-template <int D> void MortarContact<D>::augment(History<D>& history) const {
-  for (std::size_t a = 0; a < history.multipliers.size(); ++a) {
-    history.multipliers[a].pressure = history.multiplier_results[a].pressure;
-    history.multipliers[a].friction = history.multiplier_results[a].components;
-  }
-}
-
-/// Includes positive gaps, and elastic slip where a multiplier sticks.
-template <int D> double MortarContact<D>::violation(const History<D>& history) const {
-  double farthest = 0;
-  for (const MultiplierResult<D>& result : history.multiplier_results) {
-    if (result.state == ContactState::open) continue;
-    farthest = std::max({farthest, std::abs(result.gap), result.elastic.norm()});
-  }
-  return farthest;
-}
-
-template <int D> double MortarContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
-  const double penalty = solves_multipliers() ? scale_ : largest_penalty(scaled(law_, penalty_factor));
-  double sum = 0;
-  for (const MultiplierResult<D>& result : history.multiplier_results)
-    if (result.state != ContactState::open) sum += result.area * penalty * result.area * penalty;
-  return std::sqrt(sum);
 }
 
 template <int D> double MortarContact<D>::memory() const {

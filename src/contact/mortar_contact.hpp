@@ -28,10 +28,7 @@ public:
   int point_of(int constraint) const override { return std::max(functions_.largest(constraint), 0); }
   int extra_unknowns() const override;
   /// Except beyond open ends of the master, where the area on which tractions act changes.
-  bool has_potential() const override { return !frictional() && !solves_multipliers() && pass_ == Pass::full; }
-  double friction() const override { return law_.friction; }
-  double penalty() const override { return law_.normal; }
-  bool augmented() const override { return law_.enforcement == Enforcement::augmented; }
+  bool has_potential() const override { return !may_rub(law_) && !solves_multipliers() && pass_ == Pass::full; }
   int parts() const override { return static_cast<int>(parts_.size()); }
   void evaluate_part(int part, const Trial<D>& trial, bool tangent) override;
   void gather(const Trial<D>& trial, bool tangent) override;
@@ -56,7 +53,16 @@ private:
     FacePoint<D> foot, slip_point;
   };
 
-  bool frictional() const { return law_.friction > 0; }
+  const PenaltyLaw* law() const override { return &law_; }
+  double share() const override { return energy_share(pass_); }
+  /// The law in a state.
+  PenaltyLaw law(const History<D>& history, double penalty_factor) const {
+    return scaled(changed(law_, history.changes), penalty_factor);
+  }
+  /// Whether slips are weighted: with friction and, since its unknowns remain, where multipliers may have it later.
+  bool frictional(const History<D>& history) const {
+    return solves_multipliers() ? may_rub(law_) : changed(law_, history.changes).friction > 0;
+  }
   bool solves_multipliers() const { return law_.enforcement == Enforcement::multipliers; }
   double measure(std::size_t i, const Vec<D>& position) const;
   bool is_far(int multiplier, const Trial<D>& trial) const;
@@ -68,12 +74,13 @@ private:
   void add_point(std::size_t i, const Trial<D>& trial, bool tangent, Part& part, Feet& at,
                  std::vector<double>& weights);
   Block& new_block();
-  void couple_all();
+  void couple_all(bool frictional);
   void add_conditions(bool tangent);
-  void commit_points(History<D>& present, double penalty_factor) override;
+  void commit_points(History<D>& present, const History<D>& accepted, double penalty_factor) override;
+  void release(History<D>& present, const History<D>& accepted, double penalty_factor) const;
   void take_back(std::vector<Block>& blocks) override;
 
-  PenaltyLaw law_; ///< without penalty factor
+  PenaltyLaw law_; ///< of the scene
   double scale_;   ///< of unknown multipliers
   Pass pass_;
   MultiplierFunctions<D> functions_;

@@ -83,8 +83,13 @@ ConditionRows<D> multiplier_law(const PenaltyLaw& law, double s, const Multiplie
   rows.residual(0) = -s * sums.gap;
   rows.of_gap(0) = -s;
   rows.of_unknowns.diagonal().setConstant(-proximal * s * whole);
-  if (law.friction > 0)
+  if (law.friction > 0) {
     add_friction(law, s, sums, unknowns, {fixed, control.guessed, control.tie, control.landing}, result, rows);
+  } else { // χ_T = 0, where it is an unknown because friction acts later
+    rows.residual.template tail<D>() = -s * whole * unknowns.tangential;
+    rows.of_unknowns.diagonal().template tail<D>().setConstant(-s * whole);
+    result.friction = s * unknowns.tangential;
+  }
   return rows;
 }
 

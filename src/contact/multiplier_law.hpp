@@ -25,7 +25,7 @@ template <int D> struct ConditionRows {
 
 /// With q = s χ_N − ε_N ḡ_A, the normal n = Σ w n̄/‖·‖ and T = I − n nᵀ:
 ///   closed (q > 0):  r_N = −s a_A ḡ_A,    r_T = a_A (P(y) − s χ_T),   y = T (s χ_T + ε_T V_A),
-///   open:            r_N = −s a_A χ_N,    r_T = −s a_A χ_T,
+///   open:            r_N = −s a_A χ_N,    r_T = −s a_A χ_T (also closed, with μ = 0),
 /// where P returns y to |y| ≤ μ q (P. Alart, A. Curnier, CMAME 92, 1991; S. Hüeber, B. Wohlmuth, CMAME 194, 2005). The
 /// results do not depend on the penalty parameters. `whole` is the area of the multiplier without open ends. In the
 /// derivatives only, a proximal term −proximal s a δχ makes the system of displacements and multipliers regular where

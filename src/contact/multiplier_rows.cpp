@@ -12,7 +12,7 @@ LocalRows<D> point_rows(const LocalGeometry<D>& geometry, const GapRows<D>& gap,
   using Force = LocalForce<D>;
   LocalRows<D> rows = LocalRows<D>::Zero();
   rows.row(Rows::gap) = area * gap.gap;
-  rows.row(Rows::gap_area) = geometry.gap * area_row;
+  rows.row(Rows::gap_area) = (geometry.gap - geometry.offset) * area_row;
   rows.row(Rows::area) = area_row;
   if (!frictional) return rows;
   rows.template middleRows<D>(Rows::normal) = area * gap.normal + geometry.normal * area_row;

@@ -9,7 +9,14 @@ namespace signorini::contact {
 const PenaltyLaw& checked(const PenaltyLaw& law) {
   require(law.normal > 0, "contact.penalty.normal", {{"value", law.normal}});
   require(law.friction >= 0, "contact.penalty.friction", {{"value", law.friction}});
-  require(law.friction == 0 || law.tangential > 0, "contact.penalty.tangential", {{"value", law.tangential}});
+  require(!may_rub(law) || law.tangential > 0, "contact.penalty.tangential", {{"value", law.tangential}});
+  return law;
+}
+
+PenaltyLaw changed(PenaltyLaw law, const Changes& changes) {
+  law.normal = changes.normal.value_or(law.normal);
+  law.tangential = changes.tangential.value_or(law.tangential);
+  law.friction = changes.friction.value_or(law.friction);
   return law;
 }
 
@@ -28,7 +35,7 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
   constexpr int tangents = D - 1;
   const FacePoint<D>& master = *geometry.master;
   const Vec<D>& n = geometry.normal;
-  const double g = geometry.gap;
+  const double g = geometry.gap - geometry.offset;
   const GapRows<D> rows = gap_rows(geometry, result.shift);
 
   // t_N = λ_N − ε_N g,  δ(t_N n̄) = −ε_N δg n̄ + t_N δn̄

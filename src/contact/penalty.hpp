@@ -1,6 +1,7 @@
 #pragma once
 // Penalty law at one contact point: normal contact and Coulomb friction with the consistent tangent.
 
+#include "contact/changes.hpp"
 #include "contact/local.hpp"
 
 namespace signorini::contact {
@@ -21,7 +22,15 @@ struct PenaltyLaw {
   double friction = 0;                      ///< Coulomb's μ ≥ 0
   TractionArea per = TractionArea::current; ///< reference, without friction: the forces derive from an energy
   Enforcement enforcement = Enforcement::penalty;
+  bool frictional = false; ///< μ may change along the path, also if it is 0
 };
+
+/// Whether friction acts or may act later.
+inline bool may_rub(const PenaltyLaw& law) {
+  return law.frictional || law.friction > 0;
+}
+/// The law with the constants that a path has changed.
+PenaltyLaw changed(PenaltyLaw law, const Changes& changes);
 
 /// Throws Error if a constant is invalid.
 const PenaltyLaw& checked(const PenaltyLaw& law);
@@ -30,7 +39,8 @@ PenaltyLaw scaled(PenaltyLaw law, double factor);
 /// The larger penalty parameter in use.
 double largest_penalty(const PenaltyLaw& law);
 
-/// Evaluates the law (return mapping) at a closed point, t_N = λ_N − ε_N g > 0, or at one with a fixed state.
+/// Evaluates the law (return mapping) at a closed point, t_N = λ_N − ε_N (g − o) > 0 with the offset o, or at one with
+/// a fixed state.
 template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D>& geometry, LocalForce<D>& result);
 
 } // namespace signorini::contact

@@ -13,17 +13,18 @@ PenaltyContact<D>::PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& l
 template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) {
   PointHistory<D>& point = trial.present.points[i];
   const Controls& controls = trial.controls;
+  if (!this->active(trial.present)) return;
   const double travel = this->travel_;
   FixedContactState fixed = controls.fixed_states.empty() ? FixedContactState::free : controls.fixed_states[i];
   if (fixed == FixedContactState::free ? travel + controls.guessed < point.cleared : fixed == FixedContactState::open)
     return;
   if (!this->find_foot(i, trial, part, at)) return;
 
-  const PenaltyLaw law = scaled(law_, trial.penalty_factor);
+  const PenaltyLaw law = this->law(trial.present, trial.penalty_factor);
   const Foot foot = point.projection.foot;
   const double gap = point.projection.gap;
-  // t_N = λ_N − ε_N g > 0 below a distance of λ_N/ε_N
-  const double distance = gap - point.multiplier / law.normal;
+  // t_N = λ_N − ε_N (g − o) > 0 below a gap of o + λ_N/ε_N
+  const double distance = gap - this->offset(i, trial.present) - point.multiplier / law.normal;
   point.cleared = foot == Foot::regular && at.foot.settled && distance > 0 ? travel + distance : 0;
   if (fixed == FixedContactState::free && std::abs(distance) < controls.guessed) fixed = FixedContactState::stick;
   if (fixed == FixedContactState::free && distance >= 0) return;
@@ -34,8 +35,8 @@ template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Tri
   geometry.multiplier = point.multiplier;
   geometry.fixed_state = fixed;
   geometry.tie = controls.onward ? -controls.guessed : controls.guessed;
-  if (frictional() && !point.slips) remember_touch(i, trial);
-  if (frictional() && point.slips) {
+  if (law.friction > 0 && !point.slips) remember_touch(i, trial);
+  if (law.friction > 0 && point.slips) {
     this->master().locate(point.slip, at.slip_point);
     geometry.slip_point = &at.slip_point.position;
   }
@@ -55,10 +56,27 @@ template <int D> void PenaltyContact<D>::remember_touch(std::size_t i, const Tri
   point.slip = projection.xi;
 }
 
-template <int D> void PenaltyContact<D>::commit_points(History<D>& present, double penalty_factor) {
-  if (!frictional()) return;
-  const PenaltyLaw law = scaled(law_, penalty_factor);
+template <int D>
+void PenaltyContact<D>::commit_points(History<D>& present, const History<D>& accepted, double penalty_factor) {
+  const PenaltyLaw law = this->law(present, penalty_factor);
+  if (law.friction == 0) return release(present, accepted, penalty_factor);
   for (std::size_t i = 0; i < this->points_.size(); ++i) advance_slip_point(i, present, law);
+}
+
+/// Friction that a path switches off leaves no slip points: later friction starts at the foot points of its time. Its
+/// springs' energy is dissipated.
+template <int D>
+void PenaltyContact<D>::release(History<D>& present, const History<D>& accepted, double penalty_factor) const {
+  if (!may_rub(law_)) return;
+  const double tangential = law(accepted, penalty_factor).tangential;
+  for (std::size_t i = 0; i < this->points_.size(); ++i) {
+    PointHistory<D>& point = present.points[i];
+    const PointResult<D>& before = accepted.results[i];
+    const double friction = before.friction.norm() * stretch(before);
+    present.dissipated += this->share() * before.law_area * friction * friction / (2 * tangential);
+    point.slips = false;
+    point.limit = 0;
+  }
 }
 
 /// Updates a point's slip point at the end of an accepted step.
@@ -82,7 +100,7 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
     // |x̄ᵐ − xᵐ(ξ_sl)| decreases to μ t_N/ε_T; the difference is the slip Δγ.
     const double length = law.friction * result.pressure * stretch(result) / law.tangential;
     const double before = (slip_point.position - foot.position).norm(), slipped = std::max(before - length, 0.0);
-    history.dissipated += energy_share(this->pass()) * 0.5 * (limit_before + limit) * slipped;
+    history.dissipated += this->share() * 0.5 * (limit_before + limit) * slipped;
     point.slip = master.advance(point.slip, foot, length);
     master.locate(point.slip, slip_point);
     const double after = (slip_point.position - foot.position).norm();
@@ -90,7 +108,7 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
   }
 }
 
-/// λ_N at each point becomes λ_N − ε_N g of the last evaluation.
+/// λ_N at each point becomes λ_N − ε_N (g − o) of the last evaluation.
 template <int D> void PenaltyContact<D>::augment(History<D>& history) const {
   for (std::size_t i = 0; i < history.points.size(); ++i)
     history.points[i].multiplier = history.results[i].pressure * stretch(history.results[i]);
@@ -105,7 +123,7 @@ template <int D> double PenaltyContact<D>::violation(const History<D>& history) 
 }
 
 template <int D> double PenaltyContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
-  const double penalty = largest_penalty(scaled(law_, penalty_factor));
+  const double penalty = largest_penalty(law(history, penalty_factor));
   double sum = 0;
   for (const PointResult<D>& point : history.results)
     if (point.state != ContactState::open) sum += point.law_area * penalty * point.law_area * penalty;

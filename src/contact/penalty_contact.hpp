@@ -14,11 +14,8 @@ public:
   /// Tractions per current area are not the derivative of an energy: δ(t_c a) contains t_c δa. Those of a half pass
   /// depend on the master's position, but do not act on it.
   bool has_potential() const override {
-    return law_.per == TractionArea::reference && !frictional() && this->pass() == Pass::full;
+    return law_.per == TractionArea::reference && !may_rub(law_) && this->pass() == Pass::full;
   }
-  double friction() const override { return law_.friction; }
-  double penalty() const override { return law_.normal; }
-  bool augmented() const override { return law_.enforcement == Enforcement::augmented; }
   void augment(History<D>& history) const override;
   double violation(const History<D>& history) const override;
   double stiffness(const History<D>& history, double penalty_factor) const override;
@@ -26,13 +23,18 @@ public:
 private:
   using typename GaussPointContact<D>::Part;
   using typename GaussPointContact<D>::Feet;
-  bool frictional() const { return law_.friction > 0; }
+  const PenaltyLaw* law() const override { return &law_; }
+  /// The law in a state.
+  PenaltyLaw law(const History<D>& history, double penalty_factor) const {
+    return scaled(changed(law_, history.changes), penalty_factor);
+  }
   void evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) override;
-  void commit_points(History<D>& present, double penalty_factor) override;
+  void commit_points(History<D>& present, const History<D>& accepted, double penalty_factor) override;
   void remember_touch(std::size_t i, const Trial<D>& trial) const;
+  void release(History<D>& present, const History<D>& accepted, double penalty_factor) const;
   void advance_slip_point(std::size_t i, History<D>& history, const PenaltyLaw& law) const;
 
-  PenaltyLaw law_; ///< without penalty factor
+  PenaltyLaw law_; ///< of the scene
 };
 
 } // namespace signorini::contact

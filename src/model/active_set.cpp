@@ -48,7 +48,7 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
   frozen_ = options.freeze > 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     first_.push_back(first_.back() + constraints(histories[k]));
-    frictional_.push_back(contacts[k]->friction() > 0);
+    frictional_.push_back(contacts[k]->friction(histories[k]) > 0);
     solved_.push_back(contacts[k]->multipliers() > 0 && contacts[k]->extra_unknowns() > 0);
     controls[k].fixed_states.clear();
     if (!frozen_) continue;

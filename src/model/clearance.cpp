@@ -76,27 +76,45 @@ double percent(double part) {
   return std::round(1000 * part) / 10;
 }
 
-/// Checks two bodies whose deepest contact point penetrates; returns a warning, or nothing.
+/// The deepest point of a contact.
+template <int D> struct Overlap {
+  double depth; ///< at most 0 without overlap
+  Vec<D> position;
+};
+
+template <int D> Overlap<D> overlap_of(const contact::Formulation<D>& contact, const contact::History<D>& history) {
+  const double shim = std::max(0.0, contact.offset(history)); // on purpose
+  Overlap<D> deepest{0, Vec<D>::Zero()};
+  for (std::size_t i = 0; i < history.results.size(); ++i) {
+    const double depth = contact.overlap().empty() ? -history.results[i].gap - shim : contact.overlap()[i];
+    if (i == 0 || depth > deepest.depth) deepest = {depth, history.results[i].position};
+  }
+  return deepest;
+}
+
+/// Checks two bodies that overlap; returns a warning, or nothing.
 template <int D>
 Message check_overlap(const Scene<D>& scene, const Contact<D>& contact, const Faces& master,
-                      const contact::PointResult<D>& deepest) {
-  const double depth = -deepest.gap, behind = thickness(scene, master);
+                      const Overlap<D>& deepest) {
+  const double depth = deepest.depth, behind = thickness(scene, master);
   const double part = depth / std::min(thickness(scene, contact.slave), behind);
   if (part <= meant_overlap) return {};
   const Message slave_face = faces_message(scene, contact.slave), master_face = faces_message(scene, master);
   // If the slave lies behind the master's body, the opposite face was probably meant.
   const std::string other = nurbs::name_of({master.front().side.direction, !master.front().side.at_end});
-  require(part <= mistaken_overlap, "model.clearance.overlap",
+  const double most = contact.start.interference ? whole_depth : mistaken_overlap;
+  require(part <= most, "model.clearance.overlap",
           {{"contact", contact.name},
            {"slave", slave_face},
            {"master", master_face},
            {"depth", depth},
            {"at", deepest.position},
            {"percent", percent(part)},
-           {"most", percent(mistaken_overlap)},
+           {"most", percent(most)},
            {"hint", master.size() == 1 && depth > whole_depth * behind
                         ? Message("model.clearance.wrong_face", {{"face", other}})
                         : Message("model.clearance.apart")}});
+  if (contact.start.interference) return {};
   return Message("model.warning.overlap", {{"contact", contact.name},
                                            {"slave", slave_face},
                                            {"master", master_face},
@@ -105,33 +123,39 @@ Message check_overlap(const Scene<D>& scene, const Contact<D>& contact, const Fa
                                            {"percent", percent(part)}});
 }
 
+/// Whether a face may lie this deep inside an obstacle. For thin bodies 1 % of the size exceeds the thickness.
+template <int D> bool is_shallow(const Scene<D>& scene, const Contact<D>& contact, double depth) {
+  if (depth <= 0) return true;
+  const double thick = thickness(scene, contact.slave);
+  if (contact.start.interference) return depth <= whole_depth * thick;
+  const double size = size_of(scene.bodies[at(contact.slave.front().body)].body->space().points());
+  return depth < obstacle_overlap * size && depth < mistaken_overlap * thick;
+}
+
 } // namespace
 
 template <int D>
-std::vector<Message> check_clearance(const Scene<D>& scene, const std::vector<contact::History<D>>& contacts) {
+std::vector<Message> check_clearance(const Scene<D>& scene, const contact::Formulations<D>& contacts,
+                                     const std::vector<contact::History<D>>& histories) {
   std::vector<Message> warnings;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<D>& contact = scene.contacts[k];
-    const auto& results = contacts[k].results;
-    const auto& deepest =
-        *std::min_element(results.begin(), results.end(), [](const auto& a, const auto& b) { return a.gap < b.gap; });
+    if (!contact.start.active) continue;
+    const Overlap<D> deepest = overlap_of(*contacts[k], histories[k]);
     const NamedBody<D>& named = scene.bodies[at(contact.slave.front().body)];
     if (const auto* face = std::get_if<Faces>(&contact.master)) {
-      if (deepest.gap < 0)
+      if (deepest.depth > 0)
         if (const Message warning = check_overlap(scene, contact, *face, deepest); !warning.code.empty())
           warnings.push_back(warning);
       continue;
     }
     const contact::Obstacle<D>& obstacle = scene.obstacles[at(std::get<ObstacleReference>(contact.master).obstacle)];
-    // For thin bodies 1 % of the size exceeds the thickness.
-    const double size = size_of(named.body->space().points());
-    require(deepest.gap > -obstacle_overlap * size &&
-                (deepest.gap >= 0 || deepest.gap > -mistaken_overlap * thickness(scene, contact.slave)),
+    require(is_shallow(scene, contact, deepest.depth),
             std::holds_alternative<nurbs::Patch>(obstacle) ? "model.clearance.inside_patch" : "model.clearance.inside",
-            {{"contact", contact.name}, {"body", named.name}, {"depth", -deepest.gap}, {"at", deepest.position}});
+            {{"contact", contact.name}, {"body", named.name}, {"depth", deepest.depth}, {"at", deepest.position}});
     // A body that touches a plane of wrong orientation has zero gaps, but its middle lies behind the plane.
     if (const auto* plane = std::get_if<contact::Plane<D>>(&obstacle)) {
-      const Vec<D> middle = named.body->reference_point(named.body->elements() / 2, 0);
+      const Vec<D> middle = named.body->space().points().rowwise().mean();
       require(plane->normal.dot(middle - plane->point) > 0, "model.clearance.middle",
               {{"contact", contact.name}, {"body", named.name}, {"at", middle}});
     }
@@ -142,7 +166,9 @@ std::vector<Message> check_clearance(const Scene<D>& scene, const std::vector<co
   return warnings;
 }
 
-template std::vector<Message> check_clearance<2>(const Scene<2>&, const std::vector<contact::History<2>>&);
-template std::vector<Message> check_clearance<3>(const Scene<3>&, const std::vector<contact::History<3>>&);
+template std::vector<Message> check_clearance<2>(const Scene<2>&, const contact::Formulations<2>&,
+                                                 const std::vector<contact::History<2>>&);
+template std::vector<Message> check_clearance<3>(const Scene<3>&, const contact::Formulations<3>&,
+                                                 const std::vector<contact::History<3>>&);
 
 } // namespace signorini::model

@@ -9,10 +9,13 @@ namespace signorini::model {
 ///  - a deformable master by more than 20 % of the mean thickness of the thinner of the two bodies: the master is the
 ///    wrong face, or the bodies are misplaced;
 ///  - an obstacle by more than 1 % of the body's size or 20 % of its thickness;
+///  - either one by more than 90 % of the thickness, if the contact is an interference fit;
 /// or if a closed obstacle lies inside the slave's body, or the body behind a plane. Returns warnings about bodies that
-/// overlap by more than 1 % of the thickness (an interference fit, or a mistake). `contacts` are those of the scene,
-/// evaluated in the reference configuration.
+/// overlap by more than 1 % of the thickness. Contacts that are not active at the start are not checked, and the gap by
+/// a negative offset is not an overlap. `contacts` and their `histories` are those of the scene, evaluated in the
+/// reference configuration.
 template <int D>
-std::vector<Message> check_clearance(const Scene<D>& scene, const std::vector<contact::History<D>>& contacts);
+std::vector<Message> check_clearance(const Scene<D>& scene, const contact::Formulations<D>& contacts,
+                                     const std::vector<contact::History<D>>& histories);
 
 } // namespace signorini::model

@@ -168,7 +168,9 @@ template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model,
 /// Whether a displacement d of a body is tangential at all touching points of a frictionless contact.
 template <int D> bool slides(const Model<D>& model, std::size_t contact, std::size_t body, const Vec<D>& d) {
   const Contact<D>& named = model.system.scene.contacts[contact];
-  if (model.system.contacts[contact]->friction() > 0 || !acts_on(named, static_cast<int>(body))) return false;
+  if (model.system.contacts[contact]->friction(model.present.contacts[contact]) > 0 ||
+      !acts_on(named, static_cast<int>(body)))
+    return false;
   bool touches = false;
   for (const auto& point : model.present.contacts[contact].results) {
     if (point.state == contact::ContactState::open) continue;
@@ -255,7 +257,8 @@ template <int D> void add_stiffness(Diagnosis& diagnosis, const Model<D>& model)
   PenaltyRatio worst{0, 0, ""};
   std::string name;
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
-    PenaltyRatio penalty = penalty_ratio(scene, scene.contacts[k], *model.system.contacts[k]);
+    PenaltyRatio penalty =
+        penalty_ratio(scene, scene.contacts[k], model.system.contacts[k]->penalty(model.present.contacts[k]));
     if (!(penalty.ratio > worst.ratio)) continue;
     worst = std::move(penalty);
     name = scene.contacts[k].name;

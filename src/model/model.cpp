@@ -2,11 +2,14 @@
 
 #include "base/error.hpp"
 #include "base/timer.hpp"
+#include "model/changed_contact.hpp"
 #include "model/clearance.hpp"
 #include "model/constants.hpp"
 #include "model/equilibrium.hpp"
 #include "model/scene_warnings.hpp"
+#include "model/ties.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,9 +25,10 @@ Model<D>::Model(Scene<D> scene)
   evaluate(*this, nullptr, false, why);
   system.commit(present, accepted);
   accepted = present;
-  scene_warnings = check_clearance(system.scene, accepted.contacts);
-  for (Message& warning : model::scene_warnings(system.scene, system.contacts, system.ties))
+  scene_warnings = check_clearance(system.scene, system.contacts, accepted.contacts);
+  for (Message& warning : model::scene_warnings(system.scene, system.contacts, accepted.contacts))
     scene_warnings.push_back(std::move(warning));
+  warn_of_ties(system.scene, system.ties, scene_warnings);
 }
 
 template <int D> void set_target(Model<D>& model, int drive, int component, double value) {
@@ -44,6 +48,14 @@ template <int D> void set_penalty_factor(Model<D>& model, double factor) {
   model.step.reset(); // as for new targets: the present state is not in equilibrium any more
 }
 
+template <int D> void set_contact(Model<D>& model, int contact, const contact::Changes& changes) {
+  check_changes(model.system.scene.contacts[at(contact)], changes);
+  auto& history = model.present.contacts[at(contact)];
+  if (history.changes == changes) return;
+  contact::change(history, changes);
+  model.step.reset();
+}
+
 template <int D> std::optional<double> straight_ratio(const Model<D>& model, const VectorX& targets) {
   const VectorX step = targets - model.accepted.targets, last = model.accepted.targets - model.path.previous_targets;
   if (!(last.squaredNorm() > 0)) return std::nullopt;
@@ -54,8 +66,10 @@ template <int D> std::optional<double> straight_ratio(const Model<D>& model, con
 
 template <int D> bool settled(const Model<D>& model) {
   const State<D>&accepted = model.accepted, &present = model.present;
+  const auto same_law = [](const auto& a, const auto& b) { return a.changes == b.changes; };
   return !model.step && present.displacement == accepted.displacement && model.targets == accepted.targets &&
-         present.penalty_factor == accepted.penalty_factor;
+         present.penalty_factor == accepted.penalty_factor &&
+         std::ranges::equal(present.contacts, accepted.contacts, same_law);
 }
 
 template <int D> void accept(Model<D>& model) {
@@ -123,6 +137,7 @@ template <int D> void settle(Model<D>& model) {
   template void set_target(Model<D>&, int, int, double);                                                               \
   template double accepted_target(const Model<D>&, int, int);                                                          \
   template void set_penalty_factor(Model<D>&, double);                                                                 \
+  template void set_contact(Model<D>&, int, const contact::Changes&);                                                  \
   template std::optional<double> straight_ratio(const Model<D>&, const VectorX&);                                      \
   template bool settled(const Model<D>&);                                                                              \
   template void accept(Model<D>&);                                                                                     \

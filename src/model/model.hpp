@@ -40,12 +40,17 @@ template <int D> double accepted_target(const Model<D>& model, int drive, int co
 /// Throws Error unless it is a positive number.
 template <int D> void set_penalty_factor(Model<D>& model, double factor);
 
+/// Changes the constants of a contact (index into Scene::contacts), from the next step on; a roll-back restores those
+/// of the accepted state. Throws Error if they do not suit the contact, see changed_contact.hpp.
+template <int D> void set_contact(Model<D>& model, int contact, const contact::Changes& changes);
+
 /// Makes the present state the accepted one. Throws Error if the current step has not converged, if targets or
 /// penalties have changed since, or if the state after move_by() is not in equilibrium. Does nothing without a step.
 template <int D> void accept(Model<D>& model);
 /// Restores the accepted state, including its targets.
 template <int D> void rollback(Model<D>& model);
-/// Whether present state, targets and penalties are the accepted ones and there is no current step.
+/// Whether present state, targets, penalties and constants of contacts are the accepted ones and there is no current
+/// step.
 template <int D> bool settled(const Model<D>& model);
 
 /// The accepted state of a model, with all data that its next step depends on.

@@ -41,6 +41,7 @@ template <int D> Energies energies(const Model<D>& model) {
     sum.contact += contact::potential(history);
     sum.friction += history.dissipated;
     sum.growth += history.growth;
+    sum.work += history.offset_work;
   }
   return sum;
 }

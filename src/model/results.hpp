@@ -21,7 +21,7 @@ struct Energies {
   double stored;   ///< in the bodies
   double contact;  ///< in penalty springs, and in adhesion (zero at infinite distance)
   double friction; ///< dissipated in all accepted steps
-  double work;     ///< of supports and loads in all accepted steps, by the trapezoidal rule
+  double work;     ///< of supports, loads and offsets in all accepted steps, by the trapezoidal rule
   double growth; ///< ∫∫ φ dA in all accepted steps, see contact::History; zero if tractions act per reference area
 };
 /// Energies of the present state, with friction and work up to the accepted one.

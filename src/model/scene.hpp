@@ -87,6 +87,7 @@ template <int D> struct Contact {
   contact::Method<D> method;
   int points; ///< Gauss points per slave element and direction
   contact::Region<D> where = {};
+  contact::Start start = {};
   int other_pass = -1;          ///< of a half pass: index of the contact with slave and master swapped
   bool default_penalty = false; ///< its penalty is from material and mesh
 };

@@ -87,15 +87,15 @@ template <int D> contact::Region<D> region_of(const Places<D>& points) {
 
 template <int D>
 void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Formulation<D>& formulation) {
-  const auto& [name, slave, master, method, points, where, other_pass, default_penalty] = contact;
+  const auto& [name, slave, master, method, points, where, start, other_pass, default_penalty] = contact;
   const auto* faces = std::get_if<Faces>(&master);
   to.put(name, slave, faces ? *faces : Faces{}, faces ? -1 : std::get<ObstacleReference>(master).obstacle, method,
-         points, points_of_region(contact, formulation), other_pass, default_penalty);
+         points, points_of_region(contact, formulation), start, other_pass, default_penalty);
 }
 
 template <int D> Contact<D> read_contact(ArchiveReader& from) {
   Contact<D> contact{};
-  auto& [name, slave, master, method, points, where, other_pass, default_penalty] = contact;
+  auto& [name, slave, master, method, points, where, start, other_pass, default_penalty] = contact;
   from.into(name, slave);
   const Faces faces = from.get<Faces>();
   const ObstacleReference obstacle{from.get<int>()};
@@ -106,7 +106,7 @@ template <int D> Contact<D> read_contact(ArchiveReader& from) {
   method = contact::read_method<D>(from);
   points = from.get<int>();
   where = region_of<D>(from.get<Places<D>>());
-  from.into(other_pass, default_penalty);
+  from.into(start, other_pass, default_penalty);
   return contact;
 }
 

@@ -5,7 +5,6 @@
 #include "model/constants.hpp"
 #include "model/element_size.hpp"
 #include "model/thickness.hpp"
-#include "model/ties.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,15 +61,15 @@ void warn_of_friction(const std::string& name, double mu, std::vector<Message>& 
 }
 
 template <int D>
-void warn_of_stiffness(const Scene<D>& scene, const Contact<D>& contact, const contact::Formulation<D>& formulation,
+void warn_of_stiffness(const Scene<D>& scene, const Contact<D>& contact, double penalty,
                        std::vector<Message>& warnings) {
-  const PenaltyRatio penalty = penalty_ratio(scene, contact, formulation);
-  if (penalty.ratio < beyond_rounding) return;
+  const PenaltyRatio found = penalty_ratio(scene, contact, penalty);
+  if (found.ratio < beyond_rounding) return;
   warnings.push_back(Message("model.warning.stiffness", {{"contact", contact.name},
-                                                         {"penalty", formulation.penalty()},
-                                                         {"ratio", penalty.ratio},
-                                                         {"body", penalty.body},
-                                                         {"stiffness", penalty.stiffness}}));
+                                                         {"penalty", penalty},
+                                                         {"ratio", found.ratio},
+                                                         {"body", found.body},
+                                                         {"stiffness", found.stiffness}}));
 }
 
 /// Multipliers on a stiff face with small elements require more of the soft master than its functions can follow: they
@@ -128,36 +127,35 @@ void warn_of_twins(const Scene<D>& scene, const contact::Formulations<D>& contac
 
 } // namespace
 
-template <int D>
-PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact,
-                           const contact::Formulation<D>& formulation) {
+template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact, double penalty) {
   PenaltyRatio softest = ratio_behind(scene, contact.slave);
   if (const auto* face = std::get_if<Faces>(&contact.master)) {
     const PenaltyRatio other = ratio_behind(scene, *face);
     if (other.stiffness < softest.stiffness) softest = other;
   }
-  softest.ratio = formulation.penalty() / softest.stiffness;
+  softest.ratio = penalty / softest.stiffness;
   return softest;
 }
 
 template <int D>
 std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts,
-                                    const contact::Ties<D>& ties) {
+                                    const std::vector<contact::History<D>>& histories) {
   std::vector<Message> warnings;
   warn_of_locking(scene, warnings);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    warn_of_friction(scene.contacts[k].name, contacts[k]->friction(), warnings);
-    warn_of_stiffness(scene, scene.contacts[k], *contacts[k], warnings);
+    warn_of_friction(scene.contacts[k].name, contacts[k]->friction(histories[k]), warnings);
+    warn_of_stiffness(scene, scene.contacts[k], contacts[k]->penalty(histories[k]), warnings);
     warn_of_stiff_slave(scene, scene.contacts[k], warnings);
   }
   warn_of_twins(scene, contacts, warnings);
-  warn_of_ties(scene, ties, warnings);
   return warnings;
 }
 
-template PenaltyRatio penalty_ratio(const Scene<2>&, const Contact<2>&, const contact::Formulation<2>&);
-template PenaltyRatio penalty_ratio(const Scene<3>&, const Contact<3>&, const contact::Formulation<3>&);
-template std::vector<Message> scene_warnings(const Scene<2>&, const contact::Formulations<2>&, const contact::Ties<2>&);
-template std::vector<Message> scene_warnings(const Scene<3>&, const contact::Formulations<3>&, const contact::Ties<3>&);
+template PenaltyRatio penalty_ratio(const Scene<2>&, const Contact<2>&, double);
+template PenaltyRatio penalty_ratio(const Scene<3>&, const Contact<3>&, double);
+template std::vector<Message> scene_warnings(const Scene<2>&, const contact::Formulations<2>&,
+                                             const std::vector<contact::History<2>>&);
+template std::vector<Message> scene_warnings(const Scene<3>&, const contact::Formulations<3>&,
+                                             const std::vector<contact::History<3>>&);
 
 } // namespace signorini::model

@@ -11,15 +11,13 @@ struct PenaltyRatio {
   double stiffness; ///< E/h
   std::string body;
 };
-template <int D>
-PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact,
-                           const contact::Formulation<D>& formulation);
+template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact, double penalty);
 
 /// Warnings about Poisson's ratios that cause locking, coefficients of friction that look like angles, penalty
-/// parameters out of range, duplicate contacts between the same points, and ties (ties.hpp). `contacts` and `ties` are
-/// those of the scene.
+/// parameters out of range, and duplicate contacts between the same points. `contacts` and `histories` are those of the
+/// scene at the start.
 template <int D>
 std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts,
-                                    const contact::Ties<D>& ties);
+                                    const std::vector<contact::History<D>>& histories);
 
 } // namespace signorini::model

@@ -51,7 +51,7 @@ template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
                                       : contact::Master<D>(scene.obstacles[at(std::get<1>(contact.master).obstacle)]);
     contacts.push_back(contact::make_formulation<D>(
         contact.method, {surface_of(scene, contact.slave), std::move(master), contact.points,
-                         scene.kind == solid::Kind::axisymmetric, contact.where}));
+                         scene.kind == solid::Kind::axisymmetric, contact.where, contact.start}));
   }
   return contacts;
 }

@@ -297,12 +297,12 @@ check.case("only a converged step is accepted", function()
   end
   model:accept() -- what is accepted already
   model:set_target("grip", {0, -0.01})
-  refused("no step has been solved since targets or penalties were changed", "Hint: solve a step, or call")
+  refused("no step has been solved since targets, penalties or contacts were changed", "Hint: solve a step, or call")
   check.equal(model:iterate{}.reason, "iterating")
   refused("the step is not in equilibrium yet", "iterate until")
   repeat local result = model:iterate{} until result.reason ~= "iterating"
   model:set_penalty_factor(2) -- the state belongs to another penalty
-  refused "no step has been solved since targets or penalties were changed"
+  refused "no step has been solved since targets, penalties or contacts were changed"
   model:set_penalty_factor(1)
   check.equal(model:solve_step{}.converged, true)
   model:accept()

@@ -39,10 +39,18 @@ check.case("ball of seven patches: a quarter of its section, which tends to Hert
   check.within("Hertz", (found.rigid.force - 1) / (found.small.force - 1), 4, 1)
 end)
 
+check.case("shrink fit: Lamé's pressure, and the force to pull the hub off", function()
+  local fit = results("shrink_fit", "elements=8", "steps=10")
+  check.within("pressure", fit.pressure / fit.lame, 1, 0.005)
+  check.within("force", fit.most / fit.closed_force, 1, 0.01)
+  assert(fit.force[2] < 0.8 * fit.most and fit.force[#fit.force] < 0.4 * fit.most)
+end)
+
 check.case("wrong arguments are errors", function()
   check.refused(script "ball", { ["approach=0.6"] = "approach", ["elements=1"] = "elements", ["depth=0"] = "depth" })
   check.refused(script "bushing", { ["most=0.9"] = "most", ["K=0"] = "K", ["steps=0"] = "steps" })
   check.refused(script "o_ring", { ["most=0.5"] = "most", ["elements=2"] = "elements", ["most=-1"] = "most" })
+  check.refused(script "shrink_fit", { ["interference=0"] = "interference", ["mu=-1"] = "mu", ["steps=1"] = "steps" })
   check.refused(script "snap_fit", { ["mu=-1"] = "mu", ["steps=1"] = "steps", ["elements=3"] = "elements" })
 end)
 

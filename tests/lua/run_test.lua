@@ -150,7 +150,7 @@ check.case("invalid stages and options are rejected before the first step", func
     { { { steps = 1.5 } }, "got the number 1.5" },
     { { { steps = "2" } }, "got the string '2'" },
     { { { steps = 2, gripp = { 0, 1 } } }, "unknown argument 'gripp'", "did you mean 'grip'?",
-      "name, steps, edge, grip, gas" },
+      "name, steps, contacts, edge, grip, gas" },
     { { { steps = 2, { 0, 1 } } }, "stages[1] takes named arguments, got a list of 2 values without a name" },
     { { { steps = 2, bed = { 0, 1 } } }, "'bed'", "not driven", 'drive = "x"' },
     { { { steps = 2, grip = { 0 } } }, "grip must be a list of 2 numbers (ux, uy), got a list of 1 value" },

@@ -37,7 +37,7 @@ check.case("the hemisphere's torque rises, then levels at full slip at μ∫pr d
   check.equal({ case.run.failed, #case.rows, case.reached }, { false, 35, 180 })
   for i = 7, 11 do assert(case.rows[i].moment > case.rows[i - 1].moment + 0.01, i) end
   for i = 1, 5 do check.near(case.rows[i].moment, 0, 1e-6) end
-  assert(case.slips_from and case.slips_from < 90, case.slips_from)
+  assert(case.slips_from and case.slips_from < 120, case.slips_from)
   assert(case.rows[6].stick > case.rows[6].slip)
   check.near(case.swing, 0, 0.03)
   check.near(case.ratio, 1, 0.01)
@@ -67,6 +67,7 @@ check.case("wrong arguments", function()
                                ["meshes=m4"] = "meshes must be values among 'm1', 'm2' and 'm3', got 'm4'",
                                ["slave=die"] = "slave must be 'hemisphere' or 'cube', got 'die'",
                                ["poles=top"] = "poles must be 'ends' or 'bottom', got 'top'",
+                               ["friction=never"] = "friction must be 'turn' or 'always', got 'never'",
                                ["angle=0"] = "angle must be a positive number, got '0'",
                                ["twist=x"] = "twist must be" }, "out=" .. folder)
 end)

@@ -1,5 +1,6 @@
 -- Pages: the low-level methods of a model, for user-defined solution loops.
 
+local lists = require "signorini.lists"
 local rows = require "signorini.pages.step_rows"
 local t = require "signorini.types"
 
@@ -13,6 +14,11 @@ local function names(part, parts, list)
   return { ("model:%s_names"):format(part), ("Returns the names of the %s, sorted."):format(parts),
            returns = t.list(t.text), example = ("model:%s_names()  --> %s"):format(part, list) }
 end
+
+local constants = lists.joined(require "signorini.pages.contact_change", {
+  { "overlap", t.range(0, 1), 'fraction of the initial overlap that remains allowed with overlap = "interference"',
+    optional = true } })
+constants.hints = require("signorini.pages.contact_change").hints
 
 return {
   title = "Low-level methods: user-defined loops",
@@ -57,9 +63,9 @@ line search took; reason: "converged", "iterations" (the limit was reached), "di
 model:set_target("grip", {0, -0.11})
 if model:solve_step{}.converged then model:accept() else model:rollback() end]] },
   { "model:iterate", [[Performs one iteration of model:solve_step: evaluates the residual and, unless that ends the
-step, solves and updates the unknowns. The first iteration after model:accept, rollback, restore, set_target or
-set_penalty_factor starts a step. Returns the result of model:solve_step so far; reason is "iterating" until the step
-ends.]],
+step, solves and updates the unknowns. The first iteration after model:accept, rollback, restore, set_target,
+set_contact or set_penalty_factor starts a step. Returns the result of model:solve_step so far; reason is "iterating"
+until the step ends.]],
     named = "model:solve_step", may_be_empty = true,
     returns = t.record(table.unpack(outcome)),
     example = [[
@@ -79,6 +85,14 @@ if result.converged then model:accept() else model:rollback() end]] },
 scale for `length` of model:solve_arc.]],
     returns = t.number,
     example = "model:last_length()" },
+  { "model:set_contact", [[Changes constants of a contact for the next step, as stages of model:run do; constants that
+are not given keep their values. Two half passes change together. model:rollback restores the constants of the accepted
+state. model:contact_law returns the present ones.]],
+    arguments = { { "name", t.name(function(model) return model:contact_names() end), "a contact" },
+                  { "constants", t.named(constants), "those that change" } },
+    rows = constants,
+    returns = {},
+    example = 'model:set_contact("interface", { penalty = 200 })' },
   { "model:set_penalty_factor", [[Sets the factor by which the penalty parameters of all contacts, as given to sg.model,
 are multiplied, for example to increase penalties along the path. model:rollback restores the factor of the accepted
 state.]],

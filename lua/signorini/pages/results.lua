@@ -69,8 +69,9 @@ of a slave face, on which xi must be]] },
     example = "model:sample(\"slab\", \"uy\", {0.5, 1})" },
   { "model:energy", [[Returns { stored, contact, friction, work, area_growth }: strain energy of the bodies; energy of
 penalty springs or of adhesion; and, summed over all accepted steps (trapezoidal rule), dissipation by friction; work of
-supports and loads; energy of the springs times the growth of the area on which they act, zero for contacts with per =
-"reference". Per unit depth in plane strain. work + area_growth = stored + contact + friction in the limit of small
+supports, of loads and of changing offsets and overlaps of contacts; energy of the springs times the growth of the area
+on which they act, zero for contacts with per = "reference". Per unit depth in plane strain. Where nothing changes
+suddenly, as when a contact is switched off, work + area_growth = stored + contact + friction in the limit of small
 steps (with friction: and of small penetration): see share/doc/theory.md, Output quantities.]],
     returns = t.record("stored contact friction work area_growth", t.number),
     example = "model:energy().stored" },
@@ -84,12 +85,14 @@ fx, fy, fz, moment.]],
     returns = force,
     example = "model:reaction(\"grip\").fy" },
   { "model:contact_law", [[Returns the constants of a contact: { method, enforcement, per, points, penalty,
-default_penalty }, as given to sg.model or by default; default_penalty is true where the penalty is from material and
-mesh. With friction also mu, friction_penalty; with method = "mortar" multipliers; with adhesion { method, per, points,
-hamaker, r0 }. print(model) shows them.]],
+default_penalty, active, offset }, as given to sg.model or by default, in the present state; default_penalty is true
+where the penalty is from material and mesh. With friction also mu, friction_penalty; with overlap = "interference"
+overlap, the fraction of the initial overlap that is still allowed; with method = "mortar" multipliers; with adhesion
+{ method, per, points, active, hamaker, r0 }. print(model) shows them.]],
     arguments = { a_contact },
     returns = t.record("method per", t.text, "enforcement? multipliers?", t.text, "points", t.count,
-      "penalty? mu? friction_penalty? hamaker? r0?", t.number, "default_penalty?", t.flag),
+      "penalty? mu? friction_penalty? hamaker? r0? offset? overlap?", t.number, "active", t.flag,
+      "default_penalty?", t.flag),
     example = "model:contact_law(\"interface\").penalty" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, per,
 unsettled, crossed }: the force on the slave (fz in 3D), the current area in contact (with method = "mortar" and with

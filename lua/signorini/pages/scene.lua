@@ -36,7 +36,8 @@ scales the equations; it is then 10 E / h by default, with h the (harmonic) mean
 contact, and print(model) shows it]], unit = "pressure per length",
     otherwise = 'from material and mesh; required with enforcement = "penalty", except with adhesion' },
   { "friction", t.named {
-    { "mu", t.non_negative, "Coulomb's coefficient of friction, tan of the angle of friction, not the angle" },
+    { "mu", t.non_negative, [[Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for a
+contact whose friction begins in a later stage]] },
     { "penalty", t.positive, [[tangential penalty, stiffness of elastic slip, which remains with
 method = "gpts" also where pressures are augmented]], unit = "pressure per length",
       otherwise = 'that of the contact; required with enforcement = "penalty"' },
@@ -68,6 +69,15 @@ per current area, also with multipliers]],
     { "r0", t.positive, "equilibrium distance of the potential", unit = "length" },
   }, "van der Waals forces in place of penalty and friction; the force is zero at the distance 15^(-1/6) r0",
     optional = true },
+  { "active", t.flag, "whether the contact acts from the start; stages switch it on and off", default = true },
+  { "offset", t.number, [[gap at which the faces touch: the gap g of all formulas is the distance less the offset.
+Positive: a shim of this thickness; negative: a clearance that the shapes do not have. The offset acts in full from the
+first step; stages change it linearly. It does not change directions and areas of the faces, so it should be small
+compared with their radii of curvature]], unit = "length", default = 0 },
+  { "overlap", t.choice { "error", "interference" }, [[initial shapes that overlap. error: a mistake; an overlap of 1 to
+20 % of the thickness of the thinner body is a warning, in obstacles of more than 1 % of the body's size an error.
+interference: a fit; the overlap at each contact point, up to 90 % of the thickness, is allowed at first and closed
+linearly over the first stage of model:run]], default = "error" },
   { "where", region, [[function(X) that returns true where the contact acts; X = {x, y}, in 3D {x, y, z}, is a reference
 position of the slave face, with half passes of either face. Called when the model is made]],
     otherwise = "everywhere" },
@@ -88,6 +98,10 @@ local function conflict_of_enforcement(method, enforcement)
 end
 
 contact.conflict = function(values)
+  if values.adhesion and (values.offset ~= 0 or values.overlap ~= "error") then
+    return ("it has both adhesion and %s, but van der Waals forces act at every distance: remove one of the two")
+      :format(values.offset ~= 0 and "offset" or 'overlap = "interference"')
+  end
   for _, other in ipairs { "penalty", "friction" } do
     if values.adhesion and values[other] then
       return ("it has both adhesion and %s, but the van der Waals law is repulsive already: remove one of the two")

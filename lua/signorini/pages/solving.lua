@@ -93,17 +93,25 @@ Keller, in Applications of Bifurcation Theory, Academic Press, 1977.]],
     named = {
       { "name", t.text, "name in reports and on_step", otherwise = '"stage 1" and so on' },
       { "steps", t.count, "number of steps" },
+      { "contacts", t.map(t.named(require "signorini.pages.contact_change")), [[constants of contacts that change, by
+name: { active, penalty, friction, offset }. They act in full from the first step of the stage, except for offset, which
+changes linearly over the stage; all hold until another stage changes them, also in further runs]], optional = true },
     },
     rest = t.any,
     more = [[
 Any other key is the name of a driven support or a load: the values at the stage's end, in the order of its driven
 components (lengths, then the angle in degrees) or of the traction; a single value needs no braces. Supports and loads
 that a stage does not name keep their values. Values are measured from the reference state, not from the previous stage.
+The first stage of a run also closes the overlap of contacts with overlap = "interference", linearly.
 model:driven(name) lists the components. Options are the second argument, model:run({ … }, { step = { min = 1/256 } }):
 help "model:run".]],
-    example = [[
+    example = { [[
 model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
-           { name = "slide", steps = 250, grip = {1.5, -0.23} } }]] },
+           { name = "slide", steps = 250, grip = {1.5, -0.23} } }]],
+    [[
+model:run{ { name = "press", steps = 46,  grip = {0, -0.23}, contacts = { interface = { friction = { mu = 0 } } } },
+           { name = "slide", steps = 250, grip = {1.5, -0.23},
+             contacts = { interface = { friction = { mu = 0.2 } } } } }]] } },
   { "sg.robust", [[Returns the default controls of model:run explicitly: each step starts from the linear predictor
 (predictor = "linear"), a failed step is tried again with the first fallbacks (fallback = true), then cut in half
 (step = { adaptive = true }), and at the smallest increment tried with the other fallbacks. Given options replace these.

@@ -64,12 +64,19 @@ local function law_text(law)
     if law[key] then parts[#parts + 1] = ("%s = %.4g"):format(key:gsub("_", "."), law[key]) end
     if key == "penalty" and law.default_penalty then parts[#parts] = parts[#parts] .. " (from material and mesh)" end
   end
+  if law.offset and law.offset ~= 0 then parts[#parts + 1] = ("offset = %.4g"):format(law.offset) end
+  if law.overlap then
+    parts[#parts + 1] = ('overlap = "interference", of which %.4g %% is left'):format(100 * law.overlap)
+  end
   return table.concat(parts, ", ")
 end
 
 local function contact_text(model, name)
-  local now, law = model:contact_resultant(name), law_text(model:contact_law(name))
-  if now.active == 0 then return ("  contact %s: open\n    %s"):format(name, law) end
+  local now, constants = model:contact_resultant(name), model:contact_law(name)
+  local law = law_text(constants)
+  if now.active == 0 then
+    return ("  contact %s: %s\n    %s"):format(name, constants.active and "open" or "switched off", law)
+  end
   local force = map(axes, function(axis) return now["f" .. axis] and ("%.4g"):format(now["f" .. axis]) end)
   local text = ("  contact %s: %s, %d slipping; force {%s}, largest pressure %.4g; tractions per %s area")
     :format(name, now.active == 1 and "1 active point" or now.active .. " active points", now.slipping,

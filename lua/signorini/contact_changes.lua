@@ -1,0 +1,123 @@
+-- What a stage changes in the contacts: constants from its first step on, offsets linearly over its steps, and in the
+-- first stage of a run the overlap that interference fits still allow.
+
+local core = require "signorini.core"
+local lists = require "signorini.lists"
+local rows = require "signorini.pages.contact_change"
+local t = require "signorini.types"
+
+local contact_changes = {}
+
+--- The row of a stage of this model: constants by contact. Two half passes change together, by the name of the first.
+function contact_changes.row(model)
+  local names = lists.filter(model:contact_names(), function(name)
+    return not (name:find "%.master$" and model:contact_law(name).method == "half_passes")
+  end)
+  local changed = t.named(rows)
+  return { "contacts", t.named(lists.map(names, function(name) return { name, changed, optional = true } end)),
+           optional = true }
+end
+
+--- Raises an error if a contact cannot have its constants.
+function contact_changes.check(model, where, label, contacts, options)
+  for _, name in ipairs(lists.sorted_names(contacts)) do
+    local problem = core.contact_problem(model, name, contacts[name])
+    if problem then core.fail(("%s: %s: %s"):format(where, label, problem)) end
+    if options.arc_length and contacts[name].offset then
+      core.fail(("%s: %s: contacts.%s.offset changes over the stage, which arc_length cannot follow. Hint: remove "
+        .. "arc_length, or the offset"):format(where, label, name))
+    end
+  end
+end
+
+local most_friction = 3 -- as for mu of sg.model
+
+--- Sentences on coefficients of friction that look like angles.
+function contact_changes.warnings(path)
+  local texts = {}
+  for _, stage in ipairs(path) do
+    for _, name in ipairs(lists.sorted_names(stage.contacts)) do
+      local mu = (stage.contacts[name].friction or {}).mu or 0
+      if mu > most_friction then
+        texts[#texts + 1] = ("stage '%s': contacts.%s.friction.mu = %g is far above that of real materials. Hint: mu "
+          .. "is the tangent of the angle of friction"):format(stage.name, name, mu)
+      end
+    end
+  end
+  return texts
+end
+
+--- Raises an error if a contact is an interference fit, which arc length cannot close.
+function contact_changes.check_fits(model, where, options)
+  for _, name in ipairs(options.arc_length and model:contact_names() or {}) do
+    if (model:contact_law(name).overlap or 0) > 0 then
+      core.fail(('%s: contacts.%s has overlap = "interference", which the first stage closes, and arc_length cannot '
+        .. "follow that. Hint: close it by a run without arc_length, then continue with a further run")
+        :format(where, name))
+    end
+  end
+end
+
+--- Where a stage begins: { offset, overlap } of the contacts in which it changes them. `is_first`: of the run.
+function contact_changes.starts(model, stage, is_first)
+  local starts = {}
+  for name, values in pairs(stage.contacts) do
+    starts[name] = { offset = values.offset and model:contact_law(name).offset }
+  end
+  for _, name in ipairs(is_first and model:contact_names() or {}) do
+    local overlap = model:contact_law(name).overlap
+    if overlap and overlap > 0 then
+      starts[name] = starts[name] or {}
+      starts[name].overlap = overlap
+    end
+  end
+  return starts
+end
+
+--- Whether a stage begins with a change that releases or adds energy: of the contact's springs, or of bodies that
+--- friction no longer holds.
+function contact_changes.is_sudden(model, stage)
+  return lists.any(lists.sorted_names(stage.contacts), function(name)
+    local goal, now = stage.contacts[name], model:contact_law(name)
+    local friction = goal.friction or {}
+    local function differs(value, present) return value ~= nil and value ~= present end
+    return differs(goal.active, now.active) or differs(goal.penalty, now.penalty)
+      or differs(friction.penalty, now.friction_penalty) or friction.mu ~= nil and friction.mu < now.mu
+  end)
+end
+
+local function between(start, goal, part) return part == 1 and goal or start + (goal - start) * part end
+
+--- Sets the constants at the fraction `part` of a stage.
+function contact_changes.set(model, stage, part)
+  for name, start in pairs(stage.fits) do
+    local goal = stage.contacts[name] or {}
+    model:set_contact(name, {
+      active = goal.active, penalty = goal.penalty, friction = goal.friction,
+      offset = start.offset and between(start.offset, goal.offset, part),
+      overlap = start.overlap and between(start.overlap, 0, part),
+    })
+  end
+end
+
+--- The contacts whose offset or overlap changes over a stage, sorted.
+local function ramps(stage)
+  return lists.filter(lists.sorted_names(stage.fits), function(name)
+    local start = stage.fits[name]
+    return start.overlap or start.offset and start.offset ~= stage.contacts[name].offset
+  end)
+end
+
+--- Whether a stage changes an offset or an overlap.
+function contact_changes.ramps(stage) return #ramps(stage) > 0 end
+
+--- The offsets at a fraction of the stage, in words: "seat.offset = 0.01".
+function contact_changes.places(stage, part)
+  return lists.map(ramps(stage), function(name)
+    local start = stage.fits[name]
+    if start.overlap then return ("%s.overlap = %.6g"):format(name, between(start.overlap, 0, part)) end
+    return ("%s.offset = %.6g"):format(name, between(start.offset, stage.contacts[name].offset, part))
+  end)
+end
+
+return contact_changes

@@ -1,0 +1,312 @@
+-- Constants of contacts that stages change: friction switched on and off, contacts switched off and on, penalties; all
+-- methods and enforcements; checkpoints, roll-backs, energies, errors.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local check = require "check"
+local contact_keys = require "contact_keys"
+local show = require "signorini.show"
+
+local here = "contact_stages_test.lua:"
+local penalty, mu = 1000, 0.3
+core.quiet = true
+
+local function block(y, count, young, contact)
+  return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { 0, y } }, elements = { count, 2 },
+                  order = "N2", contact = contact, material = sg.neo_hookean{ E = young, nu = 0.3 } }
+end
+
+--- A block on a stiffer, wider one, or on a plane.
+local function scene(keys, on_plane)
+  local upper, lower = block(0, 4, 20, "south"), nil
+  if not on_plane then
+    lower = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = { -0.5, -1 } }, elements = { 8, 2 },
+                     order = "N2", contact = "north", material = sg.neo_hookean{ E = 60, nu = 0.3 } }
+  end
+  keys.slave = upper:face "south"
+  keys.master = on_plane and sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } } or lower:face "north"
+  return sg.model{
+    bodies   = { upper = upper, lower = lower },
+    supports = { grip = { on = upper:face "north", drive = "xy" },
+                 bed = lower and { on = lower:face "south", fix = "xy" } or nil },
+    contacts = { joint = keys },
+  }
+end
+
+--- A stage that moves the grip, and changes constants of the contact.
+local function stage(steps, goal, constants)
+  return { steps = steps, grip = goal, contacts = constants and { joint = constants } }
+end
+
+--- Runs stages; returns the contact's force and the run.
+local function solved(model, name, ...)
+  local run = model:run({ ... }, contact_keys.options(name))
+  if run.failed then error(("%s: %s"):format(name, run.failure), 2) end
+  local now = model:contact_resultant "joint"
+  return { now.fx, now.fy }, run, now
+end
+
+--- Calls of a test for each method and enforcement, on a plane and on a block. Constraints of augmented contact points
+--- of two meshes contradict each other, so that it is tested on the plane.
+local function each(test)
+  for _, on_plane in ipairs { true, false } do
+    for _, name in ipairs(contact_keys.names(on_plane)) do
+      if on_plane or name ~= "augmented points" then test(name, on_plane) end
+    end
+  end
+end
+
+local down, aside = { 0, -0.02 }, { 0.06, -0.02 }
+
+check.case("pressed with mu = 0, a contact with friction is one without", function()
+  each(function(name, on_plane)
+    local with = solved(scene(contact_keys.of(name, penalty, 0.2), on_plane), name,
+      stage(2, down, { friction = { mu = 0 } }))
+    local without, run = solved(scene(contact_keys.of(name, penalty), on_plane), name, stage(2, down))
+    check.near(with, without, 1e-8)
+    assert(without[2] > 0.1 and run.iterations > 0)
+  end)
+end)
+
+check.case("friction begins without a jump of the force, then is Coulomb's, and ends at once", function()
+  each(function(name, on_plane)
+    local model = scene(contact_keys.of(name, penalty, 0), on_plane)
+    local pressed = solved(model, name, stage(2, down))
+    local held, _, now = solved(model, name, stage(2, down, { friction = { mu = mu } }))
+    check.near(held, pressed, 1e-9)
+    check.equal({ now.slipping, now.active > 0 }, { 0, true })
+    local slid, run = solved(model, name, stage(12, aside))
+    check.within(name .. ": friction", -slid[1] / slid[2], mu, on_plane and 1e-6 or 0.02 * mu)
+    if not name:find "half" then check.equal(run.warnings, {}) end -- whose forces differ on these meshes
+    assert(model:energy().friction > 0)
+    local freed = solved(model, name, stage(1, aside, { friction = { mu = 0 } }))
+    check.within(name .. ": no friction", freed[1] / freed[2], 0, 0.01)
+    -- Friction begins again where the points are now.
+    local again = solved(model, name, stage(1, aside, { friction = { mu = 0.5 } }))
+    check.near(again, freed, 1e-9)
+  end)
+end)
+
+check.case("friction that begins later slides as friction from the start does", function()
+  each(function(name, on_plane)
+    local function slide(first)
+      local model = scene(contact_keys.of(name, penalty, mu), on_plane)
+      return solved(model, name, stage(2, down, { friction = { mu = first } }),
+        stage(20, { 0.1, -0.02 }, { friction = { mu = mu } }))
+    end
+    local later, always = slide(0), slide(mu)
+    for i = 1, 2 do check.within(name, later[i] / always[i], 1, 1e-3) end
+  end)
+end)
+
+check.case("a larger mu after a smaller one: nothing moves, then the friction of the larger one", function()
+  local model = scene(contact_keys.of("points", penalty, 0.1), true)
+  local before = solved(model, "points", stage(10, aside))
+  check.near(solved(model, "points", stage(1, aside, { friction = { mu = 0.4 } })), before, 1e-9)
+  local after = solved(model, "points", stage(10, { 0.1, -0.02 }))
+  check.within("ratio", after[1] / after[2], -0.4, 1e-6)
+end)
+
+check.case("a contact that is switched off has no force, points or history; on again, it is as before", function()
+  each(function(name, on_plane)
+    local model = scene(contact_keys.of(name, penalty, 0), on_plane)
+    local before = solved(model, name, stage(2, down))
+    local none, run, now = solved(model, name, stage(1, down, { active = false }))
+    check.equal({ none, now.active, now.area, now.max_pressure }, { { 0, 0 }, 0, 0, 0 })
+    check.near({ model:energy().contact, model:energy().stored }, { 0, 0 }, 1e-9)
+    check.equal(#run.warnings, 0)
+    check.holds(show.text(model), "contact joint: switched off")
+    solved(model, name, stage(1, { 0.01, -0.03 }))
+    check.near(solved(model, name, stage(2, down, { active = true })), before, 1e-7)
+  end)
+end)
+
+check.case("a contact that is off at first passes through the obstacle", function()
+  local model = scene(contact_keys.of("points", penalty, nil, { active = false }), true)
+  check.equal(solved(model, "points", stage(1, down)), { 0, 0 })
+  local later = solved(model, "points", stage(1, down, { active = true }))
+  check.near(later, solved(scene(contact_keys.of("points", penalty), true), "points", stage(1, down)), 1e-9)
+end)
+
+check.case("adhesion can be switched off", function()
+  local model = scene({ adhesion = { hamaker = 0.1, r0 = 0.1 } }, true)
+  local acts, run = solved(model, "points", stage(1, { 0, 0.05 }))
+  assert(acts[2] ~= 0 and not run.failed)
+  check.equal(solved(model, "points", stage(1, { 0, 0.05 }, { active = false })), { 0, 0 })
+end)
+
+check.case("a new penalty gives the forces of a contact that has it from the start", function()
+  each(function(name, on_plane)
+    local changed = solved(scene(contact_keys.of(name, penalty), on_plane), name, stage(1, down),
+      stage(1, down, { penalty = 3 * penalty }))
+    local always, _, now = solved(scene(contact_keys.of(name, 3 * penalty), on_plane), name, stage(2, down))
+    check.near(changed, always, 1e-8)
+    assert(now.active > 0)
+  end)
+  -- The trial traction of elastic slip is proportional to its penalty.
+  local model = scene(contact_keys.of("points", penalty, 10), true)
+  solved(model, "points", stage(2, { 1e-4, -0.02 }), stage(1, { 1e-4, -0.02 }, { friction = { penalty = 10 } }))
+  local soft = solved(model, "points", stage(1, { 2e-3, -0.02 }))
+  local always = solved(scene({ penalty = penalty, friction = { mu = 10, penalty = 10 } }, true), "points",
+    stage(2, { 1e-4, -0.02 }), stage(1, { 2e-3, -0.02 }))
+  check.within("tangential", soft[1] / always[1], 1, 0.05)
+end)
+
+check.case("constants hold until they change, also in the next run; the law, print and snapshots show the present ones",
+  function()
+    local model = scene(contact_keys.of("half passes", penalty, 0.2), false)
+    solved(model, "half passes", stage(1, down, { friction = { mu = 0.1 }, penalty = 2 * penalty }))
+    solved(model, "half passes", stage(1, down))
+    for _, pass in ipairs { "joint", "joint.master" } do
+      local law = model:contact_law(pass)
+      check.equal({ law.mu, law.penalty, law.friction_penalty, law.active }, { 0.1, 2 * penalty, penalty, true })
+    end
+    check.holds(show.text(model), "mu = 0.1", "penalty = 2000")
+    local snapshot = model:snapshot()
+    solved(model, "half passes", stage(1, down, { friction = { mu = 0 } }))
+    model:restore(snapshot)
+    check.equal(model:contact_law("joint.master").mu, 0.1)
+    model:set_contact("joint", { active = false, friction = { mu = 0.4 } })
+    check.equal({ model:contact_law("joint").mu, model:contact_law("joint.master").active }, { 0.4, false })
+    check.fails(function() model:accept() end, "no step has been solved since")
+    model:rollback()
+    check.equal({ model:contact_law("joint").mu, model:contact_law("joint.master").active }, { 0.1, true })
+  end)
+
+check.case("a run that continues inside a stage ends bitwise as one without interruption; files hold the constants",
+  function()
+    local path = { stage(2, down, { friction = { mu = 0 } }),
+                   stage(4, aside, { friction = { mu = mu }, offset = 0.01, penalty = 2 * penalty }) }
+    for _, name in ipairs { "points", "mortar", "augmented mortar", "multipliers", "half passes" } do
+      local file = check.folder() .. "/run.sgn"
+      local keys = contact_keys.of(name, penalty, mu)
+      local whole, options = scene(contact_keys.of(name, penalty, mu)), contact_keys.options(name)
+      options.checkpoint = { file = file .. ".whole" }
+      whole:run(path, options)
+      local first = scene(keys)
+      options.checkpoint = { file = file }
+      options.on_step = function(info) return info.step == 4 and "stop" or nil end
+      first:run(path, options)
+      local second = scene(contact_keys.of(name, penalty, mu))
+      options.on_step, options.resume = nil, true
+      check.equal(second:run(path, options).reason, "completed")
+      for body in pairs { upper = 1, lower = 1 } do
+        for _, point in ipairs { { 0, 0 }, { 0.5, 1 }, { 1, 0.3 } } do
+          check.equal(second:sample(body, "uy", point), whole:sample(body, "uy", point))
+        end
+      end
+      check.equal(second:energy().work, whole:energy().work)
+      local law = sg.load(file):contact_law "joint"
+      check.equal({ law.mu, law.offset, law.penalty }, { mu, 0.01, 2 * penalty })
+      check.fails(function()
+        options.checkpoint, options.resume = { file = file }, true
+        local other = { path[1], stage(4, aside, { friction = { mu = 0.5 } }) }
+        scene(contact_keys.of(name, penalty, mu)):run(other, options)
+      end, "saved on another path", "different contacts")
+    end
+  end)
+
+check.case("steps that are cut in half: offsets are linear, other constants act in full from the start", function()
+  local model, seen = scene(contact_keys.of("points", penalty, mu), true), {}
+  local cut = true
+  local run = model:run({ stage(2, down, { friction = { mu = 0 }, offset = 0.008 }) }, sg.plain{
+    step = { adaptive = true }, on_iteration = function(now)
+      local law = model:contact_law "joint"
+      if now.iteration == 1 then seen[#seen + 1] = { now.to, law.mu, law.offset } end
+      if cut then
+        cut = false
+        return "cut"
+      end
+    end })
+  check.equal({ run.reason, run.cutbacks }, { "completed", 1 })
+  check.near(seen[1], { 1, 0, 0.004 }, 1e-15)
+  check.near(seen[2], { 0.5, 0, 0.002 }, 1e-15)
+  check.equal(model:contact_law("joint").offset, 0.008)
+end)
+
+check.case("work and energies: friction that begins, and its springs that are released", function()
+  local model = scene(contact_keys.of("points per reference area", 1e4, 0), true)
+  solved(model, "points", stage(8, { 0, -0.002 }), stage(64, { 0.005, -0.002 }, { friction = { mu = mu } }))
+  local e = model:energy()
+  check.within("balance", e.stored + e.contact + e.friction, e.work, 0.01 * e.work)
+  assert(e.friction > 0.1 * e.work)
+  -- What is lost when friction ends is what the bodies and the springs of slip stored for it.
+  local before, springs = model:energy(), 0
+  local profile = model:profile "joint"
+  for i, traction in ipairs(profile.traction) do springs = springs + profile.area[i] * traction^2 / 2e4 end
+  solved(model, "points", stage(1, { 0.005, -0.002 }, { friction = { mu = 0 } }))
+  check.within("springs", model:energy().friction - before.friction, springs, 0.02 * springs)
+end)
+
+--- The largest entry of K d − (r(u + h d) − r(u − h d))/(2 h), relative to that of K d.
+local function tangent_error(model)
+  local size, h, d, product, most, error = model:tangent().size, 1e-6, {}, {}, 0, 0
+  for i = 1, size do d[i], product[i] = math.sin(7 * i), 0 end
+  local function residual_at(part)
+    local move = {}
+    for i = 1, size do move[i] = part * d[i] end
+    model:move(move)
+    return model:residual()
+  end
+  local K = model:tangent()
+  for k, row in ipairs(K.rows) do product[row] = product[row] + K.values[k] * d[K.columns[k]] end
+  local after = residual_at(h)
+  local before = residual_at(-2 * h)
+  for i = 1, size do
+    most = math.max(most, math.abs(product[i]))
+    error = math.max(error, math.abs(product[i] - (after[i] - before[i]) / (2 * h)))
+  end
+  model:rollback()
+  return error / most
+end
+
+check.case("the tangent is the derivative of the residual, with offsets and with mu = 0 of a contact with friction",
+  function()
+  each(function(name, on_plane)
+    local model = scene(contact_keys.of(name, penalty, 0, { offset = 0.01 }), on_plane)
+    solved(model, name, stage(2, { 0.001, -0.02 }))
+    check.at_most(name .. ": offset", tangent_error(model), 1e-6)
+    solved(model, name, stage(4, { 0.05, -0.02 }, { friction = { mu = mu } }))
+    if name == "augmented points" then return end -- some are between open and closed, pressures and gaps both zero
+    -- In an accepted state slipping points are on Coulomb's cone, where the friction has a kink.
+    model:set_target("grip", { 0.06, -0.02 })
+    assert(model:solve_step{}.converged)
+    check.at_most(name .. ": friction", tangent_error(model), 1e-6)
+  end)
+end)
+
+-- ── Wrong input ──────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case("wrong constants are errors before anything is solved", function()
+  local model = scene(contact_keys.of("points", penalty, 0), true)
+  local smooth, sticky = scene(contact_keys.of("multipliers", penalty), true),
+    scene({ adhesion = { hamaker = 1, r0 = 0.1 } }, true)
+  local passes = scene(contact_keys.of("half passes", penalty, 0), false)
+  local function wrong(of, contacts, ...)
+    check.fails(function() of:run{ stage(1, down), { steps = 1, contacts = contacts } } end, here, "model:run", ...)
+  end
+  wrong(model, { seat = { active = false } }, "stages[2].contacts: unknown argument 'seat'", "known: joint")
+  wrong(model, { joint = { mu = 0.3 } }, "unknown argument 'mu'", "write friction = { mu = … }")
+  wrong(model, { joint = { friction = 0.3 } }, "stages[2].contacts.joint.friction must be")
+  wrong(model, { joint = { friction = { mu = -0.3 } } }, "friction.mu must be", "got the number -0.3")
+  wrong(model, { joint = { penalty = 0 } }, "contacts.joint.penalty must be a positive number")
+  wrong(model, { joint = { active = 1 } }, "contacts.joint.active must be true or false")
+  wrong(model, { joint = { method = "mortar" } }, "unknown argument 'method'", "give it in sg.model")
+  wrong(model, { joint = true }, "stages[2].contacts.joint must be")
+  wrong(model, "joint", "stages[2].contacts must be")
+  wrong(smooth, { joint = { friction = { mu = 0.3 } } }, "stages[2]: contacts.joint has no friction in sg.model",
+    "write friction = { mu = 0, … } in sg.model")
+  wrong(sticky, { joint = { penalty = 10 } }, "contacts.joint has adhesion", "active alone")
+  wrong(passes, { ["joint.master"] = { active = false } }, "unknown argument 'joint.master'", "joint")
+  wrong(sg.model{ bodies = { block = block(0, 2, 1) }, supports = {} }, { joint = {} }, "")
+  for _, one in ipairs { model, smooth, passes } do check.equal(one:target "grip", { 0, 0 }) end
+  check.fails(function() model:set_contact("seat", { active = false }) end, here, "seat")
+  check.fails(function() smooth:set_contact("joint", { friction = { mu = 0.3 } }) end, here, "no friction in sg.model")
+  check.fails(function() scene({ penalty = 1, active = "no" }, true) end, here, "active must be true or false")
+  check.fails(function()
+    local body = block(0, 2, 1)
+    sg.model{ bodies = { block = body }, supports = { contacts = { on = body:face "south", fix = "xy" } } }
+  end, here, "cannot be called 'contacts', which is a key of stages")
+end)
+
+check.done()
