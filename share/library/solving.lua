@@ -11,9 +11,9 @@ local sg = {}
 ---        name = … })
 ---```
 ---@field bodies table<string, (sg.body|sg.compound)|nil>
----supports: supports of bodies and obstacles; entries with traction or pressure are loads (a table of names { name = …
+---supports: supports of bodies and obstacles; entries with traction, pressure or force are loads (a table of names {
 ---```text
----          }; optional)
+---          name = … }; optional)
 ---  see help "support"
 ---```
 ---@field supports? table<string, (sg.support|sg.load)|nil>
@@ -121,27 +121,46 @@ function sg.model(arguments) end
 ---@field symmetry? boolean
 ---@field [string] sg.unknown_argument
 
----Applies a dead load to faces: neither direction nor magnitude follows the deformation.
+---Applies a traction or pressure to faces, or a force per volume to bodies.
 ---
 ---```text
----loads = { <name> = { on, traction or pressure } }, in sg.model{ … }
+---loads = { <name> = { on, traction or pressure or force, follower } }, in sg.model{ … }
 ---```
 ---
----The value given here is that at the start of the path; stages change it linearly to theirs. A load that no stage
----names acts in full from the first step; to increase one from zero, give 0 here and its value in a stage.
+---Loads are dead, with the direction and the magnitude that they have in the reference shape, except for a pressure
+---with follower = true. The tangent has the follower's exact derivative. It is symmetric, because the load has an
+---energy, pressure times volume, if the borders of the faces close, lie on the axis, or stay in planes of symmetry. The
+---value given here is that at the start of the path; stages change it linearly to theirs. A load that no stage names
+---acts in full from the first step; to increase one from zero, give 0 here and its value in a stage.
 ---model:reaction(name) is the force; the columns of a run are \<name>.fx …, and .tx … or .pressure.
 ---
 ---Example:
 ---```lua
 ---loads = { push = { on = die:face "east", traction = {0, -1} } }
+---loads = { gravity = { on = slab, force = {0, -9.81e-3} },
+---          gas = { on = slab:face "north", pressure = 0, follower = true } }
 ---```
 ---@class (exact) sg.load
----on: loaded faces (a face or a list of faces)
----@field on sg.face|(sg.face|sg.face[])[]
+---on: loaded faces; of a force, bodies (a face, a body, or a list of these)
+---@field on sg.face|sg.body|sg.compound|(sg.face|sg.body|sg.compound|(sg.face|sg.body|sg.compound)[])[]
 ---traction: dead load {tx, ty}, in 3D {tx, ty, tz} (a list of 2 or 3 numbers; force per reference area; optional)
 ---@field traction? [number, number]|[number, number, number]
----pressure: dead load against the outward normal of the reference shape (a number; force per reference area; optional)
+---pressure: load against the outward normal, of the reference shape unless it is a follower (a number; force per area;
+---```text
+---          optional)
+---```
 ---@field pressure? number
+---follower: true or false; default false. Whether the pressure follows the deformation, as that of a gas or a fluid: it
+---```text
+---          acts along the current normal and per current area, under plane stress per current length and undeformed
+---          thickness. Otherwise it is a dead load per reference area
+---```
+---@field follower? boolean
+---force: dead load {bx, by}, in 3D {bx, by, bz}, on bodies, such as density times gravity (a list of 2 or 3 numbers;
+---```text
+---       force per reference volume; optional)
+---```
+---@field force? [number, number]|[number, number, number]
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.contact.friction

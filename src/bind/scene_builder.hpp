@@ -10,8 +10,9 @@ template <int D> struct SceneBuilder {
   model::Scene<D> scene;
   std::vector<Rigid<D>> obstacles = {}; ///< those of the scene
 
-  /// Index of the place's body. Throws when the body is not in the scene.
-  int index_of(const BoundaryPart<D>& place, const std::string& where) const;
+  /// Index of the place's body, or of a body. Throws when it is not in the scene.
+  int index_of(const BoundaryPart<D>& place, const std::string& where) const { return index_of(place.body, where); }
+  int index_of(const Body<D>& body, const std::string& where) const;
   /// Index of an obstacle; new ones are appended. Throws when it does not fit the kind of scene.
   int index_of(const Rigid<D>& rigid, const std::string& where);
   /// The face at a stack index. Throws for other values.

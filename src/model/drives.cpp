@@ -25,9 +25,10 @@ template <int D> std::vector<std::string> moved_components(const Support<D>& sup
 }
 
 template <int D> std::vector<std::string> load_components(const Load& load) {
-  if (load.pressure) return {"pressure"};
+  if (load.pressure()) return {"pressure"};
   std::vector<std::string> names;
-  for (int c = 0; c < D; ++c) names.push_back(component_name(c));
+  const char* prefix = load.kind == LoadKind::body_force ? "b" : "";
+  for (int c = 0; c < D; ++c) names.push_back(prefix + component_name(c));
   return names;
 }
 
@@ -73,12 +74,16 @@ Drives<D>::Drives(const Scene<D>& scene, const Unknowns<D>& unknowns) : scene_(s
     const Load& load = scene.loads[at(drive.load)];
     for (int k = 0; k < static_cast<int>(drive.components.size()); ++k) {
       start_(drive.first + k) = load.start[at(k)];
+      if (load.kind == LoadKind::follower_pressure) continue; // model/follower_loads.hpp
+      const auto add_unit = [&](int body, const VectorX& unit) {
+        loads_.col(drive.first + k).segment(unknowns.offset(body), unit.size()) += unit;
+      };
       for (const FaceReference& face : load.on) {
         const solid::Body<D>& body = *scene.bodies[at(face.body)].body;
-        const VectorX unit =
-            load.pressure ? solid::pressure_load(body, face.side) : solid::traction_load(body, face.side, k);
-        loads_.col(drive.first + k).segment(unknowns.offset(face.body), unit.size()) += unit;
+        add_unit(face.body,
+                 load.pressure() ? solid::pressure_load(body, face.side) : solid::traction_load(body, face.side, k));
       }
+      for (const int body : load.bodies) add_unit(body, solid::body_load(*scene.bodies[at(body)].body, k));
     }
   }
 }
@@ -150,17 +155,14 @@ template <int D> double Drives<D>::moment(int support, const VectorX& targets, c
   return 0;
 }
 
-template <int D> Vec<D> Drives<D>::resultant(int load, const VectorX& targets) const {
+template <int D> VectorX Drives<D>::only(int load, const VectorX& targets) const {
   VectorX own = VectorX::Zero(targets.size());
   for (const Drive& drive : all_)
     if (drive.load == load) {
       const auto size = static_cast<Eigen::Index>(drive.components.size());
       own.segment(drive.first, size) = targets.segment(drive.first, size);
     }
-  const VectorX all = force(own);
-  Vec<D> sum = Vec<D>::Zero();
-  for (int dof = 0; dof < all.size(); ++dof) sum(dof % D) += all(dof);
-  return sum;
+  return own;
 }
 
 template <int D> Vec<D> face_centroid(const solid::Body<D>& body, nurbs::Side side) {

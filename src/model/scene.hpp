@@ -72,12 +72,19 @@ template <int D> struct Support {
   Vec<D> axis = Vec<D>::Zero();   ///< unit vector (3D); unused in 2D
 };
 
-/// A dead load: force per reference area, on faces.
+/// Dead loads, per reference area or volume, of D components, or one value against the outward reference normal; and a
+/// pressure against the current normal per current area, which follows the deformation.
+enum class LoadKind { traction, pressure, body_force, follower_pressure };
+
+/// An external force on faces, or on the volume of bodies.
 struct Load {
   std::string name;
   std::vector<FaceReference> on;
-  bool pressure;             ///< one value, against the outward reference normal; otherwise a traction of D components
-  std::vector<double> start; ///< initial value
+  LoadKind kind;
+  std::vector<double> start;    ///< initial value
+  std::vector<int> bodies = {}; ///< of a body force, in place of faces
+
+  bool pressure() const { return kind == LoadKind::pressure || kind == LoadKind::follower_pressure; }
 };
 
 template <int D> struct Contact {

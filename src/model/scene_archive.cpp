@@ -34,8 +34,8 @@ template <int D> auto members(Support<D>& support) {
 }
 
 auto members(Load& load) {
-  auto& [name, on, pressure, start] = load;
-  return std::tie(name, on, pressure, start);
+  auto& [name, on, kind, start, bodies] = load;
+  return std::tie(name, on, kind, start, bodies);
 }
 
 auto members(Tie& tie) {

@@ -1,7 +1,7 @@
 #pragma once
-// Dead loads: forces on a face of a body; size and direction refer to the reference configuration.
+// Loads: dead ones, of which size and direction refer to the reference configuration, and the pressure that follows.
 
-#include "solid/body.hpp"
+#include "solid/face_points.hpp"
 
 namespace signorini::solid {
 
@@ -13,5 +13,17 @@ template <int D> VectorX traction_load(const Body<D>& body, nurbs::Side side, in
 /// f_A = −∫ R_A N dA with the outward normal N of the reference configuration: the nodal forces of a unit pressure as a
 /// dead load, whose direction does not follow the deformation. Otherwise as traction_load().
 template <int D> VectorX pressure_load(const Body<D>& body, nurbs::Side side);
+
+/// f_A = ∫ R_A dV e_component over the reference volume: the nodal forces of a unit force per volume.
+template <int D> VectorX body_load(const Body<D>& body, int component);
+
+/// f_A = −∫ R_A n da over the current surface of a part of a face, with the positions x of its functions' control
+/// points, D × functions: the nodal forces, in the same order, of a unit pressure that follows the deformation. Under
+/// plane stress the surface has the undeformed thickness.
+template <int D> MatrixX follower_load(const FacePoints<D>& part, const MatrixX& x);
+
+/// Its derivative ∂f_A/∂x_B, with D rows and columns per function. Not symmetric: its skew part sums to an integral
+/// along the borders of the face.
+template <int D> MatrixX follower_tangent(const FacePoints<D>& part, const MatrixX& x);
 
 } // namespace signorini::solid
