@@ -12,6 +12,7 @@ local lists = require "signorini.lists"
 local progress = require "signorini.progress"
 local read_stages = require "signorini.run_stages"
 local run_warnings = require "signorini.run_warnings"
+local stage_targets = require "signorini.stage_targets"
 local states = require "signorini.states"
 local steps = require "signorini.steps"
 local Run = require "signorini.run_result"
@@ -81,14 +82,11 @@ local function begin_step(model, run, stage, number, options, display)
   }, Step)
 end
 
---- Prescribes the targets at the fraction `to` of the step: linear from the stage's start, exact at its end.
+--- Prescribes the targets at the fraction `to` of the step.
 function Step:set_targets(to)
   local stage = self.stage
-  local part = (self.number - 1 + to) / stage.steps
-  for name, goal in pairs(stage.targets) do
-    local start, now = stage.starts[name], stage.now[name]
-    for i = 1, #goal do now[i] = part == 1 and goal[i] or start[i] + (goal[i] - start[i]) * part end
-    self.model:set_target(name, now)
+  for name in pairs(stage.targets) do
+    self.model:set_target(name, stage_targets.at(stage, name, self.number, to, stage.now[name]))
   end
 end
 
@@ -197,10 +195,9 @@ end
 --- Prescribes the targets one step ahead of the accepted ones: from their actual values, not from those at `done`. The
 --- difference is rounding error, but it would be multiplied by the fraction of an increment, which may be 10.
 function Step:set_next_targets()
-  local stage = self.stage
-  for name, goal in pairs(stage.targets) do
-    local start, now = stage.starts[name], self.model:target(name)
-    for i = 1, #goal do now[i] = now[i] + (goal[i] - start[i]) / stage.steps end
+  for name in pairs(self.stage.targets) do
+    local now = self.model:target(name)
+    for i = 1, #now do now[i] = now[i] + stage_targets.change(self.stage, name, self.number, i) end
     self.model:set_target(name, now)
   end
 end
@@ -231,8 +228,8 @@ function Step:moves()
   local penalty = self.options.penalty
   if penalty and self.run.steps < penalty.steps then return true end
   for name, goal in pairs(self.stage.targets) do
-    for i, value in ipairs(goal) do
-      if value ~= self.stage.starts[name][i] then return true end
+    for i = 1, #goal do
+      if stage_targets.change(self.stage, name, self.number, i) ~= 0 then return true end
     end
   end
   return false
@@ -273,11 +270,12 @@ end
 --- The targets at a fraction of the step, in words: "edge.angle = 69.86".
 function Step:place(part)
   local texts = {}
-  for name, goal in pairs(self.stage.targets) do
-    local start = self.stage.starts[name]
+  for name in pairs(self.stage.targets) do
+    local values = stage_targets.at(self.stage, name, self.number, part, {})
     for i, component in ipairs(drives.components(self.model, name)) do
-      local value = start[i] + (goal[i] - start[i]) * (self.number - 1 + part) / self.stage.steps
-      if goal[i] ~= start[i] then texts[#texts + 1] = ("%s.%s = %.6g"):format(name, component, value) end
+      if stage_targets.varies(self.stage, name, i) then
+        texts[#texts + 1] = ("%s.%s = %.6g"):format(name, component, values[i])
+      end
     end
   end
   table.sort(texts)

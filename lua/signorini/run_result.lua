@@ -91,7 +91,7 @@ end
 --- The data of a path, without what a run adds to it.
 local function outline(path)
   return lists.map(path, function(stage)
-    return { name = stage.name, steps = stage.steps, targets = stage.targets }
+    return { name = stage.name, steps = stage.steps, targets = stage.targets, paths = stage.paths }
   end)
 end
 

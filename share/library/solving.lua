@@ -662,15 +662,17 @@ function model:run(stages, options) end
 ---```
 ---
 ---Any other key is the name of a driven support or a load: the values at the stage's end, in the order of its driven
----components (lengths, then the angle in degrees) or of the traction; a single value needs no braces. Supports and
----loads that a stage does not name keep their values. Values are measured from the reference state, not from the
----previous stage. model:driven(name) lists the components. Options are the second argument, model:run({ … }, { step = {
----min = 1/256 } }): help "model:run".
+---components (lengths, then the angle in degrees) or of the load; a single value needs no braces. A function of the
+---fraction s of the stage, from 0 to 1, returns these values; it is called for the end of each step, within which the
+---path is linear. Supports and loads that a stage does not name keep their values. Values are measured from the
+---reference state, not from the previous stage. model:driven(name) lists the components. Options are the second
+---argument, model:run({ … }, { step = { min = 1/256 } }): help "model:run".
 ---
 ---Example:
 ---```lua
 ---model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
 ---           { name = "slide", steps = 250, grip = {1.5, -0.23} } }
+---model:run{ { name = "rub", steps = 8, grip = function(s) return {0.1 * math.sin(2 * math.pi * s), -0.23} end } }
 ---```
 ---@class sg.stage
 ---name: name in reports and on_step (a string; by default "stage 1" and so on)

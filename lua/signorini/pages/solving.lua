@@ -97,13 +97,16 @@ Keller, in Applications of Bifurcation Theory, Academic Press, 1977.]],
     rest = t.any,
     more = [[
 Any other key is the name of a driven support or a load: the values at the stage's end, in the order of its driven
-components (lengths, then the angle in degrees) or of the traction; a single value needs no braces. Supports and loads
-that a stage does not name keep their values. Values are measured from the reference state, not from the previous stage.
+components (lengths, then the angle in degrees) or of the load; a single value needs no braces. A function of the
+fraction s of the stage, from 0 to 1, returns these values; it is called for the end of each step, within which the path
+is linear. Supports and loads that a stage does not name keep their values. Values are measured from the reference
+state, not from the previous stage.
 model:driven(name) lists the components. Options are the second argument, model:run({ … }, { step = { min = 1/256 } }):
 help "model:run".]],
     example = [[
 model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
-           { name = "slide", steps = 250, grip = {1.5, -0.23} } }]] },
+           { name = "slide", steps = 250, grip = {1.5, -0.23} } }
+model:run{ { name = "rub", steps = 8, grip = function(s) return {0.1 * math.sin(2 * math.pi * s), -0.23} end } }]] },
   { "sg.robust", [[Returns the default controls of model:run explicitly: each step starts from the linear predictor
 (predictor = "linear"), a failed step is tried again with the first fallbacks (fallback = true), then cut in half
 (step = { adaptive = true }), and at the smallest increment tried with the other fallbacks. Given options replace these.
