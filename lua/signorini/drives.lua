@@ -7,8 +7,8 @@ local drives = {}
 --- Whether a name is that of a support, driven or not.
 function drives.is_support(model, name) return lists.holds(model:support_names(), name) end
 
---- The components of a target in order: "ux", "uy" and "angle" of a support, "tx", "ty", "pressure" or "bx", "by" of
---- a load.
+--- The components of a target in order: "ux", "uy" and "angle" of a support, "tx", "ty", "pressure", "bx", "by", "px",
+--- "py" or "factor" of a load.
 function drives.components(model, name)
   local letter = drives.is_support(model, name) and "u" or "t"
   return lists.map(model:driven(name), function(component)

@@ -124,43 +124,54 @@ function sg.model(arguments) end
 ---Applies a traction or pressure to faces, or a force per volume to bodies.
 ---
 ---```text
----loads = { <name> = { on, traction or pressure or force, follower } }, in sg.model{ … }
+---loads = { <name> = { on, traction or pressure or force, follower, factor } }, in sg.model{ … }
 ---```
 ---
 ---Loads are dead, with the direction and the magnitude that they have in the reference shape, except for a pressure
 ---with follower = true. The tangent has the follower's exact derivative. It is symmetric, because the load has an
----energy, pressure times volume, if the borders of the faces close, lie on the axis, or stay in planes of symmetry. The
----value given here is that at the start of the path; stages change it linearly to theirs. A load that no stage names
----acts in full from the first step; to increase one from zero, give 0 here and its value in a stage.
----model:reaction(name) is the force; the columns of a run are \<name>.fx …, and .tx … or .pressure.
+---energy, pressure times volume, if the borders of the faces close, lie on the axis, or stay in planes of symmetry. A
+---function of the coordinates, function(x, y) or function(x, y, z), returns the value at a reference position, {tx, ty}
+---or a number; it is called at the Gauss points when the model is made. Its values act times a factor, which stages
+---change. Displacements at a point force and stresses near it grow without limit as the mesh is refined. The value
+---given here is that at the start of the path; stages change it linearly to theirs. A load that no stage names acts in
+---full from the first step; to increase one from zero, give 0 here and its value in a stage. model:reaction(name) is
+---the force; the columns of a run are \<name>.fx …, and .tx … or .pressure.
 ---
 ---Example:
 ---```lua
 ---loads = { push = { on = die:face "east", traction = {0, -1} } }
 ---loads = { gravity = { on = slab, force = {0, -9.81e-3} },
 ---          gas = { on = slab:face "north", pressure = 0, follower = true } }
+---loads = { sea = { on = die:face "east", pressure = function(x, y) return 9.81e-3 * (2 - y) end, factor = 0 },
+---          tip = { on = slab:corner "north-east", force = {0, -0.01} } }
 ---```
 ---@class (exact) sg.load
----on: loaded faces; of a force, bodies (a face, a body, or a list of these)
+---on: loaded faces; of a force, bodies, corners, or in 3D edges (a face, a body, or a list of these)
 ---@field on sg.face|sg.body|sg.compound|(sg.face|sg.body|sg.compound|(sg.face|sg.body|sg.compound)[])[]
----traction: dead load {tx, ty}, in 3D {tx, ty, tz} (a list of 2 or 3 numbers; force per reference area; optional)
----@field traction? [number, number]|[number, number, number]
----pressure: load against the outward normal, of the reference shape unless it is a follower (a number; force per area;
+---traction: dead load {tx, ty}, in 3D {tx, ty, tz} (a list of 2 or 3 numbers or a function; force per reference area;
 ---```text
 ---          optional)
 ---```
----@field pressure? number
+---@field traction? [number, number]|[number, number, number]|(fun(x: number, y: number, z: number): any)
+---pressure: load against the outward normal, of the reference shape unless it is a follower (a number or a function;
+---```text
+---          force per area; optional)
+---```
+---@field pressure? number|(fun(x: number, y: number, z: number): any)
 ---follower: true or false; default false. Whether the pressure follows the deformation, as that of a gas or a fluid: it
 ---```text
 ---          acts along the current normal and per current area, under plane stress per current length and undeformed
 ---          thickness. Otherwise it is a dead load per reference area
 ---```
 ---@field follower? boolean
----force: dead load {bx, by}, in 3D {bx, by, bz}, on bodies, such as density times gravity (a list of 2 or 3 numbers;
+---force: a list of 2 or 3 numbers or a function; force per reference volume; optional. Dead load {bx, by}, in 3D {bx,
 ---```text
----       force per reference volume; optional)
+---       by, bz}, on bodies, such as density times gravity; {px, py}, in 3D {px, py, pz}, on edges per reference length,
+---       or on corners, in axisymmetric models around the full circle
 ---```
----@field force? [number, number]|[number, number, number]
+---@field force? [number, number]|[number, number, number]|(fun(x: number, y: number, z: number): any)
+---factor: initial factor of a function's values, which stages change; of functions only (a number; default 1)
+---@field factor? number
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.contact.friction

@@ -26,6 +26,11 @@ template <int D>
   fail(where, " must be ", expected, ", got the ", place.kind, " '", place.name, "': ", cure);
 }
 
+/// Throws for an entry of `on` that is listed twice.
+[[noreturn]] inline void reject_twice(const Arguments& a, const std::string& what) {
+  fail(a.name("on"), " lists ", what, " twice, expected once: remove one of the two");
+}
+
 /// An entry of `supports` or `loads`; the caller sets its name. New obstacles are added to the scene.
 template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const Arguments& a);
 template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arguments& a);

@@ -13,10 +13,6 @@ using model::Constraint;
 
 namespace {
 
-[[noreturn]] void reject_twice(const Arguments& a, const std::string& what) {
-  fail(a.name("on"), " lists ", what, " twice, expected once: remove one of the two");
-}
-
 /// Reads components named by letters, such as "x" or "xy".
 template <int D>
 void read_components(const Arguments& a, const char* key, Constraint constraint, model::Support<D>& support) {
@@ -166,45 +162,7 @@ template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const 
   return support;
 }
 
-template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arguments& a) {
-  model::Load load;
-  const bool force = a.has("force");
-  a.list("on", [&](int, int index, const std::string&) {
-    if (const Body<D>* body = test_object<Body<D>>(a.state(), index)) {
-      const int found = builder.index_of(*body, a.name("on"));
-      const std::string& name = builder.scene.bodies[at(found)].name;
-      if (!force)
-        a.fail("it is on the body '", name, "', but traction and pressure act on faces: name a face, or give force");
-      if (std::ranges::find(load.bodies, found) != load.bodies.end()) reject_twice(a, text("body '", name, "'"));
-      load.bodies.push_back(found);
-      return;
-    }
-    const model::FaceReference face = builder.face(a.state(), index, a.name("on"));
-    if (std::ranges::find(load.on, face) != load.on.end())
-      reject_twice(a, worded(model::face_message(builder.scene, face)));
-    if (force)
-      a.fail("it is on ", worded(model::face_message(builder.scene, face)),
-             ", but force acts per volume of bodies: name the body, or give traction, a force per area");
-    load.on.push_back(face);
-  });
-  if (a.has("pressure")) {
-    load.kind = a.get<bool>("follower") ? model::LoadKind::follower_pressure : model::LoadKind::pressure;
-    load.start = {a.get<double>("pressure")};
-    return load;
-  }
-  const char* key = force ? "force" : "traction";
-  load.kind = force ? model::LoadKind::body_force : model::LoadKind::traction;
-  load.start = a.get<std::vector<double>>(key);
-  if (load.start.size() != D)
-    a.refuse(key, force    ? D == 2 ? "a list of 2 numbers {bx, by}" : "a list of 3 numbers {bx, by, bz}"
-                  : D == 2 ? "a list of 2 numbers {tx, ty}"
-                           : "a list of 3 numbers {tx, ty, tz}");
-  return load;
-}
-
 template model::Support<2> read_support(SceneBuilder<2>&, const Arguments&);
 template model::Support<3> read_support(SceneBuilder<3>&, const Arguments&);
-template model::Load read_load(const SceneBuilder<2>&, const Arguments&);
-template model::Load read_load(const SceneBuilder<3>&, const Arguments&);
 
 } // namespace signorini::bind

@@ -7,7 +7,7 @@
 namespace signorini::model {
 
 /// A support with driven components or rotation, or a load: its name and components, such as {"x", "y"}, {"angle"},
-/// {"pressure"}.
+/// {"pressure"}, {"bx", "by"} of a force per volume, {"px", "py"} on corners and edges, {"factor"} of a function.
 struct Drive {
   std::string name;
   int support; ///< index into Scene::supports; −1 for a load
@@ -52,6 +52,7 @@ private:
     Vec<D> axis;
   };
   void follow(int support, const Drive& drive);
+  void add_unit_load(const Load& load, int component, Eigen::Ref<VectorX> force) const;
 
   const Scene<D>& scene_;
   const Unknowns<D>& unknowns_;

@@ -14,12 +14,20 @@ template <int D>
 FollowerLoads<D>::FollowerLoads(const Scene<D>& scene, const Unknowns<D>& unknowns, const Drives<D>& drives)
     : unknowns_(unknowns) {
   for (const Drive& drive : drives.all()) {
-    if (drive.load < 0 || scene.loads[at(drive.load)].kind != LoadKind::follower_pressure) continue;
-    for (const FaceReference& face : scene.loads[at(drive.load)].on) {
+    if (drive.load < 0) continue;
+    const Load& load = scene.loads[at(drive.load)];
+    if (load.kind != LoadKind::follower_pressure) continue;
+    Eigen::Index used = 0; // of a function's values
+    for (const FaceReference& face : load.on) {
       const solid::Body<D>& body = *scene.bodies[at(face.body)].body;
       const MatrixX points = body.space().points();
       for (solid::FacePoints<D>& element : solid::face_points(body, face.side)) {
         Part part{std::move(element), {}, {}, drive.first};
+        if (!load.values.empty()) {
+          VectorX& weights = part.points.weights;
+          weights.array() *= Eigen::Map<const VectorX>(load.values.data() + used, weights.size()).array();
+          used += weights.size();
+        }
         part.reference = points(Eigen::all, part.points.functions);
         for (const int function : part.points.functions)
           for (int c = 0; c < D; ++c) part.dofs.push_back(unknowns.offset(face.body) + D * function + c);

@@ -72,17 +72,27 @@ template <int D> struct Support {
   Vec<D> axis = Vec<D>::Zero();   ///< unit vector (3D); unused in 2D
 };
 
-/// Dead loads, per reference area or volume, of D components, or one value against the outward reference normal; and a
-/// pressure against the current normal per current area, which follows the deformation.
-enum class LoadKind { traction, pressure, body_force, follower_pressure };
+/// Dead loads: per reference area or volume, or on edges and corners, of D components, or one value against the outward
+/// reference normal; and a pressure against the current normal per current area, which follows the deformation.
+enum class LoadKind { traction, pressure, body_force, follower_pressure, point_force };
 
-/// An external force on faces, or on the volume of bodies.
+/// The share of a control point in a force on corners and edges: 1 at a corner, on an edge a length.
+struct PointShare {
+  int body, function;
+  double share;
+};
+
+/// An external force on faces, on the volume of bodies, or on corners and edges.
 struct Load {
   std::string name;
   std::vector<FaceReference> on;
   LoadKind kind;
   std::vector<double> start;    ///< initial value
   std::vector<int> bodies = {}; ///< of a body force, in place of faces
+  /// Values of a function of X at the Gauss points of the faces or bodies, with all components of a point; empty for a
+  /// uniform load. `start` is then a factor.
+  std::vector<double> values = {};
+  std::vector<PointShare> points = {}; ///< of a force on corners and edges
 
   bool pressure() const { return kind == LoadKind::pressure || kind == LoadKind::follower_pressure; }
 };

@@ -8,14 +8,16 @@ namespace signorini::solid {
 
 namespace {
 
-/// ∫ R_A t dξ over a side; `force` returns the load t for the area vector of the reference configuration.
+/// ∫ R_A t dξ over a side; `force` returns the load t for the area vector of the reference configuration at Gauss
+/// point number k of the side.
 template <int D, class Force> VectorX integrate(const Body<D>& body, nurbs::Side side, const Force& force) {
   const MatrixX points = body.space().points();
   VectorX load = VectorX::Zero(D * body.functions());
+  int k = 0;
   for (const FacePoints<D>& part : face_points(body, side)) {
     const MatrixX x = points(Eigen::all, part.functions);
-    for (int q = 0; q < part.weights.size(); ++q) {
-      const Vec<D> density = part.weight(x, q) * force(part.area_vector(x, q));
+    for (int q = 0; q < part.weights.size(); ++q, ++k) {
+      const Vec<D> density = part.weight(x, q) * force(part.area_vector(x, q), k);
       for (std::size_t a = 0; a < part.functions.size(); ++a)
         load.template segment<D>(D * part.functions[a]) += part.values(static_cast<int>(a), q) * density;
     }
@@ -46,11 +48,12 @@ template <int D> Mat<D> area_vector_derivative(const FacePoints<D>& part, const 
 
 template <int D> VectorX traction_load(const Body<D>& body, nurbs::Side side, int component) {
   check_component<D>(component);
-  return integrate(body, side, [&](const Vec<D>& normal) -> Vec<D> { return normal.norm() * Vec<D>::Unit(component); });
+  return integrate(body, side,
+                   [&](const Vec<D>& normal, int) -> Vec<D> { return normal.norm() * Vec<D>::Unit(component); });
 }
 
 template <int D> VectorX pressure_load(const Body<D>& body, nurbs::Side side) {
-  return integrate(body, side, [](const Vec<D>& normal) -> Vec<D> { return -normal; });
+  return integrate(body, side, [](const Vec<D>& normal, int) -> Vec<D> { return -normal; });
 }
 
 template <int D> VectorX body_load(const Body<D>& body, int component) {
@@ -58,6 +61,76 @@ template <int D> VectorX body_load(const Body<D>& body, int component) {
   VectorX load = VectorX::Zero(D * body.functions());
   load(Eigen::seqN(component, body.functions(), D)) = body.volumes();
   return load;
+}
+
+template <int D> Eigen::Index face_point_count(const Body<D>& body, nurbs::Side side) {
+  Eigen::Index count = 0;
+  for (const FacePoints<D>& part : face_points(body, side)) count += part.weights.size();
+  return count;
+}
+
+template <int D> MatrixX face_point_positions(const Body<D>& body, nurbs::Side side) {
+  const MatrixX points = body.space().points();
+  MatrixX positions(D, face_point_count(body, side));
+  Eigen::Index first = 0;
+  for (const FacePoints<D>& part : face_points(body, side)) {
+    positions.middleCols(first, part.values.cols()) = points(Eigen::all, part.functions) * part.values;
+    first += part.values.cols();
+  }
+  return positions;
+}
+
+template <int D> MatrixX point_positions(const Body<D>& body) {
+  MatrixX positions(D, body.points());
+  Eigen::Index k = 0;
+  for (int e = 0; e < body.elements(); ++e)
+    for (int q = 0; q < body.element(e).points; ++q) positions.col(k++) = body.reference_point(e, q);
+  return positions;
+}
+
+template <int D> VectorX distributed_load(const Body<D>& body, nurbs::Side side, const MatrixX& values) {
+  return integrate(body, side, [&](const Vec<D>& normal, int k) -> Vec<D> {
+    if (values.rows() == 1) return -values(0, k) * normal;
+    return normal.norm() * values.col(k);
+  });
+}
+
+template <int D> VectorX distributed_load(const Body<D>& body, const MatrixX& values) {
+  VectorX load = VectorX::Zero(D * body.functions());
+  Eigen::Index k = 0;
+  for (int e = 0; e < body.elements(); ++e) {
+    const ElementQuadrature rule = element_quadrature(body.space(), e);
+    const double* weights = body.weights_of(e);
+    for (int q = 0; q < body.element(e).points; ++q, ++k) {
+      const nurbs::ElementBasis basis = body.space().basis(e, rule.points.col(q));
+      for (std::size_t a = 0; a < basis.functions.size(); ++a)
+        load.template segment<D>(D * basis.functions[a]) +=
+            weights[q] * basis.values(static_cast<int>(a)) * values.col(k);
+    }
+  }
+  return load;
+}
+
+VectorX edge_lengths(const Body<3>& body, nurbs::Side first, nurbs::Side second) {
+  const nurbs::Discretization& space = body.space();
+  const MatrixX points = space.points();
+  const int along = 3 - first.direction - second.direction;
+  VectorX lengths = VectorX::Zero(body.functions());
+  for (int e = 0; e < body.elements(); ++e) {
+    if (!space.touches(e, first) || !space.touches(e, second)) continue;
+    std::vector<QuadratureRule> rules(3);
+    for (const nurbs::Side side : {first, second})
+      rules[at(side.direction)] = {{space.interval(e, side.direction)[side.at_end ? 1 : 0]}, {1}};
+    const auto [a, b] = space.interval(e, along);
+    rules[at(along)] = gauss_legendre(2 * (space.degree(e, along) + 1), a, b);
+    const ElementQuadrature rule = tensor_product(rules);
+    for (int q = 0; q < rule.weights.size(); ++q) {
+      const nurbs::ElementBasis basis = space.basis(e, rule.points.col(q));
+      const VectorX tangent = points(Eigen::all, basis.functions) * basis.gradients.row(along).transpose();
+      lengths(basis.functions) += rule.weights(q) * tangent.norm() * basis.values;
+    }
+  }
+  return lengths;
 }
 
 template <int D> MatrixX follower_load(const FacePoints<D>& part, const MatrixX& x) {
@@ -86,6 +159,11 @@ template <int D> MatrixX follower_tangent(const FacePoints<D>& part, const Matri
   template VectorX traction_load<D>(const Body<D>&, nurbs::Side, int);                                                 \
   template VectorX pressure_load<D>(const Body<D>&, nurbs::Side);                                                      \
   template VectorX body_load<D>(const Body<D>&, int);                                                                  \
+  template Eigen::Index face_point_count<D>(const Body<D>&, nurbs::Side);                                              \
+  template MatrixX face_point_positions<D>(const Body<D>&, nurbs::Side);                                               \
+  template MatrixX point_positions<D>(const Body<D>&);                                                                 \
+  template VectorX distributed_load<D>(const Body<D>&, nurbs::Side, const MatrixX&);                                   \
+  template VectorX distributed_load<D>(const Body<D>&, const MatrixX&);                                                \
   template MatrixX follower_load<D>(const FacePoints<D>&, const MatrixX&);                                             \
   template MatrixX follower_tangent<D>(const FacePoints<D>&, const MatrixX&);
 SIGNORINI_INSTANTIATE(2)

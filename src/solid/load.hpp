@@ -17,6 +17,19 @@ template <int D> VectorX pressure_load(const Body<D>& body, nurbs::Side side);
 /// f_A = ∫ R_A dV e_component over the reference volume: the nodal forces of a unit force per volume.
 template <int D> VectorX body_load(const Body<D>& body, int component);
 
+/// The number of Gauss points of a face, and the positions of those of a face, and of a body, D × points.
+template <int D> Eigen::Index face_point_count(const Body<D>& body, nurbs::Side side);
+template <int D> MatrixX face_point_positions(const Body<D>& body, nurbs::Side side);
+template <int D> MatrixX point_positions(const Body<D>& body);
+
+/// The nodal forces of a dead load with given values at these points: tractions or forces per volume, D × points, or
+/// pressures on a face, 1 × points.
+template <int D> VectorX distributed_load(const Body<D>& body, nurbs::Side side, const MatrixX& values);
+template <int D> VectorX distributed_load(const Body<D>& body, const MatrixX& values);
+
+/// ∫ R_A dL along the edge of a solid where two sides meet, in the reference configuration, per function.
+VectorX edge_lengths(const Body<3>& body, nurbs::Side first, nurbs::Side second);
+
 /// f_A = −∫ R_A n da over the current surface of a part of a face, with the positions x of its functions' control
 /// points, D × functions: the nodal forces, in the same order, of a unit pressure that follows the deformation. Under
 /// plane stress the surface has the undeformed thickness.

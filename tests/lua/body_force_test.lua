@@ -104,8 +104,8 @@ check.case("bodies of several patches and lists of bodies carry their weight, in
 end)
 
 for _, wrong in ipairs {
-  { "on a face", "{ on = top, force = {0, -1} }", "loads.g: it is on face 'north' of body 'a'", "force acts per volume",
-    "name the body" },
+  { "on a face", "{ on = top, force = {0, -1} }", "loads.g: it is on the face 'north' of body 'a'", "per volume",
+    "give traction" },
   { "a traction on a body", "{ on = a, traction = {0, -1} }", "loads.g: it is on the body 'a'", "name a face" },
   { "a number", "{ on = a, force = -9.81 }", "loads.g.force must be a list of 2 or 3 numbers", "got the number -9.81" },
   { "three components in the plane", "{ on = a, force = {0, 0, -1} }",

@@ -16,8 +16,8 @@ return {
     "`follower = true` of a pressure lets it act along the current normal, per current area. Other loads are dead.",
     "load" },
   { "point load, concentrated force, nodal force",
-    "Point loads are not available. Use a traction on a face, or prescribe the displacement of an edge or corner.",
-    "load", "support" },
+    "`force` of a load acts on corners, in 3D also on edges per length, as in { on = slab:corner \"north-east\", "
+      .. "force = {0, -1} }.", "load" },
   { "spring, foundation", "Springs are not available. Use an additional elastic body.", "sg.body" },
   { "multi point constraint, mpc, rigid coupling, kinematic coupling, remote displacement",
     "A support with `rotate` couples a face as a rigid body; other multi-point constraints are not available.",
