@@ -2,9 +2,9 @@
 --
 -- Problem: a hollow ball with the inner radius 1 and the outer radius `outer`, axisymmetric, one half of its section
 --          between the axis and a plane of symmetry, of a neo-Hookean and of a Mooney–Rivlin law with the same shear
---          modulus 1 and the bulk modulus K. The load on the inner face is dead: p0 per undeformed area. With the
---          radius a of the deformed hole the pressure is p = p0/a², which has a greatest value although p0 grows
---          steadily.
+--          modulus 1 and the bulk modulus K. The pressure of the gas in it follows the inner face. It has a greatest
+--          value, the limit point, beyond which the ball grows although the pressure falls: arc-length increments
+--          follow the path from a small pressure on.
 --          The exact solution of the incompressible ball: with W(s) = W(s^-2, s, s) for the hoop stretch s,
 --          p = ∫ W'(s)/(s³ − 1) ds from its value at the outer face, b, to that at the hole, where
 --          b³ − 1 = (a³ − 1)/outer³.
@@ -15,7 +15,8 @@
 --           the pressure of the neo-Hookean ball falls beyond its limit point, that of the Mooney–Rivlin ball then
 --           rises again.
 -- Run: signorini scripts/balloon.lua [order=N3] [elements=6] [outer=1.5] [K=50000] [share=0.1] [steps=30] [largest=5]
---      [out=out/balloon]; share: of c01 in c10 + c01 of the Mooney–Rivlin law, largest: radius of the hole at the end
+--      [out=out/balloon]; share: of c01 in c10 + c01 of the Mooney–Rivlin law, steps: increments of about the same
+--      displacement, largest: radius of the hole at the end
 
 local sg = require "signorini"
 
@@ -40,35 +41,49 @@ end
 local function ball(c01)
   local body = sg.body{
     patch = sg.shapes.quarter_annulus{ inner = 1, outer = options.outer, center = { 0, 0 } },
-    elements = { options.elements, options.elements }, order = options.order,
+    elements = { options.elements, options.elements }, order = options.order, volumetric = "projected",
     material = sg.mooney_rivlin{ c10 = 0.5 - c01, c01 = c01, K = options.K },
   }
   return sg.model{
     bodies = { ball = body }, kind = "axisymmetric",
     supports = { axis = { on = body:face "west", symmetry = true }, cut = { on = body:face "east", symmetry = true } },
-    loads = { gas = { on = body:face "north", pressure = 0 } },
+    loads = { gas = { on = body:face "north", pressure = 0, follower = true } },
   }
 end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local laws = { { name = "neo-Hooke", c01 = 0 }, { name = "Mooney-Rivlin", c01 = 0.5 * options.share } }
+local first_pressure = 0.05
+local outer_at_end = (options.outer^3 + options.largest^3 - 1) ^ (1 / 3)
+local length = (options.largest - 1 + outer_at_end - options.outer) / 2 / options.steps -- mean of both faces
 local rows, curves, fine = {}, {}, 200 -- points of an exact curve
 for i, law in ipairs(laws) do
   local c10 = 0.5 - law.c01
-  local greatest = exact_pressure(c10, law.c01, options.largest) * options.largest^2
   local model = ball(law.c01)
   law.radius, law.pressure, law.exact, law.error = { 1.0 }, { 0.0 }, { 0.0 }, 0
-  local run = model:run({ { name = "inflate", steps = options.steps, gas = greatest } }, {
-    on_step = function()
-      local a = 1 + model:sample("ball", "ux", { 1, 1 })
-      local pressure = model:target("gas")[1] / a^2
-      local exact = exact_pressure(c10, law.c01, a)
-      law.radius[#law.radius + 1], law.pressure[#law.pressure + 1], law.exact[#law.exact + 1] = a, pressure, exact
-      law.error = math.max(law.error, math.abs(pressure / exact - 1))
-    end,
-  })
-  if run.failed then error(("%s: %s"):format(law.name, run.failure), 0) end
+  local function record()
+    model:accept()
+    local a, pressure = 1 + model:sample("ball", "ux", { 1, 1 }), model:target("gas")[1]
+    local exact = exact_pressure(c10, law.c01, a)
+    law.radius[#law.radius + 1], law.pressure[#law.pressure + 1], law.exact[#law.exact + 1] = a, pressure, exact
+    law.error = math.max(law.error, math.abs(pressure / exact - 1))
+    return a
+  end
+  model:set_target("gas", { first_pressure })
+  model:solve_step{}
+  local a, increment = record(), length
+  while a < options.largest do
+    model:set_target("gas", { 1.0 }) -- defines the direction of the path, on which the pressure is an unknown
+    local result = model:solve_arc{ length = increment }
+    if result.converged then
+      a, increment = record(), math.min(length, 2 * increment)
+    else
+      model:rollback()
+      increment = increment / 2
+      if increment < 1e-3 * length then error(("%s: %s"):format(law.name, result.message), 0) end
+    end
+  end
   law.limit = 1
   while law.pressure[law.limit + 1] and law.pressure[law.limit + 1] > law.pressure[law.limit] do
     law.limit = law.limit + 1

@@ -26,10 +26,12 @@ local function difference(path, saved)
   if #path ~= #saved then return ("it has %s, the file's has %d"):format(counted(#path, "stage"), #saved) end
   for i, stage in ipairs(path) do
     local label = ("stage %d ('%s')"):format(i, stage.name)
-    for _, key in ipairs { "name", "steps", "targets", "contacts" } do
+    for _, key in ipairs { "name", "steps", "targets", "paths", "contacts" } do
       local here, there = stage[key], saved[i][key]
       if core.pack(here) ~= core.pack(there) then
-        if type(here) == "table" then return ("%s has different %s"):format(label, key) end
+        if type(here) == "table" then
+          return ("%s has different %s"):format(label, key == "paths" and "targets" or key)
+        end
         return ("%s.%s is %s, in the file %s"):format(label, key, describe.literal(here), describe.literal(there))
       end
     end

@@ -3,6 +3,7 @@
 local check = require "signorini.check"
 local core = require "signorini.core"
 local counted = require "signorini.counted"
+local list_shape = require "signorini.list_shape"
 local lists = require "signorini.lists"
 local meant = require "signorini.meant"
 local patch_types = require "signorini.patch_types"
@@ -149,6 +150,21 @@ end
 
 -- ── Models ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
+--- The loads with the parts of bodies in place of these. Other values are left to the check of sg.model.
+local function loads_on_parts(loads)
+  if type(loads) ~= "table" then return loads end
+  local function parts(on)
+    if compound.is(on) then return on.parts end
+    return list_shape.length(on) and lists.map(on, parts) or on
+  end
+  local expanded = {}
+  for name, load in pairs(loads) do
+    expanded[name] = type(load) == "table" and not getmetatable(load) and lists.merged(load, { on = parts(load.on) })
+      or load
+  end
+  return expanded
+end
+
 --- The arguments of sg.model with parts in place of bodies of several patches, and joins of their faces.
 function compound.expanded(values)
   if type(values.joins or {}) ~= "table" then return values end -- which sg.model rejects
@@ -174,7 +190,8 @@ function compound.expanded(values)
         { body.parts[i]:face(face), body.parts[j]:face(other) }, "joins")
     end
   end
-  return lists.merged(values, { bodies = bodies, joins = joins })
+  return lists.merged(values, { bodies = bodies, joins = joins, loads = loads_on_parts(values.loads),
+                                supports = loads_on_parts(values.supports) })
 end
 
 function compound.is(value) return getmetatable(value) == Compound end

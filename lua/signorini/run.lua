@@ -7,12 +7,12 @@ local check = require "signorini.check"
 local checkpoint = require "signorini.checkpoint"
 local contact_changes = require "signorini.contact_changes"
 local controls = require "signorini.controls"
-local drives = require "signorini.drives"
 local jumps = require "signorini.jumps"
 local lists = require "signorini.lists"
 local progress = require "signorini.progress"
 local read_stages = require "signorini.run_stages"
 local run_warnings = require "signorini.run_warnings"
+local stage_targets = require "signorini.stage_targets"
 local states = require "signorini.states"
 local steps = require "signorini.steps"
 local Run = require "signorini.run_result"
@@ -82,16 +82,13 @@ local function begin_step(model, run, stage, number, options, display)
   }, Step)
 end
 
---- Prescribes the targets at the fraction `to` of the step: linear from the stage's start, exact at its end.
+--- Prescribes the targets at the fraction `to` of the step.
 function Step:set_targets(to)
   local stage = self.stage
-  local part = (self.number - 1 + to) / stage.steps
-  for name, goal in pairs(stage.targets) do
-    local start, now = stage.starts[name], stage.now[name]
-    for i = 1, #goal do now[i] = part == 1 and goal[i] or start[i] + (goal[i] - start[i]) * part end
-    self.model:set_target(name, now)
+  for name in pairs(stage.targets) do
+    self.model:set_target(name, stage_targets.at(stage, name, self.number, to, stage.now[name]))
   end
-  contact_changes.set(self.model, stage, part)
+  contact_changes.set(self.model, stage, (self.number - 1 + to) / stage.steps)
 end
 
 --- The factor of the penalties at the fraction `to` of the step, if they grow along the path:
@@ -199,10 +196,9 @@ end
 --- Prescribes the targets one step ahead of the accepted ones: from their actual values, not from those at `done`. The
 --- difference is rounding error, but it would be multiplied by the fraction of an increment, which may be 10.
 function Step:set_next_targets()
-  local stage = self.stage
-  for name, goal in pairs(stage.targets) do
-    local start, now = stage.starts[name], self.model:target(name)
-    for i = 1, #goal do now[i] = now[i] + (goal[i] - start[i]) / stage.steps end
+  for name in pairs(self.stage.targets) do
+    local now = self.model:target(name)
+    for i = 1, #now do now[i] = now[i] + stage_targets.change(self.stage, name, self.number, i) end
     self.model:set_target(name, now)
   end
   contact_changes.set(self.model, stage, 1) -- without offsets and overlaps, which arc length cannot follow
@@ -235,8 +231,8 @@ function Step:moves()
   local penalty = self.options.penalty
   if penalty and self.run.steps < penalty.steps then return true end
   for name, goal in pairs(self.stage.targets) do
-    for i, value in ipairs(goal) do
-      if value ~= self.stage.starts[name][i] then return true end
+    for i = 1, #goal do
+      if stage_targets.change(self.stage, name, self.number, i) ~= 0 then return true end
     end
   end
   return false
@@ -277,7 +273,7 @@ end
 --- What drives the path at a fraction of the step, in words: "edge.angle = 69.86".
 function Step:place(part)
   local there = (self.number - 1 + part) / self.stage.steps
-  return table.concat(lists.joined(drives.places(self.model, self.stage, there),
+  return table.concat(lists.joined(stage_targets.places(self.model, self.stage, self.number, part),
     contact_changes.places(self.stage, there)), ", ")
 end
 

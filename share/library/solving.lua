@@ -11,9 +11,9 @@ local sg = {}
 ---        name = … })
 ---```
 ---@field bodies table<string, (sg.body|sg.compound)|nil>
----supports: supports of bodies and obstacles; entries with traction or pressure are loads (a table of names { name = …
+---supports: supports of bodies and obstacles; entries with traction, pressure or force are loads (a table of names {
 ---```text
----          }; optional)
+---          name = … }; optional)
 ---  see help "support"
 ---```
 ---@field supports? table<string, (sg.support|sg.load)|nil>
@@ -121,34 +121,61 @@ function sg.model(arguments) end
 ---@field symmetry? boolean
 ---@field [string] sg.unknown_argument
 
----Applies a dead load to faces: neither direction nor magnitude follows the deformation.
+---Applies a traction or pressure to faces, or a force per volume to bodies.
 ---
 ---```text
----loads = { <name> = { on, traction or pressure } }, in sg.model{ … }
+---loads = { <name> = { on, traction or pressure or force, follower, factor } }, in sg.model{ … }
 ---```
 ---
----The value given here is that at the start of the path; stages change it linearly to theirs. A load that no stage
----names acts in full from the first step; to increase one from zero, give 0 here and its value in a stage.
----model:reaction(name) is the force; the columns of a run are \<name>.fx …, and .tx … or .pressure.
+---Loads are dead, with the direction and the magnitude that they have in the reference shape, except for a pressure
+---with follower = true. The tangent has the follower's exact derivative. It is symmetric, because the load has an
+---energy, pressure times volume, if the borders of the faces close, lie on the axis, or stay in planes of symmetry. A
+---function of the coordinates, function(x, y) or function(x, y, z), returns the value at a reference position, {tx, ty}
+---or a number; it is called at the Gauss points when the model is made. Its values act times a factor, which stages
+---change. Displacements at a point force and stresses near it grow without limit as the mesh is refined. The value
+---given here is that at the start of the path; stages change it linearly to theirs. A load that no stage names acts in
+---full from the first step; to increase one from zero, give 0 here and its value in a stage. model:reaction(name) is
+---the force; the columns of a run are \<name>.fx …, and .tx … or .pressure.
 ---
 ---Example:
 ---```lua
 ---loads = { push = { on = die:face "east", traction = {0, -1} } }
+---loads = { gravity = { on = slab, force = {0, -9.81e-3} },
+---          gas = { on = slab:face "north", pressure = 0, follower = true } }
+---loads = { sea = { on = die:face "east", pressure = function(x, y) return 9.81e-3 * (2 - y) end, factor = 0 },
+---          tip = { on = slab:corner "north-east", force = {0, -0.01} } }
 ---```
 ---@class (exact) sg.load
----on: loaded faces (a face or a list of faces)
----@field on sg.face|(sg.face|sg.face[])[]
----traction: dead load {tx, ty}, in 3D {tx, ty, tz} (a list of 2 or 3 numbers; force per reference area; optional)
----@field traction? [number, number]|[number, number, number]
----pressure: dead load against the outward normal of the reference shape (a number; force per reference area; optional)
----@field pressure? number
+---on: loaded faces; of a force, bodies, corners, or in 3D edges (a face, a body, or a list of these)
+---@field on sg.face|sg.body|sg.compound|(sg.face|sg.body|sg.compound|(sg.face|sg.body|sg.compound)[])[]
+---traction: dead load {tx, ty}, in 3D {tx, ty, tz} (a list of 2 or 3 numbers or a function; force per reference area;
+---```text
+---          optional)
+---```
+---@field traction? [number, number]|[number, number, number]|(fun(x: number, y: number, z: number): any)
+---pressure: load against the outward normal, of the reference shape unless it is a follower (a number or a function;
+---```text
+---          force per area; optional)
+---```
+---@field pressure? number|(fun(x: number, y: number, z: number): any)
+---follower: true or false; default false. Whether the pressure follows the deformation, as that of a gas or a fluid: it
+---```text
+---          acts along the current normal and per current area, under plane stress per current length and undeformed
+---          thickness. Otherwise it is a dead load per reference area
+---```
+---@field follower? boolean
+---force: a list of 2 or 3 numbers or a function; force per reference volume; optional. Dead load {bx, by}, in 3D {bx,
+---```text
+---       by, bz}, on bodies, such as density times gravity; {px, py}, in 3D {px, py, pz}, on edges per reference length,
+---       or on corners, in axisymmetric models around the full circle
+---```
+---@field force? [number, number]|[number, number, number]|(fun(x: number, y: number, z: number): any)
+---factor: initial factor of a function's values, which stages change; of functions only (a number; default 1)
+---@field factor? number
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.contact.friction
----mu: a number, 0 or more. Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for a
----```text
----    contact whose friction begins in a later stage
----```
+---mu: Coulomb's coefficient of friction, tan of the angle of friction, not the angle (a number, 0 or more)
 ---@field mu number
 ---penalty: a positive number; pressure per length; by default that of the contact; required with enforcement =
 ---```text
@@ -208,8 +235,7 @@ function sg.model(arguments) end
 ---@field penalty? number
 ---friction: Coulomb friction (a table of named arguments; by default none)
 ---```text
----  mu:      a number, 0 or more. Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for
----           a contact whose friction begins in a later stage
+---  mu:      Coulomb's coefficient of friction, tan of the angle of friction, not the angle (a number, 0 or more)
 ---  penalty: a positive number; pressure per length; by default that of the contact; required with enforcement =
 ---           "penalty". Tangential penalty, stiffness of elastic slip, which remains with method = "gpts" also where
 ---           pressures are augmented
@@ -261,23 +287,6 @@ function sg.model(arguments) end
 ---  r0:      equilibrium distance of the potential (a positive number; length)
 ---```
 ---@field adhesion? sg.contact.adhesion
----active: whether the contact acts from the start; stages switch it on and off (true or false; default true)
----@field active? boolean
----offset: a number; length; default 0. Gap at which the faces touch: the gap g of all formulas is the distance less the
----```text
----        offset. Positive: a shim of this thickness; negative: a clearance that the shapes do not have. The offset acts
----        in full from the first step; stages change it linearly. It does not change directions and areas of the faces,
----        so it should be small compared with their radii of curvature
----```
----@field offset? number
----overlap: 'error' or 'interference'; default "error". Initial shapes that overlap. error: a mistake; an overlap of 1
----to
----```text
----         20 % of the thickness of the thinner body is a warning, in obstacles of more than 1 % of the body's size an
----         error. interference: a fit; the overlap at each contact point, up to 90 % of the thickness, is allowed at
----         first and closed linearly over the first stage of model:run
----```
----@field overlap? "error"|"interference"
 ---where: a function; by default everywhere. function(X) that returns true where the contact acts; X = {x, y}, in 3D {x,
 ---```text
 ---       y, z}, is a reference position of the slave face, with half passes of either face. Called when the model is
@@ -657,30 +666,6 @@ function model:warnings() end
 ---@return sg.run
 function model:run(stages, options) end
 
----@class (exact) sg.stage.contacts.friction
----mu: Coulomb's coefficient of friction (a number, 0 or more; optional)
----@field mu? number
----penalty: tangential penalty (a positive number; pressure per length; optional)
----@field penalty? number
----@field [string] sg.unknown_argument
-
----@class (exact) sg.stage.contacts
----active: whether the contact acts. One that does not has no pressure, friction or history (true or false; optional)
----@field active? boolean
----penalty: normal penalty (a positive number; pressure per length; optional)
----@field penalty? number
----friction: a table of named arguments; optional. Coulomb friction, of a contact that has friction in sg.model (there
----mu
----```text
----          = 0 if it is without at first). Where friction begins, points stick at their present place
----  mu:      Coulomb's coefficient of friction (a number, 0 or more; optional)
----  penalty: tangential penalty (a positive number; pressure per length; optional)
----```
----@field friction? sg.stage.contacts.friction
----offset: gap at which the faces touch (a number; length; optional)
----@field offset? number
----@field [string] sg.unknown_argument
-
 ---A part of the load path: leads in equal steps to the values at its end.
 ---
 ---```text
@@ -688,38 +673,23 @@ function model:run(stages, options) end
 ---```
 ---
 ---Any other key is the name of a driven support or a load: the values at the stage's end, in the order of its driven
----components (lengths, then the angle in degrees) or of the traction; a single value needs no braces. Supports and
----loads that a stage does not name keep their values. Values are measured from the reference state, not from the
----previous stage. The first stage of a run also closes the overlap of contacts with overlap = "interference", linearly.
----model:driven(name) lists the components. Options are the second argument, model:run({ … }, { step = { min = 1/256 }
----}): help "model:run".
+---components (lengths, then the angle in degrees) or of the load; a single value needs no braces. A function of the
+---fraction s of the stage, from 0 to 1, returns these values; it is called for the end of each step, within which the
+---path is linear. Supports and loads that a stage does not name keep their values. Values are measured from the
+---reference state, not from the previous stage. model:driven(name) lists the components. Options are the second
+---argument, model:run({ … }, { step = { min = 1/256 } }): help "model:run".
 ---
 ---Example:
 ---```lua
 ---model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
 ---           { name = "slide", steps = 250, grip = {1.5, -0.23} } }
----model:run{ { name = "press", steps = 46,  grip = {0, -0.23}, contacts = { interface = { friction = { mu = 0 } } } },
----           { name = "slide", steps = 250, grip = {1.5, -0.23},
----             contacts = { interface = { friction = { mu = 0.2 } } } } }
+---model:run{ { name = "rub", steps = 8, grip = function(s) return {0.1 * math.sin(2 * math.pi * s), -0.23} end } }
 ---```
 ---@class sg.stage
 ---name: name in reports and on_step (a string; by default "stage 1" and so on)
 ---@field name? string
 ---steps: number of steps (a whole number, 1 or more)
 ---@field steps integer
----contacts: a table of names { name = … }; optional. Constants of contacts that change, by name: { active, penalty,
----```text
----          friction, offset }. They act in full from the first step of the stage, except for offset, which changes
----          linearly over the stage; all hold until another stage changes them, also in further runs
----  active:   whether the contact acts. One that does not has no pressure, friction or history (true or false; optional)
----  penalty:  normal penalty (a positive number; pressure per length; optional)
----  friction: a table of named arguments; optional. Coulomb friction, of a contact that has friction in sg.model (there
----            mu = 0 if it is without at first). Where friction begins, points stick at their present place
----    mu:      Coulomb's coefficient of friction (a number, 0 or more; optional)
----    penalty: tangential penalty (a positive number; pressure per length; optional)
----  offset:   gap at which the faces touch (a number; length; optional)
----```
----@field contacts? table<string, sg.stage.contacts>
 ---@field [string] any
 
 ---Returns the default controls of model:run explicitly: each step starts from the linear predictor (predictor =

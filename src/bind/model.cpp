@@ -65,6 +65,15 @@ template <int D> std::string joins_text(const model::Scene<D>& scene) {
   return result;
 }
 
+/// The loads that follow the deformation.
+template <int D> std::string followers_text(const model::Scene<D>& scene) {
+  std::string result;
+  for (const model::Load& load : scene.loads)
+    if (load.kind == model::LoadKind::follower_pressure)
+      result += text(result.empty() ? "; follows the deformation: " : ", ", load.name);
+  return result;
+}
+
 template <int D> std::string model_text(const model::Model<D>& model) {
   const auto& scene = model.system.scene;
   constexpr const char* kinds[] = {"plane-strain", "axisymmetric", "plane-stress"};
@@ -72,7 +81,8 @@ template <int D> std::string model_text(const model::Model<D>& model) {
   return text(kind, " model of ", listed(names_of(scene.bodies)), ": ", model.system.unknowns.dofs(),
               " degrees of freedom, ", model.system.unknowns.size(), " of them free, ",
               counted(scene.supports.size(), "support"), ", ", counted(scene.contacts.size(), "contact"),
-              scene.ties.empty() ? "" : ", " + counted(scene.ties.size(), "tie"), joins_text(scene));
+              scene.ties.empty() ? "" : ", " + counted(scene.ties.size(), "tie"), joins_text(scene),
+              followers_text(scene));
 }
 
 template <int D>

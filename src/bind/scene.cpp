@@ -204,7 +204,7 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
   };
   // Loads are accepted among the supports: both are external actions on a body.
   const auto add_boundary_condition = [&](const Arguments& part, const std::string&) -> std::string& {
-    if (part.has("traction") || part.has("pressure")) return scene.loads.emplace_back(read_load(builder, part)).name;
+    if (part.has("traction") || part.has("pressure") || part.has("force")) return scene.loads.emplace_back(read_load(builder, part)).name;
     return scene.supports.emplace_back(read_support(builder, part)).name;
   };
   each("supports", add_boundary_condition);
@@ -247,8 +247,8 @@ constexpr Function scene_functions[] = {{"model", call<make_model>}};
 
 } // namespace
 
-template <int D> int SceneBuilder<D>::index_of(const BoundaryPart<D>& place, const std::string& where) const {
-  const auto found = std::ranges::find(scene.bodies, place.body, &model::NamedBody<D>::body);
+template <int D> int SceneBuilder<D>::index_of(const Body<D>& body, const std::string& where) const {
+  const auto found = std::ranges::find(scene.bodies, body, &model::NamedBody<D>::body);
   require(found != scene.bodies.end(), where, " is on a body that is not in bodies: add the body");
   return static_cast<int>(found - scene.bodies.begin());
 }

@@ -10,8 +10,9 @@ template <int D> struct SceneBuilder {
   model::Scene<D> scene;
   std::vector<Rigid<D>> obstacles = {}; ///< those of the scene
 
-  /// Index of the place's body. Throws when the body is not in the scene.
-  int index_of(const BoundaryPart<D>& place, const std::string& where) const;
+  /// Index of the place's body, or of a body. Throws when it is not in the scene.
+  int index_of(const BoundaryPart<D>& place, const std::string& where) const { return index_of(place.body, where); }
+  int index_of(const Body<D>& body, const std::string& where) const;
   /// Index of an obstacle; new ones are appended. Throws when it does not fit the kind of scene.
   int index_of(const Rigid<D>& rigid, const std::string& where);
   /// The face at a stack index. Throws for other values.
@@ -23,6 +24,11 @@ template <int D>
 [[noreturn]] void reject_place(const BoundaryPart<D>& place, const std::string& where, const std::string& expected,
                                const std::string& cure) {
   fail(where, " must be ", expected, ", got the ", place.kind, " '", place.name, "': ", cure);
+}
+
+/// Throws for an entry of `on` that is listed twice.
+[[noreturn]] inline void reject_twice(const Arguments& a, const std::string& what) {
+  fail(a.name("on"), " lists ", what, " twice, expected once: remove one of the two");
 }
 
 /// An entry of `supports` or `loads`; the caller sets its name. New obstacles are added to the scene.

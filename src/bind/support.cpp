@@ -13,10 +13,6 @@ using model::Constraint;
 
 namespace {
 
-[[noreturn]] void reject_twice(const Arguments& a, const std::string& what) {
-  fail(a.name("on"), " lists ", what, " twice, expected once: remove one of the two");
-}
-
 /// Reads components named by letters, such as "x" or "xy".
 template <int D>
 void read_components(const Arguments& a, const char* key, Constraint constraint, model::Support<D>& support) {
@@ -166,24 +162,7 @@ template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const 
   return support;
 }
 
-template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arguments& a) {
-  model::Load load;
-  a.list("on", [&](int, int index, const std::string&) {
-    const model::FaceReference face = builder.face(a.state(), index, a.name("on"));
-    if (std::ranges::find(load.on, face) != load.on.end())
-      reject_twice(a, worded(model::face_message(builder.scene, face)));
-    load.on.push_back(face);
-  });
-  load.pressure = a.has("pressure");
-  load.start = load.pressure ? std::vector<double>{a.get<double>("pressure")} : a.get<std::vector<double>>("traction");
-  if (!load.pressure && load.start.size() != D)
-    a.refuse("traction", D == 2 ? "a list of 2 numbers {tx, ty}" : "a list of 3 numbers {tx, ty, tz}");
-  return load;
-}
-
 template model::Support<2> read_support(SceneBuilder<2>&, const Arguments&);
 template model::Support<3> read_support(SceneBuilder<3>&, const Arguments&);
-template model::Load read_load(const SceneBuilder<2>&, const Arguments&);
-template model::Load read_load(const SceneBuilder<3>&, const Arguments&);
 
 } // namespace signorini::bind

@@ -19,7 +19,7 @@ namespace {
 template <int D> void move_targets(Model<D>& model, const VectorX& targets) {
   const Drives<D>& drives = model.system.drives;
   model.present.displacement += drives.displacement(targets) - drives.displacement(model.present.targets);
-  model.external = drives.force(targets);
+  set_loads(model, targets);
   model.present.targets = targets;
 }
 
@@ -31,7 +31,9 @@ template <int D> bool advance(Model<D>& model, const StepOptions& options, Arc& 
   if (unknowns.size() == 0 || !factor(model, options)) return false;
   // K δ₁ = −f,  K δ₂ = −∂f/∂λ with ∂f/∂λ = K_p ∂u_p/∂λ − ∂f_ext/∂λ
   const VectorX force = -model.unbalanced;
-  const VectorX change = -unknowns.gather(system.assembly.product() - system.drives.force(arc.direction));
+  VectorX load_rate = system.drives.force(arc.direction);
+  system.followers.add_force(present.displacement, arc.direction, load_rate);
+  const VectorX change = -unknowns.gather(system.assembly.product() - load_rate);
   VectorX first = force, second = change;
   if (!solve_for(model, first) || !solve_for(model, second)) return false;
   if (!first.allFinite() || !second.allFinite()) return false;

@@ -11,10 +11,10 @@ namespace signorini::model {
 
 template <int D>
 Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts,
-                      const contact::Ties<D>& ties)
-    : scene_(scene), unknowns_(unknowns), contacts_(contacts), ties_(tie_terms(scene, unknowns, ties)),
-      tie_border_(tie_border(scene, unknowns, ties)), placements_(contacts.size()),
-      is_contact_unknown_(at(unknowns.size()), false), product_(unknowns.dofs()) {
+                      const contact::Ties<D>& ties, const FollowerLoads<D>& followers)
+    : scene_(scene), unknowns_(unknowns), contacts_(contacts), followers_(followers),
+      ties_(tie_terms(scene, unknowns, ties)), tie_border_(tie_border(scene, unknowns, ties)),
+      placements_(contacts.size()), is_contact_unknown_(at(unknowns.size()), false), product_(unknowns.dofs()) {
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const solid::Body<D>& body = *scene_.bodies[b].body;
     partitions_.push_back(partition(unknowns_, body, unknowns_.offset(static_cast<int>(b))));
@@ -122,6 +122,7 @@ template <int D> void Assembly<D>::cover(bool contacts) {
     tie_positions_.push_back(j < 0 ? -1 : pattern_.find(i, j));
     tie_positions_.push_back(j < 0 ? -1 : pattern_.find(j, i));
   }
+  locate_followers();
   values_.resize(at(pattern_.entries()) + arrays_.size());
   for (auto& placements : placements_) placements.clear();
   if (linear_) build_constant();
@@ -161,6 +162,7 @@ std::optional<BodyInversion> Assembly<D>::assemble(const States<D>& states, cons
   add_contacts(request);
   ties_.multiply(states.present.displacement, states.present.force);
   if (direction) ties_.multiply(*direction, product_);
+  if (tangent) add_followers(request);
   if (tangent) find_diagonal_norm();
   return std::nullopt;
 }
@@ -180,7 +182,7 @@ template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Reques
   for (std::size_t b = 0; b < partitions_.size(); ++b)
     for (std::size_t share = 0; share < partitions_[b].heads.size(); ++share)
       tasks.push_back({b, share, &arrays_[tasks.size()]});
-  const auto& [present, accepted, controls] = request.states;
+  const auto& [present, accepted, controls, loads] = request.states;
   struct ContactTask {
     std::size_t contact;
     int part;
@@ -342,7 +344,7 @@ template <int D> void Assembly<D>::add_diagonal(const VectorX& shift) {
 template <int D> double Assembly<D>::memory() const {
   const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
   double sum = bytes(values_) + bytes(constant_) + bytes(positions_) + bytes(bulk_positions_) + bytes(ties_.couplings) +
-               bytes(tie_positions_);
+               bytes(tie_positions_) + bytes(follower_positions_);
   for (const solve::Pattern* pattern : {&bulk_pattern_, &pattern_})
     sum += bytes(pattern->starts) + bytes(pattern->rows);
   for (const auto& placements : placements_)

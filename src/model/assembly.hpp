@@ -1,6 +1,7 @@
 #pragma once
 // Assembly of the elements' and contacts' contributions into one residual and one sparse tangent.
 
+#include "model/follower_loads.hpp"
 #include "model/partition.hpp"
 #include "model/state.hpp"
 #include "model/tie_terms.hpp"
@@ -29,17 +30,19 @@ template <int D> struct States {
   State<D>& present;
   const State<D>& accepted;
   const std::vector<contact::Controls>& controls; ///< by contact
+  const VectorX& loads;                           ///< targets at which the loads act
 };
 
 template <int D> class Assembly {
 public:
   Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts,
-           const contact::Ties<D>& ties);
+           const contact::Ties<D>& ties, const FollowerLoads<D>& followers);
 
   /// Assembles the force f_int + f_c of all degrees of freedom, into the present state, and the tangent of the
-  /// unknowns. Contacts write foot points and results into the present state. product() becomes the full tangent times
-  /// `direction` (all degrees of freedom, may be null), by which prescribed displacements enter a linear solve. If an
-  /// element is inverted, returns it, and the results are undefined.
+  /// unknowns, with that of the loads that follow the deformation. Contacts write foot points and results into the
+  /// present state. product() becomes the full tangent times `direction` (all degrees of freedom, may be null), by
+  /// which prescribed displacements enter a linear solve. If an element is inverted, returns it, and the results are
+  /// undefined.
   ///
   /// Without `tangent` only the force is computed, values() are not updated, and `direction` must be null.
   std::optional<BodyInversion> assemble(const States<D>& states, const VectorX* direction, bool tangent,
@@ -94,6 +97,8 @@ private:
   void scatter(int body, int e, const solid::ElementArrays<D>& arrays, double* values) const;
   void multiply(int body, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction);
   void add_contacts(const Request& request);
+  void locate_followers();
+  void add_followers(const Request& request);
   void find_diagonal_norm();
 
   /// Positions of a contact block's entries, determined once per pattern.
@@ -105,6 +110,7 @@ private:
   const Scene<D>& scene_;
   const Unknowns<D>& unknowns_;
   const contact::Formulations<D>& contacts_;
+  const FollowerLoads<D>& followers_;
   TieTerms ties_;
   std::vector<int> tie_border_;
   solve::Pattern bulk_pattern_, pattern_;
@@ -115,6 +121,7 @@ private:
   std::vector<Partition> partitions_;                                    ///< per body
   std::vector<solid::ElementArrays<D>> arrays_;                          ///< per body and share of its partition
   std::vector<int> tie_positions_; ///< in values_, of each coupling and its transpose; −1 without unknown
+  std::vector<int> follower_positions_;
   std::vector<int> diagonal_;
   std::vector<double> values_;   ///< after the entries one per share, for those of prescribed degrees of freedom
   std::vector<double> constant_; ///< bulk values of linear bodies, in the order of pattern_

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 namespace signorini::model {
 
@@ -25,10 +26,18 @@ template <int D> std::vector<std::string> moved_components(const Support<D>& sup
 }
 
 template <int D> std::vector<std::string> load_components(const Load& load) {
-  if (load.pressure) return {"pressure"};
+  if (!load.values.empty()) return {"factor"};
+  if (load.pressure()) return {"pressure"};
   std::vector<std::string> names;
-  for (int c = 0; c < D; ++c) names.push_back(component_name(c));
+  const char* prefix = load.kind == LoadKind::body_force ? "b" : load.kind == LoadKind::point_force ? "p" : "";
+  for (int c = 0; c < D; ++c) names.push_back(prefix + component_name(c));
   return names;
+}
+
+/// The values of the next points of a load's function, components × points.
+MatrixX next_values(const Load& load, Eigen::Index& used, int components, Eigen::Index points) {
+  const Eigen::Index first = std::exchange(used, used + components * points);
+  return Eigen::Map<const MatrixX>(load.values.data() + first, components, points);
 }
 
 /// R(θ) r, or its derivative with respect to θ, by R′ = R(θ + 90°) normal to the axis.
@@ -73,14 +82,34 @@ Drives<D>::Drives(const Scene<D>& scene, const Unknowns<D>& unknowns) : scene_(s
     const Load& load = scene.loads[at(drive.load)];
     for (int k = 0; k < static_cast<int>(drive.components.size()); ++k) {
       start_(drive.first + k) = load.start[at(k)];
-      for (const FaceReference& face : load.on) {
-        const solid::Body<D>& body = *scene.bodies[at(face.body)].body;
-        const VectorX unit =
-            load.pressure ? solid::pressure_load(body, face.side) : solid::traction_load(body, face.side, k);
-        loads_.col(drive.first + k).segment(unknowns.offset(face.body), unit.size()) += unit;
-      }
+      if (load.kind == LoadKind::follower_pressure) continue; // model/follower_loads.hpp
+      add_unit_load(load, k, loads_.col(drive.first + k));
     }
   }
+}
+
+/// Adds the force of a load for a unit target k.
+template <int D> void Drives<D>::add_unit_load(const Load& load, int k, Eigen::Ref<VectorX> force) const {
+  const auto add = [&](int body, const VectorX& unit) { force.segment(unknowns_.offset(body), unit.size()) += unit; };
+  Eigen::Index used = 0; // of a function's values
+  for (const FaceReference& face : load.on) {
+    const solid::Body<D>& body = *scene_.bodies[at(face.body)].body;
+    if (load.values.empty())
+      add(face.body,
+          load.pressure() ? solid::pressure_load(body, face.side) : solid::traction_load(body, face.side, k));
+    else
+      add(face.body, solid::distributed_load(
+                         body, face.side,
+                         next_values(load, used, load.pressure() ? 1 : D, solid::face_point_count(body, face.side))));
+  }
+  for (const int index : load.bodies) {
+    const solid::Body<D>& body = *scene_.bodies[at(index)].body;
+    const auto count = static_cast<Eigen::Index>(body.points());
+    add(index, load.values.empty() ? solid::body_load(body, k)
+                                   : solid::distributed_load(body, next_values(load, used, D, count)));
+  }
+  for (const PointShare& point : load.points)
+    force(unknowns_.offset(point.body) + D * point.function + k) += point.share;
 }
 
 template <int D> int Drives<D>::target(int drive, int component) const {
@@ -150,17 +179,14 @@ template <int D> double Drives<D>::moment(int support, const VectorX& targets, c
   return 0;
 }
 
-template <int D> Vec<D> Drives<D>::resultant(int load, const VectorX& targets) const {
+template <int D> VectorX Drives<D>::only(int load, const VectorX& targets) const {
   VectorX own = VectorX::Zero(targets.size());
   for (const Drive& drive : all_)
     if (drive.load == load) {
       const auto size = static_cast<Eigen::Index>(drive.components.size());
       own.segment(drive.first, size) = targets.segment(drive.first, size);
     }
-  const VectorX all = force(own);
-  Vec<D> sum = Vec<D>::Zero();
-  for (int dof = 0; dof < all.size(); ++dof) sum(dof % D) += all(dof);
-  return sum;
+  return own;
 }
 
 template <int D> Vec<D> face_centroid(const solid::Body<D>& body, nurbs::Side side) {

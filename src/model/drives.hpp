@@ -7,7 +7,7 @@
 namespace signorini::model {
 
 /// A support with driven components or rotation, or a load: its name and components, such as {"x", "y"}, {"angle"},
-/// {"pressure"}.
+/// {"pressure"}, {"bx", "by"} of a force per volume, {"px", "py"} on corners and edges, {"factor"} of a function.
 struct Drive {
   std::string name;
   int support; ///< index into Scene::supports; −1 for a load
@@ -33,14 +33,14 @@ public:
   VectorX displacement(const VectorX& targets) const;
   /// Its derivative along a direction of the targets.
   VectorX rate(const VectorX& targets, const VectorX& direction) const;
-  /// External force on all degrees of freedom; linear in the targets.
+  /// Force of the dead loads on all degrees of freedom; linear in the targets.
   VectorX force(const VectorX& targets) const;
 
   /// Moment Σ (R(θ) r_A) × f_A of a rotating support about its center (3D: its axis), conjugate to its angle in
   /// radians.
   double moment(int support, const VectorX& targets, const VectorX& force) const;
-  /// Resultant of a load at given targets, D components.
-  Vec<D> resultant(int load, const VectorX& targets) const;
+  /// The targets of one load, all others zero.
+  VectorX only(int load, const VectorX& targets) const;
 
 private:
   /// A degree of freedom that follows a target: u = target + ((R(θ) − I) r)_component.
@@ -52,13 +52,14 @@ private:
     Vec<D> axis;
   };
   void follow(int support, const Drive& drive);
+  void add_unit_load(const Load& load, int component, Eigen::Ref<VectorX> force) const;
 
   const Scene<D>& scene_;
   const Unknowns<D>& unknowns_;
   std::vector<Drive> all_;
   std::vector<Follower> followers_;
   VectorX start_;
-  MatrixX loads_; ///< degrees of freedom × targets: force per unit of each; zero columns for displacements
+  MatrixX loads_; ///< degrees of freedom × targets: force of dead loads per unit of each; zero columns for others
 };
 
 /// Centroid of a face in the reference configuration.

@@ -12,8 +12,8 @@
 namespace signorini::model {
 
 template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, Message& why) {
-  const auto inverted = model.system.assembly.assemble({model.present, model.accepted, model.controls}, direction,
-                                                       tangent, model.timings);
+  const auto inverted = model.system.assembly.assemble({model.present, model.accepted, model.controls, model.acting},
+                                                       direction, tangent, model.timings);
   take_residual(model);
   if (!inverted) return solve::Outcome::converged;
   model.inversion = inverted;
@@ -25,7 +25,14 @@ template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* directi
   return solve::Outcome::inverted_element;
 }
 
+template <int D> void set_loads(Model<D>& model, const VectorX& targets) {
+  model.acting = targets;
+  model.dead = model.system.drives.force(targets);
+}
+
 template <int D> void take_residual(Model<D>& model) {
+  model.external = model.dead;
+  model.system.followers.add_force(model.present.displacement, model.acting, model.external);
   model.residual = model.present.force - model.external;
   model.unbalanced = model.system.unknowns.gather(model.residual);
 }
@@ -120,6 +127,7 @@ template <int D> void judge_lead(Model<D>& model) {
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template solve::Outcome evaluate(Model<D>&, const VectorX*, bool, Message&);                                         \
+  template void set_loads(Model<D>&, const VectorX&);                                                                  \
   template void take_residual(Model<D>&);                                                                              \
   template bool factor(Model<D>&, const StepOptions&);                                                                 \
   template bool solve_for(Model<D>&, VectorX&);                                                                        \

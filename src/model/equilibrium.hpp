@@ -10,7 +10,9 @@ namespace signorini::model {
 /// tangent times `direction` (all degrees of freedom, may be null). Returns `converged`, or on failure the outcome and
 /// its reason `why`.
 template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, Message& why);
-/// Computes the residual from the present state's force.
+/// Sets the targets at which the loads act.
+template <int D> void set_loads(Model<D>& model, const VectorX& targets);
+/// Computes the residual from the present state's force and displacement.
 template <int D> void take_residual(Model<D>& model);
 
 /// Factors the tangent, with damping if options.damping; returns false if it is singular.

@@ -10,7 +10,8 @@ template <int D> LinearFacts linear_facts(const System<D>& system) {
                                      [](const auto& contact) { return contact->has_potential(); });
   const bool multipliers = std::any_of(system.contacts.begin(), system.contacts.end(),
                                        [](const auto& contact) { return contact->extra_unknowns() > 0; });
-  return {linear && !(scene.contacts.empty() && scene.ties.empty()), multipliers, potential};
+  return {linear && system.followers.empty() && !(scene.contacts.empty() && scene.ties.empty()), multipliers,
+          potential && system.followers.conservative()};
 }
 
 bool can_condense(const LinearFacts& facts, bool damps) {

@@ -8,9 +8,10 @@ namespace signorini::model {
 
 /// Properties of a scene that decide the choice.
 struct LinearFacts {
-  bool constant_bulk; ///< all bodies are linear elastic and there are contacts or ties: only the contacts' part changes
+  bool constant_bulk; ///< all bodies are linear elastic, no load follows, and there are contacts or ties: only the
+                      ///< contacts' part changes
   bool multipliers;   ///< contacts have Lagrange multipliers as unknowns
-  bool potential;     ///< the tangent is symmetric: all contacts have a potential
+  bool potential;     ///< the tangent is symmetric: all contacts and loads have a potential
 };
 
 template <int D> LinearFacts linear_facts(const System<D>& system);

@@ -73,7 +73,7 @@ template <int D> Step begin_step(Model<D>& model, const StepOptions& options) {
   const Drives<D>& drives = model.system.drives;
   Step step{drives.displacement(model.targets) - drives.displacement(model.present.targets)};
   step.landing = begin_contacts(model, options.active_set, options.damping);
-  model.external = drives.force(model.targets);
+  set_loads(model, model.targets);
   const bool constant = options.predictor == Predictor::constant;
   if (constant) model.present.displacement += step.increment;
   if (constant || (options.predictor == Predictor::linear && predict(model, step.increment))) {
@@ -206,7 +206,7 @@ template <int D> solve::NewtonReport solve_step(Model<D>& model, const StepOptio
 }
 
 template <int D> solve::Outcome evaluate(Model<D>& model, Message& why) {
-  if (!model.step) model.external = model.system.drives.force(model.targets);
+  if (!model.step) set_loads(model, model.targets);
   return evaluate(model, nullptr, true, why);
 }
 

@@ -18,8 +18,9 @@ namespace signorini::model {
 template <int D>
 Model<D>::Model(Scene<D> scene)
     : system(std::move(scene)), accepted(system.start()), present(accepted),
-      targets(accepted.targets), path{accepted.displacement, targets}, external(system.drives.force(targets)),
-      controls(system.contacts.size()), linear(linear_facts(system)) {
+      targets(accepted.targets), path{accepted.displacement, targets}, acting(targets),
+      dead(system.drives.force(targets)), external(dead), controls(system.contacts.size()),
+      linear(linear_facts(system)) {
   // Friction at points that close later starts from their foot points in the initial state.
   Message why;
   evaluate(*this, nullptr, false, why);
@@ -108,7 +109,7 @@ template <int D> void rollback(Model<D>& model) {
   model.present = model.accepted;
   model.targets = model.accepted.targets;
   model.controls.assign(model.system.contacts.size(), {});
-  model.external = model.system.drives.force(model.targets);
+  set_loads(model, model.targets);
   // Reactions and contact results are those of the accepted state, bitwise.
   take_residual(model);
   model.system.return_to_accepted(model.accepted);

@@ -19,7 +19,9 @@ template <int D> struct Model {
   State<D> accepted, present;
   VectorX targets; ///< of the next step, see Drives
   PathHistory path;
-  VectorX external; ///< force of the loads at the targets of the current step
+  VectorX acting;   ///< targets at which the loads act: those of the current step
+  VectorX dead;     ///< force of the dead loads there
+  VectorX external; ///< force of all loads, in the last evaluation
   VectorX residual; ///< f_int + f_c − f_ext of all degrees of freedom: of the last evaluation, or of the accepted state
   VectorX unbalanced;       ///< the residual by unknown, which Newton's method reduces to zero
   std::optional<Step> step; ///< the current step; none in the accepted state

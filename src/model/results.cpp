@@ -28,7 +28,10 @@ template <int D> double moment(const Model<D>& model, int support) {
 }
 
 template <int D> Vec<D> load_resultant(const Model<D>& model, int load) {
-  return model.system.drives.resultant(load, model.present.targets);
+  const VectorX targets = model.system.drives.only(load, model.present.targets);
+  VectorX force = model.system.drives.force(targets);
+  model.system.followers.add_force(model.present.displacement, targets, force);
+  return force.head(model.system.unknowns.displacements()).reshaped(D, Eigen::AutoSize).rowwise().sum();
 }
 
 template <int D> Energies energies(const Model<D>& model) {

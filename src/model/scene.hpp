@@ -72,12 +72,29 @@ template <int D> struct Support {
   Vec<D> axis = Vec<D>::Zero();   ///< unit vector (3D); unused in 2D
 };
 
-/// A dead load: force per reference area, on faces.
+/// Dead loads: per reference area or volume, or on edges and corners, of D components, or one value against the outward
+/// reference normal; and a pressure against the current normal per current area, which follows the deformation.
+enum class LoadKind { traction, pressure, body_force, follower_pressure, point_force };
+
+/// The share of a control point in a force on corners and edges: 1 at a corner, on an edge a length.
+struct PointShare {
+  int body, function;
+  double share;
+};
+
+/// An external force on faces, on the volume of bodies, or on corners and edges.
 struct Load {
   std::string name;
   std::vector<FaceReference> on;
-  bool pressure;             ///< one value, against the outward reference normal; otherwise a traction of D components
-  std::vector<double> start; ///< initial value
+  LoadKind kind;
+  std::vector<double> start;    ///< initial value
+  std::vector<int> bodies = {}; ///< of a body force, in place of faces
+  /// Values of a function of X at the Gauss points of the faces or bodies, with all components of a point; empty for a
+  /// uniform load. `start` is then a factor.
+  std::vector<double> values = {};
+  std::vector<PointShare> points = {}; ///< of a force on corners and edges
+
+  bool pressure() const { return kind == LoadKind::pressure || kind == LoadKind::follower_pressure; }
 };
 
 template <int D> struct Contact {

@@ -33,9 +33,14 @@ template <int D> auto members(Support<D>& support) {
   return std::tie(name, on, constraint, obstacles, rotates, center, axis);
 }
 
+auto members(PointShare& point) {
+  auto& [body, function, share] = point;
+  return std::tie(body, function, share);
+}
+
 auto members(Load& load) {
-  auto& [name, on, pressure, start] = load;
-  return std::tie(name, on, pressure, start);
+  auto& [name, on, kind, start, bodies, values, points] = load;
+  return std::tie(name, on, kind, start, bodies, values, points);
 }
 
 auto members(Tie& tie) {

@@ -3,7 +3,7 @@
 
 #include "model/assembly.hpp"
 #include "model/damping.hpp"
-#include "model/drives.hpp"
+#include "model/follower_loads.hpp"
 
 namespace signorini::model {
 
@@ -19,6 +19,7 @@ template <int D> struct System {
   const Scene<D> scene;
   const Unknowns<D> unknowns;
   const Drives<D> drives;
+  const FollowerLoads<D> followers;
   Assembly<D> assembly; ///< with the tangent of the last evaluation with tangent
   double size = 0;      ///< largest coordinate of a control point or an obstacle
   double extent = 0;    ///< largest diameter of a body about its middle, the scale of penetrations

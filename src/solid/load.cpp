@@ -8,65 +8,166 @@ namespace signorini::solid {
 
 namespace {
 
-/// Gauss points of an element's face on a side, twice as many per direction as in the element: faces are curved and
-/// rational, so that no rule is exact, and loads are integrated only once.
-ElementQuadrature border_quadrature(const nurbs::Discretization& space, int e, nurbs::Side side) {
-  std::vector<QuadratureRule> rules;
-  for (int d = 0; d < space.parametric_dimension(); ++d) {
-    const auto [a, b] = space.interval(e, d);
-    rules.push_back(d == side.direction ? QuadratureRule{{side.at_end ? b : a}, {1}}
-                                        : gauss_legendre(2 * (space.degree(e, d) + 1), a, b));
-  }
-  return tensor_product(rules);
-}
-
-/// Outward normal of a side times the surface measure, from ∂X/∂ξ.
-template <int D> Vec<D> outward(const Mat<D>& jacobian, nurbs::Side side) {
-  const int first = side.direction == 0 ? 1 : 0;
-  Vec<D> normal;
-  if constexpr (D == 2)
-    normal << jacobian(1, first), -jacobian(0, first);
-  else
-    normal = Vec<3>(jacobian.col(first)).cross(Vec<3>(jacobian.col(side.direction == 2 ? 1 : 2)));
-  return nurbs::outward_sign(side) * normal;
-}
-
-/// ∫ R_A t dξ over a side, element by element, so that the side may cross a layer, where it is not a tensor product;
-/// `force` returns the load t for the normal times the surface measure.
+/// ∫ R_A t dξ over a side; `force` returns the load t for the area vector of the reference configuration at Gauss
+/// point number k of the side.
 template <int D, class Force> VectorX integrate(const Body<D>& body, nurbs::Side side, const Force& force) {
-  const nurbs::Discretization& space = body.space();
-  const MatrixX points = space.points();
+  const MatrixX points = body.space().points();
   VectorX load = VectorX::Zero(D * body.functions());
-  for (int f = 0; f < space.elements_on(side); ++f) {
-    const int e = space.element_behind(side, f);
-    const ElementQuadrature rule = border_quadrature(space, e, side);
-    for (int q = 0; q < rule.weights.size(); ++q) {
-      const nurbs::ElementBasis basis = space.basis(e, rule.points.col(q));
-      const MatrixX nodes = points(Eigen::all, basis.functions);
-      double weight = rule.weights(q);
-      if (body.kind() == Kind::axisymmetric) weight *= 2 * std::numbers::pi * nodes.row(0).dot(basis.values);
-      const Vec<D> density = weight * force(outward<D>(nodes.lazyProduct(basis.gradients.transpose()), side));
-      for (std::size_t a = 0; a < basis.functions.size(); ++a)
-        load.template segment<D>(D * basis.functions[a]) += basis.values(static_cast<int>(a)) * density;
+  int k = 0;
+  for (const FacePoints<D>& part : face_points(body, side)) {
+    const MatrixX x = points(Eigen::all, part.functions);
+    for (int q = 0; q < part.weights.size(); ++q, ++k) {
+      const Vec<D> density = part.weight(x, q) * force(part.area_vector(x, q), k);
+      for (std::size_t a = 0; a < part.functions.size(); ++a)
+        load.template segment<D>(D * part.functions[a]) += part.values(static_cast<int>(a), q) * density;
     }
   }
   return load;
 }
 
+template <int D> void check_component(int component) {
+  require(component >= 0 && component < D, "solid.load.component", {{"component", component}, {"most", D - 1}});
+}
+
+/// Derivatives of area_vector() with respect to the position of control point b: m = J ∂x/∂ξ in the plane, with the
+/// rotation J by a quarter, and ∂x/∂ξ × ∂x/∂η in space.
+template <int D> Mat<D> area_vector_derivative(const FacePoints<D>& part, const MatrixX& x, int q, int b) {
+  Mat<D> derivative;
+  if constexpr (D == 2) {
+    const double slope = part.gradients[0](b, q);
+    derivative << 0, slope, -slope, 0;
+  } else {
+    const Vec<3> first = x.lazyProduct(part.gradients[0].col(q)), second = x.lazyProduct(part.gradients[1].col(q));
+    const Vec<3> w = part.gradients[1](b, q) * first - part.gradients[0](b, q) * second; // the map v → w × v
+    derivative << 0, -w(2), w(1), w(2), 0, -w(0), -w(1), w(0), 0;
+  }
+  return part.outward * derivative;
+}
+
 } // namespace
 
 template <int D> VectorX traction_load(const Body<D>& body, nurbs::Side side, int component) {
-  require(component >= 0 && component < D, "solid.load.component", {{"component", component}, {"most", D - 1}});
-  return integrate(body, side, [&](const Vec<D>& normal) -> Vec<D> { return normal.norm() * Vec<D>::Unit(component); });
+  check_component<D>(component);
+  return integrate(body, side,
+                   [&](const Vec<D>& normal, int) -> Vec<D> { return normal.norm() * Vec<D>::Unit(component); });
 }
 
 template <int D> VectorX pressure_load(const Body<D>& body, nurbs::Side side) {
-  return integrate(body, side, [](const Vec<D>& normal) -> Vec<D> { return -normal; });
+  return integrate(body, side, [](const Vec<D>& normal, int) -> Vec<D> { return -normal; });
 }
 
-template VectorX traction_load<2>(const Body<2>&, nurbs::Side, int);
-template VectorX traction_load<3>(const Body<3>&, nurbs::Side, int);
-template VectorX pressure_load<2>(const Body<2>&, nurbs::Side);
-template VectorX pressure_load<3>(const Body<3>&, nurbs::Side);
+template <int D> VectorX body_load(const Body<D>& body, int component) {
+  check_component<D>(component);
+  VectorX load = VectorX::Zero(D * body.functions());
+  load(Eigen::seqN(component, body.functions(), D)) = body.volumes();
+  return load;
+}
+
+template <int D> Eigen::Index face_point_count(const Body<D>& body, nurbs::Side side) {
+  Eigen::Index count = 0;
+  for (const FacePoints<D>& part : face_points(body, side)) count += part.weights.size();
+  return count;
+}
+
+template <int D> MatrixX face_point_positions(const Body<D>& body, nurbs::Side side) {
+  const MatrixX points = body.space().points();
+  MatrixX positions(D, face_point_count(body, side));
+  Eigen::Index first = 0;
+  for (const FacePoints<D>& part : face_points(body, side)) {
+    positions.middleCols(first, part.values.cols()) = points(Eigen::all, part.functions) * part.values;
+    first += part.values.cols();
+  }
+  return positions;
+}
+
+template <int D> MatrixX point_positions(const Body<D>& body) {
+  MatrixX positions(D, body.points());
+  Eigen::Index k = 0;
+  for (int e = 0; e < body.elements(); ++e)
+    for (int q = 0; q < body.element(e).points; ++q) positions.col(k++) = body.reference_point(e, q);
+  return positions;
+}
+
+template <int D> VectorX distributed_load(const Body<D>& body, nurbs::Side side, const MatrixX& values) {
+  return integrate(body, side, [&](const Vec<D>& normal, int k) -> Vec<D> {
+    if (values.rows() == 1) return -values(0, k) * normal;
+    return normal.norm() * values.col(k);
+  });
+}
+
+template <int D> VectorX distributed_load(const Body<D>& body, const MatrixX& values) {
+  VectorX load = VectorX::Zero(D * body.functions());
+  Eigen::Index k = 0;
+  for (int e = 0; e < body.elements(); ++e) {
+    const ElementQuadrature rule = element_quadrature(body.space(), e);
+    const double* weights = body.weights_of(e);
+    for (int q = 0; q < body.element(e).points; ++q, ++k) {
+      const nurbs::ElementBasis basis = body.space().basis(e, rule.points.col(q));
+      for (std::size_t a = 0; a < basis.functions.size(); ++a)
+        load.template segment<D>(D * basis.functions[a]) +=
+            weights[q] * basis.values(static_cast<int>(a)) * values.col(k);
+    }
+  }
+  return load;
+}
+
+VectorX edge_lengths(const Body<3>& body, nurbs::Side first, nurbs::Side second) {
+  const nurbs::Discretization& space = body.space();
+  const MatrixX points = space.points();
+  const int along = 3 - first.direction - second.direction;
+  VectorX lengths = VectorX::Zero(body.functions());
+  for (int e = 0; e < body.elements(); ++e) {
+    if (!space.touches(e, first) || !space.touches(e, second)) continue;
+    std::vector<QuadratureRule> rules(3);
+    for (const nurbs::Side side : {first, second})
+      rules[at(side.direction)] = {{space.interval(e, side.direction)[side.at_end ? 1 : 0]}, {1}};
+    const auto [a, b] = space.interval(e, along);
+    rules[at(along)] = gauss_legendre(2 * (space.degree(e, along) + 1), a, b);
+    const ElementQuadrature rule = tensor_product(rules);
+    for (int q = 0; q < rule.weights.size(); ++q) {
+      const nurbs::ElementBasis basis = space.basis(e, rule.points.col(q));
+      const VectorX tangent = points(Eigen::all, basis.functions) * basis.gradients.row(along).transpose();
+      lengths(basis.functions) += rule.weights(q) * tangent.norm() * basis.values;
+    }
+  }
+  return lengths;
+}
+
+template <int D> MatrixX follower_load(const FacePoints<D>& part, const MatrixX& x) {
+  MatrixX load = MatrixX::Zero(D, x.cols());
+  for (int q = 0; q < part.weights.size(); ++q)
+    load -= part.weight(x, q) * part.area_vector(x, q) * part.values.col(q).transpose();
+  return load;
+}
+
+template <int D> MatrixX follower_tangent(const FacePoints<D>& part, const MatrixX& x) {
+  const int n = static_cast<int>(part.functions.size());
+  MatrixX tangent = MatrixX::Zero(D * n, D * n);
+  for (int q = 0; q < part.weights.size(); ++q) {
+    const double weight = part.weight(x, q);
+    const Vec<D> area = part.area_vector(x, q);
+    for (int b = 0; b < n; ++b) {
+      Mat<D> change = weight * area_vector_derivative(part, x, q, b);
+      if (part.revolved) change.col(0) += part.weights(q) * 2 * std::numbers::pi * part.values(b, q) * area;
+      for (int a = 0; a < n; ++a) tangent.template block<D, D>(D * a, D * b) -= part.values(a, q) * change;
+    }
+  }
+  return tangent;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template VectorX traction_load<D>(const Body<D>&, nurbs::Side, int);                                                 \
+  template VectorX pressure_load<D>(const Body<D>&, nurbs::Side);                                                      \
+  template VectorX body_load<D>(const Body<D>&, int);                                                                  \
+  template Eigen::Index face_point_count<D>(const Body<D>&, nurbs::Side);                                              \
+  template MatrixX face_point_positions<D>(const Body<D>&, nurbs::Side);                                               \
+  template MatrixX point_positions<D>(const Body<D>&);                                                                 \
+  template VectorX distributed_load<D>(const Body<D>&, nurbs::Side, const MatrixX&);                                   \
+  template VectorX distributed_load<D>(const Body<D>&, const MatrixX&);                                                \
+  template MatrixX follower_load<D>(const FacePoints<D>&, const MatrixX&);                                             \
+  template MatrixX follower_tangent<D>(const FacePoints<D>&, const MatrixX&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
 
 } // namespace signorini::solid

@@ -1,7 +1,7 @@
 #pragma once
-// Dead loads: forces on a face of a body; size and direction refer to the reference configuration.
+// Loads: dead ones, of which size and direction refer to the reference configuration, and the pressure that follows.
 
-#include "solid/body.hpp"
+#include "solid/face_points.hpp"
 
 namespace signorini::solid {
 
@@ -13,5 +13,30 @@ template <int D> VectorX traction_load(const Body<D>& body, nurbs::Side side, in
 /// f_A = −∫ R_A N dA with the outward normal N of the reference configuration: the nodal forces of a unit pressure as a
 /// dead load, whose direction does not follow the deformation. Otherwise as traction_load().
 template <int D> VectorX pressure_load(const Body<D>& body, nurbs::Side side);
+
+/// f_A = ∫ R_A dV e_component over the reference volume: the nodal forces of a unit force per volume.
+template <int D> VectorX body_load(const Body<D>& body, int component);
+
+/// The number of Gauss points of a face, and the positions of those of a face, and of a body, D × points.
+template <int D> Eigen::Index face_point_count(const Body<D>& body, nurbs::Side side);
+template <int D> MatrixX face_point_positions(const Body<D>& body, nurbs::Side side);
+template <int D> MatrixX point_positions(const Body<D>& body);
+
+/// The nodal forces of a dead load with given values at these points: tractions or forces per volume, D × points, or
+/// pressures on a face, 1 × points.
+template <int D> VectorX distributed_load(const Body<D>& body, nurbs::Side side, const MatrixX& values);
+template <int D> VectorX distributed_load(const Body<D>& body, const MatrixX& values);
+
+/// ∫ R_A dL along the edge of a solid where two sides meet, in the reference configuration, per function.
+VectorX edge_lengths(const Body<3>& body, nurbs::Side first, nurbs::Side second);
+
+/// f_A = −∫ R_A n da over the current surface of a part of a face, with the positions x of its functions' control
+/// points, D × functions: the nodal forces, in the same order, of a unit pressure that follows the deformation. Under
+/// plane stress the surface has the undeformed thickness.
+template <int D> MatrixX follower_load(const FacePoints<D>& part, const MatrixX& x);
+
+/// Its derivative ∂f_A/∂x_B, with D rows and columns per function. Not symmetric: its skew part sums to an integral
+/// along the borders of the face.
+template <int D> MatrixX follower_tangent(const FacePoints<D>& part, const MatrixX& x);
 
 } // namespace signorini::solid

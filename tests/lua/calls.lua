@@ -203,13 +203,14 @@ local function add_wrong(calls, page, of, name, set, general)
                           by_limit = wrong.by_limit, by_object = general ~= nil and general ~= of,
                           holds = { name, finite and describe.one(of) or "finite" } }
   end
-  local function inside(type)
+  local function inside(type, known)
     if type.kind == "either" then
-      for _, one in ipairs(type) do inside(one) end
+      known = {}
+      for _, one in ipairs(type) do inside(one, known) end
     elseif type.kind == "switch" then
       inside(type.of)
     elseif type.kind == "named" then
-      calls.add_rows(calls, page, type.rows, type.rest, type.last and "" or name, set)
+      calls.add_rows(calls, page, type.rows, type.rest, type.last and "" or name, set, known)
     elseif type.kind == "point" then
       add_wrong(calls, page, { kind = "number" }, name .. "[1]", function(value)
         local point = right.point(type)
@@ -229,14 +230,16 @@ local function add_wrong(calls, page, of, name, set, general)
   inside(of)
 end
 
---- Wrong values of each row, misspelt keys, and needed ones left out. A page may refer to itself.
-local function add_rows(calls, page, rows, rest, name, set)
+--- Wrong values of each row, misspelt keys, and needed ones left out. A page may refer to itself. `known`: keys of the
+--- alternatives before, which check values of tables that have no other keys.
+local function add_rows(calls, page, rows, rest, name, set, known)
   local depth = select(2, name:gsub("[.%[]", ""))
   if depth > 4 then return end
   local owner = name == "" and owner_of(page) or nil
   for _, row in ipairs(pages.rows(rows)) do
-    if type(row) == "table" then
+    if type(row) == "table" and not (known and known[row[1]]) then
       local key = row[1]
+      if known then known[key] = true end
       local place = name == "" and key or name .. "." .. key
       local function with(given)
         local value = right_named(rows, owner)

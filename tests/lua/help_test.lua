@@ -208,7 +208,7 @@ check.case("terms of other programs lead to pages, none of which has the term as
   end
   local output = check.program({}, 'help "Boundary-Conditions"\nhelp "body force"\nhelp "mortar"\n?restart\n')
   check.holds(output, "Displacements are prescribed by supports", "See:\n  support{ on, fix",
-    "Body forces such as gravity are not available. Loads are tractions", "Contact is Gauss-point-to-surface",
+    "acts on bodies per reference volume", "Contact is Gauss-point-to-surface",
     "Scripts with 'mortar':", "  model:save(path) ")
 end)
 

@@ -48,7 +48,7 @@ Scene<2> arch(double unit = 1, int elements = 8) {
   scene.bodies.push_back({"arch", make_body(patch, {elements, 1}, "N3", "north", solid::neo_hookean(1000, 0.3), 2)});
   scene.supports = {{"wall", {face_points(scene, 0, "west")}, {Constraint::fixed, Constraint::fixed}},
                     {"middle", {face_points(scene, 0, "east")}, {Constraint::fixed, Constraint::free}}};
-  scene.loads = {{"snow", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
+  scene.loads = {{"snow", {{0, nurbs::side_of("north", 2)}}, LoadKind::traction, {0, 0}}};
   return scene;
 }
 

@@ -15,16 +15,17 @@ template <int D> struct Bench {
   System<D> system;
   State<D> accepted, present;
   std::vector<contact::Controls> controls;
+  VectorX loads; ///< targets at which the loads act
   Timings timings;
   const Unknowns<D>& unknowns;
   const Assembly<D>& assembly;
 
   explicit Bench(Scene<D> scene)
       : system(std::move(scene)), accepted(system.start()), present(accepted), controls(system.contacts.size()),
-        unknowns(system.unknowns), assembly(system.assembly) {}
+        loads(system.drives.start()), unknowns(system.unknowns), assembly(system.assembly) {}
   std::optional<BodyInversion> assemble(const VectorX& u, const VectorX* direction = nullptr, bool tangent = true) {
     present.displacement = u;
-    return system.assembly.assemble({present, accepted, controls}, direction, tangent, timings);
+    return system.assembly.assemble({present, accepted, controls, loads}, direction, tangent, timings);
   }
   VectorX residual(const VectorX& u, const VectorX* direction = nullptr) {
     EXPECT_FALSE(assemble(u, direction));

@@ -139,7 +139,7 @@ TEST(Condensed, BodySupportedByContactOnly) {
     block.obstacles = {contact::make_plane<2>({0, 0.001}, {0, 1})};
     block.contacts = {
         {"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{100, 100, mu}, 4}};
-    block.loads = {{"weight", {{0, nurbs::side_of("north", 2)}}, false, {0, -0.1}}};
+    block.loads = {{"weight", {{0, nurbs::side_of("north", 2)}}, LoadKind::traction, {0, -0.1}}};
     return block;
   };
   for (double mu : {0.0, 0.3}) {

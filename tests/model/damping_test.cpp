@@ -97,7 +97,7 @@ Scene<3> block_above_plane(double gap) {
   };
   scene.supports = {{"x", {face(west)}, {fixed, free_to_move, free_to_move}},
                     {"y", {face(south)}, {free_to_move, fixed, free_to_move}}};
-  scene.loads = {{"weight", {{0, back}}, true, {0}}};
+  scene.loads = {{"weight", {{0, back}}, LoadKind::pressure, {0}}};
   scene.obstacles = {contact::make_plane<3>({0, 0, 0}, {0, 0, 1})};
   scene.contacts = {{"floor", {0, front}, ObstacleReference{0}, contact::PenaltyLaw{50}, 3}};
   return scene;
@@ -124,7 +124,7 @@ Scene<2> above_plane(double gap, const std::vector<Grip>& grips) {
   scene.supports.clear();
   for (const Grip& grip : grips)
     scene.supports.push_back({grip.name, {face_points(scene, 0, grip.face)}, grip.constraint});
-  scene.loads = {{"weight", {{0, nurbs::side_of("north", 2)}}, true, {0}}};
+  scene.loads = {{"weight", {{0, nurbs::side_of("north", 2)}}, LoadKind::pressure, {0}}};
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50}, 4}};
   return scene;
@@ -209,7 +209,8 @@ TEST(Damping, ADiscReachesTheSameStateAsWithoutAGap) {
                                                "N2", "south", solid::neo_hookean(1, 0.3))});
     result.supports = {
         {"walls", {face_points(result, 0, "west"), face_points(result, 0, "east")}, {fixed, free_to_move}}};
-    result.loads = {{"weight", {{0, nurbs::side_of("west", 2)}, {0, nurbs::side_of("east", 2)}}, true, {0}}};
+    result.loads = {
+        {"weight", {{0, nurbs::side_of("west", 2)}, {0, nurbs::side_of("east", 2)}}, LoadKind::pressure, {0}}};
     result.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
     result.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50}, 9}};
     return result;

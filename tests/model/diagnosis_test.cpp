@@ -145,7 +145,7 @@ TEST(Diagnosis, AnInvertedElementIsNamedWithItsPoint) {
 Diagnosis under_traction(const std::vector<Grip>& grips, bool pinned = false) {
   Scene<2> scene = square(grips);
   if (pinned) scene.supports.push_back({"pin", {corner(scene, 0, {0, 0})}, {fixed, fixed}});
-  scene.loads = {{"wind", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
+  scene.loads = {{"wind", {{0, nurbs::side_of("north", 2)}}, LoadKind::traction, {0, 0}}};
   Model<2> model(std::move(scene));
   set_target(model, 0, 0, 0.1);
   set_target(model, 0, 1, -0.1);
@@ -338,7 +338,7 @@ TEST(Diagnosis, RemainingPenetrationIsNamedWithItsPoints) {
 
 TEST(Diagnosis, LineSearchAndNonfiniteNumbers) {
   Scene<2> scene = square({{"bed", "south", {fixed, fixed}}});
-  scene.loads = {{"wind", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
+  scene.loads = {{"wind", {{0, nurbs::side_of("north", 2)}}, LoadKind::traction, {0, 0}}};
   Model<2> model(std::move(scene));
   set_target(model, 0, 0, 1e200); // its square overflows
   const solve::NewtonReport none = solve_step(model, {});

@@ -25,8 +25,8 @@ Scene<2> busy(std::array<Constraint, 2> constraint = {Constraint::driven, Constr
   edge.center = face_centroid(*scene.bodies[0].body, nurbs::side_of("south", 2));
   Support<2> roll{"roll", {}, {Constraint::driven, Constraint::driven}, {0}};
   scene.supports = {{"idle", {face_points(scene, 0, "north")}, {Constraint::free, Constraint::free}}, edge, roll};
-  scene.loads = {{"push", {{0, nurbs::side_of("west", 2)}}, false, {0.25, -0.5}},
-                 {"gas", {{0, nurbs::side_of("north", 2)}, {0, nurbs::side_of("east", 2)}}, true, {3}}};
+  scene.loads = {{"push", {{0, nurbs::side_of("west", 2)}}, LoadKind::traction, {0.25, -0.5}},
+                 {"gas", {{0, nurbs::side_of("north", 2)}, {0, nurbs::side_of("east", 2)}}, LoadKind::pressure, {3}}};
   scene.contacts = {
       {"rub", {0, nurbs::side_of("north", 2)}, ObstacleReference{0}, contact::PenaltyLaw{50, 50, 0.3}, 4}};
   return scene;

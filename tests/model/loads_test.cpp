@@ -42,7 +42,7 @@ Scene<2> bar(const solid::Material& material, const Vec<2>& start) {
   Scene<2> scene = square({{"wall", "west", {Constraint::fixed, Constraint::free}},
                            {"bed", "south", {Constraint::free, Constraint::fixed}}},
                           material);
-  scene.loads = {{"pull", {face("east")}, false, {start(0), start(1)}}};
+  scene.loads = {{"pull", {face("east")}, LoadKind::traction, {start(0), start(1)}}};
   return scene;
 }
 
@@ -77,7 +77,7 @@ TEST(Loads, PressureAllAroundIsHydrostatic) {
     Scene<2> scene = square({}, material);
     scene.supports = {{"pin", {corner(scene, 0, {0, 0})}, {Constraint::fixed, Constraint::fixed}},
                       {"foot", {corner(scene, 0, {1, 0})}, {Constraint::free, Constraint::fixed}}};
-    scene.loads = {{"sea", {face("west"), face("east"), face("south"), face("north")}, true, {0}}};
+    scene.loads = {{"sea", {face("west"), face("east"), face("south"), face("north")}, LoadKind::pressure, {0}}};
     Model<2> model(std::move(scene));
     constexpr double p = 0.5;
     set_target(model, 0, 0, p);
@@ -133,8 +133,8 @@ TEST(Loads, RollbackRestoresTheLoad) {
 TEST(Loads, ReactionsBalanceAllLoads) {
   for (const solid::Material& material : laws) {
     Scene<2> scene = square({{"bed", "south", {Constraint::fixed, Constraint::fixed}}}, material);
-    scene.loads = {{"wind", {face("west"), face("south")}, false, {0.05, -0.02}},
-                   {"gas", {face("north")}, true, {0.1}}};
+    scene.loads = {{"wind", {face("west"), face("south")}, LoadKind::traction, {0.05, -0.02}},
+                   {"gas", {face("north")}, LoadKind::pressure, {0.1}}};
     Model<2> model(std::move(scene));
     ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
     accept(model);
@@ -153,7 +153,7 @@ TEST(Loads, AxisymmetricLoadsActOnTheFullCircle) {
                                               material, {}, solid::Kind::axisymmetric)});
     scene.supports = {{"axis", {face_points(scene, 0, "west")}, {Constraint::fixed, Constraint::free}},
                       {"bed", {face_points(scene, 0, "south")}, {Constraint::free, Constraint::fixed}}};
-    scene.loads = {{"pull", {face("north")}, false, {0, 0.3}}};
+    scene.loads = {{"pull", {face("north")}, LoadKind::traction, {0, 0.3}}};
     Model<2> model(std::move(scene));
     ASSERT_EQ(solve_step(model, {}).outcome, solve::Outcome::converged);
     accept(model);

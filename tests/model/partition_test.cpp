@@ -136,7 +136,7 @@ template <int D> std::vector<double> added_up(const Scene<D>& scene, int threads
   state.displacement = any(0.005);
   const VectorX direction = any(1);
   Timings timings;
-  EXPECT_FALSE(system.assembly.assemble({state, state, {}}, &direction, true, timings));
+  EXPECT_FALSE(system.assembly.assemble({state, state, {}, state.targets}, &direction, true, timings));
   set_worker_threads(1);
   const Assembly<D>& assembly = system.assembly;
   std::vector<double> all(state.force.begin(), state.force.end());

@@ -111,7 +111,7 @@ TEST(Predictor, RotatingSupports) {
 TEST(Predictor, Loads) {
   const auto scene = [] {
     Scene<2> bar = square({{"bed", "south", {Constraint::fixed, Constraint::fixed}}});
-    bar.loads = {{"pull", {{0, nurbs::side_of("north", 2)}}, false, {0, 0}}};
+    bar.loads = {{"pull", {{0, nurbs::side_of("north", 2)}}, LoadKind::traction, {0, 0}}};
     return bar;
   };
   const auto set = [](Model<2>& model, int step) { set_target(model, 0, 1, 0.02 * step); };

@@ -169,6 +169,41 @@ TEST(Load, PressureOnAllFacesIsSelfEquilibrated) {
   expect_balance<2>(make_body<2>(nurbs::half_annulus(0.3, 0.7, Eigen::Vector2d(1, 2)), {8, 2}, "N3", "south", steel));
 }
 
+/// In the reference configuration a follower pressure is the dead one.
+template <int D> void expect_dead_at_rest(const Body<D>& body, const std::string& face) {
+  const MatrixX points = body.space().points();
+  VectorX load = -pressure_load(body, side_of(face, D));
+  for (const FacePoints<D>& part : face_points(body, side_of(face, D))) {
+    const MatrixX x = points(Eigen::all, part.functions), own = follower_load(part, x);
+    for (std::size_t a = 0; a < part.functions.size(); ++a)
+      load.segment<D>(D * part.functions[a]) += own.col(static_cast<int>(a));
+  }
+  EXPECT_LT(load.norm(), 1e-12 * pressure_load(body, side_of(face, D)).norm()) << face;
+}
+
+TEST(Load, FollowerPressureAtRestIsTheDeadOne) {
+  for (const char* label : {"N2", "N2-N4"}) {
+    const Body<2> arc =
+        make_body<2>(nurbs::half_annulus(0.3, 0.7, Eigen::Vector2d(2, 1)), {6, 2}, label, "south", steel);
+    for (const char* face : {"south", "north", "west", "east"}) {
+      expect_dead_at_rest(arc, face);
+      expect_dead_at_rest(*revolved(arc), face);
+    }
+  }
+  const Body<3> octant =
+      make_body<3>(nurbs::sphere_octant(0.4, 0.7, Eigen::Vector3d(0, 0, 0)), {2, 2, 1}, "N3-N3.1", "front", steel, 3);
+  for (const char* face : {"front", "back", "west", "east", "south"}) expect_dead_at_rest(octant, face);
+}
+
+TEST(Load, TotalBodyForceIsTheVolume) {
+  const Body<2> arc =
+      make_body<2>(nurbs::half_annulus(0.3, 0.7, Eigen::Vector2d(2, 1)), {6, 2}, "N2-N4", "south", steel);
+  EXPECT_NEAR(total<2>(body_load(arc, 1), 1), pi / 2 * (0.49 - 0.09), 1e-6);
+  EXPECT_EQ(total<2>(body_load(arc, 1), 0), 0);
+  EXPECT_NEAR(total<2>(body_load(*revolved(arc), 0), 0), volume(*revolved(arc)), 1e-12);
+  EXPECT_ERROR(body_load(arc, 2), "solid.load.component: component = 2, most = 1");
+}
+
 TEST(Load, UnknownComponentIsAnError) {
   const Body<2> body = make_body<2>(nurbs::rectangle(2, 1, Eigen::Vector2d(0, 0)), {2, 1}, "N2", "south", steel);
   EXPECT_ERROR(traction_load(body, side_of("south", 2), 2), "solid.load.component: component = 2, most = 1");

@@ -166,15 +166,38 @@ optimal rates of convergence. reduced: of degree p - 2 on its elements, continui
 proven stable (inf-sup), less accurate; for degree p >= 2]], default = "equal" },
 }
 
+local load_course = t.callback_of({ { "x", t.number }, { "y", t.number }, { "z", t.number } }, t.any)
+local components = t.either(t.point, load_course)
+components.cure = "put it into braces, as in {0, -1}, or give a function of the position"
 local load = {
-  { "on", faces, "loaded faces" },
-  { "traction", t.point, "dead load {tx, ty}, in 3D {tx, ty, tz}", unit = "force per reference area", optional = true },
-  { "pressure", t.number, "dead load against the outward normal of the reference shape",
-    unit = "force per reference area", optional = true },
+  { "on", t.worded(t.flat(t.either(face, t.object "body", t.object "compound")), "a face, a body, or a list of these"),
+    "loaded faces; of a force, bodies, corners, or in 3D edges" },
+  { "traction", components, "dead load {tx, ty}, in 3D {tx, ty, tz}", unit = "force per reference area",
+    optional = true },
+  { "pressure", t.either(t.number, load_course),
+    "load against the outward normal, of the reference shape unless it is a follower", unit = "force per area",
+    optional = true },
+  { "follower", t.flag, [[whether the pressure follows the deformation, as that of a gas or a fluid: it acts along the
+current normal and per current area, under plane stress per current length and undeformed thickness. Otherwise it is a
+dead load per reference area]], default = false },
+  { "force", components, [[dead load {bx, by}, in 3D {bx, by, bz}, on bodies, such as density times gravity; {px, py},
+in 3D {px, py, pz}, on edges per reference length, or on corners, in axisymmetric models around the full circle]],
+    unit = "force per reference volume", optional = true },
+  { "factor", t.number, "initial factor of a function's values, which stages change; of functions only", default = 1.0,
+    otherwise = "1" },
 }
-load.conflict = function(values)
-  if (values.traction == nil) == (values.pressure == nil) then
-    return "it must have one of traction = {tx, ty} ({tx, ty, tz} in 3D) and pressure = p"
+load.conflict = function(values, given)
+  local kinds = lists.filter({ "traction", "pressure", "force" }, function(kind) return values[kind] ~= nil end)
+  if #kinds ~= 1 then
+    return "it must have one of traction = {tx, ty} ({tx, ty, tz} in 3D) and pressure = p, or force = {bx, by}"
+      .. " on bodies" .. (#kinds > 1 and ", but has " .. table.concat(kinds, " and ") or "")
+  end
+  if given.factor and type(values[kinds[1]]) ~= "function" then
+    return ("factor is for functions, but %s is constant: give its value, and another one in a stage"):format(kinds[1])
+  end
+  if values.follower and not values.pressure then
+    return ("follower = true is for a pressure, but it has %s, which keeps its direction: give pressure, or remove "
+      .. "follower"):format(kinds[1])
   end
 end
 
@@ -189,7 +212,7 @@ radius, y the axis, and forces refer to the full circle.]],
       { "bodies", t.map(t.or_nil(t.either(t.object "body", t.object "compound")), 1), [[the bodies. The parts of one of
 several patches are named after it: "ball.1", "ball.2", …]] },
       { "supports", t.map(t.or_nil(t.either(t.named "support", t.named "load"))),
-        "supports of bodies and obstacles; entries with traction or pressure are loads",
+        "supports of bodies and obstacles; entries with traction, pressure or force are loads",
         optional = true },
       { "loads", t.map(t.or_nil(t.named "load")), "external forces", optional = true },
       { "contacts", t.map(t.or_nil(t.named "contact")), "pairs of faces that may touch", optional = true },
@@ -238,13 +261,24 @@ run are <name>.fx, .fy, .fz, .moment, and for driven components <name>.ux … .a
     example = [[
 supports = { bed  = { on = slab:face "south", fix = "xy" },
              grip = { on = { die:face "west", die:face "east" }, drive = "xy" } }]] },
-  { "load", "Applies a dead load to faces: neither direction nor magnitude follows the deformation.",
-    head = "loads = { <name> = { on, traction or pressure } }, in sg.model{ … }",
+  { "load", "Applies a traction or pressure to faces, or a force per volume to bodies.",
+    head = "loads = { <name> = { on, traction or pressure or force, follower, factor } }, in sg.model{ … }",
     named = load,
-    more = [[The value given here is that at the start of the path; stages change it linearly to theirs. A load that no
+    more = [[Loads are dead, with the direction and the magnitude that they have in the reference shape, except for a
+pressure with follower = true. The tangent has the follower's exact derivative. It is symmetric, because the load has an
+energy, pressure times volume, if the borders of the faces close, lie on the axis, or stay in planes of symmetry.
+A function of the coordinates, function(x, y) or function(x, y, z), returns the value at a reference position, {tx, ty}
+or a number; it is called at the Gauss points when the model is made. Its values act times a factor, which stages
+change. Displacements at a point force and stresses near it grow without limit as the mesh is refined.
+The value given here is that at the start of the path; stages change it linearly to theirs. A load that no
 stage names acts in full from the first step; to increase one from zero, give 0 here and its value in a stage.
 model:reaction(name) is the force; the columns of a run are <name>.fx …, and .tx … or .pressure.]],
-    example = [[loads = { push = { on = die:face "east", traction = {0, -1} } }]] },
+    example = { [[loads = { push = { on = die:face "east", traction = {0, -1} } }]],
+                [[loads = { gravity = { on = slab, force = {0, -9.81e-3} },
+          gas = { on = slab:face "north", pressure = 0, follower = true } }]],
+                [[
+loads = { sea = { on = die:face "east", pressure = function(x, y) return 9.81e-3 * (2 - y) end, factor = 0 },
+          tip = { on = slab:corner "north-east", force = {0, -0.01} } }]] } },
   { "contact", "Defines contact between the face of a body and another body or an obstacle.",
     head = "contacts = { <name> = { slave, master, penalty, friction, method, enforcement, … } }, in sg.model{ … }",
     named = contact,

@@ -100,14 +100,17 @@ changes linearly over the stage; all hold until another stage changes them, also
     rest = t.any,
     more = [[
 Any other key is the name of a driven support or a load: the values at the stage's end, in the order of its driven
-components (lengths, then the angle in degrees) or of the traction; a single value needs no braces. Supports and loads
-that a stage does not name keep their values. Values are measured from the reference state, not from the previous stage.
+components (lengths, then the angle in degrees) or of the load; a single value needs no braces. A function of the
+fraction s of the stage, from 0 to 1, returns these values; it is called for the end of each step, within which the path
+is linear. Supports and loads that a stage does not name keep their values. Values are measured from the reference
+state, not from the previous stage.
 The first stage of a run also closes the overlap of contacts with overlap = "interference", linearly.
 model:driven(name) lists the components. Options are the second argument, model:run({ … }, { step = { min = 1/256 } }):
 help "model:run".]],
     example = { [[
 model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
-           { name = "slide", steps = 250, grip = {1.5, -0.23} } }]],
+           { name = "slide", steps = 250, grip = {1.5, -0.23} } }
+model:run{ { name = "rub", steps = 8, grip = function(s) return {0.1 * math.sin(2 * math.pi * s), -0.23} end } }]],
     [[
 model:run{ { name = "press", steps = 46,  grip = {0, -0.23}, contacts = { interface = { friction = { mu = 0 } } } },
            { name = "slide", steps = 250, grip = {1.5, -0.23},

@@ -1,0 +1,156 @@
+#include "solid/load.hpp"
+
+#include "base/index.hpp"
+#include "base/words.hpp"
+#include "bind/scene_builder.hpp"
+#include "bind/wording/wording.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::bind {
+
+namespace {
+
+using model::LoadKind;
+
+/// Components of a load of a kind, in the words of messages.
+template <int D> std::string components_text(LoadKind kind) {
+  const char letter = kind == LoadKind::traction ? 't' : kind == LoadKind::body_force ? 'b' : 'p';
+  std::string list;
+  for (int c = 0; c < D; ++c) list += text(c == 0 ? "{" : ", ", letter, model::component_name(c));
+  return text("a list of ", D, " numbers ", list, "}");
+}
+
+std::string position_text(const VectorX& x) {
+  std::string list;
+  for (const double value : x) list += text(list.empty() ? "(" : ", ", number(value));
+  return list + ")";
+}
+
+bool is_list_of_numbers(lua_State* L, int index, int size) {
+  if (!lua_istable(L, index) || lua_rawlen(L, index) != at(size)) return false;
+  bool numbers = true;
+  for (int i = 1; i <= size; ++i) {
+    lua_rawgeti(L, index, i);
+    numbers = numbers && lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1));
+    lua_pop(L, 1);
+  }
+  return numbers;
+}
+
+/// Appends what a user's function returns at reference positions.
+template <int D> void append_values(const Arguments& a, const char* key, const MatrixX& positions, model::Load& load) {
+  lua_State* L = a.state();
+  const int function = a.push(key);
+  for (Eigen::Index k = 0; k < positions.cols(); ++k) {
+    lua_pushvalue(L, function);
+    for (int c = 0; c < D; ++c) lua_pushnumber(L, positions(c, k));
+    lua_call(L, D, 1);
+    const bool number = load.pressure() && lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1));
+    if (!number && (load.pressure() || !is_list_of_numbers(L, lua_gettop(L), D)))
+      fail(a.name(key), " must return ", load.pressure() ? "a finite number" : components_text<D>(load.kind), ", got ",
+           describe(L, -1), " at X = ", position_text(positions.col(k)),
+           ": it is called with the coordinates of reference positions");
+    if (number) {
+      load.values.push_back(lua_tonumber(L, -1));
+    } else {
+      const auto values = to<VectorX>(L, lua_gettop(L));
+      load.values.insert(load.values.end(), values.begin(), values.end());
+    }
+    lua_pop(L, 1);
+  }
+  lua_pop(L, 1);
+}
+
+/// Adds the control points of a corner or an edge.
+template <int D>
+void add_points(const SceneBuilder<D>& builder, const Arguments& a, const BoundaryPart<D>& place, model::Load& load) {
+  const int body = builder.index_of(place, a.name("on"));
+  if (place.functions.size() == 1 && std::string(place.kind) == "corner") {
+    load.points.push_back({body, place.functions.front(), 1.0});
+    return;
+  }
+  if constexpr (D == 3) {
+    const auto dash = place.name.find('-');
+    const VectorX lengths = solid::edge_lengths(*place.body, nurbs::side_of(place.name.substr(0, dash), 3),
+                                                nurbs::side_of(place.name.substr(dash + 1), 3));
+    for (const int function : place.functions) load.points.push_back({body, function, lengths(function)});
+  }
+}
+
+/// Reads `on` of a force: bodies, corners, or edges.
+template <int D> void read_places(const SceneBuilder<D>& builder, const Arguments& a, model::Load& load) {
+  std::vector<std::string> kinds, listed;
+  a.list("on", [&](int, int index, const std::string&) {
+    std::string kind = "body", words;
+    if (const Body<D>* body = test_object<Body<D>>(a.state(), index)) {
+      load.bodies.push_back(builder.index_of(*body, a.name("on")));
+      words = text("body '", builder.scene.bodies[at(load.bodies.back())].name, "'");
+    } else {
+      const BoundaryPart<D>& place = read_object<BoundaryPart<D>>(a.state(), index, {a.name("on")});
+      kind = place.kind;
+      words = text(kind, " '", place.name, "' of body '",
+                   builder.scene.bodies[at(builder.index_of(place, a.name("on")))].name, "'");
+      if (place.side)
+        a.fail("it is on the ", words,
+               ", but force acts on bodies per volume, on edges per length, or on corners: name "
+               "one of these, or give traction, a force per area");
+      add_points(builder, a, place, load);
+    }
+    if (std::ranges::find(listed, words) != listed.end()) reject_twice(a, words);
+    if (!kinds.empty() && kinds.front() != kind)
+      a.fail("it is on the ", listed.front(), " and the ", words,
+             ", but a force per volume, per length or on a corner has another unit: use a load for each");
+    listed.push_back(words);
+    kinds.push_back(kind);
+  });
+  load.kind = load.bodies.empty() ? LoadKind::point_force : LoadKind::body_force;
+}
+
+/// Reads `on` of a traction or a pressure: faces.
+template <int D> void read_faces(const SceneBuilder<D>& builder, const Arguments& a, model::Load& load) {
+  a.list("on", [&](int, int index, const std::string&) {
+    if (const Body<D>* body = test_object<Body<D>>(a.state(), index))
+      a.fail("it is on the body '", builder.scene.bodies[at(builder.index_of(*body, a.name("on")))].name,
+             "', but traction and pressure act on faces: name a face, or give force");
+    const model::FaceReference face = builder.face(a.state(), index, a.name("on"));
+    if (std::ranges::find(load.on, face) != load.on.end())
+      reject_twice(a, worded(model::face_message(builder.scene, face)));
+    load.on.push_back(face);
+  });
+}
+
+} // namespace
+
+template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arguments& a) {
+  model::Load load;
+  const char* key = a.has("pressure") ? "pressure" : a.has("force") ? "force" : "traction";
+  if (a.has("force")) {
+    read_places(builder, a, load);
+  } else {
+    read_faces(builder, a, load);
+    load.kind = !a.has("pressure")        ? LoadKind::traction
+                : a.get<bool>("follower") ? LoadKind::follower_pressure
+                                          : LoadKind::pressure;
+  }
+  if (!lua_isfunction(a.state(), a.push(key))) {
+    load.start = load.pressure() ? std::vector<double>{a.get<double>(key)} : a.get<std::vector<double>>(key);
+    if (load.start.size() != (load.pressure() ? 1 : at(D))) a.refuse(key, components_text<D>(load.kind));
+    return load;
+  }
+  if (load.kind == LoadKind::point_force)
+    a.fail("force is a function, which is for faces and bodies, but it is on corners or edges: give ",
+           components_text<D>(load.kind));
+  for (const model::FaceReference& face : load.on)
+    append_values<D>(a, key, solid::face_point_positions(*builder.scene.bodies[at(face.body)].body, face.side), load);
+  for (const int body : load.bodies)
+    append_values<D>(a, key, solid::point_positions(*builder.scene.bodies[at(body)].body), load);
+  load.start = {a.get<double>("factor")};
+  return load;
+}
+
+template model::Load read_load(const SceneBuilder<2>&, const Arguments&);
+template model::Load read_load(const SceneBuilder<3>&, const Arguments&);
+
+} // namespace signorini::bind

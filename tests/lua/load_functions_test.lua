@@ -1,0 +1,173 @@
+-- Loads as functions of the reference position, and forces on corners and edges: closed forms, resultants, factors as
+-- targets, files, wrong inputs.
+
+local sg = require "signorini"
+local check = require "check"
+
+local height, E = 2, 10
+local soft = sg.linear_elastic{ E = E, nu = 0 }
+
+local function column(kind, load)
+  local space = kind == "space"
+  local patch = space and sg.shapes.block{ size = { 1, 1, height } }
+    or sg.shapes.rectangle{ width = 1, height = height }
+  local body = sg.body{ patch = patch, elements = space and { 1, 1, 2 } or { 1, 2 }, order = "N3", material = soft }
+  local supports = space
+    and { bed = { on = body:face "front", fix = "z" }, side = { on = body:face "west", fix = "x" },
+          foot = { on = body:face "south", fix = "y" } }
+    or { bed = { on = body:face "south", fix = "y" }, side = { on = body:face "west", fix = "x" } }
+  return sg.model{ bodies = { column = body }, kind = not space and kind or nil, supports = supports,
+                   loads = { g = load(body) } }
+end
+
+local kinds = { "plane_strain", "plane_stress", "axisymmetric", "space" }
+local function area(kind) return kind == "axisymmetric" and math.pi or 1 end
+
+check.case("a force per volume that grows with height gives the closed form's cubic displacement", function()
+  for _, kind in ipairs(kinds) do
+    local space = kind == "space"
+    local model = column(kind, function(body)
+      return { on = body, factor = 0, force = space and function(_, _, z) return { 0, 0, -z } end
+        or function(_, y) return { 0, -y } end }
+    end)
+    local run = model:run({ { steps = 2, g = 1 } }, sg.plain{})
+    check.equal({ run.failed, run:column "g.factor" }, { false, { 0.5, 1 } })
+    local letter, tip = space and "z" or "y", space and { 0.3, 0.6, 1 } or { 0.3, 1 }
+    check.near(model:sample("column", "u" .. letter, tip), -height ^ 3 / (3 * E), 1e-10)
+    check.near(model:reaction "g"["f" .. letter], -height ^ 2 / 2 * area(kind), 1e-10)
+    check.near(model:reaction "bed"["f" .. letter], height ^ 2 / 2 * area(kind), 1e-9)
+    -- ½ ∫ E u'² dV with u' = -(H² - y²)/2E
+    local stored = (8 / 15) * height ^ 5 / (8 * E) * area(kind)
+    local energy = model:energy()
+    check.near({ energy.stored, energy.work }, { stored, stored }, 1e-10)
+  end
+end)
+
+check.case("a constant function is the uniform load; water carries the volume of a body", function()
+  local ring = sg.body{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 2, center = { 3, -5 } },
+                        elements = { 3, 2 }, order = "N2", material = soft }
+  local faces = { ring:face "west", ring:face "east", ring:face "south", ring:face "north" }
+  local function model_with(load, kind)
+    load.on = load.on or faces
+    return sg.model{ bodies = { ring = ring }, kind = kind, loads = { sea = load } }
+  end
+  for _, kind in ipairs { "plane_strain", "axisymmetric" } do
+    local north = ring:face "north"
+    for _, pair in ipairs {
+      { { on = north, traction = { 0.1, -0.2 } }, { on = north, traction = function() return { 0.1, -0.2 } end } },
+      { { on = north, pressure = 0.3 }, { on = north, pressure = function() return 0.3 end } },
+      { { on = north, pressure = 0.3, follower = true },
+        { on = north, pressure = function() return 0.3 end, follower = true } },
+    } do
+      local uniform, course = model_with(pair[1], kind), model_with(pair[2], kind)
+      check.near(course:residual(), uniform:residual(), 1e-13)
+    end
+    -- Archimedes: the water's resultant is the weight of the water that the body displaces.
+    for _, follower in ipairs { false, true } do
+      local model = model_with({ pressure = function(_, y) return -y end, follower = follower }, kind)
+      local section = math.pi / 4 * (2 ^ 2 - 1)
+      local moment = (2 ^ 3 - 1) / 3 -- of the section about its center's plane
+      local volume = kind == "axisymmetric" and 2 * math.pi * (3 * section + moment) or section
+      local force = model:reaction "sea"
+      check.within_share("buoyancy", force.fy, volume, 1e-9)
+    end
+  end
+end)
+
+check.case("the factor is 1 unless given, and stays where no stage names it; a file holds values", function()
+  local model = column("plane_strain", function(body)
+    return { on = body:face "north", traction = function(x) return { 0, -x } end }
+  end)
+  check.near(model:reaction "g", { 0, -0.5 }, 1e-14)
+  check.equal(model:driven "g", { "factor" })
+  local file = check.folder() .. "/course.sgn"
+  model:save(file)
+  local copy = sg.load(file)
+  copy:run({ { steps = 1, g = 3 } }, sg.plain{})
+  check.near(copy:reaction "g", { 0, -1.5 }, 1e-13)
+end)
+
+check.case("a force on a corner does work, and its support holds it", function()
+  for _, kind in ipairs(kinds) do
+    local space = kind == "space"
+    local name = space and "north-east-back" or "north-east"
+    local model = column(kind, function(body)
+      return { on = body:corner(name), force = space and { 0, 0, 0 } or { 0, 0 } }
+    end)
+    local run = model:run({ { steps = 3, g = space and { 0, 0, -0.6 } or { 0, -0.6 } } }, sg.plain{})
+    local letter = space and "z" or "y"
+    check.near(run:column("g.p" .. letter), { -0.2, -0.4, -0.6 }, 1e-15)
+    check.near(model:reaction "g"["f" .. letter], -0.6, 1e-14)
+    check.near(model:reaction "bed"["f" .. letter], 0.6, 1e-9)
+    -- Clapeyron: the work is half the force times the displacement of the corner.
+    local u = model:sample("column", "u" .. letter, space and { 1, 1, 1 } or { 1, 1 })
+    local energy = model:energy()
+    check.near({ energy.work, energy.stored }, { -0.3 * u, -0.3 * u }, 1e-10)
+    check.equal(u < 0, true)
+  end
+end)
+
+check.case("a force on edges acts per length, also on curved ones and layers", function()
+  for _, order in ipairs { "N2", "N2-N2.1" } do
+    local section = sg.shapes.quarter_annulus{ inner = 1, outer = 2, center = { 0, 0 } }
+    local shell = sg.body{ patch = sg.nurbs.extrude{ patch = section, along = { 0, 0, 3 } }, elements = { 3, 1, 2 },
+                           order = order, contact = order ~= "N2" and "south" or nil, material = soft }
+    local function resultant(on)
+      return sg.model{ bodies = { shell = shell }, loads = { line = { on = on, force = { 0, 0, -0.5 } } } }
+        :reaction "line"
+    end
+    local total = 0
+    for _, name in ipairs { "south-front", "south-back", "north-front", "north-back" } do
+      local force = -resultant(shell:edge(name))[3] / 0.5
+      check.equal(math.abs(force - math.pi) < 1e-6 or math.abs(force - math.pi / 2) < 1e-6, true)
+      total = total + force
+    end
+    check.within("arcs", total, 3 * math.pi, 1e-6)
+    check.near(resultant { shell:edge "south-west", shell:edge "north-west" }, { 0, 0, -3 }, 1e-12)
+  end
+end)
+
+local start = [[
+local sg = require "signorini"
+local soft = sg.linear_elastic{ E = 1, nu = 0.3 }
+local a = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N2",
+                   material = soft }
+local b = sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {1, 1, 1}, order = "N2", material = soft }
+local east, corner = a:face "east", a:corner "north-east"
+local function model(load) return sg.model{ bodies = { a = a }, loads = { g = load } } end
+local function solid(load) return sg.model{ bodies = { b = b }, loads = { g = load } } end
+]]
+for _, case in ipairs {
+  { "a number for a traction", "model{ on = east, traction = function(x, y) return y end }",
+    "loads.g.traction must return a list of 2 numbers {tx, ty}, got the number 0", "at X = (3, 0" },
+  { "a list for a pressure", "model{ on = east, pressure = function(x, y) return {y} end }",
+    "loads.g.pressure must return a finite number, got" },
+  { "nothing", "model{ on = a, force = function() end }", "loads.g.force must return a list of 2 numbers {bx, by}",
+    "got nothing" },
+  { "two components in 3D", "solid{ on = b, force = function(x, y) return {x, y} end }",
+    "loads.g.force must return a list of 3 numbers {bx, by, bz}" },
+  { "infinity", "model{ on = east, pressure = function() return 1 / 0 end }", "must return a finite number" },
+  { "an error inside", "model{ on = east, pressure = function(x) return x.y end }", "attempt to index" },
+  { "a function at a corner", "model{ on = corner, force = function() return {0, 1} end }",
+    "loads.g: force is a function, which is for faces and bodies", "give a list of 2 numbers {px, py}" },
+  { "a factor of a constant", "model{ on = east, pressure = 1, factor = 2 }",
+    "loads.g: factor is for functions, but pressure is constant" },
+  { "a text as factor", [[model{ on = east, pressure = function() return 1 end, factor = "2" }]],
+    "loads.g.factor must be a number", "remove the quotes" },
+  { "a corner and a body", "model{ on = { a, corner }, force = {0, 1} }",
+    "loads.g: it is on the body 'a' and the corner", "use a load for each" },
+  { "a corner twice", "model{ on = { corner, corner }, force = {0, 1} }", "loads.g.on lists corner", "twice" },
+  { "a traction at a corner", "model{ on = corner, traction = {0, 1} }", "loads.g.on must be a face" },
+  { "a pressure on an edge", [[solid{ on = b:edge "south-front", pressure = 1 }]], "loads.g.on must be a face",
+    "an edge has no surface" },
+  { "three components at a plane corner", "model{ on = corner, force = {0, 1, 2} }",
+    "loads.g.force must be a list of 2 numbers {px, py}" },
+} do
+  check.case("refused: " .. case[1], function()
+    local output, status = check.script(start .. case[2])
+    check.equal(status, 1)
+    check.holds(output, "signorini: study.lua:", table.unpack(case, 3))
+  end)
+end
+
+check.done()

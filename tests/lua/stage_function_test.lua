@@ -1,0 +1,111 @@
+-- Stages with functions of their fraction: columns, cut steps, arc length, checkpoints, wrong inputs.
+
+local sg = require "signorini"
+local check = require "check"
+
+local function bar(load)
+  local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = {4, 2}, order = "N2",
+                        material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  return sg.model{ bodies = { bar = body },
+    supports = { wall = { on = body:face "west", fix = "xy" }, grip = { on = body:face "east", drive = "xy" } },
+    loads = { gas = { on = body:face "north", pressure = 0, follower = load } } }
+end
+
+local function wave(s) return { 0.2 * math.sin(2 * math.pi * s), 0.1 * s * s } end
+
+check.case("the values are those at the end of each step; a later stage starts from the last", function()
+  local model = bar()
+  local run = model:run({ { steps = 8, grip = wave, gas = function(s) return 0.3 * s ^ 3 end },
+                          { steps = 2, grip = {0.4, 0.1}, gas = 0 } }, sg.plain{})
+  check.equal(run.failed, false)
+  local x, y, gas = {}, {}, {}
+  for k = 1, 8 do
+    x[k], y[k] = table.unpack(wave(k / 8))
+    gas[k] = 0.3 * (k / 8) ^ 3
+  end
+  for k = 1, 2 do x[8 + k], y[8 + k], gas[8 + k] = 0.2 * k, 0.1, 0.3 * (1 - k / 2) end
+  check.near(run:column "grip.ux", x, 1e-15)
+  check.near(run:column "grip.uy", y, 1e-15)
+  check.near(run:column "gas.pressure", gas, 1e-15)
+end)
+
+check.case("within a step the path is linear, also where it is cut", function()
+  local model, seen = bar(), {}
+  model:run({ { steps = 2, grip = wave } }, { step = { adaptive = true, min = 1 / 4 }, on_iteration = function(at)
+    if at.step == 2 and at.to - at.from > 0.6 then return "cut" end
+    if at.step == 2 and at.from > 0 then seen[#seen + 1] = { at.from, model:target("grip")[2] } end
+  end })
+  -- The target of the accepted state before the last increment: from 0.025 at s = 1/2 to 0.1 at s = 1
+  check.equal(#seen > 0, true)
+  check.near(seen[1][2], 0.025 + 0.075 * seen[1][1], 1e-15)
+  check.near(model:target "grip", wave(1), 1e-15)
+end)
+
+check.case("a resumed run follows the same values; another function is another path", function()
+  local file = check.folder() .. "/wave.sgn"
+  local stages = { { steps = 6, grip = wave } }
+  local stopped = bar():run(stages, { checkpoint = file, on_step = function(at)
+    if at.step == 3 then return "stop" end
+  end })
+  check.equal(stopped.reason, "stopped")
+  check.fails(function()
+    bar():run({ { steps = 6, grip = function(s) return { s, 0 } end } }, { checkpoint = file, resume = true })
+  end, "stage 1 ('stage 1') has different targets")
+  local model = bar()
+  local run = model:run(stages, { checkpoint = file, resume = true })
+  local whole = bar()
+  local straight = whole:run(stages, {})
+  check.equal({ run.failed, run.steps }, { false, 6 })
+  check.near(run:column "grip.fx", straight:column "grip.fx", 1e-9)
+  check.near(model:target "grip", wave(1), 1e-15)
+end)
+
+check.case("arc length follows the chord of a step past a limit point", function()
+  -- A balloon as in follower_test.lua, with a target that grows as the square root of the fraction
+  local body = sg.body{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 1.5, center = {0, 0} }, elements = {4, 2},
+                        order = "N3", volumetric = "projected",
+                        material = sg.mooney_rivlin{ c10 = 0.45, c01 = 0.05, K = 5000 } }
+  local model = sg.model{ bodies = { ball = body }, kind = "axisymmetric",
+    supports = { axis = { on = body:face "west", symmetry = true }, cut = { on = body:face "east", symmetry = true } },
+    loads = { gas = { on = body:face "north", pressure = 0, follower = true } } }
+  local run = model:run({ { steps = 6, gas = function(s) return 0.56 * math.sqrt(s) end } }, { arc_length = true })
+  check.equal(run.failed, false)
+  check.near(model:target "gas", { 0.56 }, 1e-14)
+  local p, falls = run:column "gas.pressure", false
+  for i = 2, #p do falls = falls or p[i] < p[i - 1] end
+  check.equal(falls, true)
+end)
+
+local start = [[
+local sg = require "signorini"
+local a = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N2",
+                   material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+local model = sg.model{ bodies = { a = a }, supports = { w = { on = a:face "west", fix = "xy" },
+                                                         grip = { on = a:face "east", drive = "xy" } } }
+]]
+for _, case in ipairs {
+  { "one number for two components", "grip = function(s) return s end",
+    "stages[1].grip must return 2 finite numbers (ux, uy), got the number 0.5 for the fraction 0.5",
+    "function(s) return {0, 0.1 * s} end" },
+  { "too many", "grip = function(s) return {s, s, s} end", "stages[1].grip must return 2 finite numbers" },
+  { "nothing", "grip = function(s) end", "must return 2 finite numbers (ux, uy), got nothing" },
+  { "nan", "grip = function(s) return {0, 0 / 0} end", "must return 2 finite numbers" },
+  { "a text", "grip = function(s) return {s, '1'} end", "must return 2 finite numbers" },
+  { "no steps", "grip = function(s) return {s, s} end, steps = 0", "stages[1].steps" },
+  { "an unknown support", "grop = function(s) return {s, s} end", "grop", "grip" },
+} do
+  check.case("refused: " .. case[1], function()
+    local steps = case[2]:find "steps" and "" or "steps = 2, "
+    local output, status = check.script(start .. "model:run{ { " .. steps .. case[2] .. " } }")
+    check.equal(status, 1)
+    check.holds(output, "signorini: study.lua:6: model:run: ", table.unpack(case, 3))
+  end)
+end
+
+check.case("an error in the function is reported at its line", function()
+  local output, status = check.script(start .. "model:run{ { steps = 2, grip = function(s) return {s.x.y, 0} end } }")
+  check.equal(status, 1)
+  check.holds(output, "study.lua:6: attempt to index")
+end)
+
+check.done()
