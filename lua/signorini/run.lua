@@ -201,7 +201,7 @@ function Step:set_next_targets()
     for i = 1, #now do now[i] = now[i] + stage_targets.change(self.stage, name, self.number, i) end
     self.model:set_target(name, now)
   end
-  contact_changes.set(self.model, stage, 1) -- without offsets and overlaps, which arc length cannot follow
+  contact_changes.set(self.model, self.stage, 1) -- without offsets and overlaps, which arc length cannot follow
 end
 
 --- Takes an arc-length increment, backward beyond a turning point, and accepts it, without recording it in the run. An

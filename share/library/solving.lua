@@ -175,7 +175,10 @@ function sg.model(arguments) end
 ---@field [string] sg.unknown_argument
 
 ---@class (exact) sg.contact.friction
----mu: Coulomb's coefficient of friction, tan of the angle of friction, not the angle (a number, 0 or more)
+---mu: a number, 0 or more. Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for a
+---```text
+---    contact whose friction begins in a later stage
+---```
 ---@field mu number
 ---penalty: a positive number; pressure per length; by default that of the contact; required with enforcement =
 ---```text
@@ -235,7 +238,8 @@ function sg.model(arguments) end
 ---@field penalty? number
 ---friction: Coulomb friction (a table of named arguments; by default none)
 ---```text
----  mu:      Coulomb's coefficient of friction, tan of the angle of friction, not the angle (a number, 0 or more)
+---  mu:      a number, 0 or more. Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for
+---           a contact whose friction begins in a later stage
 ---  penalty: a positive number; pressure per length; by default that of the contact; required with enforcement =
 ---           "penalty". Tangential penalty, stiffness of elastic slip, which remains with method = "gpts" also where
 ---           pressures are augmented
@@ -287,6 +291,23 @@ function sg.model(arguments) end
 ---  r0:      equilibrium distance of the potential (a positive number; length)
 ---```
 ---@field adhesion? sg.contact.adhesion
+---active: whether the contact acts from the start; stages switch it on and off (true or false; default true)
+---@field active? boolean
+---offset: a number; length; default 0. Gap at which the faces touch: the gap g of all formulas is the distance less the
+---```text
+---        offset. Positive: a shim of this thickness; negative: a clearance that the shapes do not have. The offset acts
+---        in full from the first step; stages change it linearly. It does not change directions and areas of the faces,
+---        so it should be small compared with their radii of curvature
+---```
+---@field offset? number
+---overlap: 'error' or 'interference'; default "error". Initial shapes that overlap. error: a mistake; an overlap of 1
+---to
+---```text
+---         20 % of the thickness of the thinner body is a warning, in obstacles of more than 1 % of the body's size an
+---         error. interference: a fit; the overlap at each contact point, up to 90 % of the thickness, is allowed at
+---         first and closed linearly over the first stage of model:run
+---```
+---@field overlap? "error"|"interference"
 ---where: a function; by default everywhere. function(X) that returns true where the contact acts; X = {x, y}, in 3D {x,
 ---```text
 ---       y, z}, is a reference position of the slave face, with half passes of either face. Called when the model is
@@ -666,6 +687,30 @@ function model:warnings() end
 ---@return sg.run
 function model:run(stages, options) end
 
+---@class (exact) sg.stage.contacts.friction
+---mu: Coulomb's coefficient of friction (a number, 0 or more; optional)
+---@field mu? number
+---penalty: tangential penalty (a positive number; pressure per length; optional)
+---@field penalty? number
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.stage.contacts
+---active: whether the contact acts. One that does not has no pressure, friction or history (true or false; optional)
+---@field active? boolean
+---penalty: normal penalty (a positive number; pressure per length; optional)
+---@field penalty? number
+---friction: a table of named arguments; optional. Coulomb friction, of a contact that has friction in sg.model (there
+---mu
+---```text
+---          = 0 if it is without at first). Where friction begins, points stick at their present place
+---  mu:      Coulomb's coefficient of friction (a number, 0 or more; optional)
+---  penalty: tangential penalty (a positive number; pressure per length; optional)
+---```
+---@field friction? sg.stage.contacts.friction
+---offset: gap at which the faces touch (a number; length; optional)
+---@field offset? number
+---@field [string] sg.unknown_argument
+
 ---A part of the load path: leads in equal steps to the values at its end.
 ---
 ---```text
@@ -676,20 +721,37 @@ function model:run(stages, options) end
 ---components (lengths, then the angle in degrees) or of the load; a single value needs no braces. A function of the
 ---fraction s of the stage, from 0 to 1, returns these values; it is called for the end of each step, within which the
 ---path is linear. Supports and loads that a stage does not name keep their values. Values are measured from the
----reference state, not from the previous stage. model:driven(name) lists the components. Options are the second
----argument, model:run({ … }, { step = { min = 1/256 } }): help "model:run".
+---reference state, not from the previous stage. The first stage of a run also closes the overlap of contacts with
+---overlap = "interference", linearly. model:driven(name) lists the components. Options are the second argument,
+---model:run({ … }, { step = { min = 1/256 } }): help "model:run".
 ---
 ---Example:
 ---```lua
 ---model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
 ---           { name = "slide", steps = 250, grip = {1.5, -0.23} } }
 ---model:run{ { name = "rub", steps = 8, grip = function(s) return {0.1 * math.sin(2 * math.pi * s), -0.23} end } }
+---model:run{ { name = "press", steps = 46,  grip = {0, -0.23}, contacts = { interface = { friction = { mu = 0 } } } },
+---           { name = "slide", steps = 250, grip = {1.5, -0.23},
+---             contacts = { interface = { friction = { mu = 0.2 } } } } }
 ---```
 ---@class sg.stage
 ---name: name in reports and on_step (a string; by default "stage 1" and so on)
 ---@field name? string
 ---steps: number of steps (a whole number, 1 or more)
 ---@field steps integer
+---contacts: a table of names { name = … }; optional. Constants of contacts that change, by name: { active, penalty,
+---```text
+---          friction, offset }. They act in full from the first step of the stage, except for offset, which changes
+---          linearly over the stage; all hold until another stage changes them, also in further runs
+---  active:   whether the contact acts. One that does not has no pressure, friction or history (true or false; optional)
+---  penalty:  normal penalty (a positive number; pressure per length; optional)
+---  friction: a table of named arguments; optional. Coulomb friction, of a contact that has friction in sg.model (there
+---            mu = 0 if it is without at first). Where friction begins, points stick at their present place
+---    mu:      Coulomb's coefficient of friction (a number, 0 or more; optional)
+---    penalty: tangential penalty (a positive number; pressure per length; optional)
+---  offset:   gap at which the faces touch (a number; length; optional)
+---```
+---@field contacts? table<string, sg.stage.contacts>
 ---@field [string] any
 
 ---Returns the default controls of model:run explicitly: each step starts from the linear predictor (predictor =
