@@ -691,6 +691,11 @@ function model:run(stages, options) end
 ---components (lengths, then the angle in degrees) or of the traction; a single value needs no braces. Supports and
 ---loads that a stage does not name keep their values. Values are measured from the reference state, not from the
 ---previous stage. The first stage of a run also closes the overlap of contacts with overlap = "interference", linearly.
+---A contact that is pressed without friction and turned with it, with friction = { mu = 0, penalty = 100 } in sg.model:
+---```text
+---  model:run{ { name = "press", steps = 10, grip = {-1, 0} },
+---             { name = "turn", steps = 90, grip = {-1, 180}, contacts = { joint = { friction = { mu = 0.5 } } } } }
+---```
 ---model:driven(name) lists the components. Options are the second argument, model:run({ … }, { step = { min = 1/256 }
 ---}): help "model:run".
 ---
@@ -698,9 +703,6 @@ function model:run(stages, options) end
 ---```lua
 ---model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
 ---           { name = "slide", steps = 250, grip = {1.5, -0.23} } }
----model:run{ { name = "press", steps = 46,  grip = {0, -0.23}, contacts = { interface = { friction = { mu = 0 } } } },
----           { name = "slide", steps = 250, grip = {1.5, -0.23},
----             contacts = { interface = { friction = { mu = 0.2 } } } } }
 ---```
 ---@class sg.stage
 ---name: name in reports and on_step (a string; by default "stage 1" and so on)

@@ -35,7 +35,8 @@ local of_key = {
   part = { "count", "tied fraction of the slave face" },
   distance = { "length", "largest distance of the tied faces in the reference shape" },
   stored = { "energy", "strain energy" }, contact = { "energy", "energy of penalty springs or of adhesion" },
-  friction = { "energy", "dissipated by friction so far" }, work = { "energy", "work of supports, loads and offsets so far" },
+  friction = { "energy", "dissipated by friction so far" },
+  work = { "energy", "work of supports, loads and offsets so far" },
   area_growth = { "energy", "energy of the springs times the growth of their area so far" },
 }
 for _, axis in ipairs { "x", "y", "z" } do

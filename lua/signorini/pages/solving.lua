@@ -103,15 +103,14 @@ Any other key is the name of a driven support or a load: the values at the stage
 components (lengths, then the angle in degrees) or of the traction; a single value needs no braces. Supports and loads
 that a stage does not name keep their values. Values are measured from the reference state, not from the previous stage.
 The first stage of a run also closes the overlap of contacts with overlap = "interference", linearly.
+A contact that is pressed without friction and turned with it, with friction = { mu = 0, penalty = 100 } in sg.model:
+  model:run{ { name = "press", steps = 10, grip = {-1, 0} },
+             { name = "turn", steps = 90, grip = {-1, 180}, contacts = { joint = { friction = { mu = 0.5 } } } } }
 model:driven(name) lists the components. Options are the second argument, model:run({ … }, { step = { min = 1/256 } }):
 help "model:run".]],
-    example = { [[
+    example = [[
 model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
-           { name = "slide", steps = 250, grip = {1.5, -0.23} } }]],
-    [[
-model:run{ { name = "press", steps = 46,  grip = {0, -0.23}, contacts = { interface = { friction = { mu = 0 } } } },
-           { name = "slide", steps = 250, grip = {1.5, -0.23},
-             contacts = { interface = { friction = { mu = 0.2 } } } } }]] } },
+           { name = "slide", steps = 250, grip = {1.5, -0.23} } }]] },
   { "sg.robust", [[Returns the default controls of model:run explicitly: each step starts from the linear predictor
 (predictor = "linear"), a failed step is tried again with the first fallbacks (fallback = true), then cut in half
 (step = { adaptive = true }), and at the smallest increment tried with the other fallbacks. Given options replace these.
