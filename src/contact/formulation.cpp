@@ -88,12 +88,13 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
   return_to_accepted();
 }
 
-/// Whether a point has passed through the master since the accepted state. Points whose distance exceeds the approach
-/// of slave and master need no test.
+/// Whether a point of an active contact has passed through the master since the accepted state. Points whose distance
+/// exceeds the approach of slave and master need no test.
 template <int D>
 bool Formulation<D>::has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted) const {
   const PointHistory<D>& point = present.points[i];
   const PointResult<D>& result = present.results[i];
+  if (!active(present) || !active(accepted)) return false;
   const double moved = travel_ - accepted_travel_;
   const double touching = offset(i, present);
   const double least = point.cleared > 0 ? point.cleared - travel_ + touching : point.projection.gap; // distance

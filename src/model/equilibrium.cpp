@@ -106,7 +106,8 @@ template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& op
   bool any = false;
   for (std::size_t k = 0; k < system.contacts.size() && damping; ++k) {
     const Contact<D>& contact = system.scene.contacts[k];
-    const bool falls = resultant(model.present.contacts[k]).active == 0 &&
+    const bool falls = system.contacts[k]->active(model.present.contacts[k]) &&
+                       resultant(model.present.contacts[k]).active == 0 &&
                        std::any_of(system.unconstrained().begin(), system.unconstrained().end(),
                                    [&](const UnconstrainedMotion& motion) { return acts_on(contact, motion.body); });
     model.controls[k].landing = falls;

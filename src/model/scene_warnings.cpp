@@ -96,12 +96,12 @@ template <int D> std::set<std::pair<int, int>> places(const contact::Formulation
   return result;
 }
 
-/// Whether two contacts act on the same points. Different kinds of laws may do so: adhesion and penalty. Half passes
-/// act on their slave only.
+/// Whether two contacts act on the same points at the start. Different kinds of laws may do so: adhesion and penalty.
+/// Half passes act on their slave only.
 template <int D>
 bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Formulation<D>& first,
                const contact::Formulation<D>& second) {
-  if (a.method.index() != b.method.index()) return false;
+  if (a.method.index() != b.method.index() || !a.start.active || !b.start.active) return false;
   const auto* master = a.other_pass < 0 ? std::get_if<Faces>(&a.master) : nullptr;
   if (master && *master == b.slave && b.master == decltype(b.master)(a.slave)) return true; // slave and master swapped
   if (!(a.slave == b.slave) || !(a.master == b.master)) return false;

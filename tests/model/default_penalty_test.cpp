@@ -118,7 +118,7 @@ TEST(DefaultPenalty, FilesKeepTheEnforcementAndTheDefault) {
     const auto* law = contact::penalty_law(loaded->system.scene.contacts[0].method);
     EXPECT_EQ(law->enforcement, Enforcement::augmented);
     EXPECT_TRUE(loaded->system.contacts[0]->augmented());
-    EXPECT_EQ(law->normal, model.system.contacts[0]->penalty());
+    EXPECT_EQ(law->normal, model.system.contacts[0]->penalty(model.accepted.contacts[0]));
     EXPECT_TRUE(loaded->system.scene.contacts[0].default_penalty);
   }
   Model<2> other(two_blocks({1}, region));
