@@ -2,6 +2,7 @@
 #include "base/words.hpp"
 #include "bind/scene_builder.hpp"
 #include "bind/wording/wording.hpp"
+#include "model/face_projection.hpp"
 #include "solid/load.hpp"
 
 #include <algorithm>
@@ -80,6 +81,29 @@ template <int D> void read_rotation(const Arguments& a, model::Support<D>& suppo
   support.center /= size;
 }
 
+/// The shape of a displacement, projected onto the control points of the faces.
+template <int D> void read_shape(const Arguments& a, const SceneBuilder<D>& builder, model::Support<D>& support) {
+  if (!a.has("shape")) return;
+  const auto reject_shape = [&](const auto&... words) { fail(a.name("shape"), " ", words...); };
+  if (std::ranges::find(support.constraint, Constraint::driven) == support.constraint.end())
+    reject_shape("needs driven components, which follow it: add drive = \"", D == 2 ? "xy" : "xyz", "\"");
+  if (support.rotates) reject_shape("cannot be combined with rotate: remove one of the two");
+  std::vector<model::FaceReference> faces;
+  MatrixX positions(D, 0);
+  each_face<D>(a, "a face, or a list of faces", "a shape is for faces of bodies; use separate supports for others",
+               [&](const BoundaryPart<D>& face) {
+                 faces.push_back({builder.index_of(face, a.name("on")), *face.side});
+                 const MatrixX own = solid::face_point_positions(*face.body, *face.side);
+                 positions.conservativeResize(D, positions.cols() + own.cols());
+                 positions.rightCols(own.cols()) = own;
+               });
+  const MatrixX values =
+      values_at<D>(a, "shape", positions, D == 2 ? "a list of 2 numbers {ux, uy}" : "a list of 3 numbers {ux, uy, uz}");
+  const std::vector<MatrixX> shapes = model::project(builder.scene, faces, values);
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    support.on[i].shape.assign(shapes[i].data(), shapes[i].data() + shapes[i].size());
+}
+
 /// x, y or z = place.
 struct AxisPlane {
   int axis;
@@ -156,6 +180,7 @@ template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const 
   read_components(a, "free", Constraint::free, support);
   read_rotation(a, support);
   read_symmetry(a, builder, support);
+  read_shape(a, builder, support);
   if (support.constraint == std::array<Constraint, D>{} && !support.rotates)
     a.fail("it must constrain at least one component: add fix = \"xy\", drive = \"xy\", ",
            D == 2 ? "rotate = true" : "rotate = \"z\"", " or symmetry = true");

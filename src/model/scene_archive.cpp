@@ -24,8 +24,8 @@ Faces read(ArchiveReader& from, std::type_identity<Faces>) {
 }
 
 auto members(SupportedControlPoints& points) {
-  auto& [body, functions] = points;
-  return std::tie(body, functions);
+  auto& [body, functions, shape] = points;
+  return std::tie(body, functions, shape);
 }
 
 template <int D> auto members(Support<D>& support) {
