@@ -80,7 +80,7 @@ function sg.model(arguments) end
 ---Fixes or prescribes displacements of faces, edges, corners or obstacles; at least one component.
 ---
 ---```text
----supports = { <name> = { on, fix, drive, free, rotate, shape, symmetry } }, in sg.model{ … }
+---supports = { <name> = { on, fix, drive, free, rotate, spring, shape, symmetry } }, in sg.model{ … }
 ---```
 ---
 ---model:reaction(name) is the force that it exerts, followed by the moment if it rotates; the columns of a run are
@@ -112,6 +112,12 @@ function sg.model(arguments) end
 ---        a fixed point
 ---```
 ---@field rotate? boolean|"x"|"y"|"z"|[number, number, number]
+---spring: a list of 2 or 3 numbers; force per length and reference area; optional. Stiffness {kx, ky}, in 3D {kx, ky,
+---```text
+---        kz}, of springs that hold the faces; 0 where there is none. They are free of forces in the reference shape and
+---        keep the directions of the axes
+---```
+---@field spring? [number, number]|[number, number, number]
 ---shape: a function; by default a displacement for each driven component. function(x, y), in 3D function(x, y, z), that
 ---```text
 ---       returns the displacement {ux, uy} of a reference position of the faces, of which the driven components follow

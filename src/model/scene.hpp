@@ -72,6 +72,8 @@ template <int D> struct Support {
   bool rotates = false;
   Vec<D> center = Vec<D>::Zero(); ///< X_c, if it rotates
   Vec<D> axis = Vec<D>::Zero();   ///< unit vector (3D); unused in 2D
+  Vec<D> spring = Vec<D>::Zero(); ///< stiffness per reference area, by component
+  std::vector<FaceReference> spring_faces = {};
 
   /// Whether its driven components follow a shape times one factor, in place of a displacement for each component.
   bool shaped() const { return !on.empty() && !on.front().shape.empty(); }

@@ -226,7 +226,7 @@ sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", tr
           supports = { bed = { on = cube:face "front", fix = "xyz" },
                        grip = { on = cube:face "back", drive = "z", fix = "xy", rotate = "z" } } }]] } },
   { "support", "Fixes or prescribes displacements of faces, edges, corners or obstacles; at least one component.",
-    head = "supports = { <name> = { on, fix, drive, free, rotate, shape, symmetry } }, in sg.model{ … }",
+    head = "supports = { <name> = { on, fix, drive, free, rotate, spring, shape, symmetry } }, in sg.model{ … }",
     named = {
       { "on", t.worded(t.flat(t.either(face, obstacle)),
         "a face or a list of faces, an edge, a corner or an obstacle"), "where; the reaction of a list is the sum" },
@@ -238,6 +238,9 @@ sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", tr
 centroid, in 3D about the axis through it, by an angle in degrees that stages give after the driven components; in 3D a
 list of faces rotates as one, in the plane it must be one face. fix and drive then refer to the centroid, whose other
 components are free: rotate = true, fix = "xy" rotates the face about a fixed point]], otherwise = "no rotation" },
+      { "spring", t.point, [[stiffness {kx, ky}, in 3D {kx, ky, kz}, of springs that hold the faces; 0 where there is
+none. They are free of forces in the reference shape and keep the directions of the axes]],
+        unit = "force per length and reference area", optional = true },
       { "shape", course, [[function(x, y), in 3D function(x, y, z), that returns the displacement {ux, uy} of a
 reference position of the faces, of which the driven components follow it, times a factor that stages prescribe. It is
 called when the model is made, and projected onto the faces (least squares), which reproduces fields of their space]],
