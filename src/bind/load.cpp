@@ -1,12 +1,10 @@
 #include "solid/load.hpp"
 
 #include "base/index.hpp"
-#include "base/words.hpp"
 #include "bind/scene_builder.hpp"
 #include "bind/wording/wording.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace signorini::bind {
 
@@ -22,45 +20,10 @@ template <int D> std::string components_text(LoadKind kind) {
   return text("a list of ", D, " numbers ", list, "}");
 }
 
-std::string position_text(const VectorX& x) {
-  std::string list;
-  for (const double value : x) list += text(list.empty() ? "(" : ", ", number(value));
-  return list + ")";
-}
-
-bool is_list_of_numbers(lua_State* L, int index, int size) {
-  if (!lua_istable(L, index) || lua_rawlen(L, index) != at(size)) return false;
-  bool numbers = true;
-  for (int i = 1; i <= size; ++i) {
-    lua_rawgeti(L, index, i);
-    numbers = numbers && lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1));
-    lua_pop(L, 1);
-  }
-  return numbers;
-}
-
 /// Appends what a user's function returns at reference positions.
 template <int D> void append_values(const Arguments& a, const char* key, const MatrixX& positions, model::Load& load) {
-  lua_State* L = a.state();
-  const int function = a.push(key);
-  for (Eigen::Index k = 0; k < positions.cols(); ++k) {
-    lua_pushvalue(L, function);
-    for (int c = 0; c < D; ++c) lua_pushnumber(L, positions(c, k));
-    lua_call(L, D, 1);
-    const bool number = load.pressure() && lua_type(L, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, -1));
-    if (!number && (load.pressure() || !is_list_of_numbers(L, lua_gettop(L), D)))
-      fail(a.name(key), " must return ", load.pressure() ? "a finite number" : components_text<D>(load.kind), ", got ",
-           describe(L, -1), " at X = ", position_text(positions.col(k)),
-           ": it is called with the coordinates of reference positions");
-    if (number) {
-      load.values.push_back(lua_tonumber(L, -1));
-    } else {
-      const auto values = to<VectorX>(L, lua_gettop(L));
-      load.values.insert(load.values.end(), values.begin(), values.end());
-    }
-    lua_pop(L, 1);
-  }
-  lua_pop(L, 1);
+  const MatrixX values = values_at<D>(a, key, positions, load.pressure() ? "" : components_text<D>(load.kind));
+  load.values.insert(load.values.end(), values.data(), values.data() + values.size());
 }
 
 /// Adds the control points of a corner or an edge.

@@ -204,7 +204,8 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
   };
   // Loads are accepted among the supports: both are external actions on a body.
   const auto add_boundary_condition = [&](const Arguments& part, const std::string&) -> std::string& {
-    if (part.has("traction") || part.has("pressure") || part.has("force")) return scene.loads.emplace_back(read_load(builder, part)).name;
+    if (part.has("traction") || part.has("pressure") || part.has("force"))
+      return scene.loads.emplace_back(read_load(builder, part)).name;
     return scene.supports.emplace_back(read_support(builder, part)).name;
   };
   each("supports", add_boundary_condition);

@@ -31,6 +31,11 @@ template <int D>
   fail(a.name("on"), " lists ", what, " twice, expected once: remove one of the two");
 }
 
+/// What a user's function returns at reference positions, D × points. `list`: the expected list of D numbers in words;
+/// if it is empty, a number is expected, and the result is 1 × points. Throws for other results.
+template <int D>
+MatrixX values_at(const Arguments& a, const char* key, const MatrixX& positions, const std::string& list);
+
 /// An entry of `supports` or `loads`; the caller sets its name. New obstacles are added to the scene.
 template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const Arguments& a);
 template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arguments& a);

@@ -2,6 +2,7 @@
 #include "base/words.hpp"
 #include "bind/scene_builder.hpp"
 #include "bind/wording/wording.hpp"
+#include "model/face_projection.hpp"
 #include "solid/load.hpp"
 
 #include <algorithm>
@@ -80,6 +81,53 @@ template <int D> void read_rotation(const Arguments& a, model::Support<D>& suppo
   support.center /= size;
 }
 
+/// Springs on faces.
+template <int D> void read_spring(const Arguments& a, const SceneBuilder<D>& builder, model::Support<D>& support) {
+  if (!a.has("spring")) return;
+  const auto stiffness = a.get<std::vector<double>>("spring");
+  const char* expected = D == 2 ? "a list of 2 numbers {kx, ky}" : "a list of 3 numbers {kx, ky, kz}";
+  if (stiffness.size() != D) a.refuse("spring", expected);
+  const auto reject_spring = [&](const auto&... words) { fail(a.name("spring"), " ", words...); };
+  for (int c = 0; c < D; ++c) {
+    support.spring(c) = stiffness[at(c)];
+    if (!(support.spring(c) >= 0))
+      reject_spring("must not be negative, got ", number(support.spring(c)), " for ", model::component_name(c));
+    if (support.spring(c) > 0 && support.constraint[at(c)] != Constraint::free)
+      reject_spring("acts on ", model::component_name(c), ", which the support also ",
+                    support.constraint[at(c)] == Constraint::fixed ? "fixes" : "drives",
+                    ": a component is held by a spring or prescribed, use 0 for it");
+  }
+  if (support.spring.isZero(0)) reject_spring("has no stiffness: give a positive one for at least one component");
+  if (support.rotates) reject_spring("cannot be combined with rotate: use separate supports");
+  each_face<D>(a, "a face, or a list of faces", "springs are for faces of bodies; use separate supports for others",
+               [&](const BoundaryPart<D>& face) {
+                 support.spring_faces.push_back({builder.index_of(face, a.name("on")), *face.side});
+               });
+}
+
+/// The shape of a displacement, projected onto the control points of the faces.
+template <int D> void read_shape(const Arguments& a, const SceneBuilder<D>& builder, model::Support<D>& support) {
+  if (!a.has("shape")) return;
+  const auto reject_shape = [&](const auto&... words) { fail(a.name("shape"), " ", words...); };
+  if (std::ranges::find(support.constraint, Constraint::driven) == support.constraint.end())
+    reject_shape("needs driven components, which follow it: add drive = \"", D == 2 ? "xy" : "xyz", "\"");
+  if (support.rotates) reject_shape("cannot be combined with rotate: remove one of the two");
+  std::vector<model::FaceReference> faces;
+  MatrixX positions(D, 0);
+  each_face<D>(a, "a face, or a list of faces", "a shape is for faces of bodies; use separate supports for others",
+               [&](const BoundaryPart<D>& face) {
+                 faces.push_back({builder.index_of(face, a.name("on")), *face.side});
+                 const MatrixX own = solid::face_point_positions(*face.body, *face.side);
+                 positions.conservativeResize(D, positions.cols() + own.cols());
+                 positions.rightCols(own.cols()) = own;
+               });
+  const MatrixX values =
+      values_at<D>(a, "shape", positions, D == 2 ? "a list of 2 numbers {ux, uy}" : "a list of 3 numbers {ux, uy, uz}");
+  const std::vector<MatrixX> shapes = model::project(builder.scene, faces, values);
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    support.on[i].shape.assign(shapes[i].data(), shapes[i].data() + shapes[i].size());
+}
+
 /// x, y or z = place.
 struct AxisPlane {
   int axis;
@@ -156,9 +204,11 @@ template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const 
   read_components(a, "free", Constraint::free, support);
   read_rotation(a, support);
   read_symmetry(a, builder, support);
-  if (support.constraint == std::array<Constraint, D>{} && !support.rotates)
+  read_spring(a, builder, support);
+  read_shape(a, builder, support);
+  if (support.constraint == std::array<Constraint, D>{} && !support.rotates && support.spring_faces.empty())
     a.fail("it must constrain at least one component: add fix = \"xy\", drive = \"xy\", ",
-           D == 2 ? "rotate = true" : "rotate = \"z\"", " or symmetry = true");
+           D == 2 ? "rotate = true" : "rotate = \"z\"", " or symmetry = true, or a spring");
   return support;
 }
 

@@ -11,8 +11,8 @@ namespace signorini::model {
 
 template <int D>
 Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts,
-                      const contact::Ties<D>& ties, const FollowerLoads<D>& followers)
-    : scene_(scene), unknowns_(unknowns), contacts_(contacts), followers_(followers),
+                      const contact::Ties<D>& ties, const FollowerLoads<D>& followers, const Springs<D>& springs)
+    : scene_(scene), unknowns_(unknowns), contacts_(contacts), followers_(followers), springs_(springs),
       ties_(tie_terms(scene, unknowns, ties)), tie_border_(tie_border(scene, unknowns, ties)),
       placements_(contacts.size()), is_contact_unknown_(at(unknowns.size()), false), product_(unknowns.dofs()) {
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
@@ -122,7 +122,7 @@ template <int D> void Assembly<D>::cover(bool contacts) {
     tie_positions_.push_back(j < 0 ? -1 : pattern_.find(i, j));
     tie_positions_.push_back(j < 0 ? -1 : pattern_.find(j, i));
   }
-  locate_followers();
+  locate_face_terms();
   values_.resize(at(pattern_.entries()) + arrays_.size());
   for (auto& placements : placements_) placements.clear();
   if (linear_) build_constant();
@@ -136,7 +136,7 @@ template <int D> void Assembly<D>::add_ties(double* values) const {
   for (const auto& [multiplier, value] : ties_.proximal) values[diagonal_[at(unknowns_.unknown(multiplier))]] += value;
 }
 
-/// Computes the tangent of linear bodies, with ties.
+/// Computes the tangent of linear bodies, with ties and springs.
 template <int D> void Assembly<D>::build_constant() {
   constant_.assign(at(pattern_.entries()) + arrays_.size(), 0.0);
   const VectorX rest = VectorX::Zero(unknowns_.dofs());
@@ -149,6 +149,7 @@ template <int D> void Assembly<D>::build_constant() {
     }
   }
   add_ties(constant_.data());
+  add_springs(constant_.data());
 }
 
 template <int D>
@@ -161,7 +162,9 @@ std::optional<BodyInversion> Assembly<D>::assemble(const States<D>& states, cons
   if (linear_ || D == 3 || !tie_border_.empty()) watch_contacts();
   add_contacts(request);
   ties_.multiply(states.present.displacement, states.present.force);
+  springs_.multiply(states.present.displacement, states.present.force);
   if (direction) ties_.multiply(*direction, product_);
+  if (direction) springs_.multiply(*direction, product_);
   if (tangent) add_followers(request);
   if (tangent) find_diagonal_norm();
   return std::nullopt;
@@ -249,6 +252,7 @@ template <int D> void Assembly<D>::clear(const Request& request) {
   } else {
     std::fill(values_.begin(), values_.end(), 0.0);
     add_ties(values_.data());
+    add_springs(values_.data());
   }
 }
 
@@ -344,7 +348,7 @@ template <int D> void Assembly<D>::add_diagonal(const VectorX& shift) {
 template <int D> double Assembly<D>::memory() const {
   const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
   double sum = bytes(values_) + bytes(constant_) + bytes(positions_) + bytes(bulk_positions_) + bytes(ties_.couplings) +
-               bytes(tie_positions_) + bytes(follower_positions_);
+               bytes(tie_positions_) + bytes(follower_positions_) + bytes(spring_positions_);
   for (const solve::Pattern* pattern : {&bulk_pattern_, &pattern_})
     sum += bytes(pattern->starts) + bytes(pattern->rows);
   for (const auto& placements : placements_)

@@ -3,6 +3,7 @@
 
 #include "model/follower_loads.hpp"
 #include "model/partition.hpp"
+#include "model/springs.hpp"
 #include "model/state.hpp"
 #include "model/tie_terms.hpp"
 #include "solid/internal.hpp"
@@ -36,7 +37,7 @@ template <int D> struct States {
 template <int D> class Assembly {
 public:
   Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts,
-           const contact::Ties<D>& ties, const FollowerLoads<D>& followers);
+           const contact::Ties<D>& ties, const FollowerLoads<D>& followers, const Springs<D>& springs);
 
   /// Assembles the force f_int + f_c of all degrees of freedom, into the present state, and the tangent of the
   /// unknowns, with that of the loads that follow the deformation. Contacts write foot points and results into the
@@ -59,7 +60,7 @@ public:
   const solve::Pattern& pattern() const { return pattern_; }
   /// Incremented whenever the pattern changes.
   int pattern_version() const { return version_; }
-  /// The constant tangent of bodies and ties if all bodies are linear elastic; otherwise empty.
+  /// The constant tangent of bodies, springs and ties if all bodies are linear elastic; otherwise empty.
   const std::vector<double>& constant_values() const { return constant_; }
   /// The unknowns on which contacts act or may soon act, sorted. The list is extended in large pieces, each with a new
   /// contact_version(). Maintained for linear bodies, in 3D and with ties, whose tie_border() it contains.
@@ -97,7 +98,8 @@ private:
   void scatter(int body, int e, const solid::ElementArrays<D>& arrays, double* values) const;
   void multiply(int body, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction);
   void add_contacts(const Request& request);
-  void locate_followers();
+  void locate_face_terms();
+  void add_springs(double* values) const;
   void add_followers(const Request& request);
   void find_diagonal_norm();
 
@@ -111,6 +113,7 @@ private:
   const Unknowns<D>& unknowns_;
   const contact::Formulations<D>& contacts_;
   const FollowerLoads<D>& followers_;
+  const Springs<D>& springs_;
   TieTerms ties_;
   std::vector<int> tie_border_;
   solve::Pattern bulk_pattern_, pattern_;
@@ -121,7 +124,7 @@ private:
   std::vector<Partition> partitions_;                                    ///< per body
   std::vector<solid::ElementArrays<D>> arrays_;                          ///< per body and share of its partition
   std::vector<int> tie_positions_; ///< in values_, of each coupling and its transpose; −1 without unknown
-  std::vector<int> follower_positions_;
+  std::vector<int> follower_positions_, spring_positions_;
   std::vector<int> diagonal_;
   std::vector<double> values_;   ///< after the entries one per share, for those of prescribed degrees of freedom
   std::vector<double> constant_; ///< bulk values of linear bodies, in the order of pattern_

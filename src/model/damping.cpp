@@ -3,6 +3,7 @@
 #include "base/index.hpp"
 #include "model/constants.hpp"
 #include "model/rigid_motions.hpp"
+#include "model/springs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,7 @@ template <int D> std::vector<std::vector<int>> connected_groups(const Scene<D>& 
 
 template <int D>
 std::vector<UnconstrainedMotion> unconstrained_motions(const Scene<D>& scene, const Unknowns<D>& unknowns) {
+  const Springs<D> springs(scene, unknowns);
   std::vector<UnconstrainedMotion> unconstrained;
   for (const std::vector<int>& group : connected_groups(scene)) {
     MatrixX points(D, 0);
@@ -54,6 +56,11 @@ std::vector<UnconstrainedMotion> unconstrained_motions(const Scene<D>& scene, co
           free = std::abs(own(i)) < 1e-12 || unknowns.unknown(unknowns.offset(b) + static_cast<int>(i)) >= 0;
         first += own.size();
         parts.push_back({b, own});
+      }
+      if (free && !springs.parts().empty()) {
+        VectorX whole = VectorX::Zero(unknowns.dofs());
+        for (const auto& [body, own] : parts) whole.segment(unknowns.offset(body), own.size()) = own;
+        free = !(springs.energy(whole) > 0);
       }
       if (free) unconstrained.insert(unconstrained.end(), parts.begin(), parts.end());
     }

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -18,6 +19,7 @@ constexpr double radians_per_degree = std::numbers::pi / 180;
 
 /// Components of a support that a path controls.
 template <int D> std::vector<std::string> moved_components(const Support<D>& support) {
+  if (support.shaped()) return {"factor"};
   std::vector<std::string> names;
   for (int c = 0; c < D; ++c)
     if (support.constraint[at(c)] == Constraint::driven) names.push_back(component_name(c));
@@ -121,24 +123,49 @@ template <int D> int Drives<D>::target(int drive, int component) const {
   return found.first + component;
 }
 
+/// The displacement of a degree of freedom of a support with a shape: that of its control point, or of the one at the
+/// same place that the support holds.
+template <int D> double Drives<D>::shape_of(const Support<D>& support, int body, int function, int component) const {
+  const auto place = [&](int b, int f) -> Vec<D> {
+    const auto point = scene_.bodies[at(b)].body->space().homogeneous().col(f);
+    return point.template head<D>() / point(D);
+  };
+  const Vec<D> here = place(body, function);
+  double nearest = std::numeric_limits<double>::infinity(), value = 0;
+  for (const SupportedControlPoints& points : support.on)
+    for (std::size_t i = 0; i < points.functions.size(); ++i) {
+      const bool same = points.body == body && points.functions[i] == function;
+      const double distance = same ? -1 : (place(points.body, points.functions[i]) - here).norm();
+      if (distance >= nearest) continue;
+      nearest = distance;
+      value = points.shape[D * i + at(component)];
+    }
+  return value;
+}
+
 /// Adds the degrees of freedom that a support moves.
 template <int D> void Drives<D>::follow(int s, const Drive& drive) {
   const Support<D>& support = scene_.supports[at(s)];
   for (int c = 0, next = drive.first; c < D; ++c) {
     const bool driven = support.constraint[at(c)] == Constraint::driven;
-    const int target = driven ? next++ : -1,
+    const int target = !driven            ? -1
+                       : support.shaped() ? drive.first
+                                          : next++,
               angle = support.rotates ? drive.first + static_cast<int>(drive.components.size()) - 1 : -1;
     if (!driven && !support.rotates) continue;
     for (const int dof : unknowns_.of_support(s, c)) {
       if (dof >= unknowns_.obstacle_offset(0)) {
-        followers_.push_back({dof, c, target, -1, Vec<D>::Zero(), Vec<D>::Zero()});
+        followers_.push_back({dof, c, target, -1, Vec<D>::Zero(), Vec<D>::Zero(), 1});
         continue;
       }
       std::size_t body = scene_.bodies.size() - 1;
       while (dof < unknowns_.offset(static_cast<int>(body))) --body;
       const nurbs::Discretization& space = scene_.bodies[body].body->space();
-      const auto point = space.homogeneous().col((dof - unknowns_.offset(static_cast<int>(body))) / D);
-      followers_.push_back({dof, c, target, angle, point.template head<D>() / point(D) - support.center, support.axis});
+      const int function = (dof - unknowns_.offset(static_cast<int>(body))) / D;
+      const auto point = space.homogeneous().col(function);
+      const double shape = support.shaped() ? shape_of(support, static_cast<int>(body), function, c) : 1;
+      followers_.push_back(
+          {dof, c, target, angle, point.template head<D>() / point(D) - support.center, support.axis, shape});
     }
   }
 }
@@ -147,7 +174,7 @@ template <int D> VectorX Drives<D>::displacement(const VectorX& targets) const {
   VectorX result = VectorX::Zero(unknowns_.dofs());
   for (const Follower& f : followers_) {
     double& u = result(f.dof);
-    u = f.target >= 0 ? targets(f.target) : 0;
+    u = f.target >= 0 ? f.shape * targets(f.target) : 0;
     if (f.angle >= 0) u += (turned<D>(targets(f.angle), f.axis, f.arm, false) - f.arm)(f.component);
   }
   return result;
@@ -157,7 +184,7 @@ template <int D> VectorX Drives<D>::rate(const VectorX& targets, const VectorX& 
   VectorX result = VectorX::Zero(unknowns_.dofs());
   for (const Follower& f : followers_) {
     double& u = result(f.dof);
-    u = f.target >= 0 ? direction(f.target) : 0;
+    u = f.target >= 0 ? f.shape * direction(f.target) : 0;
     if (f.angle >= 0)
       u += radians_per_degree * direction(f.angle) * turned<D>(targets(f.angle), f.axis, f.arm, true)(f.component);
   }

@@ -43,15 +43,17 @@ public:
   VectorX only(int load, const VectorX& targets) const;
 
 private:
-  /// A degree of freedom that follows a target: u = target + ((R(θ) − I) r)_component.
+  /// A degree of freedom that follows a target: u = shape · target + ((R(θ) − I) r)_component.
   struct Follower {
     int dof, component;
     int target; ///< of the translation; −1: none
     int angle;  ///< target of the angle in degrees; −1: no rotation
     Vec<D> arm; ///< r = X − X_c
     Vec<D> axis;
+    double shape; ///< 1 unless the support has a shape
   };
   void follow(int support, const Drive& drive);
+  double shape_of(const Support<D>& support, int body, int function, int component) const;
   void add_unit_load(const Load& load, int component, Eigen::Ref<VectorX> force) const;
 
   const Scene<D>& scene_;

@@ -20,7 +20,9 @@ template <int D> Vec<D> reaction(const Model<D>& model, int index) {
   for (int c = 0; c < D; ++c)
     if (support.constraint[at(c)] != Constraint::free || support.rotates)
       for (int dof : model.system.unknowns.of_support(index, c)) sum(c) += model.residual(dof);
-  return sum;
+  VectorX held = VectorX::Zero(model.system.unknowns.dofs());
+  model.system.springs.multiply(model.present.displacement, held, index);
+  return sum - held.head(model.system.unknowns.displacements()).reshaped(D, Eigen::AutoSize).rowwise().sum();
 }
 
 template <int D> double moment(const Model<D>& model, int support) {
@@ -35,7 +37,7 @@ template <int D> Vec<D> load_resultant(const Model<D>& model, int load) {
 }
 
 template <int D> Energies energies(const Model<D>& model) {
-  Energies sum{0, 0, 0, model.path.work, 0};
+  Energies sum{model.system.springs.energy(model.present.displacement), 0, 0, model.path.work, 0};
   const auto& bodies = model.system.scene.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     sum.stored += solid::stored_energy(*bodies[b].body, body_displacement(model, static_cast<int>(b)).data(),

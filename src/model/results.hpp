@@ -18,7 +18,7 @@ template <int D> Vec<D> load_resultant(const Model<D>& model, int load);
 /// Energies of a state and of the path to it. In the limit of small steps, with friction and a little penetration,
 ///   work + growth = stored + contact + friction − initial energy.
 struct Energies {
-  double stored;   ///< in the bodies
+  double stored;   ///< in the bodies, and in the springs of supports
   double contact;  ///< in penalty springs, and in adhesion (zero at infinite distance)
   double friction; ///< dissipated in all accepted steps
   double work;     ///< of supports, loads and offsets in all accepted steps, by the trapezoidal rule

@@ -55,6 +55,8 @@ enum class Constraint { free, fixed, driven };
 struct SupportedControlPoints {
   int body;
   std::vector<int> functions;
+  /// Of a support with a shape: the displacement of each of these control points for a factor of 1, D numbers each.
+  std::vector<double> shape = {};
 };
 
 /// Constrains control points and obstacles component by component. A rotating support moves its control points as a
@@ -70,6 +72,11 @@ template <int D> struct Support {
   bool rotates = false;
   Vec<D> center = Vec<D>::Zero(); ///< X_c, if it rotates
   Vec<D> axis = Vec<D>::Zero();   ///< unit vector (3D); unused in 2D
+  Vec<D> spring = Vec<D>::Zero(); ///< stiffness per reference area, by component
+  std::vector<FaceReference> spring_faces = {};
+
+  /// Whether its driven components follow a shape times one factor, in place of a displacement for each component.
+  bool shaped() const { return !on.empty() && !on.front().shape.empty(); }
 };
 
 /// Dead loads: per reference area or volume, or on edges and corners, of D components, or one value against the outward

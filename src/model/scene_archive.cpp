@@ -24,13 +24,13 @@ Faces read(ArchiveReader& from, std::type_identity<Faces>) {
 }
 
 auto members(SupportedControlPoints& points) {
-  auto& [body, functions] = points;
-  return std::tie(body, functions);
+  auto& [body, functions, shape] = points;
+  return std::tie(body, functions, shape);
 }
 
 template <int D> auto members(Support<D>& support) {
-  auto& [name, on, constraint, obstacles, rotates, center, axis] = support;
-  return std::tie(name, on, constraint, obstacles, rotates, center, axis);
+  auto& [name, on, constraint, obstacles, rotates, center, axis, spring, spring_faces] = support;
+  return std::tie(name, on, constraint, obstacles, rotates, center, axis, spring, spring_faces);
 }
 
 auto members(PointShare& point) {

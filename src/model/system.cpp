@@ -68,7 +68,7 @@ template <int D>
 System<D>::System(Scene<D> given)
     : contacts(make_contacts(completed(given))), ties(make_ties(given)), scene(without_regions(std::move(given))),
       unknowns(scene, contacts, ties), drives(scene, unknowns), followers(scene, unknowns, drives),
-      assembly(scene, unknowns, contacts, ties, followers) {
+      springs(scene, unknowns), assembly(scene, unknowns, contacts, ties, followers, springs) {
   for (const auto& obstacle : scene.obstacles) size = std::max(size, contact::largest_coordinate<D>(obstacle));
   for (const auto& named : scene.bodies) {
     const MatrixX points = named.body->space().points();

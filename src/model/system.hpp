@@ -4,6 +4,7 @@
 #include "model/assembly.hpp"
 #include "model/damping.hpp"
 #include "model/follower_loads.hpp"
+#include "model/springs.hpp"
 
 namespace signorini::model {
 
@@ -20,6 +21,7 @@ template <int D> struct System {
   const Unknowns<D> unknowns;
   const Drives<D> drives;
   const FollowerLoads<D> followers;
+  const Springs<D> springs;
   Assembly<D> assembly; ///< with the tangent of the last evaluation with tangent
   double size = 0;      ///< largest coordinate of a control point or an obstacle
   double extent = 0;    ///< largest diameter of a body about its middle, the scale of penetrations

@@ -67,8 +67,8 @@ model = sg.model { bodies = { slab = slab }, supports = { grip = { on = slab:fac
 check.case("named arguments of nested tables, under any names", function()
   check.equal(all "sg.model{ contacts = { c = { friction = { m", { "mu = " })
   check.equal(all 'sg.model{ bodies = {}, supports = { interface = { on = slab:face "south", ',
-    { "fix = ", "drive = ", "free = ", "rotate = ", "symmetry = ", "traction = ", "pressure = ",
-      "follower = ", "force = ", "factor = " })
+    { "fix = ", "drive = ", "free = ", "rotate = ", "spring = ", "shape = ", "symmetry = ", "traction = ",
+      "pressure = ", "follower = ", "force = ", "factor = " })
   check.equal(all "sg.model{ loads = { a = {}, b = {\n",
     { "on = ", "traction = ", "pressure = ", "follower = ", "force = ", "factor = " })
   check.equal(all "model:run(stages, { newton = { l", { "line_search = " })

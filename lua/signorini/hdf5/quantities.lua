@@ -11,7 +11,7 @@ local own_units = { count = "1", time = "s", angle = "degree" }
 local unknown_unit = "consistent units"
 
 --- All quantities; users give units for those that have none of their own.
-local all = { "angle", "area", "count", "energy", "force", "length", "moment", "stress", "time" }
+local all = { "angle", "area", "count", "energy", "force", "force_per_volume", "length", "moment", "stress", "time" }
 
 -- { quantity, text } by the key of a value of a point, a resultant, an energy or a column.
 local of_key = {
@@ -23,6 +23,7 @@ local of_key = {
   area = { "area", "area in contact; with mortar contact and adhesion the reference area" },
   pressure = { "stress", "pressure, positive in compression" },
   traction = { "stress", "tangential traction" },
+  factor = { "count", "factor of the values of a function" },
   max_pressure = { "stress", "largest pressure" }, max_penetration = { "length", "largest penetration" },
   gap = { "length", "normal gap, negative where a point penetrates" },
   jump = { "length", "distance by which the tied faces have moved apart" },
@@ -45,6 +46,8 @@ for _, axis in ipairs { "x", "y", "z" } do
   of_key["f" .. axis] = { "force", "force, " .. axis }
   of_key["u" .. axis] = { "length", "prescribed displacement, " .. axis }
   of_key["t" .. axis] = { "stress", "traction, " .. axis }
+  of_key["b" .. axis] = { "force_per_volume", "force per reference volume, " .. axis }
+  of_key["p" .. axis] = { "force", "force on corners, or per length of edges, " .. axis }
 end
 
 local forces = { support = "force of the support on its bodies", load = "force of the load",

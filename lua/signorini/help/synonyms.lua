@@ -18,7 +18,8 @@ return {
   { "point load, concentrated force, nodal force",
     "`force` of a load acts on corners, in 3D also on edges per length, as in { on = slab:corner \"north-east\", "
       .. "force = {0, -1} }.", "load" },
-  { "spring, foundation", "Springs are not available. Use an additional elastic body.", "sg.body" },
+  { "spring, foundation, elastic support, robin",
+    "`spring` of a support holds faces by springs, with a stiffness per reference area by component.", "support" },
   { "multi point constraint, mpc, rigid coupling, kinematic coupling, remote displacement",
     "A support with `rotate` couples a face as a rigid body; other multi-point constraints are not available.",
     "support" },

@@ -67,12 +67,13 @@ of a slave face, on which xi must be]] },
     },
     returns = t.number,
     example = "model:sample(\"slab\", \"uy\", {0.5, 1})" },
-  { "model:energy", [[Returns { stored, contact, friction, work, area_growth }: strain energy of the bodies; energy of
-penalty springs or of adhesion; and, summed over all accepted steps (trapezoidal rule), dissipation by friction; work of
-supports, of loads and of changing offsets and overlaps of contacts; energy of the springs times the growth of the area
-on which they act, zero for contacts with per = "reference". Per unit depth in plane strain. Where nothing changes
-suddenly, as when a contact is switched off, work + area_growth = stored + contact + friction in the limit of small
-steps (with friction: and of small penetration): see share/doc/theory.md, Output quantities.]],
+  { "model:energy", [[Returns { stored, contact, friction, work, area_growth }: strain energy of the bodies, and that
+of springs of supports; energy of penalty springs or of adhesion; and, summed over all accepted steps (trapezoidal
+rule), dissipation by friction; work of supports, of loads and of changing offsets and overlaps of contacts; energy of
+the penalty springs times the growth of the area on which they act, zero for contacts with per = "reference". Per unit
+depth in plane strain. Where nothing changes suddenly, as when a contact is switched off, work + area_growth = stored +
+contact + friction in the limit of small steps (with friction: and of small penetration): see share/doc/theory.md,
+Output quantities.]],
     returns = t.record("stored contact friction work area_growth", t.number),
     example = "model:energy().stored" },
   { "model:reaction", [[Returns the force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, followed,

@@ -10,6 +10,8 @@ axes.cure = 'name components, as in "xy"; stages of model:run give the values of
 local face, obstacle = t.object "face", t.object "obstacle"
 local faces = t.worded(t.flat(face), "a face or a list of faces")
 
+local course = t.callback_of({ { "x", t.number }, { "y", t.number }, { "z", t.number } }, t.any)
+
 local adjacent = t.worded(t.flat(face), "a face or a list of adjacent faces")
 local slave = t.worded(t.flat(face), "a face or a list of adjacent faces")
 slave.cure = function(value)
@@ -166,15 +168,14 @@ optimal rates of convergence. reduced: of degree p - 2 on its elements, continui
 proven stable (inf-sup), less accurate; for degree p >= 2]], default = "equal" },
 }
 
-local load_course = t.callback_of({ { "x", t.number }, { "y", t.number }, { "z", t.number } }, t.any)
-local components = t.either(t.point, load_course)
+local components = t.either(t.point, course)
 components.cure = "put it into braces, as in {0, -1}, or give a function of the position"
 local load = {
   { "on", t.worded(t.flat(t.either(face, t.object "body", t.object "compound")), "a face, a body, or a list of these"),
     "loaded faces; of a force, bodies, corners, or in 3D edges" },
   { "traction", components, "dead load {tx, ty}, in 3D {tx, ty, tz}", unit = "force per reference area",
     optional = true },
-  { "pressure", t.either(t.number, load_course),
+  { "pressure", t.either(t.number, course),
     "load against the outward normal, of the reference shape unless it is a follower", unit = "force per area",
     optional = true },
   { "follower", t.flag, [[whether the pressure follows the deformation, as that of a gas or a fluid: it acts along the
@@ -239,7 +240,7 @@ sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", tr
           supports = { bed = { on = cube:face "front", fix = "xyz" },
                        grip = { on = cube:face "back", drive = "z", fix = "xy", rotate = "z" } } }]] } },
   { "support", "Fixes or prescribes displacements of faces, edges, corners or obstacles; at least one component.",
-    head = "supports = { <name> = { on, fix, drive, free, rotate, symmetry } }, in sg.model{ … }",
+    head = "supports = { <name> = { on, fix, drive, free, rotate, spring, shape, symmetry } }, in sg.model{ … }",
     named = {
       { "on", t.worded(t.flat(t.either(face, obstacle)),
         "a face or a list of faces, an edge, a corner or an obstacle"), "where; the reaction of a list is the sum" },
@@ -251,13 +252,21 @@ sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", tr
 centroid, in 3D about the axis through it, by an angle in degrees that stages give after the driven components; in 3D a
 list of faces rotates as one, in the plane it must be one face. fix and drive then refer to the centroid, whose other
 components are free: rotate = true, fix = "xy" rotates the face about a fixed point]], otherwise = "no rotation" },
+      { "spring", t.point, [[stiffness {kx, ky}, in 3D {kx, ky, kz}, of springs that hold the faces; 0 where there is
+none. They are free of forces in the reference shape and keep the directions of the axes]],
+        unit = "force per length and reference area", optional = true },
+      { "shape", course, [[function(x, y), in 3D function(x, y, z), that returns the displacement {ux, uy} of a
+reference position of the faces, of which the driven components follow it, times a factor that stages prescribe. It is
+called when the model is made, and projected onto the faces (least squares), which reproduces fields of their space]],
+        otherwise = "a displacement for each driven component" },
       { "symmetry", t.flag, [[fixes the normal component on flat faces in a plane of symmetry x, y or z = c, in an
 axisymmetric model on the axis or y = c. Each plane of symmetry halves the scene and its forces; on the axis forces
 remain those of the full circle]],
         default = false },
     },
     more = [[model:reaction(name) is the force that it exerts, followed by the moment if it rotates; the columns of a
-run are <name>.fx, .fy, .fz, .moment, and for driven components <name>.ux … .angle.]],
+run are <name>.fx, .fy, .fz, .moment, and for driven components <name>.ux … .angle,
+or .factor of a shape.]],
     example = [[
 supports = { bed  = { on = slab:face "south", fix = "xy" },
              grip = { on = { die:face "west", die:face "east" }, drive = "xy" } }]] },

@@ -138,8 +138,8 @@ local iteration = t.record("step", t.count, "stage", t.text, "from to", t.number
 --- Of run:hdf5.
 rows.hdf5 = {
   { "units", t.map(t.text), [[units by quantity or by the name of a column, { length = "mm", force = "N" }, for the
-attribute `unit` of arrays; quantities: angle, area, count, energy, force, length, moment, stress,
-time]], optional = true },
+attribute `unit` of arrays; quantities: angle, area, count, energy, force, force_per_volume, length,
+moment, stress, time]], optional = true },
 }
 
 --- The options of model:run.

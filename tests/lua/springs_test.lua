@@ -1,0 +1,112 @@
+-- Springs on faces: in series with a bar in every kind of model, work, reactions, static condensation, files, bodies
+-- that only springs hold, wrong inputs.
+
+local sg = require "signorini"
+local check = require "check"
+
+local height, E, k, t = 2, 10, 5, 0.4 -- t: traction
+
+--- A bar on springs at its lower end, pulled at its upper end.
+local function bar(kind, material, more)
+  local space = kind == "space"
+  local patch = space and sg.shapes.block{ size = { 1, 1, height } }
+    or sg.shapes.rectangle{ width = 1, height = height }
+  local body = sg.body{ patch = patch, elements = space and { 1, 1, 2 } or { 2, 2 }, order = "N2", material = material }
+  local low, high = space and "front" or "south", space and "back" or "north"
+  local values = { bodies = { bar = body }, kind = not space and kind or nil,
+    supports = { bed = { on = body:face(low), spring = space and { 0, 0, k } or { 0, k } },
+                 side = { on = body:face "west", fix = "x" } },
+    loads = { pull = { on = body:face(high), traction = space and { 0, 0, 0 } or { 0, 0 } } } }
+  if space then values.supports.foot = { on = body:face "south", fix = "y" } end
+  for key, value in pairs(more and more(body) or {}) do values[key] = value end
+  return sg.model(values), body
+end
+
+local kinds = { "plane_strain", "plane_stress", "axisymmetric", "space" }
+local function area(kind) return kind == "axisymmetric" and math.pi or 1 end
+local function along(kind) return kind == "space" and "z" or "y" end
+local function up(kind, value) return kind == "space" and { 0, 0, value } or { 0, value } end
+local function at(kind, part) return kind == "space" and { 0.5, 0.5, part } or { 0.5, part } end
+
+check.case("springs in series with a bar: the displacement is t/k + t H/E, also by static condensation", function()
+  for _, kind in ipairs(kinds) do
+    local model = bar(kind, sg.linear_elastic{ E = E, nu = 0 })
+    local run = model:run({ { steps = 2, pull = up(kind, t) } }, sg.plain{})
+    check.equal(run.failed, false)
+    local u = "u" .. along(kind)
+    check.near({ model:sample("bar", u, at(kind, 0)), model:sample("bar", u, at(kind, 1)) },
+               { t / k, t / k + t * height / E }, 1e-10)
+    check.near(model:reaction "bed"["f" .. along(kind)], -t * area(kind), 1e-9)
+    check.near(run:column("bed.f" .. along(kind)), { -t / 2 * area(kind), -t * area(kind) }, 1e-9)
+    local energy, stored = model:energy(), 0.5 * t * (t / k + t * height / E) * area(kind)
+    check.near({ energy.stored, energy.work }, { stored, stored }, 1e-10)
+  end
+  local model = bar("plane_strain", sg.linear_elastic{ E = E, nu = 0 }, function(body)
+    return { contacts = { roof = { slave = body:face "north", penalty = 1e4,
+                                   master = sg.rigid.plane{ point = { 0, height + 0.1 }, normal = { 0, -1 } } } } }
+  end)
+  check.equal(model:run({ { steps = 1, pull = { 0, t } } }, sg.plain{ linear = "condensed" }).failed, false)
+  -- The roof stops the bar at 0.1: springs and bar share this displacement.
+  check.within_share("roof", model:sample("bar", "uy", { 0.5, 0 }), 0.1 * (1 / k) / (1 / k + height / E), 1e-3)
+end)
+
+check.case("with large strains the springs remain linear, and steps converge quadratically", function()
+  for _, kind in ipairs(kinds) do
+    local model = bar(kind, sg.neo_hookean{ E = E, nu = 0.3 })
+    local run = model:run({ { steps = 2, pull = up(kind, 3) } }, sg.plain{})
+    check.equal(run.failed, false)
+    check.within_share("spring", k * model:sample("bar", "u" .. along(kind), at(kind, 0)), 3, 1e-8)
+    check.equal(run.iterations <= 14, true) -- linear convergence without the springs in the tangent takes far more
+  end
+end)
+
+check.case("a body that only springs hold is constrained, and files keep springs", function()
+  local body = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = { 2, 2 }, order = "N2",
+                        material = sg.neo_hookean{ E = E, nu = 0.3 } }
+  local function model_of(spring)
+    return sg.model{ bodies = { raft = body }, supports = { water = { on = body:face "south", spring = spring } },
+                     loads = { g = { on = body, force = { 0, 0 } } } }
+  end
+  check.equal(model_of { 1, 1 }:unconstrained_bodies(), {})
+  check.equal(model_of { 0, 1 }:unconstrained_bodies(), { "raft" })
+  local model = model_of { 1, 4 }
+  check.equal(model:run({ { steps = 1, g = { 0.2, -0.8 } } }, sg.plain{}).failed, false)
+  check.near(model:reaction "water", { -0.4, 1.6 }, 1e-9)
+  local file = check.folder() .. "/raft.sgn"
+  model:save(file)
+  local copy = sg.load(file)
+  for _, one in ipairs { copy, model } do
+    check.equal(one:run({ { steps = 1, g = { 0, -0.4 } } }, sg.plain{}).failed, false)
+  end
+  check.equal(copy:reaction "water", model:reaction "water")
+  check.near(copy:reaction "water", { 0, 0.8 }, 1e-9)
+end)
+
+local start = [[
+local sg = require "signorini"
+local a = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N2",
+                   material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+local north, plane = a:face "north", sg.rigid.plane{ point = {0, 2}, normal = {0, -1} }
+local function model(support) return sg.model{ bodies = { a = a }, supports = { top = support } } end
+]]
+for _, case in ipairs {
+  { "a number", "model{ on = north, spring = 3 }", "supports.top.spring must be a list of 2 or 3 numbers" },
+  { "three components", "model{ on = north, spring = {1, 2, 3} }", "spring must be a list of 2 numbers {kx, ky}" },
+  { "negative", "model{ on = north, spring = {0, -2} }", "supports.top.spring must not be negative, got -2 for y" },
+  { "zero", "model{ on = north, spring = {0, 0} }", "supports.top.spring has no stiffness" },
+  { "a fixed component", [[model{ on = north, spring = {0, 2}, fix = "xy" }]],
+    "supports.top.spring acts on y, which the support also fixes" },
+  { "a corner", [[model{ on = a:corner "north-east", spring = {0, 2} }]], "supports.top.on",
+    "springs are for faces of bodies" },
+  { "an obstacle", "model{ on = plane, spring = {0, 2} }", "supports.top.on", "springs are for faces of bodies" },
+  { "with rotate", "model{ on = north, spring = {0, 2}, rotate = true }", "supports.top.spring cannot be combined" },
+  { "nan", "model{ on = north, spring = {0, 0 / 0} }", "supports.top.spring[2] must be a finite number" },
+} do
+  check.case("refused: " .. case[1], function()
+    local output, status = check.script(start .. case[2])
+    check.equal(status, 1)
+    check.holds(output, "signorini: study.lua:", table.unpack(case, 3))
+  end)
+end
+
+check.done()
