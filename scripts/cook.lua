@@ -36,10 +36,12 @@ local laws = {
   ["neo-Hooke"] = { material = sg.neo_hookean{ E = 240.565, nu = 0.4999 }, force = 100, steps = options.steps },
 }
 
-local function line(from, to) return sg.nurbs.curve{ degree = 1, knots = { 0, 0, 1, 1 }, points = { from, to } } end
-local panel = sg.nurbs.ruled{ a = line({ 0, 0 }, { 48, 44 }), b = line({ 0, 44 }, { 48, 60 }) }
+local side = 16 -- length of the right side
+local panel = sg.nurbs.ruled{ a = sg.nurbs.line{ from = { 0, 0 }, to = { 48, 44 } },
+                              b = sg.nurbs.line{ from = { 0, 44 }, to = { 48, 60 } } }
 
---- The vertical displacement of the middle of the right side; nil where the solution fails.
+--- The vertical displacement of the middle of the right side, nil where the solution fails; seconds per iteration of
+--- Newton's method for assembly and linear solution.
 local function tip(law, order, count, volumetric)
   local body = sg.body{ patch = panel, elements = { count, count }, order = order, volumetric = volumetric,
                         material = law.material }
@@ -47,36 +49,53 @@ local function tip(law, order, count, volumetric)
     bodies = { panel = body }, supports = { wall = { on = body:face "west", fix = "xy" } },
     loads = { shear = { on = body:face "east", traction = { 0, 0 } } },
   }
-  local run = model:run{ { name = "shear", steps = law.steps, shear = { 0, law.force / 16 } } }
-  return not run.failed and model:sample("panel", "uy", { 1, 0.5 }) or nil
+  local run = model:run{ { name = "shear", steps = law.steps, shear = { 0, law.force / side } } }
+  local times = model:timings()
+  return not run.failed and model:sample("panel", "uy", { 1, 0.5 }) or nil, (times.bulk + times.linear) / run.iterations
 end
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local results = {}
+--- The displacements of one discretization by number of elements, a row of the table, a curve of the chart, and the
+--- seconds per iteration on the finest mesh.
+local function series(law, order, volumetric)
+  local label = volumetric == "projected" and order .. ", projected" or order
+  local tips, row = {}, { label }
+  local seconds
+  local curve = { x = {}, y = {}, label = label, dashed = volumetric == "pointwise", markers = true }
+  for _, count in ipairs(options.elements) do
+    local value
+    value, seconds = tip(law, order, count, volumetric)
+    tips[count], row[#row + 1] = value, value or "failed"
+    if value then
+      table.insert(curve.x, count)
+      table.insert(curve.y, value)
+    end
+  end
+  return tips, row, curve, seconds
+end
+
+local results = {} -- results[law][volumetric][order][elements]
 for _, name in ipairs(options.laws) do
-  local law, rows, curves, columns = laws[name], {}, {}, { "discretization" }
-  for i, count in ipairs(options.elements) do columns[i + 1] = ("%d × %d"):format(count, count) end
+  local law, rows, curves, columns, costs = laws[name], {}, {}, { "discretization" }, {}
+  for _, count in ipairs(options.elements) do columns[#columns + 1] = ("%d × %d"):format(count, count) end
   results[name] = {}
   for _, volumetric in ipairs(options.volumetric) do
-    results[name][volumetric] = {}
-    local projected = volumetric == "projected"
+    local tips = {}
     for i, order in ipairs(options.orders) do
-      local x, y = {}, {}
-      local row = { order .. (projected and ", projected" or "") }
-      for _, count in ipairs(options.elements) do
-        local value = tip(law, order, count, volumetric)
-        row[#row + 1] = value or "failed"
-        if value then x[#x + 1], y[#y + 1] = count, value end
-      end
-      results[name][volumetric][order] = y
-      rows[#rows + 1] = row
-      curves[#curves + 1] = { x = x, y = y, label = row[1], color = i, dashed = not projected, markers = true }
+      local row, curve, seconds
+      tips[order], row, curve, seconds = series(law, order, volumetric)
+      curve.color = i
+      rows[#rows + 1], curves[#curves + 1], costs[#costs + 1] = row, curve, { row[1], 1e3 * seconds }
     end
+    results[name][volumetric] = tips
   end
   print(("\n%s: vertical displacement of the right side%s\n"):format(name,
     law.published and (", published %g"):format(law.published) or ""))
   print(sg.table{ columns = columns, rows = rows })
+  print(("\nper iteration on %s elements: assembly and linear solution\n"):format(columns[#columns]))
+  print(sg.table{ columns = { "discretization", "time" }, units = { "", "ms" }, formats = { "%s", "%.1f" },
+                  rows = costs })
   local key = name:lower()
   sg.chart{ file = files(key .. ".png"), title = ("Cook's membrane, %s, nearly incompressible"):format(name),
             xlabel = "elements along a side", ylabel = "vertical displacement of the right side", log = "x",

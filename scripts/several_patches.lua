@@ -18,6 +18,7 @@
 --      [out=out/several_patches]
 
 local sg = require "signorini"
+local measure = require "ironing2d.measure"
 
 local soft, hard = sg.neo_hookean{ E = 1, nu = 0.3 }, sg.neo_hookean{ E = 10, nu = 0.3 }
 
@@ -105,7 +106,7 @@ local function oscillation(case)
   if not case then return nil end
   local drag, sum = case.drag, 0
   for _, force in ipairs(drag) do sum = sum + force end
-  return (math.max(table.unpack(drag)) - math.min(table.unpack(drag))) / math.abs(sum / #drag)
+  return measure.oscillation(drag, 1, #drag).raw / math.abs(sum / #drag)
 end
 
 for _, dimension in ipairs(options.dimensions) do

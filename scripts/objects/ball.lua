@@ -12,17 +12,19 @@
 -- Units: lengths in units of the radius, pressures of Young's modulus.
 -- Expected: force within 1.5 %, peak pressure within 5 % of the axisymmetric model's. With a stiffer penalty the force
 --           is 18 % above Hertz's at a/R = 0.28, 4 % at a/R = 0.07: the finite size acts in proportion to a/R.
--- Run: signorini scripts/objects/ball.lua [elements=4] [depth=2] [approach=0.16] [reference=24] [out=out/ball];
---      elements: along each edge of the core; depth: from the core to the sphere; reference: in each direction
+-- Run: signorini scripts/objects/ball.lua [elements=4] [depth=2] [approach=0.16] [reference=24] [penalty=20]
+--      [out=out/ball]; elements: along each edge of the core; depth: from the core to the sphere; reference: in each
+--      direction; penalty: in E/R, of the ball and the first model of the section
 
 local sg = require "signorini"
 
 local options = sg.arguments{
   elements = { 4, at_least = 2 }, depth = { 2, at_least = 1 }, approach = { 0.16, above = 0, below = 0.5 },
-  reference = { 24, at_least = 4 }, out = "out/ball",
+  reference = { 24, at_least = 4 }, penalty = { 20.0, above = 0 }, out = "out/ball",
 }
 local files = sg.files(options.out)
-local nu, penalty, deep = 0.3, 20, options.approach / 2 -- penalty: about 5 E/h of the solid
+local nu, penalty, deep = 0.3, options.penalty, options.approach / 2
+local rigid_penalty = 320 -- almost rigid at this approach; for a quarter of the radius of contact 4 times as high
 local material = sg.linear_elastic{ E = 1, nu = nu }
 local start = 1 - 1e-4 -- height of the plates: the first iteration finds points in contact
 
@@ -77,8 +79,7 @@ end
 
 -- ── A quarter of the section ─────────────────────────────────────────────────────────────────────────────────────────
 
---- `stiffer`: factor of the penalty.
-local function section(stiffer)
+local function section(penalty)
   local patch = sg.shapes.quarter_annulus{ inner = 0.01, outer = 1 }
   local grading = { elements = 0.5, length = 0.2, at = "start" }
   local ball = sg.body{ patch = patch, elements = { options.reference, options.reference }, order = "N3",
@@ -88,7 +89,7 @@ local function section(stiffer)
     bodies = { ball = ball }, kind = "axisymmetric",
     supports = { axis = { on = ball:face "west", symmetry = true }, half = { on = ball:face "east", symmetry = true },
                  lower = { on = lower, drive = "y" } },
-    contacts = { foot = { slave = ball:face "south", master = lower, penalty = stiffer * penalty } },
+    contacts = { foot = { slave = ball:face "south", master = lower, penalty = penalty } },
   }
 end
 
@@ -108,9 +109,9 @@ local function solve(model, d, solid)
            force = run:column(solid and "foot.fz" or "foot.fy")[1] / exact.force, peak = math.max(table.unpack(y)) }
 end
 
-local ball, quarter = solve(solid(), deep, true), solve(section(1), deep, false)
--- Almost rigid contact, and again with a quarter of the radius of contact, where the penalty must be 4 times higher.
-local rigid, small = solve(section(16), deep, false), solve(section(64), deep / 16, false)
+local ball, quarter = solve(solid(), deep, true), solve(section(penalty), deep, false)
+local rigid = solve(section(rigid_penalty), deep, false)
+local small = solve(section(4 * rigid_penalty), deep / 16, false)
 local function row(name, d, case, peak)
   return { name, hertz(d).a, case.unknowns, case.force, peak or "", case.wall }
 end
@@ -119,7 +120,8 @@ print(sg.table{
   units = { "", "", "", "of Hertz's", "of Hertz's", "s" }, formats = { "%s", "%.3f", "%d", "%.4f", "%.4f", "%.1f" },
   rows = { row("seven patches", deep, ball, ball.peak),
            row("quarter of the section", deep, quarter, quarter.peak),
-           row("likewise, penalty × 16", deep, rigid), row("likewise, penalty × 64", deep / 16, small) },
+           row(("quarter, penalty %g"):format(rigid_penalty), deep, rigid),
+           row(("quarter, penalty %g"):format(4 * rigid_penalty), deep / 16, small) },
 })
 local exact = { x = {}, y = {}, label = "Hertz", dashed = true, marker = "none" }
 for i = 0, 200 do exact.x[i + 1], exact.y[i + 1] = i / 200, math.sqrt(1 - (i / 200)^2) end

@@ -4,9 +4,10 @@
 --          c10 = 0.4, c01 = 0.1, K = 100 MPa (E = 3 MPa), lies in a groove of the width 1.35 d without friction. A
 --          rigid plate compresses it by up to `most` of d.
 -- Source: P. B. Lindley, Compression characteristics of laterally-unrestrained rubber O-rings, Journal of the IRI 1
---         (1967) 202-213: force per length F = E d (1.25 C^1.5 + 50 C^6) for the compression C = shift/d, a fit to
---         measurements; K. L. Johnson, Contact Mechanics, 1985, section 5.6: elastic cylinder between two plates,
---         shift = 4 F/(pi E') (ln(2 d/a) - 1/2), a^2 = 2 F d/(pi E'), greatest pressure 2 F/(pi a), E' = 4 E/3.
+--         (1967) 202-213, as quoted in the literature on seals: force per length F = E d (1.25 C^1.5 + 50 C^6) for the
+--         compression C = shift/d, a fit to measurements; K. L. Johnson, Contact Mechanics, 1985, section 5.6: elastic
+--         cylinder between two plates, shift = 4 F/(pi E') (ln(2 d/a) - 1/2), a^2 = 2 F d/(pi E'), greatest pressure
+--         2 F/(pi a), E' = 4 E/3.
 -- Units: mm, N per mm, MPa.
 -- Expected: the compression for a force within 5 % of Johnson's up to C = 0.15, the pressure within 5 % of 2 F/(pi a)
 --           up to 0.25: fluids of lower pressure do not leak. Lindley's force is a quarter below both at

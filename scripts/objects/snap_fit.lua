@@ -9,13 +9,14 @@
 --         deflection the bar's rounding, and the bending moment that of W, which acts above the beam's axis.
 -- Units: mm, N per mm of width, MPa.
 -- Expected: greatest insertion and retention force within 15 % of beam theory, which overestimates them: its nose
---           is rigid and touches at a point.
--- Run: signorini scripts/objects/snap_fit.lua [elements=40] [order=N2] [mu=0.2] [steps=80] [out=out/snap_fit]
+--           is rigid and touches at a point. Plain: without slope, rounding and lever arm, P = 3 E' I y/l^3.
+-- Run: signorini scripts/objects/snap_fit.lua [elements=40] [order=N2] [mu=0.2] [steps=80] [penalty=500]
+--      [out=out/snap_fit]; penalty: of the contact; it must fit the stiffness of the beam, not that of its material
 
 local sg = require "signorini"
 
 local options = sg.arguments{ elements = { 40, at_least = 16 }, order = "N2", mu = { 0.2, at_least = 0 },
-                              steps = { 80, at_least = 60 }, out = "out/snap_fit" }
+                              steps = { 80, at_least = 60 }, penalty = { 500.0, above = 0 }, out = "out/snap_fit" }
 local files = sg.files(options.out)
 local E, nu, length, thickness, nose, land, radius, gap = 2000, 0.35, 10, 1, 0.8, 0.6, 0.5, 0.05
 local insertion, retention, travel = 30, 45, 4.0
@@ -30,17 +31,27 @@ local tip = length + nose / math.tan(math.rad(retention)) + land + nose / math.t
 local bar = sg.rigid.cylinder{ center = { tip + radius + 0.1, thickness + gap + radius }, radius = radius }
 local model = sg.model{
   bodies = { hook = hook }, supports = { hand = { on = hook:face "west", drive = "x", fix = "y" } },
-  contacts = { nose = { slave = hook:face "north", master = bar, penalty = 500, points = 32,
-                        friction = options.mu > 0 and { mu = options.mu, penalty = 500 } or nil } },
+  contacts = { nose = { slave = hook:face "north", master = bar, penalty = options.penalty, points = 32,
+                        friction = options.mu > 0 and { mu = options.mu, penalty = options.penalty } or nil } },
 }
+--- The step at which the hand has made this share of its way.
+local function step(share) return math.floor(share * options.steps + 0.5) end
 local run = model:run({ { name = "push", steps = options.steps, hand = travel },
-                        { name = "pull", steps = options.steps, hand = 0 } }, { states = { 31, 40, 57 } })
+                        { name = "pull", steps = options.steps, hand = 0 } },
+                      { states = { step(0.39), step(0.5), step(0.71) } })
 if run.failed then error(run.failure, 0) end
+
+local EI = E / (1 - nu^2) * thickness^3 / 12
+
+--- The force along x of the deflecting force of a cantilever with the bar on an edge of the nose at x = l.
+local function plain_beam(l, angle)
+  return 3 * EI * (nose - gap) / l^3 * math.tan(math.rad(angle) + math.atan(options.mu))
+end
 
 --- The force along x by beam theory with the bar on an edge of the nose at x = l, whose face has the angle `angle`;
 --- sign: 1 of insertion, -1 of retention. P: deflecting force, T: force along x per P, e: its lever arm.
 local function beam(l, angle, sign)
-  local EI, e, slope, P, T = E / (1 - nu^2) * thickness^3 / 12, thickness / 2 + nose, 0, 0, 0
+  local e, slope, P, T = thickness / 2 + nose, 0, 0, 0
   for _ = 1, 50 do
     local face = math.rad(angle) + sign * slope
     local y = nose - gap - radius * (1 - math.cos(face))
@@ -54,11 +65,12 @@ end
 local corner = length + nose / math.tan(math.rad(retention))
 local shift, force = run:column "hand.ux", run:column "hand.fx"
 local push, pull = math.max(table.unpack(force)), -math.min(table.unpack(force))
-local results = { push = push, push_beam = beam(corner + land, insertion, 1), pull = pull,
-                  pull_beam = beam(corner, retention, -1) }
-print(sg.table{ columns = { "", "computed", "beam theory" }, formats = { "%s", "%.3f", "%.3f" },
-                rows = { { "insertion force", push, results.push_beam },
-                         { "retention force", pull, results.pull_beam } } })
+local results = { push = push, push_beam = beam(corner + land, insertion, 1),
+                  push_plain = plain_beam(corner + land, insertion), pull = pull,
+                  pull_beam = beam(corner, retention, -1), pull_plain = plain_beam(corner, retention) }
+print(sg.table{ columns = { "", "computed", "beam theory", "plain beam" }, formats = { "%s", "%.3f", "%.3f", "%.3f" },
+                rows = { { "insertion force", push, results.push_beam, results.push_plain },
+                         { "retention force", pull, results.pull_beam, results.pull_plain } } })
 local function part(first, last, label)
   return { x = table.move(shift, first, last, 1, {}), y = table.move(force, first, last, 1, {}), label = label }
 end

@@ -100,9 +100,9 @@ template <int D> inline constexpr int worth_sharing = D == 2 ? 64 : 8;
 
 // ── Warnings ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// Poisson's ratios from which elements of degree 1 lock, and above which those of any degree do
-/// (share/doc/stability.md).
-inline constexpr double locking_linear = 0.45, locking_any = 0.499;
+/// Poisson's ratios from which elements of degree 1 lock, above which those of degree 2 and those of higher degree do:
+/// locking adds 2, 1 and less than 1 % to the error of a force there (share/doc/locking.md).
+inline constexpr double locking_linear = 0.45, locking_quadratic = 0.497, locking_higher = 0.499;
 /// Coefficient of friction above which an angle in degrees is suspected; rubber on dry concrete has about 1.
 inline constexpr double most_friction = 3;
 /// ε_N h/E from which steps need cutting ("10 to 1000 times E/h" is usual), and from which the rounding error of the

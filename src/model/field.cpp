@@ -1,6 +1,7 @@
 #include "model/field.hpp"
 
 #include "base/error.hpp"
+#include "solid/projection.hpp"
 
 #include <cmath>
 
@@ -12,8 +13,7 @@ using solid::Material;
 
 template <int D> Mat<3> cauchy_stress(const Material& material, const FieldPoint<D>& point) {
   const Mat<3> f = solid::in_space<D>(point.deformation, point.hoop);
-  if (material.linear()) return material.cauchy_stress(f + point.dilation * Mat<3>::Identity());
-  return material.cauchy_stress(std::exp(point.dilation) * f);
+  return material.cauchy_stress(solid::dilated(material.linear(), f, point.dilation));
 }
 
 template <int D, int I> double displacement(const Material&, const FieldPoint<D>& point) {
@@ -49,10 +49,10 @@ template <int D, int I, int J> double gradient(const Material&, const FieldPoint
 template <int D> std::vector<Field<D>> common_fields() {
   return {
       {"ux", "displacement u_x", displacement<D, 0>},          {"uy", "displacement u_y", displacement<D, 1>},
-      {"u", "displacement |u|", displacement_norm<D>},         {"sxx", "Cauchy stress σ_xx", stress<D, 0, 0>},
-      {"syy", "Cauchy stress σ_yy", stress<D, 1, 1>},          {"szz", "Cauchy stress σ_zz", stress<D, 2, 2>},
-      {"sxy", "Cauchy stress σ_xy", stress<D, 0, 1>},          {"von_mises", "von Mises stress", von_mises<D>},
-      {"pressure", "pressure −tr σ/3", pressure<D>},           {"I1", "first stress invariant tr σ", trace<D>},
+      {"u", "displacement |u|", displacement_norm<D>},         {"sxx", "Cauchy stress σ_xx", stress<D, 0, 0>, true},
+      {"syy", "Cauchy stress σ_yy", stress<D, 1, 1>, true},    {"szz", "Cauchy stress σ_zz", stress<D, 2, 2>, true},
+      {"sxy", "Cauchy stress σ_xy", stress<D, 0, 1>, true},    {"von_mises", "von Mises stress", von_mises<D>, true},
+      {"pressure", "pressure −tr σ/3", pressure<D>, true},     {"I1", "first stress invariant tr σ", trace<D>, true},
       {"F11", "deformation gradient F_11", gradient<D, 0, 0>}, {"F12", "deformation gradient F_12", gradient<D, 0, 1>},
       {"F21", "deformation gradient F_21", gradient<D, 1, 0>}, {"F22", "deformation gradient F_22", gradient<D, 1, 1>}};
 }
@@ -73,8 +73,8 @@ template <> const std::vector<Field<3>>& fields<3>() {
   static const std::vector<Field<3>> all = [] {
     std::vector<Field<3>> list = common_fields<3>();
     list.push_back({"uz", "displacement u_z", displacement<3, 2>});
-    list.push_back({"sxz", "Cauchy stress σ_xz", stress<3, 0, 2>});
-    list.push_back({"syz", "Cauchy stress σ_yz", stress<3, 1, 2>});
+    list.push_back({"sxz", "Cauchy stress σ_xz", stress<3, 0, 2>, true});
+    list.push_back({"syz", "Cauchy stress σ_yz", stress<3, 1, 2>, true});
     list.push_back({"F13", "deformation gradient F_13", gradient<3, 0, 2>});
     list.push_back({"F23", "deformation gradient F_23", gradient<3, 1, 2>});
     list.push_back({"F31", "deformation gradient F_31", gradient<3, 2, 0>});

@@ -20,6 +20,7 @@ template <int D> struct FieldPoint {
 template <int D> struct Field {
   std::string name, label;
   double (*value)(const solid::Material& material, const FieldPoint<D>& point);
+  bool of_stress = false; ///< whether it depends on FieldPoint::dilation
 };
 
 /// All fields: components and size of the displacement (ux uy u), of the Cauchy stress (sxx syy szz sxy), its von Mises

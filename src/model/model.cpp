@@ -20,7 +20,7 @@ Model<D>::Model(Scene<D> scene)
     : system(std::move(scene)), accepted(system.start()), present(accepted),
       targets(accepted.targets), path{accepted.displacement, targets}, acting(targets),
       dead(system.drives.force(targets)), external(dead), controls(system.contacts.size()),
-      linear(linear_facts(system)) {
+      linear(linear_facts(system)), projected_volumes(system.scene.bodies.size()) {
   // Friction at points that close later starts from their foot points in the initial state.
   Message why;
   evaluate(*this, nullptr, false, why);

@@ -5,6 +5,7 @@
 #include "model/linear_solution.hpp"
 #include "model/step.hpp"
 #include "model/system.hpp"
+#include "solid/projected_volume.hpp"
 
 namespace signorini::model {
 
@@ -31,6 +32,8 @@ template <int D> struct Model {
   std::optional<BodyInversion> inversion;
   LinearSolution linear;
   Timings timings;
+  /// By body, for the stress at points; what they keep does not affect results.
+  mutable std::vector<solid::ProjectedVolume<D>> projected_volumes;
   std::vector<Message> scene_warnings; ///< possible mistakes in the scene
 };
 

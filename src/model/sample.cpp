@@ -2,7 +2,6 @@
 
 #include "base/index.hpp"
 #include "model/results.hpp"
-#include "solid/projected.hpp"
 #include "solid/quadrature.hpp"
 
 #include <algorithm>
@@ -15,7 +14,7 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
   const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
   const nurbs::ElementBasis basis = space.basis(e, xi);
   const auto displacement = body_displacement(model, body);
-  BodyPoint<D> point{Vec<D>::Zero(), Mat<D>::Zero(), {Vec<D>::Zero(), Mat<D>::Zero()}};
+  BodyPoint<D> point{Vec<D>::Zero(), Mat<D>::Zero(), {Vec<D>::Zero(), Mat<D>::Zero()}, e, xi};
   Mat<D>& jacobian = point.jacobian;
   Mat<D> rate = Mat<D>::Zero(); // ∂u/∂ξ
   for (std::size_t a = 0; a < basis.functions.size(); ++a) {
@@ -36,11 +35,20 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
     const double radius = point.reference(0), size = jacobian.cwiseAbs().maxCoeff();
     point.state.hoop = radius > 1e-8 * size ? 1 + point.state.displacement(0) / radius : point.state.deformation(0, 0);
   }
-  if (solid.volumetric() == solid::Volumetric::projected) {
-    const Mat<3> f = solid::in_space<D>(point.state.deformation, point.state.hoop);
-    point.state.dilation = solid::projected_change(solid, e, xi, f, body_displacement(model, body).data());
-  }
   return point;
+}
+
+template <int D> void add_volume_change(const Model<D>& model, int body, BodyPoint<D>& point) {
+  const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
+  if (solid.volumetric() == solid::Volumetric::pointwise) return;
+  const Mat<3> f = solid::in_space<D>(point.state.deformation, point.state.hoop);
+  point.state.dilation = model.projected_volumes[at(body)].change(solid, point.element, point.xi, f,
+                                                                  body_displacement(model, body).data());
+}
+
+template <int D> double value_at(const Model<D>& model, int body, const Field<D>& field, BodyPoint<D> point) {
+  if (field.of_stress) add_volume_change(model, body, point);
+  return field.value(model.system.scene.bodies[at(body)].body->material(), point.state);
 }
 
 namespace {
@@ -101,11 +109,15 @@ template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int
 
 template <int D> double sample(const Model<D>& model, int body, const Field<D>& field, const VectorX& xi) {
   const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
-  return field.value(solid.material(), regular_point(model, body, solid.space().find_element(xi), xi).state);
+  return value_at(model, body, field, regular_point(model, body, solid.space().find_element(xi), xi));
 }
 
 template BodyPoint<2> body_point<2>(const Model<2>&, int, int, const VectorX&);
 template BodyPoint<3> body_point<3>(const Model<3>&, int, int, const VectorX&);
+template void add_volume_change<2>(const Model<2>&, int, BodyPoint<2>&);
+template void add_volume_change<3>(const Model<3>&, int, BodyPoint<3>&);
+template double value_at<2>(const Model<2>&, int, const Field<2>&, BodyPoint<2>);
+template double value_at<3>(const Model<3>&, int, const Field<3>&, BodyPoint<3>);
 template BodyPoint<2> regular_point<2>(const Model<2>&, int, int, const VectorX&);
 template double sample<2>(const Model<2>&, int, const Field<2>&, const VectorX&);
 template BodyPoint<3> regular_point<3>(const Model<3>&, int, int, const VectorX&);

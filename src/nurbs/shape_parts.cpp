@@ -16,13 +16,17 @@ void check_radii(double inner, double outer) {
   require(inner < outer, "nurbs.shapes.radii", {{"inner", inner}, {"outer", outer}});
 }
 
+void check_edge(const char* name, double length, const char* from, double start) {
+  check_length(name, length);
+  require(start + length > start, "nurbs.shapes.rounding",
+          {{"argument", name}, {"length", length}, {"coordinate", from}, {"start", start}});
+}
+
 void check_radius(const char* name, double radius, const Point& center, int dimension) {
   check_length(name, radius);
   check_point("center", center, dimension);
   const char* const coordinates[] = {"center x", "center y", "center z"};
-  for (int i = 0; i < dimension; ++i)
-    require(std::abs(center(i)) + radius > std::abs(center(i)), "nurbs.shapes.rounding",
-            {{"argument", name}, {"length", radius}, {"coordinate", coordinates[i]}, {"start", center(i)}});
+  for (int i = 0; i < dimension; ++i) check_edge(name, radius, coordinates[i], center(i));
 }
 
 Patch upright(const Patch& patch, const Point& shift) {

@@ -14,13 +14,6 @@ namespace signorini::nurbs {
 
 namespace {
 
-/// Throws Error if a length vanishes by rounding when added to a large coordinate.
-void check_edge(const char* name, double length, const char* from, double start) {
-  check_length(name, length);
-  require(start + length > start, "nurbs.shapes.rounding",
-          {{"argument", name}, {"length", length}, {"coordinate", from}, {"start", start}});
-}
-
 /// The part of an annulus from angle `start` to `stop`, ξ² from the outer to the inner radius.
 Patch annulus(double inner, double outer, const Point& center, double start, double stop) {
   check_point("center", center, 2);

@@ -88,6 +88,7 @@ template <int D> void Body<D>::add_macro_elements() {
     macro.functions.erase(std::unique(macro.functions.begin(), macro.functions.end()), macro.functions.end());
     int modes = 1;
     for (int degree : macros_.degrees) modes *= degree + 1;
+    macro.weights = Eigen::Map<const VectorX>(weights.data(), std::ssize(weights));
     MatrixX polynomials(std::ssize(weights), modes);
     Eigen::Index row = 0;
     for (int e : macro.elements) {
@@ -99,7 +100,7 @@ template <int D> void Body<D>::add_macro_elements() {
       for (Eigen::Index q = 0; q < rule.points.cols(); ++q)
         polynomials.row(row++) = legendre_products(macro, macros_.degrees, rule.points.col(q));
     }
-    orthonormalize(macro, polynomials, weights);
+    orthonormalize(macro, polynomials);
   }
 }
 

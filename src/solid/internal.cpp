@@ -9,13 +9,6 @@ namespace signorini::solid {
 
 namespace {
 
-template <int D> void gather(const Body<D>& body, int e, const double* displacement, double* local) {
-  const auto functions = body.functions_of(e);
-  const std::size_t n = functions.size();
-  for (std::size_t a = 0; a < n; ++a)
-    for (std::size_t i = 0; i < D; ++i) local[i * n + a] = displacement[D * functions[a] + static_cast<int>(i)];
-}
-
 /// Calls visit(e, q, F, u) at all Gauss points, with the displacements u of the element's functions.
 template <int D, class Visit>
 void each_deformation(const Body<D>& body, const double* displacement, const Visit& visit) {
@@ -36,14 +29,21 @@ void each_deformation(const Body<D>& body, const double* displacement, const Vis
 
 } // namespace
 
+template <int D> void gather(const Body<D>& body, int e, const double* displacement, double* local) {
+  const auto functions = body.functions_of(e);
+  const std::size_t n = functions.size();
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t i = 0; i < D; ++i) local[i * n + a] = displacement[D * functions[a] + static_cast<int>(i)];
+}
+
 template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
   const std::size_t n = at(body.most_functions()), all = at(body.most_functions_of_macro());
   const std::size_t points = at(body.most_points());
   force.resize(D * all);
   blocks.resize(D * (D + 1) / 2 * all * all + vector_padding);
   if (body.volumetric() == Volumetric::projected) {
-    cell_force.resize(D * n);
-    cell_blocks.resize(D * (D + 1) / 2 * n * n + vector_padding);
+    macro.force.resize(D * n);
+    macro.blocks.resize(D * (D + 1) / 2 * n * n + vector_padding);
   }
   local.resize(D * n);
   const bool moduli = body.elements() > 0 && body.element(0).kernels.respond;
@@ -52,8 +52,18 @@ template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
 }
 
 template <int D> std::size_t ElementArrays<D>::memory() const {
-  return sizeof(double) * (force.size() + blocks.size() + local.size() + work.size() + factors.size() +
-                           cell_force.size() + cell_blocks.size());
+  return sizeof(double) * (force.size() + blocks.size() + local.size() + work.size() + factors.size()) + macro.memory();
+}
+
+template <int D>
+KernelArguments ElementArrays<D>::arguments(const Body<D>& body, int e, double* to_force, double* to_blocks) {
+  KernelArguments arguments = body.arguments(e);
+  arguments.local = local.data();
+  arguments.force = to_force;
+  arguments.work = work.data();
+  arguments.factors = factors.data();
+  arguments.blocks = to_blocks;
+  return arguments;
 }
 
 template <int D> std::vector<double> initial_values(const Body<D>& body) {
@@ -79,12 +89,7 @@ std::optional<Inversion> internal_force(const Body<D>& body, int m, const double
   if (body.volumetric() == Volumetric::projected)
     return projected_force(body, m, displacement, arrays, tangent, committed, trial);
   gather(body, m, displacement, arrays.local.data());
-  KernelArguments arguments = body.arguments(m);
-  arguments.local = arrays.local.data();
-  arguments.force = arrays.force.data();
-  arguments.work = arrays.work.data();
-  arguments.factors = arrays.factors.data();
-  arguments.blocks = tangent ? arrays.blocks.data() : nullptr;
+  KernelArguments arguments = arrays.arguments(body, m, arrays.force.data(), tangent ? arrays.blocks.data() : nullptr);
   if (variables) {
     arguments.internal_variables = body.internal_variables();
     arguments.committed = committed.data() + body.element(m).point * variables;
@@ -133,6 +138,7 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template struct ElementArrays<D>;                                                                                    \
+  template void gather(const Body<D>&, int, const double*, double*);                                                   \
   template std::vector<double> initial_values(const Body<D>&);                                                         \
   template std::optional<Inversion> internal_force(const Body<D>&, int, const double*, ElementArrays<D>&, bool,        \
                                                    std::span<const double>, std::span<double>);                        \

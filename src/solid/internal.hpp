@@ -3,6 +3,7 @@
 // projected.
 
 #include "solid/body.hpp"
+#include "solid/macro_arrays.hpp"
 
 #include <optional>
 
@@ -17,12 +18,17 @@ template <int D> struct ElementArrays {
   explicit ElementArrays(const Body<D>& body);
   /// Bytes of the arrays.
   std::size_t memory() const;
+  /// Kernel arguments of element e with these arrays; the results go to `to_force` and, unless null, `to_blocks`.
+  KernelArguments arguments(const Body<D>& body, int e, double* to_force, double* to_blocks);
   std::vector<double> force, blocks;
-  std::vector<double> local;                   ///< work array: displacements, D rows of n values
-  std::vector<double> work;                    ///< work array of the kernel
-  std::vector<double> factors;                 ///< work array: two values per Gauss point
-  std::vector<double> cell_force, cell_blocks; ///< of one element of a macro-element; only with projected volume change
+  std::vector<double> local;   ///< work array: displacements, D rows of n values
+  std::vector<double> work;    ///< work array of the kernel
+  std::vector<double> factors; ///< work array: two values per Gauss point
+  MacroArrays<D> macro;        ///< only with projected volume change
 };
+
+/// Writes the displacements of an element's functions, D rows of n values.
+template <int D> void gather(const Body<D>& body, int e, const double* displacement, double* local);
 
 /// Internal variables of an unstrained body, by Gauss point in the order of its elements; empty for most materials. A
 /// state consists of two such lists, committed and trial: an accepted step commits the trial values, a roll-back

@@ -9,12 +9,6 @@ namespace signorini::solid {
 
 namespace {
 
-/// The entry of F that a displacement component i makes with row r of functions, ∂R_A/∂X_r or, in a body of revolution,
-/// R_A/R; −1: none.
-template <int D> constexpr int entry_of(int i, int r) {
-  return r < D ? D * i + r : i == 0 ? entries_in(D) - 1 : -1;
-}
-
 /// The arrays of an element with R rows of functions per Gauss point.
 template <int D, int R> struct ModuliArrays {
   explicit ModuliArrays(const KernelArguments& in)

@@ -18,9 +18,4 @@ std::optional<Inversion> projected_force(const Body<D>& body, int m, const doubl
 template <int D>
 double projected_energy(const Body<D>& body, int m, const double* displacement, std::span<const double> committed);
 
-/// c = (Pθ − θ)/3 at the parametric point xi of element e, where the deformation gradient in space is f; 0 if the
-/// macro-element is inverted.
-template <int D>
-double projected_change(const Body<D>& body, int e, const VectorX& xi, const Mat<3>& f, const double* displacement);
-
 } // namespace signorini::solid

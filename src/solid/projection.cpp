@@ -65,7 +65,8 @@ int macro_containing(const MacroElements& macros, const nurbs::Discretization& s
 std::size_t memory(const MacroElements& macros) {
   std::size_t numbers = 0, indices = 0;
   for (const MacroElement& macro : macros.list) {
-    numbers += static_cast<std::size_t>(macro.modes.size() + macro.combine.size() + macro.box.size());
+    numbers +=
+        static_cast<std::size_t>(macro.modes.size() + macro.weights.size() + macro.combine.size() + macro.box.size());
     indices += macro.elements.size() + macro.functions.size();
     for (const auto& places : macro.places) indices += places.size();
   }
@@ -85,10 +86,9 @@ VectorX legendre_products(const MacroElement& macro, const std::vector<int>& deg
   return products;
 }
 
-void orthonormalize(MacroElement& macro, const MatrixX& polynomials, std::span<const double> weights) {
-  const Eigen::Map<const VectorX> w(weights.data(), static_cast<Eigen::Index>(weights.size()));
+void orthonormalize(MacroElement& macro, const MatrixX& polynomials) {
   // Φ = Π L⁻ᵀ with L Lᵀ = Πᵀ W Π
-  const MatrixX gram = polynomials.transpose() * w.asDiagonal() * polynomials;
+  const MatrixX gram = polynomials.transpose() * macro.weights.asDiagonal() * polynomials;
   const MatrixX lower = gram.llt().matrixL();
   macro.combine =
       lower.transpose().triangularView<Eigen::Upper>().solve(MatrixX(MatrixX::Identity(gram.rows(), gram.cols())));

@@ -6,8 +6,7 @@
 // Bazilevs, V. M. Calo, T. J. R. Hughes, Comput. Methods Appl. Mech. Engrg. 197 (2008), but local, so that the tangent
 // remains sparse: projection on continuous splines of degree p − 1 makes it dense. Both have one constraint per
 // element, as many as D unknowns per element bear; projection in each element has p^D and locks. For p = 1 it is the
-// mean dilatation of each element. Macro-elements of p + 1 elements have an inf-sup constant that does not decrease
-// with the mesh, unlike these, but are too soft on coarse meshes (share/doc/locking.md).
+// mean dilatation of each element.
 //
 // F̄ = exp((Pθ − θ)/3) F, at small strains ε̄ = ε + (P tr ε − tr ε)/3 I. The energy is ∫ W(F̄) dV; forces and tangent
 // are its derivatives. Projecting ln J instead of J keeps the volume positive.
@@ -15,10 +14,16 @@
 #include "base/eigen.hpp"
 #include "nurbs/discretization.hpp"
 
-#include <span>
+#include <cmath>
 #include <vector>
 
 namespace signorini::solid {
+
+/// F̄ for c = (Pθ − θ)/3, at small strains ε̄ + I.
+inline Mat<3> dilated(bool linear, const Mat<3>& f, double c) {
+  if (linear) return f + c * Mat<3>::Identity();
+  return std::exp(c) * f;
+}
 
 /// Whether the volume change is that of each point, or projected.
 enum class Volumetric { pointwise, projected };
@@ -30,6 +35,7 @@ struct MacroElement {
   std::vector<std::vector<int>> places; ///< per element: where its functions are in `functions`
   MatrixX box;                          ///< ends of the parameter intervals, one column per direction
   MatrixX modes;   ///< φ_m at the Gauss points of all elements (rows), orthonormal: Σ_q w φ_m φ_n = δ_mn
+  VectorX weights; ///< of these points, see Body::weights_of
   MatrixX combine; ///< Legendre polynomials times this are the modes
 };
 
@@ -48,6 +54,6 @@ std::size_t memory(const MacroElements& macros);
 VectorX legendre_products(const MacroElement& macro, const std::vector<int>& degrees, const VectorX& xi);
 
 /// Makes the polynomials at the points (rows) orthonormal.
-void orthonormalize(MacroElement& macro, const MatrixX& polynomials, std::span<const double> weights);
+void orthonormalize(MacroElement& macro, const MatrixX& polynomials);
 
 } // namespace signorini::solid

@@ -10,25 +10,31 @@ namespace signorini::solid {
 template <int D> Mat<3> deformation_at(const PointBlock& block, int q) {
   Mat<3> f = Mat<3>::Zero();
   for (int e = 0; e < entries_in(D); ++e) {
-    const int entry = D == 3 ? e : plane_entries[e];
+    const int entry = component<D>(e);
     f(entry / 3, entry % 3) = block.f[e * block.stride + q];
   }
   return f;
 }
 
-template <ElasticResponse T, int D> void respond_each(const void* given, const PointBlock& block) {
-  const T& law = *static_cast<const T*>(given);
+/// Writes stress(q, F) and, if they are wanted, moduli(q, F) of all points q of a block.
+template <int D, class Stress, class Tangent>
+void respond_by(const Stress& stress, const Tangent& moduli, const PointBlock& block) {
   constexpr int entries = entries_in(D);
-  const auto entry = [](int e) { return D == 3 ? e : plane_entries[e]; };
   for (int q = 0; q < block.points; ++q) {
-    const Mat<3> f = deformation_at<D>(block, q), p = law.stress(f);
-    for (int e = 0; e < entries; ++e) block.stress[e * block.stride + q] = p(entry(e) / 3, entry(e) % 3);
+    const Mat<3> f = deformation_at<D>(block, q), p = stress(q, f);
+    for (int e = 0; e < entries; ++e) block.stress[e * block.stride + q] = p(component<D>(e) / 3, component<D>(e) % 3);
     if (!block.moduli) continue;
-    const Moduli moduli = law.moduli(f);
+    const Moduli all = moduli(q, f);
     for (int e = 0; e < entries; ++e)
       for (int o = e; o < entries; ++o)
-        block.moduli[packed(entries, e, o) * block.stride + q] = moduli(entry(e), entry(o));
+        block.moduli[packed(entries, e, o) * block.stride + q] = all(component<D>(e), component<D>(o));
   }
+}
+
+template <ElasticResponse T, int D> void respond_each(const void* given, const PointBlock& block) {
+  const T& law = *static_cast<const T*>(given);
+  respond_by<D>([&](int, const Mat<3>& f) { return law.stress(f); },
+                [&](int, const Mat<3>& f) { return law.moduli(f); }, block);
 }
 
 /// The law's own response at many points if it has one.

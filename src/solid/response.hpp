@@ -8,6 +8,15 @@ constexpr int entries_in(int dimensions) {
   return dimensions == 2 ? 5 : 9;
 }
 constexpr int plane_entries[] = {0, 1, 3, 4, 8}; ///< 3i + k for F_ik
+/// 3i + k of entry e.
+template <int D> constexpr int component(int e) {
+  return D == 3 ? e : plane_entries[e];
+}
+/// The entry of F that a displacement component i makes with row r of functions, ∂R_A/∂X_r or, in a body of revolution,
+/// R_A/R; −1: none.
+template <int D> constexpr int entry_of(int i, int r) {
+  return r < D ? D * i + r : i == 0 ? entries_in(D) - 1 : -1;
+}
 
 /// The place of ∂P_e/∂F_f, e ≤ f, in the packed upper triangle of the moduli.
 constexpr int packed(int entries, int e, int f) {

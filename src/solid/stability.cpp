@@ -1,18 +1,17 @@
 #include "solid/stability.hpp"
 
 #include "solid/energy.hpp"
-#include "solid/projected.hpp"
+#include "solid/projected_volume.hpp"
 
 #include <Eigen/Eigenvalues>
-
-#include <cmath>
 
 namespace signorini::solid {
 
 namespace {
 
 /// F at a Gauss point, F̄ if the volume change is projected.
-template <int D> Mat<3> deformation_at_point(const Body<D>& body, int e, int q, const double* displacement) {
+template <int D>
+Mat<3> deformation_at_point(const Body<D>& body, int e, int q, const double* displacement, ProjectedVolume<D>& volume) {
   const std::span<const int> functions = body.functions_of(e);
   const int n = static_cast<int>(functions.size());
   const double *gradients = body.gradients_of(e) + q * D * n, *hoops = body.hoops_of(e);
@@ -27,8 +26,7 @@ template <int D> Mat<3> deformation_at_point(const Body<D>& body, int e, int q, 
     if (body.kind() == Kind::plane_stress) across = body.material().thickness_stretch(f);
   const Mat<3> result = in_space<D>(f, across);
   if (body.volumetric() == Volumetric::pointwise) return result;
-  const VectorX xi = element_quadrature(body.space(), e).points.col(q);
-  return std::exp(projected_change(body, e, xi, result, displacement)) * result;
+  return dilated(body.linear(), result, volume.change_at(body, e, q, result, displacement));
 }
 
 } // namespace
@@ -52,9 +50,10 @@ template <int D> std::optional<Instability> unstable_point(const Body<D>& body, 
   const int stride = (body.elements() + most_points - 1) / most_points;
   double least = -rounding * law->mu;
   std::optional<Instability> worst;
+  ProjectedVolume<D> volume;
   for (int e = 0; e < body.elements(); e += stride) {
     const int q = body.element(e).points / 2;
-    const Mat<3> f = deformation_at_point(body, e, q, displacement);
+    const Mat<3> f = deformation_at_point(body, e, q, displacement, volume);
     const double modulus = least_modulus(*law, f);
     if (!(modulus < least)) continue;
     least = modulus;

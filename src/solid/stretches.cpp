@@ -35,7 +35,7 @@ struct Slopes {
 template <int D> auto dyads(const Principal& at) {
   Eigen::Matrix<double, entries_in(D), 9> all;
   for (int e = 0; e < entries_in(D); ++e) {
-    const int entry = D == 3 ? e : plane_entries[e];
+    const int entry = component<D>(e);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) all(e, 3 * i + j) = at.current(entry / 3, i) * at.reference(entry % 3, j);
   }

@@ -159,7 +159,9 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
         xi(d) = from + (to - from) * places[at(d)][at(rest % (element.degrees[at(d)] + 1))];
         rest /= element.degrees[at(d)] + 1;
       }
-      values.col(g) = composed<D>(solid.material(), body_point(model, body, e, xi).state);
+      BodyPoint<D> point = body_point(model, body, e, xi);
+      add_volume_change(model, body, point);
+      values.col(g) = composed<D>(solid.material(), point.state);
     }
     all.middleCols(first, size) = Projector(element.degrees, places)(values, weights);
     first += size;

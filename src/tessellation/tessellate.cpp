@@ -50,7 +50,7 @@ struct SkinSide {
     const BodyPoint<3> state = regular_point(model, body, e, parameter(e, s, t));
     // ∂x/∂ξ = F ∂X/∂ξ, normal ∥ ±τ₁×τ₂
     const Mat<3> tangents = deformed ? Mat<3>(state.state.deformation * state.jacobian) : state.jacobian;
-    SkinPoint result{state.reference, {}, field ? field->value(solid().material(), state.state) : 0};
+    SkinPoint result{state.reference, {}, field ? value_at(model, body, *field, state) : 0};
     if (deformed) result.position += state.state.displacement;
     result.normal = nurbs::outward_sign(side) * tangents.col(along(0)).cross(tangents.col(along(1))).stableNormalized();
     return result;
@@ -117,7 +117,7 @@ Skin tessellate(const Model<2>& model, int body, const Field<2>* field, const Sa
         const Eigen::Index here = grid(p, q);
         result.points.col(here).head<2>() = point.reference;
         if (deformed) result.points.col(here).head<2>() += point.state.displacement;
-        if (field) result.values(here) = field->value(solid.material(), point.state);
+        if (field) result.values(here) = value_at(model, body, *field, point);
       }
     add_triangles(result.triangles, triangle, grid);
     add_borders(result, grid, {space.element_index(e, 0), space.element_index(e, 1)},
@@ -216,7 +216,7 @@ std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Fiel
       const BodyPoint<3> point = regular_point(model, body, e, space.parameter(e, fraction));
       inside.points.col(p) = point.reference;
       if (deformed) inside.points.col(p) += point.state.displacement;
-      if (field) inside.values(p) = field->value(solid.material(), point.state);
+      if (field) inside.values(p) = value_at(model, body, *field, point);
     }
     result.push_back(std::move(inside));
   }

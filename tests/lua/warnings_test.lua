@@ -39,8 +39,20 @@ end)
 check.case("nearly incompressible material", function()
   check.holds(only(pressed({}, 0.4999999)),
     "bodies.slab: at Poisson's ratio 0.4999999 elements of degree 2 (along xi1)",
-    "lock", 'Hint: use nu = 0.499 or less, or volumetric = "projected" in sg.body')
+    "lock", 'Hint: use nu = 0.497 or less, or volumetric = "projected" in sg.body')
   check.equal(#pressed({}, 0.49):warnings(), 0)
+end)
+
+check.case("the limit of Poisson's ratio depends on the degree", function()
+  local function warnings(order, nu)
+    local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = order,
+                          material = sg.neo_hookean{ E = 1, nu = nu } }
+    return sg.model{ bodies = { slab = body }, supports = { bed = { on = body:face "south", fix = "xy" } } }:warnings()
+  end
+  for order, limit in pairs { N2 = 0.497, N3 = 0.499, N4 = 0.499 } do
+    check.equal(#warnings(order, limit), 0)
+    check.holds(warnings(order, limit + 1e-4)[1], "slab", ("nu = %g or less"):format(limit))
+  end
 end)
 
 check.case("degree 1 in any direction of a nearly incompressible body", function()

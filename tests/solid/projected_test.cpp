@@ -1,7 +1,7 @@
 // Bodies with projected volume change: force and tangent against differences, homogeneous states, small strains as
 // limit of large ones, macro-elements, and no locking.
 #include "solid/many_bodies.hpp"
-#include "solid/projected.hpp"
+#include "solid/projected_volume.hpp"
 
 #include <gtest/gtest.h>
 
@@ -108,6 +108,27 @@ TEST(Projected, LawsWithInternalVariablesKeepThemAtTheirPoints) {
     EXPECT_LT((at.tangent - expected.tangent).norm(), 1e-12 * expected.tangent.norm());
     for (double determinant : trial) EXPECT_GT(determinant, 0); // of all points
   }
+}
+
+template <int D> void kept_coefficients_follow_the_displacements(const Body<D>& body) {
+  Random random(3);
+  ProjectedVolume<D> kept;
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    const VectorX u = random_displacement(random, body, 0.02);
+    for (int e = 0; e < body.elements(); ++e)
+      for (int q : {0, body.element(e).points / 2}) {
+        const VectorX xi = element_quadrature(body.space(), e).points.col(q);
+        const double change = ProjectedVolume<D>().change(body, e, xi, Mat<3>::Identity(), u.data());
+        EXPECT_NE(change, 0);
+        EXPECT_EQ(kept.change(body, e, xi, Mat<3>::Identity(), u.data()), change);
+        EXPECT_NEAR(kept.change_at(body, e, q, Mat<3>::Identity(), u.data()), change, 1e-13);
+      }
+  }
+}
+TEST(Projected, KeptCoefficientsFollowTheDisplacements) {
+  kept_coefficients_follow_the_displacements(projected(plane_bodies(rubber)[0]));
+  kept_coefficients_follow_the_displacements(projected(bodies_of_revolution(soft)[0]));
+  kept_coefficients_follow_the_displacements(projected(space_bodies(rubber)[0]));
 }
 
 TEST(Projected, InvertedElementsAreFound) {
