@@ -127,6 +127,32 @@ check.case("the shapes' interference tends to Lamé's pressure, too", function()
   check.within("limit", 2 * relative(1e-3) - relative(2e-3), 1, 1e-4)
 end)
 
+--- A quarter of the section of both rings in the plane, on curved faces.
+local function on_quarter(keys)
+  local function quarter(low, high, contact, around)
+    return sg.body{ patch = sg.shapes.quarter_annulus{ inner = low, outer = high }, elements = { around, 6 },
+                    order = "N2", contact = contact, thickness_degree = 3, material = steel }
+  end
+  local inner, outer = quarter(a, R, "south", 4), quarter(R, b, "north", 5)
+  keys.slave, keys.master = outer:face "north", inner:face "south"
+  local supports = {}
+  for name, body in pairs { inner = inner, outer = outer } do
+    for _, side in ipairs { "west", "east" } do
+      supports[name .. side] = { on = body:face(side), symmetry = true }
+    end
+  end
+  return sg.model{ bodies = { inner = inner, outer = outer }, supports = supports, contacts = { seat = keys } }
+end
+
+check.case("quarters of both rings in the plane, whose meshes differ: Lamé's pressure on curved faces", function()
+  for _, form in ipairs { "points", "points per reference area", "mortar", "multipliers", "half passes" } do
+    local large, model = of_offset(on_quarter, form, outer_softness + inner_softness, 2e-3)
+    local small = of_offset(on_quarter, form, outer_softness + inner_softness, 1e-3)
+    check.within(form .. ": small strains", 2 * small - large, 1, 1e-3)
+    check_balance(form, model, 1e-3, 2e-3)
+  end
+end)
+
 -- ── Plane and solid scenes ───────────────────────────────────────────────────────────────────────────────────────────
 
 --- A block of width 1 on a plane at height `at`, in the plane or in space.
