@@ -148,7 +148,8 @@ function sg.model(arguments) end
 ---change. Displacements at a point force and stresses near it grow without limit as the mesh is refined. The value
 ---given here is that at the start of the path; stages change it linearly to theirs. A load that no stage names acts in
 ---full from the first step; to increase one from zero, give 0 here and its value in a stage. model:reaction(name) is
----the force; the columns of a run are \<name>.fx …, and .tx … or .pressure.
+---the force; the columns of a run are \<name>.fx …, and the values that stages change: .tx …, .pressure, .bx … of a
+---force on bodies, .px … on corners and edges, or .factor of a function.
 ---
 ---Example:
 ---```lua
@@ -685,7 +686,8 @@ function model:warnings() end
 ---```
 ---run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns: step,
 ---increments, iterations, wall; \<support>.fx, .fy, in 3D .fz, .moment if it rotates, .ux, .uy, .uz, .angle if driven;
----\<load>.fx …, .tx … or .pressure; \<contact>.fx … (force on the slave), .area, .max_pressure, .max_penetration.
+---\<load>.fx …, .tx …, .pressure, .bx …, .px … or .factor; \<contact>.fx … (force on the slave), .area, .max_pressure,
+---.max_penetration.
 ---
 ---Source: Newton's steps (4.33) to (4.35), freeze_active_set 4.5.2 of V. Agrawal, thesis, IIT Guwahati, 2020;
 ---augmentation: J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992); arc_length: E. Riks, J. Appl. Mech. 39 (1972), H.

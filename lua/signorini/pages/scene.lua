@@ -281,7 +281,8 @@ or a number; it is called at the Gauss points when the model is made. Its values
 change. Displacements at a point force and stresses near it grow without limit as the mesh is refined.
 The value given here is that at the start of the path; stages change it linearly to theirs. A load that no
 stage names acts in full from the first step; to increase one from zero, give 0 here and its value in a stage.
-model:reaction(name) is the force; the columns of a run are <name>.fx …, and .tx … or .pressure.]],
+model:reaction(name) is the force; the columns of a run are <name>.fx …, and the values that stages change: .tx …,
+.pressure, .bx … of a force on bodies, .px … on corners and edges, or .factor of a function.]],
     example = { [[loads = { push = { on = die:face "east", traction = {0, -1} } }]],
                 [[loads = { gravity = { on = slab, force = {0, -9.81e-3} },
           gas = { on = slab:face "north", pressure = 0, follower = true } }]],
