@@ -119,7 +119,7 @@ local function constant_loads(model, path)
   local names = lists.map(drives.constant_loads(model, path), function(load) return ("'%s'"):format(load) end)
   if #names == 0 then return nil end
   return ("no stage changes the load%s %s, which act%s in full from the first step on. Hint: to apply a load in steps, "
-    .. "give its value to a stage and 0 to sg.model, of a function factor = 0"):format(#names == 1 and "" or "s",
+    .. "give its value to a stage and 0 to sg.model (of a function: factor = 0)"):format(#names == 1 and "" or "s",
     table.concat(names, ", "), #names == 1 and "s" or "")
 end
 
