@@ -60,12 +60,13 @@ function model:sample(body, field, xi) end
 ---@field work number
 ---@field area_growth number
 
----Returns { stored, contact, friction, work, area_growth }: strain energy of the bodies; energy of penalty springs or
----of adhesion; and, summed over all accepted steps (trapezoidal rule), dissipation by friction; work of supports, of
----loads and of changing offsets and overlaps of contacts; energy of the springs times the growth of the area on which
----they act, zero for contacts with per = "reference". Per unit depth in plane strain. Where nothing changes suddenly,
----as when a contact is switched off, work + area_growth = stored + contact + friction in the limit of small steps (with
----friction: and of small penetration): see share/doc/theory.md, Output quantities.
+---Returns { stored, contact, friction, work, area_growth }: strain energy of the bodies, and that of springs of
+---supports; energy of penalty springs or of adhesion; and, summed over all accepted steps (trapezoidal rule),
+---dissipation by friction; work of supports, of loads and of changing offsets and overlaps of contacts; energy of the
+---penalty springs times the growth of the area on which they act, zero for contacts with per = "reference". Per unit
+---depth in plane strain. Where nothing changes suddenly, as when a contact is switched off, work + area_growth = stored
+---\+ contact + friction in the limit of small steps (with friction: and of small penetration): see share/doc/theory.md,
+---Output quantities.
 ---
 ---Example:
 ---```lua

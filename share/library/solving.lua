@@ -737,17 +737,20 @@ function model:run(stages, options) end
 ---fraction s of the stage, from 0 to 1, returns these values; it is called for the end of each step, within which the
 ---path is linear. Supports and loads that a stage does not name keep their values. Values are measured from the
 ---reference state, not from the previous stage. The first stage of a run also closes the overlap of contacts with
----overlap = "interference", linearly. model:driven(name) lists the components. Options are the second argument,
----model:run({ … }, { step = { min = 1/256 } }): help "model:run".
+---overlap = "interference", linearly. A contact that is pressed without friction and turned with it, with friction = {
+---mu = 0, penalty = 100 } in sg.model:
+---```text
+---  model:run{ { name = "press", steps = 10, grip = {-1, 0} },
+---             { name = "turn", steps = 90, grip = {-1, 180}, contacts = { joint = { friction = { mu = 0.5 } } } } }
+---```
+---model:driven(name) lists the components. Options are the second argument, model:run({ … }, { step = { min = 1/256 }
+---}): help "model:run".
 ---
 ---Example:
 ---```lua
 ---model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
 ---           { name = "slide", steps = 250, grip = {1.5, -0.23} } }
 ---model:run{ { name = "rub", steps = 8, grip = function(s) return {0.1 * math.sin(2 * math.pi * s), -0.23} end } }
----model:run{ { name = "press", steps = 46,  grip = {0, -0.23}, contacts = { interface = { friction = { mu = 0 } } } },
----           { name = "slide", steps = 250, grip = {1.5, -0.23},
----             contacts = { interface = { friction = { mu = 0.2 } } } } }
 ---```
 ---@class sg.stage
 ---name: name in reports and on_step (a string; by default "stage 1" and so on)
