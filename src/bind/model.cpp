@@ -65,12 +65,12 @@ template <int D> std::string joins_text(const model::Scene<D>& scene) {
   return result;
 }
 
-/// The loads that follow the deformation.
-template <int D> std::string followers_text(const model::Scene<D>& scene) {
+/// The names of the parts that satisfy a condition, after a word.
+template <class Part, class Condition>
+std::string names_text(const char* word, const std::vector<Part>& parts, const Condition& holds) {
   std::string result;
-  for (const model::Load& load : scene.loads)
-    if (load.kind == model::LoadKind::follower_pressure)
-      result += text(result.empty() ? "; follows the deformation: " : ", ", load.name);
+  for (const Part& part : parts)
+    if (holds(part)) result += text(result.empty() ? text("; ", word, ": ") : ", ", part.name);
   return result;
 }
 
@@ -82,7 +82,9 @@ template <int D> std::string model_text(const model::Model<D>& model) {
               " degrees of freedom, ", model.system.unknowns.size(), " of them free, ",
               counted(scene.supports.size(), "support"), ", ", counted(scene.contacts.size(), "contact"),
               scene.ties.empty() ? "" : ", " + counted(scene.ties.size(), "tie"), joins_text(scene),
-              followers_text(scene));
+              names_text("on springs", scene.supports, [](const auto& support) { return !support.spring.isZero(0); }),
+              names_text("follows the deformation", scene.loads,
+                         [](const auto& load) { return load.kind == model::LoadKind::follower_pressure; }));
 }
 
 template <int D>

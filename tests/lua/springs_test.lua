@@ -33,6 +33,7 @@ check.case("springs in series with a bar: the displacement is t/k + t H/E, also 
     local model = bar(kind, sg.linear_elastic{ E = E, nu = 0 })
     local run = model:run({ { steps = 2, pull = up(kind, t) } }, sg.plain{})
     check.equal(run.failed, false)
+    check.holds(tostring(model), "; on springs: bed")
     local u = "u" .. along(kind)
     check.near({ model:sample("bar", u, at(kind, 0)), model:sample("bar", u, at(kind, 1)) },
                { t / k, t / k + t * height / E }, 1e-10)
