@@ -52,12 +52,16 @@ end
 
 local lame = E * interference * (Ro^2 - R^2) / (2 * R * Ro^2)
 local pressure = mean_pressure()
-local states = { sg.picture{ model = model, field = "von_mises", title = "shrunk" } }
+local function picture(title)
+  return sg.picture{ model = model, field = "von_mises", label = "von Mises stress (MPa)", title = title,
+                     axes = { "r (mm)", "y (mm)" } }
+end
+local states = { picture "shrunk" }
 local slide = { seat = { friction = { mu = mu } } }
 local pull = model:run{ { name = "break loose", steps = 10, grip = 0.03, contacts = slide },
                         { name = "pull", steps = options.steps, grip = 0.9 * L } }
 if pull.failed then error(pull.failure, 0) end
-states[2] = sg.picture{ model = model, field = "von_mises", title = "pulled by 27 mm" }
+states[2] = picture "pulled by 27 mm"
 
 local c = nu * mu * L / R
 local most, share = 0, c > 0 and (1 - math.exp(-c)) / c or 1
@@ -74,8 +78,11 @@ print(sg.table{ columns = { "", "computed", "closed form" }, formats = { "%s", "
                          { "largest force (kN)", most, closed_force } } })
 sg.chart{ file = files "force.png", title = "Pulling a hub off a shaft", xlabel = "travel (mm)", ylabel = "force (kN)",
           { x = travel, y = force, label = "computed", marker = "none" },
-          { x = travel, y = linear, label = "2π R l μ p", marker = "none", dashed = true } }
-sg.sheet{ states, columns = 2, file = files "states.png", title = "Shrink fit (MPa, mm)" }
+          { x = travel, y = linear, label = "2π R l μ p", marker = "none", dashed = true },
+          { x = { 0, travel[#travel] }, y = { closed_force, closed_force }, label = "largest, closed form",
+            marker = "none", dashed = true } }
+-- Pulled, the edge of the bore has the greatest stress, which grows with smaller elements.
+sg.sheet{ states, columns = 2, range = "own", file = files "states.png", title = "Shrink fit" }
 files:report()
 
 return { pressure = pressure, lame = lame, most = most, closed_force = closed_force, travel = travel, force = force }
