@@ -134,4 +134,14 @@ sg.model{ bodies = { a = a }, supports = { w = { on = top, fix = "xy" } }, loads
   end)
 end
 
+check.case("a body that nothing holds against its load is no result, however far it goes", function()
+  local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
+                        material = sg.linear_elastic{ E = 1000, nu = 0.3 } }
+  local model = sg.model{ bodies = { block = body }, supports = { bed = { on = body:face "south", fix = "y" } },
+                          loads = { push = { on = body, force = { 0, 0 } } } }
+  local run = model:run{ { steps = 1, push = { 1, 0 } } }
+  check.equal(run.failed, true)
+  check.holds(run.failure, "the tangent is singular", "rigid-body translation of body 'block' along (1, 0)")
+end)
+
 check.done()
