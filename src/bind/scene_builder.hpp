@@ -3,6 +3,8 @@
 
 #include "bind/scene.hpp"
 
+#include <algorithm>
+
 namespace signorini::bind {
 
 /// The parts read so far. `where`: name of the argument in messages.
@@ -29,6 +31,17 @@ template <int D>
 /// Throws for an entry of `on` that is listed twice.
 [[noreturn]] inline void reject_twice(const Arguments& a, const std::string& what) {
   fail(a.name("on"), " lists ", what, " twice, expected once: remove one of the two");
+}
+
+/// Adds a place to those that `on` lists. Throws if the same control points are listed already, perhaps under another
+/// name: the edge 'east-back' is 'back-east', too. `words`: the place in messages.
+template <int D>
+void list_once(const Arguments& a, std::vector<BoundaryPart<D>>& listed, const BoundaryPart<D>& place,
+               const std::string& words) {
+  for (const BoundaryPart<D>& other : listed)
+    if (place.body == other.body && std::ranges::is_permutation(place.functions, other.functions))
+      reject_twice(a, place.name == other.name ? words : text(words, ", also called '", other.name, "',"));
+  listed.push_back(place);
 }
 
 /// What a user's function returns at reference positions, D × points. `list`: the expected list of D numbers in words;

@@ -6,7 +6,6 @@
 #include "solid/load.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace signorini::bind {
 
@@ -184,7 +183,7 @@ template <int D> void read_symmetry(const Arguments& a, const SceneBuilder<D>& b
 template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const Arguments& a) {
   model::Support<D> support;
   const std::string on = a.name("on");
-  std::set<std::string> listed;
+  std::vector<BoundaryPart<D>> places;
   a.list("on", [&](int, int index, const std::string&) {
     if (has_type(a.state(), index, Type<Rigid<D>>::name)) {
       const int obstacle = builder.index_of(read_object<Rigid<D>>(a.state(), index, {on}), on);
@@ -194,9 +193,8 @@ template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const 
     }
     const BoundaryPart<D>& place = read_object<BoundaryPart<D>>(a.state(), index, {on});
     const int body = builder.index_of(place, on);
-    const std::string words =
-        text(place.kind, " '", place.name, "' of body '", builder.scene.bodies[at(body)].name, "'");
-    if (!listed.insert(words).second) reject_twice(a, words);
+    list_once(a, places, place,
+              text(place.kind, " '", place.name, "' of body '", builder.scene.bodies[at(body)].name, "'"));
     support.on.push_back({body, place.functions});
   });
   read_components(a, "fix", Constraint::fixed, support);

@@ -165,6 +165,13 @@ for _, case in ipairs {
 } do
   check.case("refused: " .. case[1], function()
     local output, status = check.script(start .. case[2])
+  { "a corner by two names", [[model{ on = { corner, a:corner "east-north" }, force = {0, 1} }]],
+    "loads.g.on lists corner 'east-north' of body 'a', also called 'north-east', twice" },
+  { "an edge by two names", [[solid{ on = { b:edge "east-back", b:edge "back-east" }, force = {0, 0, 1} }]],
+    "loads.g.on lists edge 'back-east' of body 'b', also called 'east-back', twice" },
+  { "a corner of a solid by two names",
+    [[solid{ on = { b:corner "east-north-back", b:corner "back-north-east" }, force = {0, 0, 1} }]],
+    "loads.g.on lists corner 'back-north-east' of body 'b', also called 'east-north-back', twice" },
     check.equal(status, 1)
     check.holds(output, "signorini: study.lua:", table.unpack(case, 3))
   end)

@@ -203,6 +203,10 @@ check.case("a face that is listed twice is an error", function()
   check.fails(function()
     sg.model{ bodies = { slab = slab }, supports = { bed = { on = { north, north }, fix = "xy" } } }
   end, "supports.bed.on lists face 'north' of body 'slab' twice")
+  check.fails(function()
+    sg.model{ bodies = { slab = slab },
+              supports = { bed = { on = { slab:corner "north-west", slab:corner "west-north" }, fix = "xy" } } }
+  end, "supports.bed.on lists corner 'west-north' of body 'slab', also called 'north-west', twice")
   local floor = sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }
   check.fails(function()
     sg.model{ bodies = { slab = slab }, supports = { floor = { on = { floor, floor }, drive = "y" } } }
