@@ -307,7 +307,8 @@ constant factor; directions may be reversed, in 3D also exchanged. On sides that
 too. Two faces of one body can be joined, as in a ring. Where several joins meet, all share one unknown. Other pairs of
 faces that coincide are tied (help "tie"), with the face of more elements as slave; model:tie_profile and
 model:tie_resultant then accept the join's name. print(model) shows for each join what was done, and what differs.
-Supports, symmetry and reactions act on all control points that share an unknown; a joined face cannot be in contact.]],
+Supports, symmetry and reactions act on all control points that share an unknown; a joined face lies inside the body and
+has no contact, load or spring.]],
     example = [[
 joins = { seam = { left:face "east", right:face "west" } }]] },
   { "tie", "Ties two faces whose meshes need not match: they neither open nor slip.",
