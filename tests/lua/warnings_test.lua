@@ -233,6 +233,48 @@ check.case("hints do not name controls that are on", function()
   check.holds(run.failure, "allow more iterations", "allow smaller steps (step = { min = … })")
 end)
 
+check.case("loads and springs on prescribed displacements alone", function()
+  local slab = slab_on()
+  local bed = { on = slab:face "south", fix = "xy" }
+  local function warnings(parts)
+    local supports = { bed = bed, more = parts.support }
+    return sg.model{ bodies = { slab = slab }, kind = parts.kind, supports = supports, loads = { p = parts.load } }
+      :warnings()
+  end
+  local south, north = slab:face "south", slab:face "north"
+  local lid = { on = north, drive = "y" }
+  for _, load in ipairs { { on = slab:corner "south-west", force = {0, -1} }, { on = south, traction = {0, 0} },
+                          { on = south, pressure = 0 }, { on = south, pressure = 1, follower = true },
+                          { on = south, traction = function(x) return {x, 1} end, factor = 0 } } do
+    local found = warnings{ load = load }
+    check.equal(#found, 1)
+    check.holds(found[1], "loads.p has no effect on the deformation", "prescribed, by supports.bed. Hint: ")
+  end
+  check.holds(warnings{ load = { on = north, traction = {0, -1} }, support = lid }[1], "loads.p", "by supports.more.")
+  check.holds(warnings{ support = { on = south, spring = {1, 1} } }[1], "the spring of supports.more has no effect",
+              "by supports.bed.")
+
+  -- Some of the displacements are free, or may be where the load turns.
+  for _, load in ipairs { { on = north, traction = {1, -1} }, { on = north, traction = {0, 0} },
+                          { on = north, pressure = 1, follower = true }, { on = slab, force = {0, -1} } } do
+    check.equal(warnings{ load = load, support = lid }, {})
+  end
+  check.equal(warnings{ load = { on = { south, north }, traction = {0, 0} } }, {})
+  check.equal(warnings{ support = { on = { south, north }, spring = {1, 1} } }, {})
+  check.equal(warnings{ load = { on = slab:face "west", pressure = 1 } }, {})
+
+  for _, parts in ipairs { { load = { on = slab:corner "north-west", force = {1, 0} } },
+                           { load = { on = slab:face "west", pressure = 1, follower = true } },
+                           { support = { on = slab:face "west", spring = {1, 1} } } } do
+    parts.kind = "axisymmetric"
+    local found = warnings(parts)
+    check.equal(#found, 1)
+    check.holds(found[1], parts.load and "loads.p" or "supports.more", "on the axis faces have no area")
+  end
+  check.equal(warnings{ kind = "axisymmetric", load = { on = slab:corner "north-west", force = {1, -1} } }, {})
+  check.equal(warnings{ kind = "axisymmetric", load = { on = slab:face "east", pressure = 1 } }, {})
+end)
+
 check.case("a large number of elements is announced before they are made, and too many are rejected", function()
   local script = check.folder() .. "/large.lua"
   local file = assert(io.open(script, "w"))
