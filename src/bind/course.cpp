@@ -9,12 +9,6 @@ namespace signorini::bind {
 
 namespace {
 
-std::string position_text(const VectorX& x) {
-  std::string list;
-  for (const double value : x) list += text(list.empty() ? "(" : ", ", number(value));
-  return list + ")";
-}
-
 bool is_number(lua_State* L, int index) {
   return lua_type(L, index) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, index));
 }
@@ -56,6 +50,12 @@ MatrixX values_at(const Arguments& a, const char* key, const MatrixX& positions,
 }
 
 template MatrixX values_at<2>(const Arguments&, const char*, const MatrixX&, const std::string&);
+std::string position_text(const VectorX& x) {
+  std::string list;
+  for (const double value : x) list += text(list.empty() ? "(" : ", ", number(value));
+  return list + ")";
+}
+
 template MatrixX values_at<3>(const Arguments&, const char*, const MatrixX&, const std::string&);
 
 } // namespace signorini::bind

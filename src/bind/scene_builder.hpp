@@ -49,6 +49,9 @@ void list_once(const Arguments& a, std::vector<BoundaryPart<D>>& listed, const B
 template <int D>
 MatrixX values_at(const Arguments& a, const char* key, const MatrixX& positions, const std::string& list);
 
+/// "(1, 0.5)"
+std::string position_text(const VectorX& x);
+
 /// An entry of `supports` or `loads`; the caller sets its name. New obstacles are added to the scene.
 template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const Arguments& a);
 template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arguments& a);
