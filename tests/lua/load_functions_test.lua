@@ -146,8 +146,16 @@ for _, case in ipairs {
     "got nothing" },
   { "two components in 3D", "solid{ on = b, force = function(x, y) return {x, y} end }",
     "loads.g.force must return a list of 3 numbers {bx, by, bz}" },
+  { "nan in a list", "model{ on = east, traction = function() return {1, 0 / 0} end }",
+    "loads.g.traction must return a list of 2 numbers {tx, ty}, got a list with nan (not a number) as entry 2" },
+  { "a text in a list", [[solid{ on = b, force = function() return {0, "1", 0} end }]],
+    "got a list with the string '1' as entry 2" },
   { "infinity", "model{ on = east, pressure = function() return 1 / 0 end }", "must return a finite number" },
-  { "an error inside", "model{ on = east, pressure = function(x) return x.y end }", "attempt to index" },
+  { "an error inside", "model{ on = east, pressure = function(x) return x.y end }",
+    "study.lua:9: attempt to index a number value (local 'x'): loads.g.pressure is called as function(x, y) with "
+      .. "numbers" },
+  { "an error inside in 3D", "solid{ on = b, force = function(X) return {0, 0, X[3]} end }",
+    "loads.g.force is called as function(x, y, z) with numbers" },
   { "a function at a corner", "model{ on = corner, force = function() return {0, 1} end }",
     "loads.g: force is a function, which is for faces and bodies", "give a list of 2 numbers {px, py}" },
   { "a factor of a constant", "model{ on = east, pressure = 1, factor = 2 }",
@@ -157,6 +165,13 @@ for _, case in ipairs {
   { "a corner and a body", "model{ on = { a, corner }, force = {0, 1} }",
     "loads.g: it is on the body 'a' and the corner", "use a load for each" },
   { "a corner twice", "model{ on = { corner, corner }, force = {0, 1} }", "loads.g.on lists corner", "twice" },
+  { "a corner by two names", [[model{ on = { corner, a:corner "east-north" }, force = {0, 1} }]],
+    "loads.g.on lists corner 'east-north' of body 'a', also called 'north-east', twice" },
+  { "an edge by two names", [[solid{ on = { b:edge "east-back", b:edge "back-east" }, force = {0, 0, 1} }]],
+    "loads.g.on lists edge 'back-east' of body 'b', also called 'east-back', twice" },
+  { "a corner of a solid by two names",
+    [[solid{ on = { b:corner "east-north-back", b:corner "back-north-east" }, force = {0, 0, 1} }]],
+    "loads.g.on lists corner 'back-north-east' of body 'b', also called 'east-north-back', twice" },
   { "a traction at a corner", "model{ on = corner, traction = {0, 1} }", "loads.g.on must be a face" },
   { "a pressure on an edge", [[solid{ on = b:edge "south-front", pressure = 1 }]], "loads.g.on must be a face",
     "an edge has no surface" },
@@ -165,13 +180,6 @@ for _, case in ipairs {
 } do
   check.case("refused: " .. case[1], function()
     local output, status = check.script(start .. case[2])
-  { "a corner by two names", [[model{ on = { corner, a:corner "east-north" }, force = {0, 1} }]],
-    "loads.g.on lists corner 'east-north' of body 'a', also called 'north-east', twice" },
-  { "an edge by two names", [[solid{ on = { b:edge "east-back", b:edge "back-east" }, force = {0, 0, 1} }]],
-    "loads.g.on lists edge 'back-east' of body 'b', also called 'east-back', twice" },
-  { "a corner of a solid by two names",
-    [[solid{ on = { b:corner "east-north-back", b:corner "back-north-east" }, force = {0, 0, 1} }]],
-    "loads.g.on lists corner 'back-north-east' of body 'b', also called 'east-north-back', twice" },
     check.equal(status, 1)
     check.holds(output, "signorini: study.lua:", table.unpack(case, 3))
   end)
