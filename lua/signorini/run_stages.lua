@@ -26,26 +26,66 @@ local function rows_of(model)
   return rows
 end
 
+local function is_finite(value) return type(value) == "number" and value - value == 0 end
+
+--- The values that a function has returned, or nil and what it has returned in words; of a list of the right length its
+--- first entry that is not a finite number.
+local function values_of(given, count)
+  local values = type(given) == "number" and { given } or given
+  if list_shape.length(values) ~= count then return nil, core.describe(given) end
+  for i, value in ipairs(values) do
+    if not is_finite(value) then
+      local entry = core.describe(value)
+      return nil, values == given and ("a list with %s as entry %d"):format(entry, i) or entry
+    end
+  end
+  return lists.map(values, function(value) return value + 0.0 end)
+end
+
+local function braces(values)
+  local words = table.concat(lists.map(values, function(value) return ("%.6g"):format(value) end), ", ")
+  return #values == 1 and words or "{" .. words .. "}"
+end
+
+local rounding = 1e-9 -- of values that should be equal, relative to the largest of the stage
+
+--- A sentence for a function that does not begin at the values `now` before the stage, so that its first step jumps. A
+--- function that has no values at 0, such as a list of those at the ends of steps, may begin anywhere.
+local function jump(course, now, path, name, stage)
+  local ok, given = pcall(course, 0.0)
+  if not ok and core.answer_interrupt() then error(given, 0) end
+  local first = ok and values_of(given, #now)
+  if not first then return nil end
+  local scale, gap = 0, 0
+  for _, values in ipairs(lists.joined({ now, first }, path)) do
+    for _, value in ipairs(values) do scale = math.max(scale, math.abs(value)) end
+  end
+  for i, value in ipairs(first) do gap = math.max(gap, math.abs(value - now[i])) end
+  if gap <= rounding * scale then return nil end
+  return ("stage '%s': the function of '%s' returns %s for s = 0, but the stage begins at %s, so that its first step "
+    .. "leads from there to %s. Hint: values are measured from the reference state, not from the previous stage; "
+    .. "return the values that hold before the stage for s = 0"):format(stage, name, braces(first), braces(now),
+      braces(path[1]))
+end
+
 --- The values of a function at the end of each step.
 local function values_along(model, course, name, label, steps)
   local components, path = drives.components(model, name), {}
   for k = 1, steps do
-    local given = course(k / steps)
-    local values = type(given) == "number" and { given } or given
-    local fits = list_shape.length(values) == #components
-      and not lists.any(values, function(value) return type(value) ~= "number" or value - value ~= 0 end)
-    if not fits then
+    local values, given = values_of(course(k / steps), #components)
+    if not values then
       core.fail(("%s: %s.%s must return %s (%s), got %s for the fraction %g. Hint: it is called with the fraction of "
         .. "the stage at the end of each step, as in function(s) return %s end"):format(where, label, name,
-          counted(#components, "finite number"), table.concat(components, ", "), core.describe(given), k / steps,
+          counted(#components, "finite number"), table.concat(components, ", "), given, k / steps,
           #components == 1 and "0.1 * s" or "{" .. ("0, "):rep(#components - 1) .. "0.1 * s}"))
     end
-    path[k] = lists.map(values, function(value) return value + 0.0 end)
+    path[k] = values
   end
   return path
 end
 
-local function read_stage(model, rows, index, stage, options)
+--- `now`: the values before the stage by support or load, then those after it.
+local function read_stage(model, rows, index, stage, options, now)
   local label = ("stages[%d]"):format(index)
   for key in pairs(stage) do
     if drives.is_support(model, key) and #model:driven(key) == 0 then
@@ -53,36 +93,39 @@ local function read_stage(model, rows, index, stage, options)
         :format(where, label, key))
     end
   end
-  local names, plain, targets, paths = model:driven_names(), lists.merged(stage), {}, {}
+  local names, plain, targets, paths, jumps = model:driven_names(), lists.merged(stage), {}, {}, {}
   for _, name in ipairs(names) do
     if type(plain[name]) == "function" then plain[name] = nil end
   end
   local values = check.value(t.named(rows), plain, where, label)
+  local title = values.name or ("stage %d"):format(index)
   for _, name in ipairs(names) do
     local goal = stage[name]
     if type(goal) == "function" then
       paths[name] = values_along(model, goal, name, label, values.steps)
+      jumps[#jumps + 1] = jump(goal, now[name], paths[name], name, title)
       goal = paths[name][values.steps]
     end
     targets[name] = type(goal) == "number" and { goal } or goal and lists.joined(goal)
+    now[name] = targets[name] or now[name]
   end
   local contacts = lists.merged(values.contacts or {})
   contact_changes.check(model, where, label, contacts, options)
-  return { name = values.name or ("stage %d"):format(index), steps = values.steps, targets = targets,
-           paths = paths, contacts = contacts }
+  return { name = title, steps = values.steps, targets = targets, paths = paths, contacts = contacts, jumps = jumps }
 end
 
 --- The stages, each { name, steps, targets (by support or load), paths (values of functions at the ends of steps),
---- contacts (constants by contact) }, and their steps in all.
+--- contacts (constants by contact), jumps (warnings about functions) }, and their steps in all.
 return function(model, stages, options)
   if #model:driven_names() + #model:support_names() + #model:contact_names() == 0 then
     core.fail(where .. ": the model has neither supports nor loads. Hint: name some in sg.model, such as "
       .. "supports = { bed = { on = body:face \"south\", fix = \"xy\" } }")
   end
   contact_changes.check_fits(model, where, options)
-  local rows, read, total = rows_of(model), {}, 0
+  local rows, read, total, now = rows_of(model), {}, 0, {}
+  for _, name in ipairs(model:driven_names()) do now[name] = model:target(name) end
   for i, stage in ipairs(stages) do
-    read[i] = read_stage(model, rows, i, stage, options)
+    read[i] = read_stage(model, rows, i, stage, options, now)
     total = total + read[i].steps
   end
   return read, total

@@ -1,8 +1,8 @@
--- Warnings about a run although it completed: those of sg.model about the scene, loads that are not ramped, loose
--- tolerances, contacts without any active point (wrong face, or a body that misses the other), deep penetration, points
--- that passed through the master in one step, failed projections, half passes with different forces, unstable
--- equilibria, unstable elastic laws, idle processes of mpirun, and those of path_controls.lua, jumps.lua and
--- energy_balance.lua.
+-- Warnings about a run although it completed: those of sg.model about the scene, loads that are not ramped, functions
+-- of stages that jump at their start, loose tolerances, contacts without any active point (wrong face, or a body that
+-- misses the other), deep penetration, points that passed through the master in one step, failed projections, half
+-- passes with different forces, unstable equilibria, unstable elastic laws, idle processes of mpirun, and those of
+-- path_controls.lua, jumps.lua and energy_balance.lua.
 
 local contact_changes = require "signorini.contact_changes"
 local core = require "signorini.core"
@@ -134,6 +134,7 @@ function run_warnings.of_path(model, path, solver)
     texts[#texts + 1] = ("linear = \"%s\" uses one of the %d processes that mpirun has started. Hint: linear = "
       .. "\"mumps\" shares factorizations among them"):format(solver.linear, core.ranks)
   end
+  for _, stage in ipairs(path) do texts = lists.joined(texts, stage.jumps) end
   return lists.joined(texts, contact_changes.warnings(path))
 end
 

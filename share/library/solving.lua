@@ -141,15 +141,16 @@ function sg.model(arguments) end
 ---```
 ---
 ---Loads are dead, with the direction and the magnitude that they have in the reference shape, except for a pressure
----with follower = true. The tangent has the follower's exact derivative. It is symmetric, because the load has an
----energy, pressure times volume, if the borders of the faces close, lie on the axis, or stay in planes of symmetry. A
----function of the coordinates, function(x, y) or function(x, y, z), returns the value at a reference position, {tx, ty}
----or a number; it is called at the Gauss points when the model is made. Its values act times a factor, which stages
----change. Displacements at a point force and stresses near it grow without limit as the mesh is refined. The value
----given here is that at the start of the path; stages change it linearly to theirs. A load that no stage names acts in
----full from the first step; to increase one from zero, give 0 here and its value in a stage. model:reaction(name) is
----the force; the columns of a run are \<name>.fx …, and the values that stages change: .tx …, .pressure, .bx … of a
----force on bodies, .px … on corners and edges, or .factor of a function.
+---with follower = true. The tangent has the follower's exact derivative. For a uniform pressure it is symmetric,
+---because the load has an energy, pressure times volume, if the borders of the faces close, lie on the axis, or stay in
+---planes of symmetry; a pressure that is a function of the position has no energy. A function of the coordinates,
+---function(x, y) or function(x, y, z), returns the value at a reference position, {tx, ty} or a number; it is called at
+---the Gauss points when the model is made. Its values act times a factor, which stages change. Displacements at a point
+---force and stresses near it grow without limit as the mesh is refined. The value given here is that at the start of
+---the path; stages change it linearly to theirs. A load that no stage names acts in full from the first step; to
+---increase one from zero, give 0 here and its value in a stage. model:reaction(name) is the force; the columns of a run
+---are \<name>.fx …, and the values that stages change: .tx …, .pressure, .bx … of a force on bodies, .px … on corners
+---and edges, or .factor of a function.
 ---
 ---Example:
 ---```lua
@@ -734,11 +735,12 @@ function model:run(stages, options) end
 ---
 ---Any other key is the name of a driven support or a load: the values at the stage's end, in the order of its driven
 ---components (lengths, then the angle in degrees) or of the load; a single value needs no braces. A function of the
----fraction s of the stage, from 0 to 1, returns these values; it is called for the end of each step, within which the
----path is linear. Supports and loads that a stage does not name keep their values. Values are measured from the
----reference state, not from the previous stage. The first stage of a run also closes the overlap of contacts with
----overlap = "interference", linearly. A contact that is pressed without friction and turned with it, with friction = {
----mu = 0, penalty = 100 } in sg.model:
+---fraction s of the stage, from 0 to 1, returns these values; all functions are called when the run starts, for the end
+---of each step, within which the path is linear, and for s = 0, where a value other than that before the stage is a
+---warning. Supports and loads that a stage does not name keep their values. Values are measured from the reference
+---state, not from the previous stage. The first stage of a run also closes the overlap of contacts with overlap =
+---"interference", linearly. A contact that is pressed without friction and turned with it, with friction = { mu = 0,
+---penalty = 100 } in sg.model:
 ---```text
 ---  model:run{ { name = "press", steps = 10, grip = {-1, 0} },
 ---             { name = "turn", steps = 90, grip = {-1, 180}, contacts = { joint = { friction = { mu = 0.5 } } } } }
@@ -750,7 +752,8 @@ function model:run(stages, options) end
 ---```lua
 ---model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
 ---           { name = "slide", steps = 250, grip = {1.5, -0.23} } }
----model:run{ { name = "rub", steps = 8, grip = function(s) return {0.1 * math.sin(2 * math.pi * s), -0.23} end } }
+---model:run{ { name = "rub", steps = 8,
+---             grip = function(s) return {1.5 + 0.1 * math.sin(2 * math.pi * s), -0.23} end } }
 ---```
 ---@class sg.stage
 ---name: name in reports and on_step (a string; by default "stage 1" and so on)

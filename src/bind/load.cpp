@@ -45,11 +45,13 @@ void add_points(const SceneBuilder<D>& builder, const Arguments& a, const Bounda
 /// Reads `on` of a force: bodies, corners, or edges.
 template <int D> void read_places(const SceneBuilder<D>& builder, const Arguments& a, model::Load& load) {
   std::vector<std::string> kinds, listed;
+  std::vector<BoundaryPart<D>> places;
   a.list("on", [&](int, int index, const std::string&) {
     std::string kind = "body", words;
     if (const Body<D>* body = test_object<Body<D>>(a.state(), index)) {
       load.bodies.push_back(builder.index_of(*body, a.name("on")));
       words = text("body '", builder.scene.bodies[at(load.bodies.back())].name, "'");
+      if (std::ranges::find(listed, words) != listed.end()) reject_twice(a, words);
     } else {
       const BoundaryPart<D>& place = read_object<BoundaryPart<D>>(a.state(), index, {a.name("on")});
       kind = place.kind;
@@ -59,9 +61,9 @@ template <int D> void read_places(const SceneBuilder<D>& builder, const Argument
         a.fail("it is on the ", words,
                ", but force acts on bodies per volume, on edges per length, or on corners: name "
                "one of these, or give traction, a force per area");
+      list_once(a, places, place, words);
       add_points(builder, a, place, load);
     }
-    if (std::ranges::find(listed, words) != listed.end()) reject_twice(a, words);
     if (!kinds.empty() && kinds.front() != kind)
       a.fail("it is on the ", listed.front(), " and the ", words,
              ", but a force per volume, per length or on a corner has another unit: use a load for each");

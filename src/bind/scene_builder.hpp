@@ -3,6 +3,8 @@
 
 #include "bind/scene.hpp"
 
+#include <algorithm>
+
 namespace signorini::bind {
 
 /// The parts read so far. `where`: name of the argument in messages.
@@ -31,10 +33,24 @@ template <int D>
   fail(a.name("on"), " lists ", what, " twice, expected once: remove one of the two");
 }
 
+/// Adds a place to those that `on` lists. Throws if the same control points are listed already, perhaps under another
+/// name: the edge 'east-back' is 'back-east', too. `words`: the place in messages.
+template <int D>
+void list_once(const Arguments& a, std::vector<BoundaryPart<D>>& listed, const BoundaryPart<D>& place,
+               const std::string& words) {
+  for (const BoundaryPart<D>& other : listed)
+    if (place.body == other.body && std::ranges::is_permutation(place.functions, other.functions))
+      reject_twice(a, place.name == other.name ? words : text(words, ", also called '", other.name, "',"));
+  listed.push_back(place);
+}
+
 /// What a user's function returns at reference positions, D × points. `list`: the expected list of D numbers in words;
 /// if it is empty, a number is expected, and the result is 1 × points. Throws for other results.
 template <int D>
 MatrixX values_at(const Arguments& a, const char* key, const MatrixX& positions, const std::string& list);
+
+/// "(1, 0.5)"
+std::string position_text(const VectorX& x);
 
 /// An entry of `supports` or `loads`; the caller sets its name. New obstacles are added to the scene.
 template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const Arguments& a);

@@ -6,7 +6,6 @@
 #include "solid/load.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace signorini::bind {
 
@@ -105,6 +104,22 @@ template <int D> void read_spring(const Arguments& a, const SceneBuilder<D>& bui
                });
 }
 
+/// Throws if a shape has values in components that do not follow it.
+template <int D>
+void check_driven(const Arguments& a, const model::Support<D>& support, const MatrixX& positions,
+                  const MatrixX& values) {
+  constexpr double rounding = 1e-9; // relative to the largest value: of a function such as sin(pi)
+  const double least = rounding * values.cwiseAbs().maxCoeff();
+  for (int c = 0; c < D; ++c) {
+    Eigen::Index k = 0;
+    if (support.constraint[at(c)] == Constraint::driven || !(values.row(c).cwiseAbs().maxCoeff(&k) > least)) continue;
+    const std::string component = model::component_name(c);
+    fail(a.name("shape"), " returns u", component, " = ", number(values(c, k)),
+         " at X = ", position_text(positions.col(k)), ", but the support does not drive ", component, ": add ",
+         component, " to drive, or return 0 for it");
+  }
+}
+
 /// The shape of a displacement, projected onto the control points of the faces.
 template <int D> void read_shape(const Arguments& a, const SceneBuilder<D>& builder, model::Support<D>& support) {
   if (!a.has("shape")) return;
@@ -123,9 +138,12 @@ template <int D> void read_shape(const Arguments& a, const SceneBuilder<D>& buil
                });
   const MatrixX values =
       values_at<D>(a, "shape", positions, D == 2 ? "a list of 2 numbers {ux, uy}" : "a list of 3 numbers {ux, uy, uz}");
-  const std::vector<MatrixX> shapes = model::project(builder.scene, faces, values);
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-    support.on[i].shape.assign(shapes[i].data(), shapes[i].data() + shapes[i].size());
+  check_driven(a, support, positions, values);
+  const model::Projection shape = model::project(builder.scene, faces, values);
+  for (std::size_t i = 0; i < shape.displacements.size(); ++i)
+    support.on[i].shape.assign(shape.displacements[i].data(),
+                               shape.displacements[i].data() + shape.displacements[i].size());
+  support.shape_error = shape.error;
 }
 
 /// x, y or z = place.
@@ -184,7 +202,7 @@ template <int D> void read_symmetry(const Arguments& a, const SceneBuilder<D>& b
 template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const Arguments& a) {
   model::Support<D> support;
   const std::string on = a.name("on");
-  std::set<std::string> listed;
+  std::vector<BoundaryPart<D>> places;
   a.list("on", [&](int, int index, const std::string&) {
     if (has_type(a.state(), index, Type<Rigid<D>>::name)) {
       const int obstacle = builder.index_of(read_object<Rigid<D>>(a.state(), index, {on}), on);
@@ -194,9 +212,8 @@ template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const 
     }
     const BoundaryPart<D>& place = read_object<BoundaryPart<D>>(a.state(), index, {on});
     const int body = builder.index_of(place, on);
-    const std::string words =
-        text(place.kind, " '", place.name, "' of body '", builder.scene.bodies[at(body)].name, "'");
-    if (!listed.insert(words).second) reject_twice(a, words);
+    list_once(a, places, place,
+              text(place.kind, " '", place.name, "' of body '", builder.scene.bodies[at(body)].name, "'"));
     support.on.push_back({body, place.functions});
   });
   read_components(a, "fix", Constraint::fixed, support);

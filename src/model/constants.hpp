@@ -110,5 +110,7 @@ inline constexpr double most_friction = 3;
 /// ε_N h/E from which steps need cutting ("10 to 1000 times E/h" is usual), and from which the rounding error of the
 /// contact stiffness exceeds the stiffness of the body.
 inline constexpr double stiff_penalty = 1e4, beyond_rounding = 1e8;
+/// Relative error of a prescribed shape's projection above which the supports follow another function than the user's.
+inline constexpr double most_shape_error = 0.01;
 
 } // namespace signorini::model

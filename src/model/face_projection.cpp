@@ -6,6 +6,8 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -37,7 +39,7 @@ private:
 } // namespace
 
 template <int D>
-std::vector<MatrixX> project(const Scene<D>& scene, const std::vector<FaceReference>& faces, const MatrixX& values) {
+Projection project(const Scene<D>& scene, const std::vector<FaceReference>& faces, const MatrixX& values) {
   constexpr double coincident = 1e-9; // relative to the coordinates: rounding error of positions
   double size = 0;
   for (const FaceReference& face : faces)
@@ -46,6 +48,7 @@ std::vector<MatrixX> project(const Scene<D>& scene, const std::vector<FaceRefere
 
   std::vector<Eigen::Triplet<double>> mass;
   std::vector<std::pair<int, VectorX>> load;
+  double total = 0; // ∫|v|²
   Eigen::Index k = 0;
   for (const FaceReference& face : faces) {
     const solid::Body<D>& body = *scene.bodies[at(face.body)].body;
@@ -57,6 +60,7 @@ std::vector<MatrixX> project(const Scene<D>& scene, const std::vector<FaceRefere
         own.push_back(places.number(face, part.functions[a], x.col(static_cast<Eigen::Index>(a))));
       for (int q = 0; q < part.weights.size(); ++q, ++k) {
         const double weight = part.weights(q) * part.area_vector(x, q).norm();
+        total += weight * values.col(k).squaredNorm();
         for (std::size_t a = 0; a < own.size(); ++a) {
           const double share = weight * part.values(static_cast<Eigen::Index>(a), q);
           load.emplace_back(own[a], share * values.col(k));
@@ -74,20 +78,22 @@ std::vector<MatrixX> project(const Scene<D>& scene, const std::vector<FaceRefere
   require(solver.info() == Eigen::Success, "model.face.no_projection");
   const MatrixX solution = solver.solve(right);
 
-  std::vector<MatrixX> projected;
+  // The difference is orthogonal to the projection: ∫|v − Pv|² = ∫|v|² − ∫|Pv|².
+  const double projected = right.cwiseProduct(solution).sum();
+  Projection result{{}, total > 0 ? std::sqrt(std::max(0.0, 1 - projected / total)) : 0.0};
   for (const FaceReference& face : faces) {
     const nurbs::Discretization& space = scene.bodies[at(face.body)].body->space();
     const std::vector<int> functions = space.face_functions(face.side);
     const MatrixX points = space.points();
-    projected.emplace_back(D, functions.size());
+    result.displacements.emplace_back(D, functions.size());
     for (std::size_t i = 0; i < functions.size(); ++i)
-      projected.back().col(static_cast<Eigen::Index>(i)) =
+      result.displacements.back().col(static_cast<Eigen::Index>(i)) =
           solution.row(places.number(face, functions[i], points.col(functions[i]))).transpose();
   }
-  return projected;
+  return result;
 }
 
-template std::vector<MatrixX> project<2>(const Scene<2>&, const std::vector<FaceReference>&, const MatrixX&);
-template std::vector<MatrixX> project<3>(const Scene<3>&, const std::vector<FaceReference>&, const MatrixX&);
+template Projection project<2>(const Scene<2>&, const std::vector<FaceReference>&, const MatrixX&);
+template Projection project<3>(const Scene<3>&, const std::vector<FaceReference>&, const MatrixX&);
 
 } // namespace signorini::model

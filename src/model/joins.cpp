@@ -55,6 +55,14 @@ template <int D> void check_join(const Scene<D>& scene, const Join& join) {
       require(!is_joined(face), "model.join.in_contact",
               {{"join", join.name}, {"contact", contact.name}, {"face", message(face)}});
   }
+  const auto check_surface = [&](const std::vector<FaceReference>& faces, const Message& action) {
+    for (const FaceReference& face : faces)
+      require(!is_joined(face), "model.join.loaded",
+              {{"join", join.name}, {"action", action}, {"face", message(face)}});
+  };
+  for (const Load& load : scene.loads) check_surface(load.on, Message("model.action.load", {{"name", load.name}}));
+  for (const Support<D>& support : scene.supports)
+    check_surface(support.spring_faces, Message("model.action.springs", {{"name", support.name}}));
 }
 
 } // namespace

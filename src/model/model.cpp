@@ -6,6 +6,7 @@
 #include "model/clearance.hpp"
 #include "model/constants.hpp"
 #include "model/equilibrium.hpp"
+#include "model/idle_actions.hpp"
 #include "model/scene_warnings.hpp"
 #include "model/ties.hpp"
 
@@ -30,6 +31,7 @@ Model<D>::Model(Scene<D> scene)
   for (Message& warning : model::scene_warnings(system.scene, system.contacts, accepted.contacts))
     scene_warnings.push_back(std::move(warning));
   warn_of_ties(system.scene, system.ties, scene_warnings);
+  warn_of_idle_actions(system, scene_warnings);
 }
 
 template <int D> void set_target(Model<D>& model, int drive, int component, double value) {

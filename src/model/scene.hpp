@@ -74,6 +74,7 @@ template <int D> struct Support {
   Vec<D> axis = Vec<D>::Zero();   ///< unit vector (3D); unused in 2D
   Vec<D> spring = Vec<D>::Zero(); ///< stiffness per reference area, by component
   std::vector<FaceReference> spring_faces = {};
+  double shape_error = 0; ///< of the projection of its shape, see face_projection.hpp
 
   /// Whether its driven components follow a shape times one factor, in place of a displacement for each component.
   bool shaped() const { return !on.empty() && !on.front().shape.empty(); }

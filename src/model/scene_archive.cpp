@@ -29,8 +29,8 @@ auto members(SupportedControlPoints& points) {
 }
 
 template <int D> auto members(Support<D>& support) {
-  auto& [name, on, constraint, obstacles, rotates, center, axis, spring, spring_faces] = support;
-  return std::tie(name, on, constraint, obstacles, rotates, center, axis, spring, spring_faces);
+  auto& [name, on, constraint, obstacles, rotates, center, axis, spring, spring_faces, shape_error] = support;
+  return std::tie(name, on, constraint, obstacles, rotates, center, axis, spring, spring_faces, shape_error);
 }
 
 auto members(PointShare& point) {

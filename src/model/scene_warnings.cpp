@@ -126,6 +126,13 @@ void warn_of_twins(const Scene<D>& scene, const contact::Formulations<D>& contac
     }
 }
 
+template <int D> void warn_of_shapes(const Scene<D>& scene, std::vector<Message>& warnings) {
+  for (const Support<D>& support : scene.supports)
+    if (support.shape_error > most_shape_error)
+      warnings.push_back(
+          Message("model.warning.shape", {{"support", support.name}, {"percent", 100 * support.shape_error}}));
+}
+
 } // namespace
 
 template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact, double penalty) {
@@ -149,6 +156,7 @@ std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formul
     warn_of_stiff_slave(scene, scene.contacts[k], warnings);
   }
   warn_of_twins(scene, contacts, warnings);
+  warn_of_shapes(scene, warnings);
   return warnings;
 }
 

@@ -288,4 +288,26 @@ check.case("joins that contradict each other are errors that name the faces", fu
   refused({ one = { b:face "west", c:face "west" } }, nil, "joins.one: ", "must face each other")
 end)
 
+check.case("loads and springs inside a joined body are errors, on its surface they are not", function()
+  local function square(x)
+    return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { x, 0 } }, elements = { 2, 2 },
+                    order = "N2", material = rubber }
+  end
+  local a, b = square(0), square(1)
+  local function model(face, load, spring)
+    local supports = { wall = { on = a:face "west", fix = "xy" }, k = spring and { on = face, spring = { 1, 1 } } }
+    if load then load.on = face end
+    return sg.model{ bodies = { a = a, b = b }, joins = { seam = { a:face "east", b:face "west" } },
+                     supports = supports, loads = { p = load } }
+  end
+  for _, load in ipairs { { pressure = 1 }, { pressure = 1, follower = true }, { traction = { 0, 1 } } } do
+    check.fails(function() model(b:face "west", load) end, "loads.p acts on face 'west' of body 'b', which joins.seam "
+      .. "joins, so that it lies inside the joined body. Hint: ")
+    model({ a:face "north", b:face "north" }, load)
+  end
+  check.fails(function() model({ a:face "north", a:face "east" }, nil, true) end,
+    "the spring of supports.k acts on face 'east' of body 'a', which joins.seam joins")
+  model({ a:face "north", b:face "north" }, nil, true)
+end)
+
 check.done()

@@ -92,6 +92,30 @@ check.case("other components stay free, and files hold the shape", function()
   check.equal(copy:reaction "top", model:reaction "top")
 end)
 
+check.case("a function that the elements cannot follow is a warning with the error, also after loading", function()
+  local function warnings(elements, f)
+    local body = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = { elements, 1 },
+                          order = "N2", material = sg.linear_elastic{ E = 10, nu = 0.3 } }
+    local model = sg.model{ bodies = { body = body },
+      supports = { bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", drive = "xy",
+                                                                         shape = f } } }
+    local file = check.folder() .. "/rough.sgn"
+    model:save(file)
+    check.equal(sg.load(file):warnings(), model:warnings())
+    return model:warnings()
+  end
+  -- The best parabola for x³ on (0, 2) differs by Legendre's polynomial of degree 3 times 2/5, with the mean square
+  -- (2/5)²/7; that of x³ is 2⁶/7. With eight elements the difference is about 8³ times smaller.
+  local function cubic(x) return { 0, x ^ 3 } end
+  local percent = 100 * math.sqrt((2 / 5) ^ 2 / 2 ^ 6)
+  check.equal(#warnings(1, cubic), 1)
+  check.holds(warnings(1, cubic)[1], "supports.top.shape",
+    ("differ from it by %.6g %% (root mean square)"):format(percent), "Hint: use finer elements")
+  check.equal(warnings(8, cubic), {})
+  check.equal(#warnings(8, function(x) return { x < 1 and 0 or 1, 0 } end), 1)
+  check.equal(warnings(1, function() return { 0, 0 } end), {})
+end)
+
 local start = [[
 local sg = require "signorini"
 local a = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N2",
@@ -109,6 +133,11 @@ for _, case in ipairs {
   { "one number", [[model{ on = north, drive = "xy", shape = function(x) return x end }]],
     "supports.top.shape must return a list of 2 numbers {ux, uy}, got the number", "at X = (" },
   { "a list", [[model{ on = north, drive = "xy", shape = {0, 1} }]], "supports.top.shape must be a function" },
+  { "a value that nothing drives", [[model{ on = north, drive = "x", shape = function() return {0.1, 1} end }]],
+    "supports.top.shape returns uy = 1 at X = (", "but the support does not drive y: add y to drive, or return 0" },
+  { "a value of a fixed component",
+    [[model{ on = north, drive = "y", fix = "x", shape = function(x) return {x, 1} end }]],
+    "supports.top.shape returns ux = ", "does not drive x" },
   { "two targets",
     [[model{ on = north, drive = "xy", shape = function() return {0, 1} end }:run{ { steps = 1, top = {1, 2} } }]],
     "stages[1].top must be a list of 1 number (factor), got a list of 2 values" },

@@ -101,6 +101,8 @@ for _, case in ipairs {
     "springs are for faces of bodies" },
   { "an obstacle", "model{ on = plane, spring = {0, 2} }", "supports.top.on", "springs are for faces of bodies" },
   { "with rotate", "model{ on = north, spring = {0, 2}, rotate = true }", "supports.top.spring cannot be combined" },
+  { "stiffness", "model{ on = north, stiffness = {0, 1} }", "supports.top: unknown argument 'stiffness'",
+    "Hint: write spring = {kx, ky}" },
   { "nan", "model{ on = north, spring = {0, 0 / 0} }", "supports.top.spring[2] must be a finite number" },
 } do
   check.case("refused: " .. case[1], function()

@@ -76,6 +76,23 @@ check.case("arc length follows the chord of a step past a limit point", function
   check.equal(falls, true)
 end)
 
+check.case("a function that jumps at the start of its stage is a warning", function()
+  local function warnings(...) return bar():run({ ... }, sg.plain{}).warnings end
+  local function falling(s) return { 0, 0.1 * (1 - s) } end
+  local found = warnings { name = "pull", steps = 4, grip = falling }
+  check.equal(#found, 1)
+  check.holds(found[1], "stage 'pull': the function of 'grip' returns {0, 0.1} for s = 0",
+    "the stage begins at {0, 0}, so that its first step leads from there to {0, 0.075}. Hint: values are measured")
+  check.equal(warnings({ steps = 1, grip = { 0, 0.1 } }, { steps = 2, grip = falling }), {})
+  check.equal(warnings({ steps = 2, grip = wave }, { steps = 1, gas = 0.01 }, { steps = 2, grip = falling }), {})
+  check.holds(warnings({ steps = 1, gas = 0.02 }, { steps = 2, gas = function(s) return 0.02 * s end })[1],
+    "stage 'stage 2': the function of 'gas' returns 0 for s = 0, but the stage begins at 0.02")
+  -- Values at the ends of steps, with none at 0
+  local list = { 0.01, 0.03 }
+  check.equal(warnings { steps = 2, gas = function(s) return list[math.floor(2 * s + 0.5)] end }, {})
+  check.equal(warnings { steps = 2, gas = function(s) return list[math.floor(2 * s + 0.5)] + 0 end }, {})
+end)
+
 local start = [[
 local sg = require "signorini"
 local a = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N2",
@@ -89,8 +106,10 @@ for _, case in ipairs {
     "function(s) return {0, 0.1 * s} end" },
   { "too many", "grip = function(s) return {s, s, s} end", "stages[1].grip must return 2 finite numbers" },
   { "nothing", "grip = function(s) end", "must return 2 finite numbers (ux, uy), got nothing" },
-  { "nan", "grip = function(s) return {0, 0 / 0} end", "must return 2 finite numbers" },
-  { "a text", "grip = function(s) return {s, '1'} end", "must return 2 finite numbers" },
+  { "nan", "grip = function(s) return {0, 0 / 0} end", "must return 2 finite numbers",
+    "got a list with nan (not a number) as entry 2 for the fraction 0.5" },
+  { "a text", "grip = function(s) return {s, '1'} end", "must return 2 finite numbers",
+    "got a list with the string '1' as entry 2" },
   { "no steps", "grip = function(s) return {s, s} end, steps = 0", "stages[1].steps" },
   { "an unknown support", "grop = function(s) return {s, s} end", "grop", "grip" },
 } do

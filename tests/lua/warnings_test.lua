@@ -203,6 +203,10 @@ check.case("a face that is listed twice is an error", function()
   check.fails(function()
     sg.model{ bodies = { slab = slab }, supports = { bed = { on = { north, north }, fix = "xy" } } }
   end, "supports.bed.on lists face 'north' of body 'slab' twice")
+  check.fails(function()
+    sg.model{ bodies = { slab = slab },
+              supports = { bed = { on = { slab:corner "north-west", slab:corner "west-north" }, fix = "xy" } } }
+  end, "supports.bed.on lists corner 'west-north' of body 'slab', also called 'north-west', twice")
   local floor = sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }
   check.fails(function()
     sg.model{ bodies = { slab = slab }, supports = { floor = { on = { floor, floor }, drive = "y" } } }
@@ -227,6 +231,48 @@ check.case("hints do not name controls that are on", function()
   local run = pressed():run({ { steps = 1, push = -0.05 } }, sg.robust{ fallback = false, newton = { iterations = 1 } })
   check.equal({ run.failed, run.failure:find("adaptive = true", 1, true) }, { true, nil })
   check.holds(run.failure, "allow more iterations", "allow smaller steps (step = { min = … })")
+end)
+
+check.case("loads and springs on prescribed displacements alone", function()
+  local slab = slab_on()
+  local bed = { on = slab:face "south", fix = "xy" }
+  local function warnings(parts)
+    local supports = { bed = bed, more = parts.support }
+    return sg.model{ bodies = { slab = slab }, kind = parts.kind, supports = supports, loads = { p = parts.load } }
+      :warnings()
+  end
+  local south, north = slab:face "south", slab:face "north"
+  local lid = { on = north, drive = "y" }
+  for _, load in ipairs { { on = slab:corner "south-west", force = {0, -1} }, { on = south, traction = {0, 0} },
+                          { on = south, pressure = 0 }, { on = south, pressure = 1, follower = true },
+                          { on = south, traction = function(x) return {x, 1} end, factor = 0 } } do
+    local found = warnings{ load = load }
+    check.equal(#found, 1)
+    check.holds(found[1], "loads.p has no effect on the deformation", "prescribed, by supports.bed. Hint: ")
+  end
+  check.holds(warnings{ load = { on = north, traction = {0, -1} }, support = lid }[1], "loads.p", "by supports.more.")
+  check.holds(warnings{ support = { on = south, spring = {1, 1} } }[1], "the spring of supports.more has no effect",
+              "by supports.bed.")
+
+  -- Some of the displacements are free, or may be where the load turns.
+  for _, load in ipairs { { on = north, traction = {1, -1} }, { on = north, traction = {0, 0} },
+                          { on = north, pressure = 1, follower = true }, { on = slab, force = {0, -1} } } do
+    check.equal(warnings{ load = load, support = lid }, {})
+  end
+  check.equal(warnings{ load = { on = { south, north }, traction = {0, 0} } }, {})
+  check.equal(warnings{ support = { on = { south, north }, spring = {1, 1} } }, {})
+  check.equal(warnings{ load = { on = slab:face "west", pressure = 1 } }, {})
+
+  for _, parts in ipairs { { load = { on = slab:corner "north-west", force = {1, 0} } },
+                           { load = { on = slab:face "west", pressure = 1, follower = true } },
+                           { support = { on = slab:face "west", spring = {1, 1} } } } do
+    parts.kind = "axisymmetric"
+    local found = warnings(parts)
+    check.equal(#found, 1)
+    check.holds(found[1], parts.load and "loads.p" or "supports.more", "on the axis faces have no area")
+  end
+  check.equal(warnings{ kind = "axisymmetric", load = { on = slab:corner "north-west", force = {1, -1} } }, {})
+  check.equal(warnings{ kind = "axisymmetric", load = { on = slab:face "east", pressure = 1 } }, {})
 end)
 
 check.case("a large number of elements is announced before they are made, and too many are rejected", function()

@@ -187,6 +187,10 @@ in 3D {px, py, pz}, on edges per reference length, or on corners, in axisymmetri
   { "factor", t.number, "initial factor of a function's values, which stages change; of functions only", default = 1.0,
     otherwise = "1" },
 }
+load.hints = {
+  gravity = "write force = {0, -density * g}, in 3D {0, 0, -density * g}, and on = body",
+  body_force = "write force = {bx, by}, in 3D {bx, by, bz}, and on = body",
+}
 load.conflict = function(values, given)
   local kinds = lists.filter({ "traction", "pressure", "force" }, function(kind) return values[kind] ~= nil end)
   if #kinds ~= 1 then
@@ -210,6 +214,7 @@ as keys. Plane strain has unit depth; under plane stress forces and energies ref
 is 1, and pressures of contacts to the current length and the undeformed thickness; in an axisymmetric model x is the
 radius, y the axis, and forces refer to the full circle.]],
     named = {
+      hints = { gravity = "write loads = { weight = { on = a body, force = {0, -density * g} } }" },
       { "bodies", t.map(t.or_nil(t.either(t.object "body", t.object "compound")), 1), [[the bodies. The parts of one of
 several patches are named after it: "ball.1", "ball.2", …]] },
       { "supports", t.map(t.or_nil(t.either(t.named "support", t.named "load"))),
@@ -242,6 +247,7 @@ sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", tr
   { "support", "Fixes or prescribes displacements of faces, edges, corners or obstacles; at least one component.",
     head = "supports = { <name> = { on, fix, drive, free, rotate, spring, shape, symmetry } }, in sg.model{ … }",
     named = {
+      hints = { stiffness = "write spring = {kx, ky}, in 3D {kx, ky, kz}" },
       { "on", t.worded(t.flat(t.either(face, obstacle)),
         "a face or a list of faces, an edge, a corner or an obstacle"), "where; the reaction of a list is the sum" },
       { "fix", axes, "components with zero displacement", optional = true },
@@ -274,8 +280,9 @@ supports = { bed  = { on = slab:face "south", fix = "xy" },
     head = "loads = { <name> = { on, traction or pressure or force, follower, factor } }, in sg.model{ … }",
     named = load,
     more = [[Loads are dead, with the direction and the magnitude that they have in the reference shape, except for a
-pressure with follower = true. The tangent has the follower's exact derivative. It is symmetric, because the load has an
-energy, pressure times volume, if the borders of the faces close, lie on the axis, or stay in planes of symmetry.
+pressure with follower = true. The tangent has the follower's exact derivative. For a uniform pressure it is symmetric,
+because the load has an energy, pressure times volume, if the borders of the faces close, lie on the axis, or stay in
+planes of symmetry; a pressure that is a function of the position has no energy.
 A function of the coordinates, function(x, y) or function(x, y, z), returns the value at a reference position, {tx, ty}
 or a number; it is called at the Gauss points when the model is made. Its values act times a factor, which stages
 change. Displacements at a point force and stresses near it grow without limit as the mesh is refined.
@@ -307,7 +314,8 @@ constant factor; directions may be reversed, in 3D also exchanged. On sides that
 too. Two faces of one body can be joined, as in a ring. Where several joins meet, all share one unknown. Other pairs of
 faces that coincide are tied (help "tie"), with the face of more elements as slave; model:tie_profile and
 model:tie_resultant then accept the join's name. print(model) shows for each join what was done, and what differs.
-Supports, symmetry and reactions act on all control points that share an unknown; a joined face cannot be in contact.]],
+Supports, symmetry and reactions act on all control points that share an unknown; a joined face lies inside the body and
+has no contact, load or spring.]],
     example = [[
 joins = { seam = { left:face "east", right:face "west" } }]] },
   { "tie", "Ties two faces whose meshes need not match: they neither open nor slip.",

@@ -101,9 +101,10 @@ changes linearly over the stage; all hold until another stage changes them, also
     more = [[
 Any other key is the name of a driven support or a load: the values at the stage's end, in the order of its driven
 components (lengths, then the angle in degrees) or of the load; a single value needs no braces. A function of the
-fraction s of the stage, from 0 to 1, returns these values; it is called for the end of each step, within which the path
-is linear. Supports and loads that a stage does not name keep their values. Values are measured from the reference
-state, not from the previous stage.
+fraction s of the stage, from 0 to 1, returns these values; all functions are called when the run starts, for the end of
+each step, within which the path is linear, and for s = 0, where a value other than that before the stage is a warning.
+Supports and loads that a stage does not name keep their values. Values are measured from the reference state, not from
+the previous stage.
 The first stage of a run also closes the overlap of contacts with overlap = "interference", linearly.
 A contact that is pressed without friction and turned with it, with friction = { mu = 0, penalty = 100 } in sg.model:
   model:run{ { name = "press", steps = 10, grip = {-1, 0} },
@@ -113,7 +114,8 @@ help "model:run".]],
     example = [[
 model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
            { name = "slide", steps = 250, grip = {1.5, -0.23} } }
-model:run{ { name = "rub", steps = 8, grip = function(s) return {0.1 * math.sin(2 * math.pi * s), -0.23} end } }]] },
+model:run{ { name = "rub", steps = 8,
+             grip = function(s) return {1.5 + 0.1 * math.sin(2 * math.pi * s), -0.23} end } }]] },
   { "sg.robust", [[Returns the default controls of model:run explicitly: each step starts from the linear predictor
 (predictor = "linear"), a failed step is tried again with the first fallbacks (fallback = true), then cut in half
 (step = { adaptive = true }), and at the smallest increment tried with the other fallbacks. Given options replace these.

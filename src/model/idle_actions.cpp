@@ -1,0 +1,101 @@
+#include "model/idle_actions.hpp"
+
+#include "base/index.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::model {
+
+namespace {
+
+/// Forces and stiffnesses below this fraction of the largest are rounding error.
+constexpr double negligible = 1e-12;
+
+/// Adds the degrees of freedom whose values are not rounding error.
+void add_acting(const VectorX& values, std::vector<int>& dofs) {
+  const double least = negligible * values.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    if (std::abs(values(i)) > least) dofs.push_back(static_cast<int>(i));
+}
+
+/// The degrees of freedom on which a load acts: in the components with a value at the start, in all if there is none
+/// yet; a pressure that follows the deformation in all, because its direction may change.
+template <int D> std::vector<int> loaded(const System<D>& system, const Drive& drive) {
+  const auto components = static_cast<Eigen::Index>(drive.components.size());
+  const VectorX start = system.drives.start().segment(drive.first, components);
+  VectorX targets = VectorX::Zero(system.drives.start().size());
+  targets.segment(drive.first, components) = start.isZero(0) || !system.scene.loads[at(drive.load)].values.empty()
+                                                 ? VectorX(VectorX::Ones(components))
+                                                 : VectorX((start.array() != 0).template cast<double>());
+  VectorX force = system.drives.force(targets);
+  system.followers.add_force(VectorX::Zero(system.unknowns.dofs()), targets, force);
+  std::vector<int> dofs;
+  add_acting(force, dofs);
+  if (system.scene.loads[at(drive.load)].kind != LoadKind::follower_pressure) return dofs;
+  std::vector<int> all;
+  for (const int dof : dofs)
+    for (int c = 0; c < D; ++c) all.push_back(dof - dof % D + c);
+  return all;
+}
+
+template <int D> std::vector<int> sprung(const System<D>& system, int support) {
+  VectorX stiffness = VectorX::Zero(system.unknowns.dofs());
+  for (const auto& part : system.springs.parts())
+    if (part.support == support) stiffness(part.dofs) += part.stiffness.diagonal();
+  std::vector<int> dofs;
+  add_acting(stiffness, dofs);
+  return dofs;
+}
+
+/// The radial displacements on the axis of an axisymmetric scene, which vanish.
+template <int D> std::vector<char> radial_on_axis(const System<D>& system) {
+  std::vector<char> held(at(system.unknowns.dofs()), 0);
+  if (system.scene.kind != solid::Kind::axisymmetric) return held;
+  for (std::size_t b = 0; b < system.scene.bodies.size(); ++b) {
+    const MatrixX points = system.scene.bodies[b].body->space().points();
+    const double least = negligible * points.row(0).cwiseAbs().maxCoeff();
+    for (Eigen::Index i = 0; i < points.cols(); ++i)
+      held[at(system.unknowns.offset(static_cast<int>(b)) + D * static_cast<int>(i))] = points(0, i) <= least;
+  }
+  return held;
+}
+
+/// The names of the supports that prescribe some of these displacements: "supports.bed, supports.grip".
+template <int D> std::string holders(const System<D>& system, const std::vector<int>& dofs) {
+  std::string names;
+  for (std::size_t s = 0; s < system.scene.supports.size(); ++s) {
+    const Support<D>& support = system.scene.supports[s];
+    const auto holds = [&](int dof) {
+      return support.constraint[at(dof % D)] != Constraint::free &&
+             std::ranges::binary_search(system.unknowns.of_support(static_cast<int>(s), dof % D), dof);
+    };
+    if (std::ranges::any_of(dofs, holds)) names += (names.empty() ? "supports." : ", supports.") + support.name;
+  }
+  return names;
+}
+
+} // namespace
+
+template <int D> void warn_of_idle_actions(const System<D>& system, std::vector<Message>& warnings) {
+  const std::vector<char> on_axis = radial_on_axis(system);
+  const auto warn = [&](const std::vector<int>& dofs, const Message& action) {
+    if (std::ranges::all_of(dofs, [&](int dof) { return on_axis[at(dof)] != 0; }))
+      warnings.push_back(Message("model.warning.idle_on_axis", {{"action", action}}));
+    else if (std::ranges::all_of(dofs,
+                                 [&](int dof) { return on_axis[at(dof)] != 0 || system.unknowns.unknown(dof) < 0; }))
+      warnings.push_back(Message("model.warning.idle", {{"action", action}, {"supports", holders(system, dofs)}}));
+  };
+  for (const Drive& drive : system.drives.all())
+    if (drive.load >= 0 && system.scene.loads[at(drive.load)].kind != LoadKind::body_force)
+      warn(loaded(system, drive), Message("model.action.load", {{"name", drive.name}}));
+  for (std::size_t s = 0; s < system.scene.supports.size(); ++s)
+    if (!system.scene.supports[s].spring_faces.empty())
+      warn(sprung(system, static_cast<int>(s)),
+           Message("model.action.springs", {{"name", system.scene.supports[s].name}}));
+}
+
+template void warn_of_idle_actions(const System<2>&, std::vector<Message>&);
+template void warn_of_idle_actions(const System<3>&, std::vector<Message>&);
+
+} // namespace signorini::model
