@@ -121,8 +121,9 @@ function sg.model(arguments) end
 ---shape: a function; by default a displacement for each driven component. function(x, y), in 3D function(x, y, z), that
 ---```text
 ---       returns the displacement {ux, uy} of a reference position of the faces, of which the driven components follow
----       it, times a factor that stages prescribe. It is called when the model is made, and projected onto the faces
----       (least squares), which reproduces fields of their space
+---       it, times a factor that stages prescribe; the others must be 0. It is called when the model is made, and
+---       projected onto the faces (least squares), which reproduces fields of their space; a difference above 1 % is a
+---       warning
 ---```
 ---@field shape? fun(x: number, y: number, z: number): any
 ---symmetry: true or false; default false. Fixes the normal component on flat faces in a plane of symmetry x, y or z =

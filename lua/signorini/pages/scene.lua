@@ -262,8 +262,9 @@ components are free: rotate = true, fix = "xy" rotates the face about a fixed po
 none. They are free of forces in the reference shape and keep the directions of the axes]],
         unit = "force per length and reference area", optional = true },
       { "shape", course, [[function(x, y), in 3D function(x, y, z), that returns the displacement {ux, uy} of a
-reference position of the faces, of which the driven components follow it, times a factor that stages prescribe. It is
-called when the model is made, and projected onto the faces (least squares), which reproduces fields of their space]],
+reference position of the faces, of which the driven components follow it, times a factor that stages prescribe; the
+others must be 0. It is called when the model is made, and projected onto the faces (least squares), which reproduces
+fields of their space; a difference above 1 % is a warning]],
         otherwise = "a displacement for each driven component" },
       { "symmetry", t.flag, [[fixes the normal component on flat faces in a plane of symmetry x, y or z = c, in an
 axisymmetric model on the axis or y = c. Each plane of symmetry halves the scene and its forces; on the axis forces
