@@ -129,6 +129,23 @@ check.case("a contact that is off at first lets the body through the obstacle an
   check.near(later, solved(scene(contact_keys.of("points", penalty), true), "points", stage(1, down)), 1e-9)
 end)
 
+check.case("a stage that changes contacts alone and fails ends the run, also under arc length", function()
+  for _, options in ipairs { sg.plain{}, {}, { arc_length = true } } do
+    for _, load in ipairs { false, function() return { 0, -0.1 } end } do -- a plateau changes no target either
+      local body = block(0, 2, 20)
+      local model = sg.model{ bodies = { b = body }, supports = { side = { on = body:face "west", fix = "x" } },
+        loads = { weight = { on = body, force = { 0, 0 } } },
+        contacts = { joint = { slave = body:face "south", penalty = penalty,
+                               master = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } } } } }
+      check.equal(model:run({ { steps = 1, weight = { 0, -0.1 } } }, options).reason, "completed")
+      local run = model:run({ { steps = 1, weight = load or nil, contacts = { joint = { active = false } } } }, options)
+      check.equal({ run.failed, run.reason, run.steps, #run.controls }, { true, "singular", 0, 0 })
+      check.holds(run.failure, "was not reached", "rigid-body translation")
+      check.equal(model:contact_law("joint").active, true) -- as before the stage
+    end
+  end
+end)
+
 check.case("adhesion can be switched off", function()
   local model = scene({ adhesion = { hamaker = 0.1, r0 = 0.1 } }, true)
   local acts, run = solved(model, "points", stage(1, { 0, 0.05 }))
