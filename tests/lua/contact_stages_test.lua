@@ -5,6 +5,7 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local contact_keys = require "contact_keys"
+local lists = require "signorini.lists"
 local show = require "signorini.show"
 
 local here = "contact_stages_test.lua:"
@@ -254,6 +255,29 @@ check.case("work and energies: friction that begins, and its springs that are re
   for i, traction in ipairs(profile.traction) do springs = springs + profile.area[i] * traction^2 / 2e4 end
   solved(model, "points", stage(1, { 0.005, -0.002 }, { friction = { mu = 0 } }))
   check.within("springs", model:energy().friction - before.friction, springs, 0.02 * springs)
+end)
+
+check.case("where mu is lowered and nothing else moves, slip dissipates what the springs set free", function()
+  for _, name in ipairs { "points", "points per reference area", "mortar", "reduced mortar" } do
+    for _, lower in ipairs { 0.1, 0.001 } do
+      local stiff = block(0, 4, 1e7)
+      local model = sg.model{ bodies = { stiff = stiff }, contacts = { joint = lists.merged(
+          contact_keys.of(name, 1e4), { friction = { mu = mu, penalty = 100 }, slave = stiff:face "south",
+                                        master = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } } }) },
+        supports = { grip = { on = stiff:face "north", drive = "xy" } } }
+      solved(model, name, stage(2, { 0, -0.01 }), stage(1, { 0.2, -0.01 })) -- 20 of the limit 30
+      check.equal(model:contact_resultant("joint").slipping, 0)
+      local before = model:energy()
+      solved(model, name, stage(1, { 0.2, -0.01 }, { friction = { mu = lower } }))
+      local after = model:energy()
+      local lost, freed = after.friction - before.friction,
+        before.stored + before.contact - after.stored - after.contact
+      check.near(after.work, before.work, 1e-12)
+      check.within(("%s, mu = %g"):format(name, lower), lost / freed, 1, 1e-3)
+      -- ½ (20² − (100 μ)²)/100
+      check.within("springs", freed, (400 - (100 * lower)^2) / 200, 0.01)
+    end
+  end
 end)
 
 --- The largest entry of K d − (r(u + h d) − r(u − h d))/(2 h), relative to that of K d.
