@@ -14,8 +14,9 @@ function contact_changes.row(model)
     return not (name:find "%.master$" and model:contact_law(name).method == "half_passes")
   end)
   local changed = t.named(rows)
-  return { "contacts", t.named(lists.map(names, function(name) return { name, changed, optional = true } end)),
-           optional = true }
+  local contacts = lists.map(names, function(name) return { name, changed, optional = true } end)
+  contacts.conflict = rows.conflict
+  return { "contacts", t.named(contacts), optional = true }
 end
 
 --- Raises an error if a contact cannot have its constants.

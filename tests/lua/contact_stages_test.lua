@@ -328,6 +328,12 @@ check.case("wrong constants are errors before anything is solved", function()
     check.fails(function() of:run{ stage(1, down), { steps = 1, contacts = contacts } } end, here, "model:run", ...)
   end
   wrong(model, { seat = { active = false } }, "stages[2].contacts: unknown argument 'seat'", "known: joint")
+  for _, empty in ipairs { { at = "stages[2].contacts", of = {} },
+                           { at = "stages[2].contacts.joint", of = { joint = {} } },
+                           { at = "stages[2].contacts.joint.friction", of = { joint = { friction = {} } } } } do
+    wrong(model, empty.of, empty.at .. ": the table is empty, so that it changes nothing")
+  end
+  check.fails(function() model:set_contact("joint", {}) end, here, "model:set_contact", "the table is empty")
   wrong(model, { joint = { mu = 0.3 } }, "unknown argument 'mu'", "write friction = { mu = … }")
   wrong(model, { joint = { friction = 0.3 } }, "stages[2].contacts.joint.friction must be")
   wrong(model, { joint = { friction = { mu = -0.3 } } }, "friction.mu must be", "got the number -0.3")
