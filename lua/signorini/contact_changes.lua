@@ -75,6 +75,26 @@ function contact_changes.starts(model, stage, is_first)
   return starts
 end
 
+--- The contacts that a stage switches on, and how deep their faces overlap before it moves anything.
+function contact_changes.switched_on(model, stage)
+  local names = lists.filter(lists.sorted_names(stage.contacts), function(name)
+    return stage.contacts[name].active and not model:contact_law(name).active
+  end)
+  if #names == 0 then return {} end
+  for _, name in ipairs(names) do model:set_contact(name, { active = true }) end
+  local still = lists.map(model:residual(), function() return 0 end)
+  model:move(still) -- evaluates the contacts where the bodies are
+  local found = lists.map(names, function(name)
+    local depth = 0
+    for _, gap in ipairs(model:profile(name).gap) do
+      if gap and gap < -depth then depth = -gap end
+    end
+    return { name = name, depth = depth }
+  end)
+  model:rollback()
+  return found
+end
+
 --- Whether a stage begins with a change that releases or adds energy: of the contact's springs, or of bodies that
 --- friction no longer holds.
 function contact_changes.is_sudden(model, stage)

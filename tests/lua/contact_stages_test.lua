@@ -130,6 +130,23 @@ check.case("a contact that is off at first lets the body through the obstacle an
   check.near(later, solved(scene(contact_keys.of("points", penalty), true), "points", stage(1, down)), 1e-9)
 end)
 
+check.case("a contact that is switched on where its faces overlap is a warning", function()
+  for _, name in ipairs(contact_keys.names(true)) do
+    for _, depth in ipairs { 0.02, 0.1 } do
+      local model = scene(contact_keys.of(name, penalty, nil, { active = false }), true)
+      local _, run = solved(model, name, stage(2, { 0, -depth }), stage(1, { 0, -depth }, { active = true }))
+      local of_this = {}
+      for _, warning in ipairs(run.warnings) do
+        if warning:find "faces overlap" then of_this[#of_this + 1] = warning end
+      end
+      check.equal({ name, #of_this }, { name, depth > 0.05 and 1 or 0 })
+      if depth > 0.05 then
+        check.holds(of_this[1], "contact 'joint' is switched on by stage 'stage 2'", "overlap by 0.1, 7.1 %")
+      end
+    end
+  end
+end)
+
 check.case("a stage that changes contacts alone and fails ends the run, also under arc length", function()
   for _, options in ipairs { sg.plain{}, {}, { arc_length = true } } do
     for _, load in ipairs { false, function() return { 0, -0.1 } end } do -- a plateau changes no target either
