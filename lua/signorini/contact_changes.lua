@@ -1,5 +1,5 @@
--- What a stage changes in the contacts: constants from its first step on, offsets linearly over its steps, and in the
--- first stage of a run the overlap that interference fits still allow.
+-- What a stage changes in the contacts: constants from its first step on, offsets linearly over its steps, and the
+-- overlap that interference fits still allow, which the first stage in which they are active closes.
 
 local core = require "signorini.core"
 local lists = require "signorini.lists"
@@ -48,29 +48,47 @@ function contact_changes.warnings(path)
   return texts
 end
 
---- Raises an error if a contact is an interference fit, which arc length cannot close.
-function contact_changes.check_fits(model, where, options)
-  for _, name in ipairs(options.arc_length and model:contact_names() or {}) do
-    if (model:contact_law(name).overlap or 0) > 0 then
-      core.fail(('%s: contacts.%s has overlap = "interference", which the first stage closes, and arc_length cannot '
-        .. "follow that. Hint: close it by a run without arc_length, then continue with a further run")
-        :format(where, name))
+--- The table by which a stage changes a contact; two half passes have that of the first.
+local function goal_of(model, stage, name)
+  local goal = stage.contacts[name]
+  if not goal and model:contact_law(name).method == "half_passes" then
+    goal = stage.contacts[name:gsub("%.master$", "")]
+  end
+  return goal or {}
+end
+
+--- The interference fits that a stage closes: { name, what is left of the overlap }.
+local function open_fits(model, stage)
+  local fits = {}
+  for _, name in ipairs(model:contact_names()) do
+    local law, active = model:contact_law(name), goal_of(model, stage, name).active
+    if active == nil then active = law.active end
+    if active and (law.overlap or 0) > 0 then fits[#fits + 1] = { name, law.overlap } end
+  end
+  return fits
+end
+
+--- Raises an error if a stage of the path closes an interference fit, which arc length cannot do.
+function contact_changes.check_fits(model, where, path, options)
+  for _, stage in ipairs(options.arc_length and path or {}) do
+    for _, fit in ipairs(open_fits(model, stage)) do
+      core.fail(('%s: contacts.%s has overlap = "interference", which the first stage closes in which it is active, '
+        .. "and arc_length cannot follow that. Hint: close it by a run without arc_length, then continue with a "
+        .. "further run"):format(where, fit[1]))
     end
   end
 end
 
---- Where a stage begins: { offset, overlap } of the contacts in which it changes them. `is_first`: of the run.
-function contact_changes.starts(model, stage, is_first)
+--- Where a stage begins: { offset, overlap } of the contacts in which it changes them.
+function contact_changes.starts(model, stage)
   local starts = {}
   for name, values in pairs(stage.contacts) do
     starts[name] = { offset = values.offset and model:contact_law(name).offset }
   end
-  for _, name in ipairs(is_first and model:contact_names() or {}) do
-    local overlap = model:contact_law(name).overlap
-    if overlap and overlap > 0 then
-      starts[name] = starts[name] or {}
-      starts[name].overlap = overlap
-    end
+  for _, fit in ipairs(open_fits(model, stage)) do
+    local name, overlap = table.unpack(fit)
+    starts[name] = starts[name] or {}
+    starts[name].overlap = overlap
   end
   return starts
 end

@@ -280,9 +280,9 @@ function Step:cut_back() self.run:account("cutbacks", 1) end
 
 -- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local function begin_stage(model, stage, is_first)
+local function begin_stage(model, stage)
   local starts = stage.starts or {} -- those of a resumed stage
-  stage.fits = stage.fits or contact_changes.starts(model, stage, is_first)
+  stage.fits = stage.fits or contact_changes.starts(model, stage)
   stage.starts, stage.now = starts, {}
   for name in pairs(stage.targets) do
     starts[name], stage.now[name] = starts[name] or model:target(name), {}
@@ -351,7 +351,7 @@ return function(model, stages, options)
     and require("signorini.hdf5").start(where, model, run, options, path[place.stage].name)
   for index = place.stage, #path do
     local stage = path[index]
-    begin_stage(model, stage, index == 1)
+    begin_stage(model, stage)
     if place.number == 0 then run:begin_stage(model, stage) end
     for number = place.number + 1, stage.steps do
       local step = begin_step(model, run, stage, number, options, display)

@@ -79,11 +79,11 @@ return function(model, stages, options)
     core.fail(where .. ": the model has neither supports nor loads. Hint: name some in sg.model, such as "
       .. "supports = { bed = { on = body:face \"south\", fix = \"xy\" } }")
   end
-  contact_changes.check_fits(model, where, options)
   local rows, read, total = rows_of(model), {}, 0
   for i, stage in ipairs(stages) do
     read[i] = read_stage(model, rows, i, stage, options)
     total = total + read[i].steps
   end
+  contact_changes.check_fits(model, where, read, options)
   return read, total
 end

@@ -118,6 +118,27 @@ check.case("an interference fit of the shapes is that of an offset, closed over 
   end
 end)
 
+check.case("a contact that is off at first closes its overlap in the stage that switches it on", function()
+  local keys = { "points", "mortar", "half passes" }
+  for _, form in ipairs(keys) do
+    local function fit(active)
+      return on_ring(contact_keys.of(form, penalty, nil, { overlap = "interference", active = active }), 0.04)
+    end
+    local late, left = fit(false), {}
+    local options = contact_keys.options(form)
+    function options.on_step(info) left[info.step] = late:contact_law("seat").overlap end
+    local on = { seat = { active = true } }
+    local run = late:run({ { steps = 1 }, { steps = 2, contacts = on } }, options)
+    check.equal({ run.failure or run.reason, left, run.fallback_steps }, { "completed", { 1, 0.5, 0 }, 0 })
+    check_balance(form, late, 1e-3, 0.04)
+    local first = fit(true)
+    first:run({ { steps = 2 } }, contact_keys.options(form))
+    check.near(mean_pressure(late) / mean_pressure(first), 1, 1e-8)
+    check.fails(function() fit(false):run({ { steps = 1, contacts = on } }, { arc_length = true }) end,
+      "arc_length cannot follow")
+  end
+end)
+
 check.case("the shapes' interference tends to Lamé's pressure, too", function()
   local function relative(cut)
     local fit = on_ring(contact_keys.of("mortar", penalty, nil, { overlap = "interference" }), cut)

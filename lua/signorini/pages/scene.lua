@@ -79,7 +79,7 @@ compared with their radii of curvature]], unit = "length", default = 0 },
   { "overlap", t.choice { "error", "interference" }, [[initial shapes that overlap. error: a mistake; an overlap of 1 to
 20 % of the thickness of the thinner body is a warning, in obstacles of more than 1 % of the body's size an error.
 interference: a fit; the overlap at each contact point, up to 90 % of the thickness, is allowed at first and closed
-linearly over the first stage of model:run]], default = "error" },
+linearly over the first stage of model:run in which the contact is active]], default = "error" },
   { "where", region, [[function(X) that returns true where the contact acts; X = {x, y}, in 3D {x, y, z}, is a reference
 position of the slave face, with half passes of either face. Called when the model is made]],
     otherwise = "everywhere" },
