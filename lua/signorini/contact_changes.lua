@@ -33,8 +33,8 @@ end
 
 local most_friction = 3 -- as for mu of sg.model
 
---- Sentences on coefficients of friction that look like angles.
-function contact_changes.warnings(path)
+--- Sentences on coefficients of friction that look like angles, and on large offsets.
+function contact_changes.warnings(model, path)
   local texts = {}
   for _, stage in ipairs(path) do
     for _, name in ipairs(lists.sorted_names(stage.contacts)) do
@@ -43,6 +43,9 @@ function contact_changes.warnings(path)
         texts[#texts + 1] = ("stage '%s': contacts.%s.friction.mu = %g is far above that of real materials. Hint: mu "
           .. "is the tangent of the angle of friction"):format(stage.name, name, mu)
       end
+      local offset = stage.contacts[name].offset
+      local large = offset and core.contact_offset_warning(model, name, offset)
+      if large then texts[#texts + 1] = ("stage '%s': %s"):format(stage.name, large) end
     end
   end
   return texts
@@ -122,6 +125,14 @@ function contact_changes.is_sudden(model, stage)
     local function differs(value, present) return value ~= nil and value ~= present end
     return differs(goal.active, now.active) or differs(goal.penalty, now.penalty)
       or differs(friction.penalty, now.friction_penalty) or friction.mu ~= nil and friction.mu < now.mu
+  end)
+end
+
+--- Whether an offset of sg.model presses bodies that no step has moved yet: the path does no work for it.
+function contact_changes.presses_at_once(model)
+  return model:energy().work == 0 and lists.any(model:contact_names(), function(name)
+    local law = model:contact_law(name)
+    return law.active and (law.offset or 0) > 0
   end)
 end
 

@@ -149,7 +149,7 @@ function run_warnings.of_path(model, path, solver)
     texts[#texts + 1] = ("linear = \"%s\" uses one of the %d processes that mpirun has started. Hint: linear = "
       .. "\"mumps\" shares factorizations among them"):format(solver.linear, core.ranks)
   end
-  return lists.joined(texts, contact_changes.warnings(path))
+  return lists.joined(texts, contact_changes.warnings(model, path))
 end
 
 --- "1, 2"

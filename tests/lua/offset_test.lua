@@ -224,6 +224,31 @@ check.case("a clearance is felt where it ends", function()
   assert(model:contact_resultant("seat").fy > 0)
 end)
 
+check.case("no work is counted for an offset of sg.model, where all supports are at rest", function()
+  for _, form in ipairs(contact_keys.names(true)) do
+    local model = block(2, contact_keys.of(form, 1e4, nil, { offset = 0.02 }))
+    local run = model:run({ { steps = 1 } }, contact_keys.options(form))
+    check.equal({ run.reason, #run.warnings }, { "completed", 0 })
+    local pressed = model:energy()
+    check.near(pressed.work, 0, 1e-12)
+    assert(pressed.stored > 1e-3)
+    model:run({ { steps = 4, grip = { 0, -0.001 } } }, contact_keys.options(form))
+    local e = model:energy()
+    check.within(form, e.work + e.area_growth - pressed.area_growth,
+      e.stored + e.contact - pressed.stored - pressed.contact, 0.01 * e.work)
+  end
+end)
+
+check.case("an offset above 20 % of the thinner body's thickness is a warning, in sg.model and in a stage", function()
+  local words = { "contacts.seat: offset = -0.25 is 25 % of the thickness of the thinner body", "Hint" }
+  local model = block(2, { penalty = 1e4, offset = -0.25 })
+  check.holds(model:warnings()[1], table.unpack(words))
+  model = block(2, { penalty = 1e4, offset = -0.19 })
+  check.equal(model:warnings(), {})
+  local run = model:run({ { name = "wear", steps = 1, contacts = { seat = { offset = -0.25 } } } }, sg.plain{})
+  check.holds(run.warnings[1], "stage 'wear': ", table.unpack(words))
+end)
+
 -- ── What belongs to a constant of a state ────────────────────────────────────────────────────────────────────────────
 
 check.case("print, help and the law show offset and overlap; a roll-back restores them", function()
