@@ -25,15 +25,17 @@ Switch.__index = Switch
 
 --- Takes each step as `inner` does. Where that fails, arc-length increments follow the path until the end of the step
 --- is passed; there the targets are prescribed again, and the next step begins with `inner`. Before the first accepted
---- step there is neither a length nor a direction, so the result of `inner` is returned.
+--- step there is neither a length nor a direction, and in a step that changes no target (but constants of contacts)
+--- there is no path, so the result of `inner` is returned.
 function arc_length.policy(inner) return setmetatable({ inner = inner, memory = inner.memory }, Switch) end
 
 function Switch:shorten(step) return self.inner:shorten(step) end
 
 function Switch:take(step)
   local result = self.inner:take(step)
+  if result.converged or steps.is_asked_for(result) or not step:changes_targets() then return result end
   local first = first_share * step.model:last_length()
-  if result.converged or steps.is_asked_for(result) or not (first > 0) then return result end
+  if not (first > 0) then return result end
   step:switch_control("arc length", result.reason)
   local length, longest = first, 4 * first / first_share
   for _ = 1, most_arcs do

@@ -1,5 +1,5 @@
--- What a stage changes in the contacts: constants from its first step on, offsets linearly over its steps, and in the
--- first stage of a run the overlap that interference fits still allow.
+-- What a stage changes in the contacts: constants from its first step on, offsets linearly over its steps, and the
+-- overlap that interference fits still allow, which the first stage in which they are active closes.
 
 local core = require "signorini.core"
 local lists = require "signorini.lists"
@@ -14,8 +14,9 @@ function contact_changes.row(model)
     return not (name:find "%.master$" and model:contact_law(name).method == "half_passes")
   end)
   local changed = t.named(rows)
-  return { "contacts", t.named(lists.map(names, function(name) return { name, changed, optional = true } end)),
-           optional = true }
+  local contacts = lists.map(names, function(name) return { name, changed, optional = true } end)
+  contacts.conflict = rows.conflict
+  return { "contacts", t.named(contacts), optional = true }
 end
 
 --- Raises an error if a contact cannot have its constants.
@@ -32,8 +33,8 @@ end
 
 local most_friction = 3 -- as for mu of sg.model
 
---- Sentences on coefficients of friction that look like angles.
-function contact_changes.warnings(path)
+--- Sentences on coefficients of friction that look like angles, and on large offsets.
+function contact_changes.warnings(model, path)
   local texts = {}
   for _, stage in ipairs(path) do
     for _, name in ipairs(lists.sorted_names(stage.contacts)) do
@@ -42,36 +43,77 @@ function contact_changes.warnings(path)
         texts[#texts + 1] = ("stage '%s': contacts.%s.friction.mu = %g is far above that of real materials. Hint: mu "
           .. "is the tangent of the angle of friction"):format(stage.name, name, mu)
       end
+      local offset = stage.contacts[name].offset
+      local large = offset and core.contact_offset_warning(model, name, offset)
+      if large then texts[#texts + 1] = ("stage '%s': %s"):format(stage.name, large) end
     end
   end
   return texts
 end
 
---- Raises an error if a contact is an interference fit, which arc length cannot close.
-function contact_changes.check_fits(model, where, options)
-  for _, name in ipairs(options.arc_length and model:contact_names() or {}) do
-    if (model:contact_law(name).overlap or 0) > 0 then
-      core.fail(('%s: contacts.%s has overlap = "interference", which the first stage closes, and arc_length cannot '
-        .. "follow that. Hint: close it by a run without arc_length, then continue with a further run")
-        :format(where, name))
+--- The table by which a stage changes a contact; two half passes have that of the first.
+local function goal_of(model, stage, name)
+  local goal = stage.contacts[name]
+  if not goal and model:contact_law(name).method == "half_passes" then
+    goal = stage.contacts[name:gsub("%.master$", "")]
+  end
+  return goal or {}
+end
+
+--- The interference fits that a stage closes: { name, what is left of the overlap }.
+local function open_fits(model, stage)
+  local fits = {}
+  for _, name in ipairs(model:contact_names()) do
+    local law, active = model:contact_law(name), goal_of(model, stage, name).active
+    if active == nil then active = law.active end
+    if active and (law.overlap or 0) > 0 then fits[#fits + 1] = { name, law.overlap } end
+  end
+  return fits
+end
+
+--- Raises an error if a stage of the path closes an interference fit, which arc length cannot do.
+function contact_changes.check_fits(model, where, path, options)
+  for _, stage in ipairs(options.arc_length and path or {}) do
+    for _, fit in ipairs(open_fits(model, stage)) do
+      core.fail(('%s: contacts.%s has overlap = "interference", which the first stage closes in which it is active, '
+        .. "and arc_length cannot follow that. Hint: close it by a run without arc_length, then continue with a "
+        .. "further run"):format(where, fit[1]))
     end
   end
 end
 
---- Where a stage begins: { offset, overlap } of the contacts in which it changes them. `is_first`: of the run.
-function contact_changes.starts(model, stage, is_first)
+--- Where a stage begins: { offset, overlap } of the contacts in which it changes them.
+function contact_changes.starts(model, stage)
   local starts = {}
   for name, values in pairs(stage.contacts) do
     starts[name] = { offset = values.offset and model:contact_law(name).offset }
   end
-  for _, name in ipairs(is_first and model:contact_names() or {}) do
-    local overlap = model:contact_law(name).overlap
-    if overlap and overlap > 0 then
-      starts[name] = starts[name] or {}
-      starts[name].overlap = overlap
-    end
+  for _, fit in ipairs(open_fits(model, stage)) do
+    local name, overlap = table.unpack(fit)
+    starts[name] = starts[name] or {}
+    starts[name].overlap = overlap
   end
   return starts
+end
+
+--- The contacts that a stage switches on, and how deep their faces overlap before it moves anything.
+function contact_changes.switched_on(model, stage)
+  local names = lists.filter(lists.sorted_names(stage.contacts), function(name)
+    return stage.contacts[name].active and not model:contact_law(name).active
+  end)
+  if #names == 0 then return {} end
+  for _, name in ipairs(names) do model:set_contact(name, { active = true }) end
+  local still = lists.map(model:residual(), function() return 0 end)
+  model:move(still) -- evaluates the contacts where the bodies are
+  local found = lists.map(names, function(name)
+    local depth = 0
+    for _, gap in ipairs(model:profile(name).gap) do
+      if gap and gap < -depth then depth = -gap end
+    end
+    return { name = name, depth = depth }
+  end)
+  model:rollback()
+  return found
 end
 
 --- Whether a stage begins with a change that releases or adds energy: of the contact's springs, or of bodies that
@@ -83,6 +125,14 @@ function contact_changes.is_sudden(model, stage)
     local function differs(value, present) return value ~= nil and value ~= present end
     return differs(goal.active, now.active) or differs(goal.penalty, now.penalty)
       or differs(friction.penalty, now.friction_penalty) or friction.mu ~= nil and friction.mu < now.mu
+  end)
+end
+
+--- Whether an offset of sg.model presses bodies that no step has moved yet: the path does no work for it.
+function contact_changes.presses_at_once(model)
+  return model:energy().work == 0 and lists.any(model:contact_names(), function(name)
+    local law = model:contact_law(name)
+    return law.active and (law.offset or 0) > 0
   end)
 end
 

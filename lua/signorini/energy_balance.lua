@@ -18,9 +18,11 @@ function energy_balance.note(list, model, sudden)
 end
 
 --- Whether a stage begins with a sudden change: a load that acts from the start of a path, of which this is the first
---- stage and does not drive it, or constants of contacts.
+--- stage and does not drive it, an offset of sg.model, or constants of contacts.
 function energy_balance.is_sudden(model, stage, is_first)
-  return is_first and #drives.constant_loads(model, { stage }) > 0 or contact_changes.is_sudden(model, stage)
+  local is_loaded = is_first and (#drives.constant_loads(model, { stage }) > 0
+    or contact_changes.presses_at_once(model))
+  return is_loaded or contact_changes.is_sudden(model, stage)
 end
 
 --- Whether a state was not reached along the path: after damped motion, or on another branch.

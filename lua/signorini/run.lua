@@ -193,13 +193,10 @@ function Step:attempt_from_start()
   return result
 end
 
---- Prescribes the targets one step ahead of the accepted ones: from their actual values, not from those at `done`. The
---- difference is rounding error, but it would be multiplied by the fraction of an increment, which may be 10.
+--- Prescribes the targets one step ahead of the accepted ones.
 function Step:set_next_targets()
   for name in pairs(self.stage.targets) do
-    local now = self.model:target(name)
-    for i = 1, #now do now[i] = now[i] + stage_targets.change(self.stage, name, self.number, i) end
-    self.model:set_target(name, now)
+    self.model:set_target(name, stage_targets.ahead(self.model, self.stage, name, self.number))
   end
   contact_changes.set(self.model, self.stage, 1) -- without offsets and overlaps, which arc length cannot follow
 end
@@ -225,17 +222,13 @@ function Step:solve_arc(length, iterations, diagnoses)
   return result, self.done + result.fraction, saved
 end
 
+--- Whether the step changes a target; without that there is no path that arc length could follow.
+function Step:changes_targets() return stage_targets.moves(self.model, self.stage, self.number) end
+
 --- Whether the step changes a target, the penalties or an offset.
 function Step:moves()
-  if contact_changes.ramps(self.stage) then return true end
   local penalty = self.options.penalty
-  if penalty and self.run.steps < penalty.steps then return true end
-  for name, goal in pairs(self.stage.targets) do
-    for i = 1, #goal do
-      if stage_targets.change(self.stage, name, self.number, i) ~= 0 then return true end
-    end
-  end
-  return false
+  return contact_changes.ramps(self.stage) or penalty and self.run.steps < penalty.steps or self:changes_targets()
 end
 
 --- Whether there are fallbacks for the rest of a step.
@@ -287,9 +280,9 @@ function Step:cut_back() self.run:account("cutbacks", 1) end
 
 -- ── The path ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local function begin_stage(model, stage, is_first)
+local function begin_stage(model, stage)
   local starts = stage.starts or {} -- those of a resumed stage
-  stage.fits = stage.fits or contact_changes.starts(model, stage, is_first)
+  stage.fits = stage.fits or contact_changes.starts(model, stage)
   stage.starts, stage.now = starts, {}
   for name in pairs(stage.targets) do
     starts[name], stage.now[name] = starts[name] or model:target(name), {}
@@ -300,7 +293,7 @@ end
 local function fail(run, step, result)
   local began = core.now()
   local turn = not (steps.is_wanted(result) or step.options.augmented or contact_changes.ramps(step.stage))
-    and arc_length.turning_point(step)
+    and step:changes_targets() and arc_length.turning_point(step)
   run:account("wall", core.now() - began)
   run:record_failure(step, result, turn and step:place(turn))
 end
@@ -358,7 +351,7 @@ return function(model, stages, options)
     and require("signorini.hdf5").start(where, model, run, options, path[place.stage].name)
   for index = place.stage, #path do
     local stage = path[index]
-    begin_stage(model, stage, index == 1)
+    begin_stage(model, stage)
     if place.number == 0 then run:begin_stage(model, stage) end
     for number = place.number + 1, stage.steps do
       local step = begin_step(model, run, stage, number, options, display)

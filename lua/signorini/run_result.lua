@@ -104,7 +104,7 @@ function Run.new(model, path)
     wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, stored_states = {}, before = model:timings(),
     warnings = {}, unsettled = {}, crossed = {}, unstable = { steps = 0, most = 0 }, unstable_law = false,
-    jumps = jumps.record(),
+    jumps = jumps.record(), overlaps = {},
   }, Run)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
   run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
@@ -117,6 +117,7 @@ end
 
 function Run:begin_stage(model, stage)
   energy_balance.note(self.energies, model, energy_balance.is_sudden(model, stage, #self.stages == 0))
+  self.overlaps = lists.joined(self.overlaps, run_warnings.overlaps(model, stage))
   jumps.begin(self.jumps, model)
   self.stages[#self.stages + 1] = { name = stage.name, steps = 0, iterations = 0, cutbacks = 0, wall = 0 }
 end

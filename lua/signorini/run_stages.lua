@@ -121,12 +121,12 @@ return function(model, stages, options)
     core.fail(where .. ": the model has neither supports nor loads. Hint: name some in sg.model, such as "
       .. "supports = { bed = { on = body:face \"south\", fix = \"xy\" } }")
   end
-  contact_changes.check_fits(model, where, options)
   local rows, read, total, now = rows_of(model), {}, 0, {}
   for _, name in ipairs(model:driven_names()) do now[name] = model:target(name) end
   for i, stage in ipairs(stages) do
     read[i] = read_stage(model, rows, i, stage, options, now)
     total = total + read[i].steps
   end
+  contact_changes.check_fits(model, where, read, options)
   return read, total
 end

@@ -1,6 +1,7 @@
 -- Warnings about a run although it completed: those of sg.model about the scene, loads that are not ramped, functions
 -- of stages that jump at their start, loose tolerances, contacts without any active point (wrong face, or a body that
--- misses the other), deep penetration, points that passed through the master in one step, failed projections, half
+-- misses the other), deep penetration, points that passed through the master in one step, contacts switched on where
+-- bodies overlap, failed projections, half
 -- passes with different forces, unstable equilibria, unstable elastic laws, idle processes of mpirun, and those of
 -- path_controls.lua, jumps.lua and energy_balance.lua.
 
@@ -74,6 +75,21 @@ local function penetrated(run, model, contact)
       or remedies[model:contact_law(contact).enforcement])
 end
 
+--- Sentences on contacts that a stage switches on where their faces overlap, so that they are pushed apart at once.
+function run_warnings.overlaps(model, stage)
+  local texts = {}
+  for _, found in ipairs(contact_changes.switched_on(model, stage)) do
+    local size, body = smallest_size(model)
+    if found.depth > deep * size then
+      texts[#texts + 1] = ("contact '%s' is switched on by stage '%s' where its faces overlap by %.3g, %.2g %% of the "
+        .. "size of body '%s', and pushes them apart at once. Hint: switch it on before the bodies meet; an overlap of "
+        .. "the shapes that is meant needs overlap = \"interference\" in sg.model"):format(found.name, stage.name,
+        found.depth, 100 * found.depth / size, body)
+    end
+  end
+  return texts
+end
+
 -- Above this difference of the forces of two half passes, as a fraction of the largest force of the run, neither is
 -- near the force of contact.
 local unbalanced_share = 0.1
@@ -135,7 +151,7 @@ function run_warnings.of_path(model, path, solver)
       .. "\"mumps\" shares factorizations among them"):format(solver.linear, core.ranks)
   end
   for _, stage in ipairs(path) do texts = lists.joined(texts, stage.jumps) end
-  return lists.joined(texts, contact_changes.warnings(path))
+  return lists.joined(texts, contact_changes.warnings(model, path))
 end
 
 --- "1, 2"
@@ -215,6 +231,7 @@ function run_warnings.of_run(run, model, early)
     texts[#texts + 1] = unsettled(run, contact)
     texts[#texts + 1] = unbalanced(run, model, contact)
   end
+  texts = lists.joined(texts, run.overlaps)
   texts[#texts + 1] = held(run)
   texts[#texts + 1] = path_controls.warning(run)
   texts[#texts + 1] = unstable(run)

@@ -27,6 +27,25 @@ function stage_targets.change(stage, name, number, i)
   return (stage.targets[name][i] - stage.starts[name][i]) / stage.steps
 end
 
+--- The values one step ahead of the accepted ones: from their actual values, not from those at a fraction of the step.
+--- The difference is rounding error, but arc length would multiply it by the fraction of an increment, which may be 10.
+function stage_targets.ahead(model, stage, name, number)
+  local values = model:target(name)
+  for i = 1, #values do values[i] = values[i] + stage_targets.change(stage, name, number, i) end
+  return values
+end
+
+--- Whether step `number` changes a target.
+function stage_targets.moves(model, stage, number)
+  for name in pairs(stage.targets) do
+    local now = model:target(name)
+    for i, value in ipairs(stage_targets.ahead(model, stage, name, number)) do
+      if value ~= now[i] then return true end
+    end
+  end
+  return false
+end
+
 --- Whether a stage changes component i at all.
 local function varies(stage, name, i)
   return stage.paths[name] ~= nil or stage.targets[name][i] ~= stage.starts[name][i]

@@ -6,6 +6,7 @@
 --                      the result. `shorter`: a shorter attempt follows a failure
 --   step:attempt_from_start()  solves for the whole step from the state before it; after a failure nothing has changed
 --   step:moves()       whether anything that is prescribed changes in the step
+--   step:changes_targets() whether a target does
 --   step:has_fallbacks() whether there are fallbacks for a failed attempt
 --   step:cut_back()    counts a failed attempt that is repeated with a shorter one
 -- and shorten(step), which halves the length of the next attempts at this step and returns whether that is possible.

@@ -4,6 +4,7 @@
 #include "bind/model.hpp"
 #include "bind/wording/wording.hpp"
 #include "model/changed_contact.hpp"
+#include "model/scene_warnings.hpp"
 
 namespace signorini::bind {
 
@@ -45,6 +46,11 @@ template <int D> void check(const model::Model<D>& model, const std::string& nam
                        changes_of(model.present.contacts[at(contact)], Arguments(L, 3, "")));
 }
 
+template <int D> Message offset_warning(const model::Model<D>& model, const std::string& name, double offset) {
+  const model::Scene<D>& scene = model.system.scene;
+  return model::offset_warning(scene, scene.contacts[at(find(scene.contacts, name, "contact"))], offset);
+}
+
 } // namespace
 
 template <int D> std::span<const Function> contact_rows() {
@@ -66,6 +72,17 @@ int contact_problem(lua_State* L) {
     return 1;
   }
   return 0;
+}
+
+int contact_offset_warning(lua_State* L) {
+  const auto name = to<std::string>(L, 2);
+  const double offset = to<double>(L, 3);
+  const auto* solid = test_object<Model<3>>(L, 1);
+  const Message warning =
+      solid ? offset_warning(**solid, name, offset) : offset_warning(*read_object<Model<2>>(L, 1), name, offset);
+  if (warning.code.empty()) return 0;
+  push(L, worded(warning));
+  return 1;
 }
 
 } // namespace signorini::bind

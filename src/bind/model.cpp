@@ -115,7 +115,8 @@ template <int D> std::string snapshot_text(const Snapshot<D>& snapshot) {
   return text("snapshot of a model with ", snapshot.model->system.unknowns.dofs(), " degrees of freedom");
 }
 
-constexpr Function model_core[] = {{"contact_problem", wrap<contact_problem>}};
+constexpr Function model_core[] = {{"contact_problem", wrap<contact_problem>},
+                                   {"contact_offset_warning", wrap<contact_offset_warning>}};
 
 template <int D> constexpr Function snapshot_entries[] = {{"__tostring", call<snapshot_text<D>>}};
 

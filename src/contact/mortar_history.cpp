@@ -16,8 +16,11 @@ void MortarContact<D>::commit_points(History<D>& present, const History<D>& acce
     const MultiplierResult<D>& result = present.multiplier_results[a];
     const bool open = result.state == ContactState::open;
     const double limit = open ? 0 : friction * result.pressure * result.area;
+    const MultiplierResult<D>& last = accepted.multiplier_results[a];
+    const double before_slip =
+        limit_before(history.limit, this->friction(accepted), friction, last.friction.norm() * last.area);
     // ∫ μ z dγ a by the trapezoidal rule
-    present.dissipated += share() * 0.5 * (history.limit + limit) * result.slipped;
+    present.dissipated += share() * 0.5 * (before_slip + limit) * result.slipped;
     history.limit = limit;
     history.elastic = result.elastic;
     if (open) history.friction.setZero();

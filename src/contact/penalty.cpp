@@ -26,6 +26,10 @@ PenaltyLaw scaled(PenaltyLaw law, double factor) {
   return law;
 }
 
+double limit_before(double limit, double mu_before, double mu, double held) {
+  return mu < mu_before ? std::max(mu / mu_before * limit, held) : limit;
+}
+
 double largest_penalty(const PenaltyLaw& law) {
   return std::max(law.normal, law.friction > 0 ? law.tangential : 0);
 }

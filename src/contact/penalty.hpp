@@ -39,6 +39,10 @@ PenaltyLaw scaled(PenaltyLaw law, double factor);
 /// The larger penalty parameter in use.
 double largest_penalty(const PenaltyLaw& law);
 
+/// The friction from which a point slips in a step, times its area: Coulomb's limit in the accepted state or, where a
+/// path has lowered μ, the friction `held` there, if it exceeds the lower limit.
+double limit_before(double limit, double mu_before, double mu, double held);
+
 /// Evaluates the law (return mapping) at a closed point, t_N = λ_N − ε_N (g − o) > 0 with the offset o, or at one with
 /// a fixed state.
 template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D>& geometry, LocalForce<D>& result);

@@ -60,7 +60,7 @@ template <int D>
 void PenaltyContact<D>::commit_points(History<D>& present, const History<D>& accepted, double penalty_factor) {
   const PenaltyLaw law = this->law(present, penalty_factor);
   if (law.friction == 0) return release(present, accepted, penalty_factor);
-  for (std::size_t i = 0; i < this->points_.size(); ++i) advance_slip_point(i, present, law);
+  for (std::size_t i = 0; i < this->points_.size(); ++i) advance_slip_point(i, present, accepted, law);
 }
 
 /// Friction that a path switches off leaves no slip points: later friction starts at the foot points of its time. Its
@@ -81,11 +81,15 @@ void PenaltyContact<D>::release(History<D>& present, const History<D>& accepted,
 
 /// Updates a point's slip point at the end of an accepted step.
 template <int D>
-void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, const PenaltyLaw& law) const {
+void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, const History<D>& accepted,
+                                           const PenaltyLaw& law) const {
   const Master<D>& master = this->master();
   PointHistory<D>& point = history.points[i];
   PointResult<D>& result = history.results[i];
-  const double limit = law.friction * result.pressure * result.area, limit_before = point.limit;
+  const PointResult<D>& last = accepted.results[i];
+  const double limit = law.friction * result.pressure * result.area;
+  const double before_slip =
+      limit_before(point.limit, this->friction(accepted), law.friction, last.friction.norm() * last.area);
   point.limit = limit;
   if (result.state == ContactState::open) {
     point.slips = false;
@@ -100,7 +104,7 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
     // |x̄ᵐ − xᵐ(ξ_sl)| decreases to μ t_N/ε_T; the difference is the slip Δγ.
     const double length = law.friction * result.pressure * stretch(result) / law.tangential;
     const double before = (slip_point.position - foot.position).norm(), slipped = std::max(before - length, 0.0);
-    history.dissipated += this->share() * 0.5 * (limit_before + limit) * slipped;
+    history.dissipated += this->share() * 0.5 * (before_slip + limit) * slipped;
     point.slip = master.advance(point.slip, foot, length);
     master.locate(point.slip, slip_point);
     const double after = (slip_point.position - foot.position).norm();

@@ -32,7 +32,7 @@ private:
   void commit_points(History<D>& present, const History<D>& accepted, double penalty_factor) override;
   void remember_touch(std::size_t i, const Trial<D>& trial) const;
   void release(History<D>& present, const History<D>& accepted, double penalty_factor) const;
-  void advance_slip_point(std::size_t i, History<D>& history, const PenaltyLaw& law) const;
+  void advance_slip_point(std::size_t i, History<D>& history, const History<D>& accepted, const PenaltyLaw& law) const;
 
   PenaltyLaw law_; ///< of the scene
 };

@@ -52,6 +52,8 @@ inline constexpr int most_rounds = 5;
 /// Overlaps relative to the thinner body's thickness above which a warning and an error are given; interference fits
 /// are below 0.01.
 inline constexpr double meant_overlap = 0.01, mistaken_overlap = 0.2;
+/// Offset relative to the thinner body's thickness above which a warning is given.
+inline constexpr double large_offset = 0.2;
 /// Penetration relative to the thickness of the master's body above which the opposite face is suggested.
 inline constexpr double whole_depth = 0.9;
 /// Overlap with a rigid obstacle relative to the body's size that is due to rounding error and inexact geometry.

@@ -139,7 +139,10 @@ template <int D> Message rigid_part(const Model<D>& model, const VectorX& direct
     const auto own = moves_of(model, b, all);
     const Vec<D> mean = own.rowwise().mean();
     if (own.norm() < own_part * all.norm()) continue;
-    if ((own.colwise() - mean).norm() <= deformed_part * own.norm())
+    // An axisymmetric body translates as a rigid one along its axis alone.
+    const bool radial =
+        model.system.scene.kind == solid::Kind::axisymmetric && std::abs(mean(0)) > deformed_part * mean.norm();
+    if (!radial && (own.colwise() - mean).norm() <= deformed_part * own.norm())
       return Message("model.diagnosis.moves", {{"body", named.name}, {"direction", Vec<D>(mean / mean.norm())}});
     // least-squares residual of u = Σ_m a_m m with the rigid-body modes m
     const std::vector<VectorX> motions = rigid_motions<D>(named.body->space().points(), model.system.scene.kind);

@@ -75,6 +75,16 @@ template <int D> bool settled(const Model<D>& model) {
          std::ranges::equal(present.contacts, accepted.contacts, same_law);
 }
 
+/// The accepted force, without what nothing balances at the start of a path, where an offset or overlapping shapes
+/// press: that force does no work of supports and loads.
+template <int D> VectorX balanced_force(const Model<D>& model) {
+  VectorX force = model.accepted.force.head(model.system.unknowns.displacements());
+  if (model.path.force_scale > 0) return force;
+  for (Eigen::Index dof = 0; dof < force.size(); ++dof)
+    if (!model.system.unknowns.constrained(static_cast<int>(dof))) force(dof) = 0;
+  return force;
+}
+
 template <int D> void accept(Model<D>& model) {
   if (!model.step) {
     require(settled(model), "model.accept.unsolved");
@@ -97,7 +107,7 @@ template <int D> void accept(Model<D>& model) {
             : 1;
   path.increment = increment;
   path.previous_targets = accepted.targets;
-  path.work += 0.5 * (accepted.force + present.force).head(displacements).dot(increment.head(displacements));
+  path.work += 0.5 * (balanced_force(model) + present.force.head(displacements)).dot(increment.head(displacements));
   present.targets = model.targets;
   accepted = present;
   path.force_scale = force_norm(model);

@@ -13,8 +13,11 @@ struct PenaltyRatio {
 };
 template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact, double penalty);
 
+/// A warning about an offset that is large against the bodies; empty if it is not.
+template <int D> Message offset_warning(const Scene<D>& scene, const Contact<D>& contact, double offset);
+
 /// Warnings about Poisson's ratios that cause locking, coefficients of friction that look like angles, penalty
-/// parameters out of range, and duplicate contacts between the same points. `contacts` and `histories` are those of the
+/// parameters out of range, large offsets, and duplicate contacts between the same points. `contacts` and `histories` are those of the
 /// scene at the start.
 template <int D>
 std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts,

@@ -5,6 +5,7 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local contact_keys = require "contact_keys"
+local lists = require "signorini.lists"
 local show = require "signorini.show"
 
 local here = "contact_stages_test.lua:"
@@ -129,6 +130,40 @@ check.case("a contact that is off at first lets the body through the obstacle an
   check.near(later, solved(scene(contact_keys.of("points", penalty), true), "points", stage(1, down)), 1e-9)
 end)
 
+check.case("a contact that is switched on where its faces overlap is a warning", function()
+  for _, name in ipairs(contact_keys.names(true)) do
+    for _, depth in ipairs { 0.02, 0.1 } do
+      local model = scene(contact_keys.of(name, penalty, nil, { active = false }), true)
+      local _, run = solved(model, name, stage(2, { 0, -depth }), stage(1, { 0, -depth }, { active = true }))
+      local of_this = {}
+      for _, warning in ipairs(run.warnings) do
+        if warning:find "faces overlap" then of_this[#of_this + 1] = warning end
+      end
+      check.equal({ name, #of_this }, { name, depth > 0.05 and 1 or 0 })
+      if depth > 0.05 then
+        check.holds(of_this[1], "contact 'joint' is switched on by stage 'stage 2'", "overlap by 0.1, 7.1 %")
+      end
+    end
+  end
+end)
+
+check.case("a stage that changes contacts alone and fails ends the run, also under arc length", function()
+  for _, options in ipairs { sg.plain{}, {}, { arc_length = true } } do
+    for _, load in ipairs { false, function() return { 0, -0.1 } end } do -- a plateau changes no target either
+      local body = block(0, 2, 20)
+      local model = sg.model{ bodies = { b = body }, supports = { side = { on = body:face "west", fix = "x" } },
+        loads = { weight = { on = body, force = { 0, 0 } } },
+        contacts = { joint = { slave = body:face "south", penalty = penalty,
+                               master = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } } } } }
+      check.equal(model:run({ { steps = 1, weight = { 0, -0.1 } } }, options).reason, "completed")
+      local run = model:run({ { steps = 1, weight = load or nil, contacts = { joint = { active = false } } } }, options)
+      check.equal({ run.failed, run.reason, run.steps, #run.controls }, { true, "singular", 0, 0 })
+      check.holds(run.failure, "was not reached", "rigid-body translation")
+      check.equal(model:contact_law("joint").active, true) -- as before the stage
+    end
+  end
+end)
+
 check.case("adhesion can be switched off", function()
   local model = scene({ adhesion = { hamaker = 0.1, r0 = 0.1 } }, true)
   local acts, run = solved(model, "points", stage(1, { 0, 0.05 }))
@@ -239,6 +274,29 @@ check.case("work and energies: friction that begins, and its springs that are re
   check.within("springs", model:energy().friction - before.friction, springs, 0.02 * springs)
 end)
 
+check.case("where mu is lowered and nothing else moves, slip dissipates what the springs set free", function()
+  for _, name in ipairs { "points", "points per reference area", "mortar", "reduced mortar" } do
+    for _, lower in ipairs { 0.1, 0.001 } do
+      local stiff = block(0, 4, 1e7)
+      local model = sg.model{ bodies = { stiff = stiff }, contacts = { joint = lists.merged(
+          contact_keys.of(name, 1e4), { friction = { mu = mu, penalty = 100 }, slave = stiff:face "south",
+                                        master = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } } }) },
+        supports = { grip = { on = stiff:face "north", drive = "xy" } } }
+      solved(model, name, stage(2, { 0, -0.01 }), stage(1, { 0.2, -0.01 })) -- 20 of the limit 30
+      check.equal(model:contact_resultant("joint").slipping, 0)
+      local before = model:energy()
+      solved(model, name, stage(1, { 0.2, -0.01 }, { friction = { mu = lower } }))
+      local after = model:energy()
+      local lost, freed = after.friction - before.friction,
+        before.stored + before.contact - after.stored - after.contact
+      check.near(after.work, before.work, 1e-12)
+      check.within(("%s, mu = %g"):format(name, lower), lost / freed, 1, 1e-3)
+      -- ½ (20² − (100 μ)²)/100
+      check.within("springs", freed, (400 - (100 * lower)^2) / 200, 0.01)
+    end
+  end
+end)
+
 --- The largest entry of K d − (r(u + h d) − r(u − h d))/(2 h), relative to that of K d.
 local function tangent_error(model)
   local size, h, d, product, most, error = model:tangent().size, 1e-6, {}, {}, 0, 0
@@ -287,6 +345,12 @@ check.case("wrong constants are errors before anything is solved", function()
     check.fails(function() of:run{ stage(1, down), { steps = 1, contacts = contacts } } end, here, "model:run", ...)
   end
   wrong(model, { seat = { active = false } }, "stages[2].contacts: unknown argument 'seat'", "known: joint")
+  for _, empty in ipairs { { at = "stages[2].contacts", of = {} },
+                           { at = "stages[2].contacts.joint", of = { joint = {} } },
+                           { at = "stages[2].contacts.joint.friction", of = { joint = { friction = {} } } } } do
+    wrong(model, empty.of, empty.at .. ": the table is empty, so that it changes nothing")
+  end
+  check.fails(function() model:set_contact("joint", {}) end, here, "model:set_contact", "the table is empty")
   wrong(model, { joint = { mu = 0.3 } }, "unknown argument 'mu'", "write friction = { mu = … }")
   wrong(model, { joint = { friction = 0.3 } }, "stages[2].contacts.joint.friction must be")
   wrong(model, { joint = { friction = { mu = -0.3 } } }, "friction.mu must be", "got the number -0.3")

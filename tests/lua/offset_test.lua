@@ -118,6 +118,27 @@ check.case("an interference fit of the shapes is that of an offset, closed over 
   end
 end)
 
+check.case("a contact that is off at first closes its overlap in the stage that switches it on", function()
+  local keys = { "points", "mortar", "half passes" }
+  for _, form in ipairs(keys) do
+    local function fit(active)
+      return on_ring(contact_keys.of(form, penalty, nil, { overlap = "interference", active = active }), 0.04)
+    end
+    local late, left = fit(false), {}
+    local options = contact_keys.options(form)
+    function options.on_step(info) left[info.step] = late:contact_law("seat").overlap end
+    local on = { seat = { active = true } }
+    local run = late:run({ { steps = 1 }, { steps = 2, contacts = on } }, options)
+    check.equal({ run.failure or run.reason, left, run.fallback_steps }, { "completed", { 1, 0.5, 0 }, 0 })
+    check_balance(form, late, 1e-3, 0.04)
+    local first = fit(true)
+    first:run({ { steps = 2 } }, contact_keys.options(form))
+    check.near(mean_pressure(late) / mean_pressure(first), 1, 1e-8)
+    check.fails(function() fit(false):run({ { steps = 1, contacts = on } }, { arc_length = true }) end,
+      "arc_length cannot follow")
+  end
+end)
+
 check.case("the shapes' interference tends to Lamé's pressure, too", function()
   local function relative(cut)
     local fit = on_ring(contact_keys.of("mortar", penalty, nil, { overlap = "interference" }), cut)
@@ -201,6 +222,31 @@ check.case("a clearance is felt where it ends", function()
   check.near(math.min(table.unpack(model:profile("seat").gap)), 0.001, 1e-9)
   model:run({ { steps = 1, grip = { 0, -0.011 } } }, sg.plain{})
   assert(model:contact_resultant("seat").fy > 0)
+end)
+
+check.case("no work is counted for an offset of sg.model, where all supports are at rest", function()
+  for _, form in ipairs(contact_keys.names(true)) do
+    local model = block(2, contact_keys.of(form, 1e4, nil, { offset = 0.02 }))
+    local run = model:run({ { steps = 1 } }, contact_keys.options(form))
+    check.equal({ run.reason, #run.warnings }, { "completed", 0 })
+    local pressed = model:energy()
+    check.near(pressed.work, 0, 1e-12)
+    assert(pressed.stored > 1e-3)
+    model:run({ { steps = 4, grip = { 0, -0.001 } } }, contact_keys.options(form))
+    local e = model:energy()
+    check.within(form, e.work + e.area_growth - pressed.area_growth,
+      e.stored + e.contact - pressed.stored - pressed.contact, 0.01 * e.work)
+  end
+end)
+
+check.case("an offset above 20 % of the thinner body's thickness is a warning, in sg.model and in a stage", function()
+  local words = { "contacts.seat: offset = -0.25 is 25 % of the thickness of the thinner body", "Hint" }
+  local model = block(2, { penalty = 1e4, offset = -0.25 })
+  check.holds(model:warnings()[1], table.unpack(words))
+  model = block(2, { penalty = 1e4, offset = -0.19 })
+  check.equal(model:warnings(), {})
+  local run = model:run({ { name = "wear", steps = 1, contacts = { seat = { offset = -0.25 } } } }, sg.plain{})
+  check.holds(run.warnings[1], "stage 'wear': ", table.unpack(words))
 end)
 
 -- ── What belongs to a constant of a state ────────────────────────────────────────────────────────────────────────────

@@ -207,6 +207,16 @@ check.case("singular: an unconstrained body, and its motion", function()
   check.near(place.X, { 1, 1 }, 1e-12) -- farthest from the pin
 end)
 
+check.case("singular: a ring too wide for any hoop stress; a radial motion is not a rigid one", function()
+  local ring = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { 1e9, 0 } }, elements = { 1, 1 },
+                        order = "N2", material = sg.linear_elastic{ E = 1000, nu = 0.3 } }
+  local run = sg.model{ kind = "axisymmetric", bodies = { ring = ring }, loads = { p = { on = ring:face "west",
+                        pressure = 0 } }, supports = { ends = { on = { ring:face "south", ring:face "north" },
+                        fix = "y" } } }:run({ { steps = 1, p = 1 } }, sg.plain{})
+  expect(run, "singular", 0, "in its critical direction, control point", "of body 'ring'", "moves most")
+  assert(not run.failure:find "rigid")
+end)
+
 check.case("indefinite: a column beyond Euler's load", function()
   local body = block{ width = 0.5, height = 10, elements = {1, 8}, order = "N3", contact = "west" }
   local model = sg.model{ bodies = { column = body }, supports = {

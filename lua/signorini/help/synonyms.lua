@@ -39,8 +39,8 @@ return {
     "The key `enforcement` of a contact chooses between a penalty, the augmented Lagrangian method (Uzawa) and, in "
       .. "mortar contact, Lagrange multipliers.", "contact", "model:run" },
   { "interference fit, shrink fit, press fit, overclosure, shim, clearance",
-    "`overlap = \"interference\"` of a contact closes the overlap of the shapes over the first stage; `offset` is a "
-      .. "shim or a clearance, which stages change.", "contact", "stage" },
+    "`overlap = \"interference\"` of a contact closes the overlap of the shapes over the first stage "
+      .. "in which it is active; `offset` is a shim or a clearance, which stages change.", "contact", "stage" },
   { "model change, contact pair removal, birth and death, switch off contact, change friction, friction onset",
     "The key `contacts` of a stage changes friction, penalty, offset and `active` of contacts.", "stage", "contact" },
   { "self contact", "Self-contact is not available. A contact is between the faces of two bodies, or with an obstacle.",

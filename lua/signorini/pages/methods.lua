@@ -15,10 +15,11 @@ local function names(part, parts, list)
            returns = t.list(t.text), example = ("model:%s_names()  --> %s"):format(part, list) }
 end
 
-local constants = lists.joined(require "signorini.pages.contact_change", {
+local change = require "signorini.pages.contact_change"
+local constants = lists.joined(change, {
   { "overlap", t.range(0, 1), 'fraction of the initial overlap that remains allowed with overlap = "interference"',
     optional = true } })
-constants.hints = require("signorini.pages.contact_change").hints
+constants.hints, constants.conflict = change.hints, change.conflict
 
 return {
   title = "Low-level methods: user-defined loops",

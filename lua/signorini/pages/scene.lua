@@ -74,12 +74,12 @@ per current area, also with multipliers]],
   { "active", t.flag, "whether the contact acts from the start; stages switch it on and off", default = true },
   { "offset", t.number, [[gap at which the faces touch: the gap g of all formulas is the distance less the offset.
 Positive: a shim of this thickness; negative: a clearance that the shapes do not have. The offset acts in full from the
-first step; stages change it linearly. It does not change directions and areas of the faces, so it should be small
-compared with their radii of curvature]], unit = "length", default = 0 },
+first step, without work of its own; stages change it linearly, and this does work. It does not change directions and
+areas of the faces, so it should be small compared with their radii of curvature]], unit = "length", default = 0 },
   { "overlap", t.choice { "error", "interference" }, [[initial shapes that overlap. error: a mistake; an overlap of 1 to
 20 % of the thickness of the thinner body is a warning, in obstacles of more than 1 % of the body's size an error.
 interference: a fit; the overlap at each contact point, up to 90 % of the thickness, is allowed at first and closed
-linearly over the first stage of model:run]], default = "error" },
+linearly over the first stage of model:run in which the contact is active]], default = "error" },
   { "where", region, [[function(X) that returns true where the contact acts; X = {x, y}, in 3D {x, y, z}, is a reference
 position of the slave face, with half passes of either face. Called when the model is made]],
     otherwise = "everywhere" },

@@ -105,7 +105,7 @@ fraction s of the stage, from 0 to 1, returns these values; all functions are ca
 each step, within which the path is linear, and for s = 0, where a value other than that before the stage is a warning.
 Supports and loads that a stage does not name keep their values. Values are measured from the reference state, not from
 the previous stage.
-The first stage of a run also closes the overlap of contacts with overlap = "interference", linearly.
+The first stage in which a contact with overlap = "interference" is active also closes this overlap, linearly.
 A contact that is pressed without friction and turned with it, with friction = { mu = 0, penalty = 100 } in sg.model:
   model:run{ { name = "press", steps = 10, grip = {-1, 0} },
              { name = "turn", steps = 90, grip = {-1, 180}, contacts = { joint = { friction = { mu = 0.5 } } } } }
