@@ -1,9 +1,8 @@
 -- Warnings about a run although it completed: those of sg.model about the scene, loads that are not ramped, functions
 -- of stages that jump at their start, loose tolerances, contacts without any active point (wrong face, or a body that
 -- misses the other), deep penetration, points that passed through the master in one step, contacts switched on where
--- bodies overlap, failed projections, half
--- passes with different forces, unstable equilibria, unstable elastic laws, idle processes of mpirun, and those of
--- path_controls.lua, jumps.lua and energy_balance.lua.
+-- bodies overlap, failed projections, half passes with different forces, unstable equilibria, unstable elastic laws,
+-- idle processes of mpirun, and those of path_controls.lua, jumps.lua and energy_balance.lua.
 
 local contact_changes = require "signorini.contact_changes"
 local core = require "signorini.core"
