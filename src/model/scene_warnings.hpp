@@ -17,8 +17,8 @@ template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact
 template <int D> Message offset_warning(const Scene<D>& scene, const Contact<D>& contact, double offset);
 
 /// Warnings about Poisson's ratios that cause locking, coefficients of friction that look like angles, penalty
-/// parameters out of range, large offsets, and duplicate contacts between the same points. `contacts` and `histories` are those of the
-/// scene at the start.
+/// parameters out of range, large offsets, and duplicate contacts between the same points. `contacts` and `histories`
+/// are those of the scene at the start.
 template <int D>
 std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts,
                                     const std::vector<contact::History<D>>& histories);
