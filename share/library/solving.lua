@@ -312,8 +312,8 @@ function sg.model(arguments) end
 ---offset: a number; length; default 0. Gap at which the faces touch: the gap g of all formulas is the distance less the
 ---```text
 ---        offset. Positive: a shim of this thickness; negative: a clearance that the shapes do not have. The offset acts
----        in full from the first step; stages change it linearly. It does not change directions and areas of the faces,
----        so it should be small compared with their radii of curvature
+---        in full from the first step, without work of its own; stages change it linearly, and this does work. It does
+---        not change directions and areas of the faces, so it should be small compared with their radii of curvature
 ---```
 ---@field offset? number
 ---overlap: 'error' or 'interference'; default "error". Initial shapes that overlap. error: a mistake; an overlap of 1
@@ -321,7 +321,7 @@ function sg.model(arguments) end
 ---```text
 ---         20 % of the thickness of the thinner body is a warning, in obstacles of more than 1 % of the body's size an
 ---         error. interference: a fit; the overlap at each contact point, up to 90 % of the thickness, is allowed at
----         first and closed linearly over the first stage of model:run
+---         first and closed linearly over the first stage of model:run in which the contact is active
 ---```
 ---@field overlap? "error"|"interference"
 ---where: a function; by default everywhere. function(X) that returns true where the contact acts; X = {x, y}, in 3D {x,
@@ -739,9 +739,9 @@ function model:run(stages, options) end
 ---fraction s of the stage, from 0 to 1, returns these values; all functions are called when the run starts, for the end
 ---of each step, within which the path is linear, and for s = 0, where a value other than that before the stage is a
 ---warning. Supports and loads that a stage does not name keep their values. Values are measured from the reference
----state, not from the previous stage. The first stage of a run also closes the overlap of contacts with overlap =
----"interference", linearly. A contact that is pressed without friction and turned with it, with friction = { mu = 0,
----penalty = 100 } in sg.model:
+---state, not from the previous stage. The first stage in which a contact with overlap = "interference" is active also
+---closes this overlap, linearly. A contact that is pressed without friction and turned with it, with friction = { mu =
+---0, penalty = 100 } in sg.model:
 ---```text
 ---  model:run{ { name = "press", steps = 10, grip = {-1, 0} },
 ---             { name = "turn", steps = 90, grip = {-1, 180}, contacts = { joint = { friction = { mu = 0.5 } } } } }
