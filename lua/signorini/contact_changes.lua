@@ -31,21 +31,16 @@ function contact_changes.check(model, where, label, contacts, options)
   end
 end
 
-local most_friction = 3 -- as for mu of sg.model
-
 --- Sentences on coefficients of friction that look like angles, and on large offsets.
 function contact_changes.warnings(model, path)
   local texts = {}
   for _, stage in ipairs(path) do
     for _, name in ipairs(lists.sorted_names(stage.contacts)) do
-      local mu = (stage.contacts[name].friction or {}).mu or 0
-      if mu > most_friction then
-        texts[#texts + 1] = ("stage '%s': contacts.%s.friction.mu = %g is far above that of real materials. Hint: mu "
-          .. "is the tangent of the angle of friction"):format(stage.name, name, mu)
+      local goal = stage.contacts[name]
+      local mu = goal.friction and goal.friction.mu
+      for _, text in ipairs(core.contact_warnings(model, name, mu or 0, goal.offset or 0)) do
+        texts[#texts + 1] = ("stage '%s': %s"):format(stage.name, text)
       end
-      local offset = stage.contacts[name].offset
-      local large = offset and core.contact_offset_warning(model, name, offset)
-      if large then texts[#texts + 1] = ("stage '%s': %s"):format(stage.name, large) end
     end
   end
   return texts

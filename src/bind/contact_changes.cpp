@@ -46,9 +46,10 @@ template <int D> void check(const model::Model<D>& model, const std::string& nam
                        changes_of(model.present.contacts[at(contact)], Arguments(L, 3, "")));
 }
 
-template <int D> Message offset_warning(const model::Model<D>& model, const std::string& name, double offset) {
+template <int D>
+std::vector<Message> warnings_of(const model::Model<D>& model, const std::string& name, double mu, double offset) {
   const model::Scene<D>& scene = model.system.scene;
-  return model::offset_warning(scene, scene.contacts[at(find(scene.contacts, name, "contact"))], offset);
+  return model::constant_warnings(scene, scene.contacts[at(find(scene.contacts, name, "contact"))], mu, offset);
 }
 
 } // namespace
@@ -74,14 +75,13 @@ int contact_problem(lua_State* L) {
   return 0;
 }
 
-int contact_offset_warning(lua_State* L) {
+int contact_warnings(lua_State* L) {
   const auto name = to<std::string>(L, 2);
-  const double offset = to<double>(L, 3);
+  const double mu = to<double>(L, 3), offset = to<double>(L, 4);
   const auto* solid = test_object<Model<3>>(L, 1);
-  const Message warning =
-      solid ? offset_warning(**solid, name, offset) : offset_warning(*read_object<Model<2>>(L, 1), name, offset);
-  if (warning.code.empty()) return 0;
-  push(L, worded(warning));
+  const std::vector<Message> warnings =
+      solid ? warnings_of(**solid, name, mu, offset) : warnings_of(*read_object<Model<2>>(L, 1), name, mu, offset);
+  push_list(L, warnings, [&](const Message& warning) { push(L, worded(warning)); });
   return 1;
 }
 

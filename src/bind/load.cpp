@@ -13,16 +13,13 @@ namespace {
 using model::LoadKind;
 
 /// Components of a load of a kind, in the words of messages.
-template <int D> std::string components_text(LoadKind kind) {
-  const char letter = kind == LoadKind::traction ? 't' : kind == LoadKind::body_force ? 'b' : 'p';
-  std::string list;
-  for (int c = 0; c < D; ++c) list += text(c == 0 ? "{" : ", ", letter, model::component_name(c));
-  return text("a list of ", D, " numbers ", list, "}");
+template <int D> std::string expected_of(LoadKind kind) {
+  return components_text<D>(kind == LoadKind::traction ? 't' : kind == LoadKind::body_force ? 'b' : 'p');
 }
 
 /// Appends what a user's function returns at reference positions.
 template <int D> void append_values(const Arguments& a, const char* key, const MatrixX& positions, model::Load& load) {
-  const MatrixX values = values_at<D>(a, key, positions, load.pressure() ? "" : components_text<D>(load.kind));
+  const MatrixX values = values_at<D>(a, key, positions, load.pressure() ? "" : expected_of<D>(load.kind));
   load.values.insert(load.values.end(), values.data(), values.data() + values.size());
 }
 
@@ -55,8 +52,7 @@ template <int D> void read_places(const SceneBuilder<D>& builder, const Argument
     } else {
       const BoundaryPart<D>& place = read_object<BoundaryPart<D>>(a.state(), index, {a.name("on")});
       kind = place.kind;
-      words = text(kind, " '", place.name, "' of body '",
-                   builder.scene.bodies[at(builder.index_of(place, a.name("on")))].name, "'");
+      words = part_text(builder, place, a.name("on"));
       if (place.side)
         a.fail("it is on the ", words,
                ", but force acts on bodies per volume, on edges per length, or on corners: name "
@@ -101,12 +97,12 @@ template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arg
   }
   if (!lua_isfunction(a.state(), a.push(key))) {
     load.start = load.pressure() ? std::vector<double>{a.get<double>(key)} : a.get<std::vector<double>>(key);
-    if (load.start.size() != (load.pressure() ? 1 : at(D))) a.refuse(key, components_text<D>(load.kind));
+    if (load.start.size() != (load.pressure() ? 1 : at(D))) a.refuse(key, expected_of<D>(load.kind));
     return load;
   }
   if (load.kind == LoadKind::point_force)
     a.fail("force is a function, which is for faces and bodies, but it is on corners or edges: give ",
-           components_text<D>(load.kind));
+           expected_of<D>(load.kind));
   for (const model::FaceReference& face : load.on)
     append_values<D>(a, key, solid::face_point_positions(*builder.scene.bodies[at(face.body)].body, face.side), load);
   for (const int body : load.bodies)

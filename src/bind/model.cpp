@@ -116,7 +116,7 @@ template <int D> std::string snapshot_text(const Snapshot<D>& snapshot) {
 }
 
 constexpr Function model_core[] = {{"contact_problem", wrap<contact_problem>},
-                                   {"contact_offset_warning", wrap<contact_offset_warning>}};
+                                   {"contact_warnings", wrap<contact_warnings>}};
 
 template <int D> constexpr Function snapshot_entries[] = {{"__tostring", call<snapshot_text<D>>}};
 

@@ -13,9 +13,9 @@ template <int D> std::span<const Function> path_rows();
 template <int D> std::span<const Function> contact_rows();
 /// core.contact_problem(model, contact, values): why the contact cannot have these constants; nil if it can.
 int contact_problem(lua_State* L);
-/// core.contact_offset_warning(model, contact, offset): a sentence on an offset that is large against the bodies, or
-/// nil.
-int contact_offset_warning(lua_State* L);
+/// core.contact_warnings(model, contact, mu, offset): sentences on a coefficient of friction that looks like an angle,
+/// and on an offset that is large against the bodies.
+int contact_warnings(lua_State* L);
 /// Methods for the present state: forces, profiles, samples, energies; and for the cost of the model.
 template <int D> std::span<const Function> result_rows();
 

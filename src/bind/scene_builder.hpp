@@ -1,6 +1,7 @@
 #pragma once
 // A scene while sg.model reads it.
 
+#include "base/index.hpp"
 #include "bind/scene.hpp"
 
 #include <algorithm>
@@ -20,6 +21,20 @@ template <int D> struct SceneBuilder {
   /// The face at a stack index. Throws for other values.
   model::FaceReference face(lua_State* L, int index, const std::string& where) const;
 };
+
+/// "face 'north' of body 'slab'". `where`: name of the argument in messages.
+template <int D>
+std::string part_text(const SceneBuilder<D>& builder, const BoundaryPart<D>& place, const std::string& where) {
+  const int body = builder.index_of(place, where);
+  return text(place.kind, " '", place.name, "' of body '", builder.scene.bodies[at(body)].name, "'");
+}
+
+/// "a list of 2 numbers {tx, ty}", for the letter t.
+template <int D> std::string components_text(char letter) {
+  std::string list;
+  for (int c = 0; c < D; ++c) list += text(c == 0 ? "{" : ", ", letter, model::component_name(c));
+  return text("a list of ", D, " numbers ", list, "}");
+}
 
 /// Throws like reject(), for a place of the wrong kind.
 template <int D>

@@ -84,8 +84,7 @@ template <int D> void read_rotation(const Arguments& a, model::Support<D>& suppo
 template <int D> void read_spring(const Arguments& a, const SceneBuilder<D>& builder, model::Support<D>& support) {
   if (!a.has("spring")) return;
   const auto stiffness = a.get<std::vector<double>>("spring");
-  const char* expected = D == 2 ? "a list of 2 numbers {kx, ky}" : "a list of 3 numbers {kx, ky, kz}";
-  if (stiffness.size() != D) a.refuse("spring", expected);
+  if (stiffness.size() != D) a.refuse("spring", components_text<D>('k'));
   const auto reject_spring = [&](const auto&... words) { fail(a.name("spring"), " ", words...); };
   for (int c = 0; c < D; ++c) {
     support.spring(c) = stiffness[at(c)];
@@ -136,8 +135,7 @@ template <int D> void read_shape(const Arguments& a, const SceneBuilder<D>& buil
                  positions.conservativeResize(D, positions.cols() + own.cols());
                  positions.rightCols(own.cols()) = own;
                });
-  const MatrixX values =
-      values_at<D>(a, "shape", positions, D == 2 ? "a list of 2 numbers {ux, uy}" : "a list of 3 numbers {ux, uy, uz}");
+  const MatrixX values = values_at<D>(a, "shape", positions, components_text<D>('u'));
   check_driven(a, support, positions, values);
   const model::Projection shape = model::project(builder.scene, faces, values);
   for (std::size_t i = 0; i < shape.displacements.size(); ++i)
@@ -211,10 +209,8 @@ template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const 
       return;
     }
     const BoundaryPart<D>& place = read_object<BoundaryPart<D>>(a.state(), index, {on});
-    const int body = builder.index_of(place, on);
-    list_once(a, places, place,
-              text(place.kind, " '", place.name, "' of body '", builder.scene.bodies[at(body)].name, "'"));
-    support.on.push_back({body, place.functions});
+    list_once(a, places, place, part_text(builder, place, on));
+    support.on.push_back({builder.index_of(place, on), place.functions});
   });
   read_components(a, "fix", Constraint::fixed, support);
   read_components(a, "drive", Constraint::driven, support);

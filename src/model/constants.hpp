@@ -23,7 +23,7 @@ inline constexpr double small_stride = 1e-3;
 /// Smallest damping relative to the diagonal: keeps the tangent regular for motions without work, such as frictionless
 /// sliding.
 inline constexpr double least_damping = 1e-10;
-/// Displacement relative to the model's size, beyond the prescribed ones, that only bodies reach which nothing holds.
+/// Displacement relative to the model's size, beyond the prescribed ones, that only unconstrained bodies reach.
 inline constexpr double far_away = 1e3;
 /// A body has come into contact when |f·Δu| is below this fraction of its largest value.
 inline constexpr double landed = 1e-2;

@@ -134,11 +134,12 @@ template <int D> double Drives<D>::shape_of(const Support<D>& support, int body,
   double nearest = std::numeric_limits<double>::infinity(), value = 0;
   for (const SupportedControlPoints& points : support.on)
     for (std::size_t i = 0; i < points.functions.size(); ++i) {
-      const bool same = points.body == body && points.functions[i] == function;
-      const double distance = same ? -1 : (place(points.body, points.functions[i]) - here).norm();
+      const double own = points.shape[D * i + at(component)];
+      if (points.body == body && points.functions[i] == function) return own;
+      const double distance = (place(points.body, points.functions[i]) - here).norm();
       if (distance >= nearest) continue;
       nearest = distance;
-      value = points.shape[D * i + at(component)];
+      value = own;
     }
   return value;
 }

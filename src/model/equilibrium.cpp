@@ -89,16 +89,17 @@ template <int D> double largest_position(const Model<D>& model) {
 
 /// ε |K| (|X| + |u|), in 3D four times as much, because a row sums about ten times as many products. Errors of rows are
 /// independent, hence |K| is the 2-norm of the diagonal. Gaps are differences of positions with errors of ε (|X| +
-/// |u|), which contact multiplies by its stiffness. Bodies that nothing holds go farther than `far_away`: |u| is
-/// limited, because otherwise their loads, too, would be rounding errors.
+/// |u|), which contact multiplies by its stiffness. Unconstrained bodies go farther than `far_away`: |u| is limited,
+/// because otherwise their loads, too, would be rounding errors.
 template <int D> double rounding_floor(const Model<D>& model) {
   const System<D>& system = model.system;
   const State<D>& state = model.present;
   double stiffness = system.assembly.diagonal_norm();
   for (std::size_t k = 0; k < system.contacts.size(); ++k)
     stiffness = std::max(stiffness, system.contacts[k]->stiffness(state.contacts[k], state.penalty_factor));
-  const double prescribed = system.drives.displacement(model.targets).template lpNorm<Eigen::Infinity>();
-  const double position = std::min(largest_position(model), far_away * system.size + prescribed);
+  double position = largest_position(model);
+  if (const double far = far_away * system.size; position > far)
+    position = std::min(position, far + system.drives.displacement(model.targets).template lpNorm<Eigen::Infinity>());
   return (D == 2 ? 1 : 4) * std::numeric_limits<double>::epsilon() * stiffness * position;
 }
 

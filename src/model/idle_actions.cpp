@@ -78,6 +78,7 @@ template <int D> std::string holders(const System<D>& system, const std::vector<
 } // namespace
 
 template <int D> void warn_of_idle_actions(const System<D>& system, std::vector<Message>& warnings) {
+  if (system.scene.loads.empty() && system.springs.parts().empty()) return;
   const std::vector<char> on_axis = radial_on_axis(system);
   const auto warn = [&](const std::vector<int>& dofs, const Message& action) {
     if (std::ranges::all_of(dofs, [&](int dof) { return on_axis[at(dof)] != 0; }))

@@ -62,6 +62,16 @@ void warn_of_friction(const std::string& name, double mu, std::vector<Message>& 
 }
 
 template <int D>
+void warn_of_offset(const Scene<D>& scene, const Contact<D>& contact, double offset, std::vector<Message>& warnings) {
+  double thinner = thickness(scene, contact.slave);
+  if (const auto* face = std::get_if<Faces>(&contact.master)) thinner = std::min(thinner, thickness(scene, *face));
+  const double part = std::abs(offset) / thinner;
+  if (part > large_offset)
+    warnings.push_back(Message("model.warning.offset",
+                               {{"contact", contact.name}, {"offset", offset}, {"percent", std::round(100 * part)}}));
+}
+
+template <int D>
 void warn_of_stiffness(const Scene<D>& scene, const Contact<D>& contact, double penalty,
                        std::vector<Message>& warnings) {
   const PenaltyRatio found = penalty_ratio(scene, contact, penalty);
@@ -145,13 +155,12 @@ template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact
   return softest;
 }
 
-template <int D> Message offset_warning(const Scene<D>& scene, const Contact<D>& contact, double offset) {
-  double thinner = thickness(scene, contact.slave);
-  if (const auto* face = std::get_if<Faces>(&contact.master)) thinner = std::min(thinner, thickness(scene, *face));
-  const double part = std::abs(offset) / thinner;
-  if (part <= large_offset) return {};
-  return Message("model.warning.offset",
-                 {{"contact", contact.name}, {"offset", offset}, {"percent", std::round(100 * part)}});
+template <int D>
+std::vector<Message> constant_warnings(const Scene<D>& scene, const Contact<D>& contact, double mu, double offset) {
+  std::vector<Message> warnings;
+  warn_of_friction(contact.name, mu, warnings);
+  warn_of_offset(scene, contact, offset, warnings);
+  return warnings;
 }
 
 template <int D>
@@ -163,8 +172,7 @@ std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formul
     warn_of_friction(scene.contacts[k].name, contacts[k]->friction(histories[k]), warnings);
     warn_of_stiffness(scene, scene.contacts[k], contacts[k]->penalty(histories[k]), warnings);
     warn_of_stiff_slave(scene, scene.contacts[k], warnings);
-    Message offset = offset_warning(scene, scene.contacts[k], contacts[k]->offset(histories[k]));
-    if (!offset.code.empty()) warnings.push_back(std::move(offset));
+    warn_of_offset(scene, scene.contacts[k], contacts[k]->offset(histories[k]), warnings);
   }
   warn_of_twins(scene, contacts, warnings);
   warn_of_shapes(scene, warnings);
@@ -173,8 +181,8 @@ std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formul
 
 template PenaltyRatio penalty_ratio(const Scene<2>&, const Contact<2>&, double);
 template PenaltyRatio penalty_ratio(const Scene<3>&, const Contact<3>&, double);
-template Message offset_warning(const Scene<2>&, const Contact<2>&, double);
-template Message offset_warning(const Scene<3>&, const Contact<3>&, double);
+template std::vector<Message> constant_warnings(const Scene<2>&, const Contact<2>&, double, double);
+template std::vector<Message> constant_warnings(const Scene<3>&, const Contact<3>&, double, double);
 template std::vector<Message> scene_warnings(const Scene<2>&, const contact::Formulations<2>&,
                                              const std::vector<contact::History<2>>&);
 template std::vector<Message> scene_warnings(const Scene<3>&, const contact::Formulations<3>&,

@@ -13,8 +13,9 @@ struct PenaltyRatio {
 };
 template <int D> PenaltyRatio penalty_ratio(const Scene<D>& scene, const Contact<D>& contact, double penalty);
 
-/// A warning about an offset that is large against the bodies; empty if it is not.
-template <int D> Message offset_warning(const Scene<D>& scene, const Contact<D>& contact, double offset);
+/// Warnings about a coefficient of friction that looks like an angle, and an offset that is large against the bodies.
+template <int D>
+std::vector<Message> constant_warnings(const Scene<D>& scene, const Contact<D>& contact, double mu, double offset);
 
 /// Warnings about Poisson's ratios that cause locking, coefficients of friction that look like angles, penalty
 /// parameters out of range, large offsets, and duplicate contacts between the same points. `contacts` and `histories`

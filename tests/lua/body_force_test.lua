@@ -134,7 +134,7 @@ sg.model{ bodies = { a = a }, supports = { w = { on = top, fix = "xy" } }, loads
   end)
 end
 
-check.case("a body that nothing holds against its load is no result, however far it goes", function()
+check.case("an unconstrained body under a load is a failed run, however far it goes", function()
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
                         material = sg.linear_elastic{ E = 1000, nu = 0.3 } }
   local model = sg.model{ bodies = { block = body }, supports = { bed = { on = body:face "south", fix = "y" } },

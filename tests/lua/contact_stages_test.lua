@@ -374,4 +374,11 @@ check.case("wrong constants are errors before anything is solved", function()
   end, here, "cannot be called 'contacts', which is a key of stages")
 end)
 
+check.case("a coefficient of friction that looks like an angle is a warning, as in sg.model", function()
+  local model = scene({ penalty = penalty, friction = { mu = 0.1, penalty = penalty } }, true)
+  local run = model:run{ stage(1, down, { friction = { mu = 20 } }) }
+  check.holds(table.concat(run.warnings, "\n"), "stage 'stage 1': contacts.joint: friction.mu = 20 is far above ",
+    "for an angle of 20 degrees mu = 0.36397")
+end)
+
 check.done()
