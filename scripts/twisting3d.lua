@@ -11,7 +11,8 @@
 --        └─────────────┘
 --
 --          Meshes of the hemisphere (along its arcs, in the thickness direction) and of the cube: m1 4 × 4 × 1 and
---          4 × 4 × 2, m2 6 × 6 × 2 and 6 × 6 × 3, m3 8 × 8 × 2 and 8 × 8 × 4; degree 2 in the thickness direction.
+--          4 × 4 × 2, m2 6 × 6 × 2 and 6 × 6 × 3, m3 8 × 8 × 2 and 8 × 8 × 4, m4 16 × 16 × 4 and 16 × 16 × 8; degree
+--          2 in the thickness direction.
 --          Flat punches on a rigid plane, for which closed forms exist: a block with a square face of side 2 and a tube
 --          of radii 1/2 and 1, E = 10, nu = 0, pressed by 0.01 of their height 1, rotated by 20° in 10 steps.
 -- Source: after the twisting contact of R. A. Sauer, L. De Lorenzis, An unbiased computational contact formulation
@@ -34,7 +35,8 @@ local sg = require "signorini"
 local formulations = require "formulations.rows"
 
 local mu, penalty, depth = 0.5, 100, 1
-local meshes = { m1 = { {4, 4, 1}, {4, 4, 2} }, m2 = { {6, 6, 2}, {6, 6, 3} }, m3 = { {8, 8, 2}, {8, 8, 4} } }
+local meshes = { m1 = { {4, 4, 1}, {4, 4, 2} }, m2 = { {6, 6, 2}, {6, 6, 3} }, m3 = { {8, 8, 2}, {8, 8, 4} },
+                 m4 = { {16, 16, 4}, {16, 16, 8} } }
 
 -- ── Scenes ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -221,9 +223,9 @@ local function draw(cases, key, ylabel, file)
   local chart = { file = file, title = "Twisting: " .. ylabel, xlabel = "angle (°)", ylabel = ylabel }
   for i, case in ipairs(cases) do
     local name = ("%s at %s"):format(case.order, case.mesh)
-    chart[#chart + 1] = curve(case, key, { label = name })
+    chart[#chart + 1] = curve(case, key, { label = name, color = i })
     if key == "moment" then
-      chart[#chart + 1] = curve(case, "torque", { label = "μ∫p r dA", dashed = true, color = 2 * i - 1 })
+      chart[#chart + 1] = curve(case, "torque", { label = i == 1 and "μ∫p r dA" or nil, dashed = true, color = i })
     end
   end
   sg.chart(chart)
@@ -247,11 +249,40 @@ local function draw_states(whole, cut, name, files)
             title = ("Twisting, %s: the half y > 0"):format(name) }
 end
 
+--- The limit of three values on meshes whose elements are halved twice, by the rate with which they approach it:
+---   f(h) = f₀ + C h^q;  2^q = (f₁ − f₂)/(f₂ − f₃),  f₀ = f₃ + (f₃ − f₂)/(2^q − 1).
+--- Nil unless the differences decrease and have the same sign.
+local function limit(first, second, third)
+  local ratio = (first - second) / (second - third)
+  if ratio > 1 then return third + (third - second) / (ratio - 1), math.log(ratio, 2) end
+end
+
+--- Torque and force at the end on m1, m3, m4, and their limits, of the orders that have run on the three.
+local function limit_table(cases, orders)
+  local rows = {}
+  for _, order in ipairs(orders) do
+    local runs = { cases[order .. " m1"], cases[order .. " m3"], cases[order .. " m4"] }
+    if #runs == 3 and runs[1].level and runs[2].level and runs[3].level then
+      for _, quantity in ipairs { "torque", "force" } do
+        local values = {}
+        for i, case in ipairs(runs) do
+          values[i] = quantity == "torque" and case.level or case.rows[#case.rows].force
+        end
+        local at_zero, rate = limit(values[1], values[2], values[3])
+        rows[#rows + 1] = { order, quantity, values[1], values[2], values[3], rate, at_zero }
+      end
+    end
+  end
+  if #rows == 0 then return end
+  return sg.table{ columns = { "order", "", "m1", "m3", "m4", "rate", "limit" }, rows = rows,
+                   formats = { "%s", "%s", "%.4f", "%.4f", "%.4f", "%.2f", "%.4f" } }
+end
+
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local options = sg.arguments{
   parts = { { "twist", "punch", "balance" }, choices = { "twist", "punch", "balance" } },
-  orders = { "N2", "N4", "N2-N4", "N2-N2.2" }, meshes = { { "m1" }, choices = { "m1", "m2", "m3" } }, press = 10,
+  orders = { "N2", "N4", "N2-N4", "N2-N2.2" }, meshes = { { "m1" }, choices = { "m1", "m2", "m3", "m4" } }, press = 10,
   twist = 90, angle = { 180.0, above = 0 }, friction = { "turn", choices = { "turn", "always" } },
   slave = { "hemisphere", choices = { "hemisphere", "cube" } },
   poles = { "ends", choices = { "ends", "bottom" } }, formulation = formulations.argument "gpts", linear = "auto",
@@ -281,6 +312,11 @@ if wanted.twist then
   print(("\nTwisting, slave: %s; torque and its swing (max − min): over the last third of the angle")
     :format(options.slave))
   print(twist_table(cases))
+  local limits = limit_table(cases, options.orders)
+  if limits then
+    print "\nLimits of torque and force at the end; empty where the differences do not decrease with the mesh"
+    print(limits)
+  end
   draw(cases, "moment", "torque", files "torque.png")
   draw(cases, "force", "vertical force", files "force.png")
   draw_states(whole, cut, ("%s at %s"):format(options.orders[1], options.meshes[1]), files)
