@@ -25,8 +25,8 @@
 
 local sg = require "signorini"
 local chart = require "formulations.chart"
-local deviation = require "formulations.deviation"
 local formulations = require "formulations.rows"
+local measures = require "formulations.partial_slip.measures"
 local problem = require "formulations.partial_slip.problem"
 
 local options = sg.arguments{
@@ -36,60 +36,6 @@ local options = sg.arguments{
 }
 local augmented = { penetration = 1e-8, loops = 200 }
 local along = { 5.2e-5, 1.255e-4, 1.75e-4 }
-
--- ── Measures ─────────────────────────────────────────────────────────────────────────────────────────────────────────
-
---- The parameters of the points of the master's face that are opposite to a profile's points near the center; x of the
---- face increases with the parameter.
-local function opposite(model, profile, part)
-  local function x_at(xi) return problem.width * (2 * xi - 1) + model:sample("lower", "ux", { xi, 1 }) end
-  local list = {}
-  for i, x in ipairs(profile.x) do
-    if math.abs(x) <= part then
-      local low, high = 0, 1
-      for _ = 1, 50 do
-        local middle = (low + high) / 2
-        if x_at(middle) < x then low = middle else high = middle end
-      end
-      list[#list + 1] = { point = i, xi = low, x = x, ux = model:sample("lower", "ux", { low, 1 }) }
-    end
-  end
-  return list
-end
-
---- Mean and largest slip of the points of `opposites` within |x| < part, since the state in which they were opposite.
-local function slips(model, profile, opposites, part)
-  local sum, count, largest = 0, 0, 0
-  for _, one in ipairs(opposites) do
-    if math.abs(one.x) < part then
-      local slip = profile.x[one.point] - one.x - (model:sample("lower", "ux", { one.xi, 1 }) - one.ux)
-      sum, count, largest = sum + slip, count + 1, math.max(largest, math.abs(slip))
-    end
-  end
-  return math.abs(sum) / count, largest
-end
-
---- Compares a sheared state with the closed form.
-local function compare(model, opposites)
-  local profile = model:profile "joint"
-  local p, q, from, to = 0, 0, math.huge, -math.huge
-  for i, area in ipairs(profile.area) do
-    p, q = p + profile.pressure[i] * area, q + profile.traction[i] * area
-    if profile.state[i] == "stick" then from, to = math.min(from, profile.x[i]), math.max(to, profile.x[i]) end
-  end
-  local a, p0 = problem.hertz(p)
-  local ratio = math.abs(q) / (problem.mu * p)
-  local c, traction = problem.mindlin(math.min(ratio, 1))
-  local state = { ratio = ratio, c = to > from and (to - from) / (2 * a) or 0, expected = c, s = {}, traction = {} }
-  local sign = q < 0 and -1 or 1
-  for i, x in ipairs(profile.x) do
-    state.s[i], state.traction[i] = x / a, sign * profile.traction[i] / (problem.mu * p0)
-  end
-  state.error = deviation.inside(state.s, state.traction, traction, 1.3).l2
-  state.mean_slip, state.largest_slip = slips(model, profile, opposites, 0.8 * c * a)
-  state.mean_slip, state.largest_slip = state.mean_slip / a, state.largest_slip / a
-  return state
-end
 
 -- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -106,10 +52,10 @@ local function solve(case)
     return not done.failed
   end
   if not run(problem.press) then return case end
-  local opposites = opposite(model, model:profile "joint", problem.half_width)
+  local opposites = measures.opposite(model, model:profile "joint")
   for i, length in ipairs(along) do
     if not run(problem.shear(options.steps, length)) then return case end
-    case.states[i] = compare(model, opposites)
+    case.states[i] = measures.compare(model, opposites)
   end
   return case
 end

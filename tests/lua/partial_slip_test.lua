@@ -1,5 +1,5 @@
--- scripts/formulations/partial_slip.lua, coarse: stick zone and traction against Cattaneo and Mindlin's solution,
--- elastic slip.
+-- scripts/formulations/partial_slip.lua and elastic_slip.lua, coarse: stick zone and traction against Cattaneo and
+-- Mindlin's solution, slip of the sticking points, convergence to Coulomb's law.
 
 local core = require "signorini.core"
 local check = require "check"
@@ -73,6 +73,21 @@ check.case("sticking points slip by the traction over the tangential penalty, wi
       check.within("c", case.states[i].c, case.states[i].expected, 1 / 4)
     end
   end
+end)
+
+check.case("with stiffer tangential springs slip and the error of the force fall as 1/penalty", function()
+  local springs = core.home .. "/scripts/formulations/elastic_slip.lua"
+  local list = assert(loadfile(springs))("count=4", "penalties=0.1,1,10,100", "formulations=equal", "steps=5",
+    "out=" .. folder).cases.equal
+  for i = 1, 3 do check.within_share("slip", list[i].mean_slip / list[i + 1].mean_slip, 10, 0.25) end
+  for i = 1, 2 do
+    check.within_share("rate of Q", math.log(list[i].force_error / list[i + 1].force_error, 10), 1, 0.15)
+  end
+  for _, state in ipairs(list) do check.equal(state.held, 0) end -- nothing creeps
+  check.within("stick zone", list[4].c, list.limit.c, 1 / 4)
+  check.pictures(folder, { "elastic_slip" })
+  check.refused(springs, { ["penalties=0"] = "penalties must be", ["formulations=gpts"] = "formulations must be" },
+    "out=" .. folder)
 end)
 
 check.case("files and wrong arguments", function()

@@ -50,8 +50,8 @@ local function block(o, h, sign)
 end
 
 --- The scene. `o`: order, count (spans per half-width of the upper face; the lower one has 0.77 times as many), penalty
---- (both, in multiples of E over the length of a span), formulation (a row of formulations/rows.lua), swap (the lower
---- face is the slave).
+--- (both, in multiples of E over the length of a span), friction_penalty (the tangential one, if it differs),
+--- formulation (a row of formulations/rows.lua), swap (the lower face is the slave).
 function problem.scene(o)
   local h = problem.half_width / o.count
   local upper, lower = block(o, h, 1), block(o, 1.3 * h, -1)
@@ -62,7 +62,8 @@ function problem.scene(o)
     bodies   = { upper = upper, lower = lower },
     supports = { bed  = { on = lower:face "south", fix = "xy" }, grip = { on = upper:face "north", drive = "xy" } },
     contacts = { joint = formulations.contact(o.formulation, {
-      slave = slave, master = master, penalty = penalty, friction = { mu = problem.mu, penalty = penalty } }) },
+      slave = slave, master = master, penalty = penalty,
+      friction = { mu = problem.mu, penalty = (o.friction_penalty or o.penalty) * problem.young / h } }) },
   }
 end
 
