@@ -32,7 +32,7 @@ end
 
 --- Whether contact has acted: without it, work and stored energy can both be rounding errors, as in a rigid motion.
 local function acts(list)
-  return lists.any(list, function(state) return state.contact ~= 0 or state.friction ~= 0 end)
+  return lists.any(list, function(state) return state.contact ~= 0 or state.friction ~= 0 or state.debonding ~= 0 end)
 end
 
 --- What is missing in the balance between two states of a path, positive if energy is lost. Tractions do not do the
@@ -40,6 +40,7 @@ end
 function energy_balance.missing(before, after)
   local function change(name) return after[name] - before[name] end
   return change "work" + change "area_growth" - change "stored" - change "contact" - change "friction"
+    - change "debonding"
 end
 
 --- A sentence on the stage with the largest missing energy; nil if that is small. `list`: energies at the start of each
@@ -50,11 +51,12 @@ function energy_balance.warning(run, list)
   for i, stage in ipairs(run.stages) do
     local a, b = list[i], list[i + 1]
     if not b then return nil end -- resumed from a file without these
-    local done, stored, friction = b.work - a.work, b.stored - a.stored, b.friction - a.friction
+    local done, stored = b.work - a.work, b.stored - a.stored
+    local dissipated = b.friction - a.friction + b.debonding - a.debonding
     local missing = math.abs(energy_balance.missing(a, b)) - math.max(math.abs(a.contact), math.abs(b.contact))
     local last = first + stage.steps - 1
     local histories = table.move(run.histories, first, last, 1, {})
-    work = work + math.max(math.abs(done), math.abs(stored), friction)
+    work = work + math.max(math.abs(done), math.abs(stored), dissipated)
     if not a.sudden and last >= first and missing > (worst and worst.missing or 0)
       and not jumps(histories) then
       worst = { missing = missing, stage = stage, increments = #path_controls.accepted(histories) }

@@ -32,7 +32,7 @@ function Run:__newindex(name, value)
 end
 
 local axes = { "x", "y", "z" }
-local contact_columns = { "fx", "fy", "fz", "area", "max_pressure", "max_penetration" }
+local contact_columns = { "fx", "fy", "fz", "area", "max_pressure", "max_penetration", "debonded" }
 
 -- ── Recording (by model:run) ─────────────────────────────────────────────────────────────────────────────────────────
 

@@ -20,16 +20,18 @@ local model = {}
 ---@field tx? number[]
 ---@field ty? number[]
 ---@field tz? number[]
+---@field damage? number[]
 
 ---Returns lists along the slave face, one entry per contact point: x, y (current), X, Y (reference), area (current,
 ---where the point touches; 0 at an open point, so that the sum is the area in contact; with adhesion the reference
 ---area), pressure, traction (of friction, along the chord from slip point to foot point, which is tangential on a
 ---straight master; in the plane positive along the slave face's xi; on the slave it acts in the opposite direction),
----gap, state ("open", "stick", also of a closed point without friction, "slip", "adhesion"). At a slipping point
----\|traction| = mu pressure (mortar: at each multiplier). Pressure and traction are forces per current area, whatever
----`per` of the contact is; with method = "mortar" and with adhesion `area`, pressure and traction refer to the
----reference area. In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is
----`traction`; -t_T acts on the slave. Reading any other field is an error.
+---gap, state ("open", "stick", also of a closed point without friction, "slip", "adhesion", "bonded": not closed, held
+---by a bond). At a slipping point |traction| = mu pressure (mortar: at each multiplier). A cohesive contact also has
+---damage, from 0 to 1 (no bond); its pressure, negative in tension, and traction include those of the bonds. Pressure
+---and traction are forces per current area, whatever `per` of the contact is; with method = "mortar" and with adhesion
+---`area`, pressure and traction refer to the reference area. In 3D also z, Z, and tx, ty, tz, the components of the
+---friction traction t_T, whose magnitude is `traction`; -t_T acts on the slave. Reading any other field is an error.
 ---
 ---Example:
 ---```lua
@@ -59,14 +61,15 @@ function model:sample(body, field, xi) end
 ---@field friction number
 ---@field work number
 ---@field area_growth number
+---@field debonding number
 
----Returns { stored, contact, friction, work, area_growth }: strain energy of the bodies, and that of springs of
----supports; energy of penalty springs or of adhesion; and, summed over all accepted steps (trapezoidal rule),
+---Returns { stored, contact, friction, work, area_growth, debonding }: strain energy of the bodies, and that of springs
+---of supports; energy of penalty springs and bonds, or of adhesion; and, summed over accepted steps (trapezoidal rule),
 ---dissipation by friction; work of supports, of loads and of changing offsets and overlaps of contacts; energy of the
----penalty springs times the growth of the area on which they act, zero for contacts with per = "reference". Per unit
----depth in plane strain. Where nothing changes suddenly, as when a contact is switched off, work + area_growth = stored
----\+ contact + friction in the limit of small steps (with friction: and of small penetration): see share/doc/theory.md,
----Output quantities.
+---penalty springs times the growth of the area on which they act, zero for contacts with per = "reference"; dissipation
+---by bonds. Per unit depth in plane strain. Where nothing changes suddenly, as when a contact is switched off, work +
+---area_growth = stored + contact + friction + debonding in the limit of small steps (with friction: and of small
+---penetration): see share/doc/theory.md, Output quantities.
 ---
 ---Example:
 ---```lua
@@ -99,12 +102,17 @@ function model:reaction(name) end
 ---@field per string
 ---@field enforcement? string
 ---@field multipliers? string
+---@field law? string
 ---@field points integer
+---@field bonded? integer
 ---@field penalty? number
 ---@field mu? number
 ---@field friction_penalty? number
 ---@field hamaker? number
 ---@field r0? number
+---@field strength? number
+---@field energy? number
+---@field stiffness? number
 ---@field offset? number
 ---@field overlap? number
 ---@field active boolean
@@ -113,8 +121,9 @@ function model:reaction(name) end
 ---Returns the constants of a contact: { method, enforcement, per, points, penalty, default_penalty, active, offset },
 ---as given to sg.model or by default, in the present state; default_penalty is true where the penalty is from material
 ---and mesh. With friction also mu, friction_penalty; with overlap = "interference" overlap, the fraction of the initial
----overlap that is still allowed; with method = "mortar" multipliers; with adhesion { method, per, points, active,
----hamaker, r0 }. print(model) shows them.
+---overlap that is still allowed; with method = "mortar" multipliers; of a cohesive contact strength, energy, law,
+---stiffness, and bonded, the number of points with a bond; with adhesion { method, per, points, active, hamaker, r0 }.
+---print(model) shows them.
 ---
 ---Example:
 ---```lua
@@ -133,6 +142,7 @@ function model:contact_law(contact) end
 ---@field max_penetration number
 ---@field weighted_penetration? number
 ---@field imbalance? number
+---@field debonded? number
 ---@field active integer
 ---@field slipping integer
 ---@field unsettled integer
@@ -144,7 +154,8 @@ function model:contact_law(contact) end
 ---Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, per, unsettled, crossed }: the force on
 ---the slave (fz in 3D), the current area in contact (with method = "mortar" and with adhesion the reference area),
 ---extremes, the numbers of contact points that touch and slip, and the area, "current" or "reference", on which
----tractions act; with multipliers also weighted_penetration, the largest of the multipliers; with "half_passes" also
+---tractions act; with multipliers also weighted_penetration, the largest of the multipliers; of a cohesive contact
+---debonded, the area of new surface: energy dissipated by bonds over energy of separation; with "half_passes" also
 ---imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how much action and reaction differ, 0
 ---without forces. unsettled: how often, in all accepted states so far, the search for a closest point or slip point
 ---ended at the limit of iterations; unsettled_at is the reference position of the latest such point. crossed,

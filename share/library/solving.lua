@@ -211,6 +211,34 @@ function sg.model(arguments) end
 ---@field r0 number
 ---@field [string] sg.unknown_argument
 
+---@class (exact) sg.contact.cohesive
+---strength: largest traction (a positive number; force per area)
+---@field strength number
+---energy: a positive number; energy per area. Energy of separation per area, G, for any mixture of opening and shear.
+---```text
+---        The zone in which bonds open has a length of about E G / strength^2, less in thin bodies; its elements should
+---        be a third of it
+---```
+---@field energy number
+---law: 'exponential' or 'bilinear'; default "exponential". Traction T over the opening u. exponential: T = e strength
+---```text
+---     (u/c) exp(-u/c) with c = G/(e strength). bilinear: T = stiffness u up to the strength, then linear to zero at u =
+---     2 G/strength
+---```
+---@field law? "exponential"|"bilinear"
+---stiffness: initial stiffness of a bilinear law, above strength^2/(2 G) (a positive number; pressure per length; by
+---```text
+---           default the contact's penalty)
+---```
+---@field stiffness? number
+---where: a function; by default everywhere. function(X) that returns true where the faces are bonded, to leave out an
+---```text
+---       initial crack; elsewhere only contact acts. Points farther from the master than 0.001 of the opening at the
+---       largest traction are not bonded; print(model) shows how many are
+---```
+---@field where? fun(X: number[]): any
+---@field [string] sg.unknown_argument
+
 ---Defines contact between the face of a body and another body or an obstacle.
 ---
 ---```text
@@ -221,12 +249,16 @@ function sg.model(arguments) end
 ---Two half passes have two names: \<name> is the pass over the slave face, \<name>.master that over the master face.
 ---
 ---Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85)
----to (3.89), points 7.1.1 of V. Agrawal, thesis, IIT Guwahati, 2020. More in share/doc/theory.md.
+---to (3.89), points 7.1.1 of V. Agrawal, thesis, IIT Guwahati, 2020. More in share/doc/theory.md. Debonding often
+---snaps: follow it with arc_length = true of model:run, or with prescribed displacements and damping.
 ---
 ---Example:
 ---```lua
 ---contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
 ---                           friction = { mu = 0.2, penalty = 100 } } }
+---contacts = { glue = { slave = slab:face "south", master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} },
+---                      penalty = 1000, cohesive = { strength = 2, energy = 0.5,
+---                                                   where = function(X) return X[1] > 0.1 end } } }
 ---```
 ---@class (exact) sg.contact
 ---slave: a face or a list of adjacent faces. Face over which contact is integrated; pressures are computed at its
@@ -286,12 +318,13 @@ function sg.model(arguments) end
 ---             proven stable (inf-sup); for degree p >= 2
 ---```
 ---@field multipliers? "equal"|"reduced"
----per: 'current' or 'reference'; by default "current", with method = "mortar" or adhesion "reference". Area of the
----slave
+---per: 'current' or 'reference'; by default "current", with method = "mortar", adhesion or cohesive "reference". Area
+---of
 ---```text
----     face on which tractions act, and to which penalty and friction.penalty refer. "current" is that of the published
----     studies; with "reference" and without friction the forces derive from an energy, and the tangent is symmetric.
----     method = "mortar" and adhesion act per reference area, half passes per current area, also with multipliers
+---     the slave face on which tractions act, and to which penalty and friction.penalty refer. "current" is that of the
+---     published studies; with "reference" and without friction the forces derive from an energy, and the tangent is
+---     symmetric. method = "mortar", adhesion and cohesive act per reference area, half passes per current area, also
+---     with multipliers
 ---```
 ---@field per? "current"|"reference"
 ---points: Gauss points per slave element and direction (a whole number from 1 to 100; by default 3 (p + 1), p the
@@ -307,6 +340,25 @@ function sg.model(arguments) end
 ---  r0:      equilibrium distance of the potential (a positive number; length)
 ---```
 ---@field adhesion? sg.contact.adhesion
+---cohesive: a table of named arguments; optional. Bonds between faces that coincide in the reference shape, which break
+---```text
+---          as they open: at each contact point a traction per reference area over the distance from the master's point
+---          next to it at first, with irreversible damage d. Pressure acts by the penalty; where bonds are damaged,
+---          friction acts on the fraction d of the area. For method = "gpts", enforcement = "penalty"
+---  strength:  largest traction (a positive number; force per area)
+---  energy:    a positive number; energy per area. Energy of separation per area, G, for any mixture of opening and
+---             shear. The zone in which bonds open has a length of about E G / strength^2, less in thin bodies; its
+---             elements should be a third of it
+---  law:       'exponential' or 'bilinear'; default "exponential". Traction T over the opening u. exponential: T = e
+---             strength (u/c) exp(-u/c) with c = G/(e strength). bilinear: T = stiffness u up to the strength, then
+---             linear to zero at u = 2 G/strength
+---  stiffness: initial stiffness of a bilinear law, above strength^2/(2 G) (a positive number; pressure per length; by
+---             default the contact's penalty)
+---  where:     a function; by default everywhere. function(X) that returns true where the faces are bonded, to leave out
+---             an initial crack; elsewhere only contact acts. Points farther from the master than 0.001 of the opening
+---             at the largest traction are not bonded; print(model) shows how many are
+---```
+---@field cohesive? sg.contact.cohesive
 ---active: whether the contact acts from the start; stages switch it on and off (true or false; default true)
 ---@field active? boolean
 ---offset: a number; length; default 0. Gap at which the faces touch: the gap g of all formulas is the distance less the

@@ -60,6 +60,15 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   const contact::History<D>& history = model.present.contacts[contact];
   const contact::Formulation<D>& formulation = *model.system.contacts[contact];
   push_fields(L, "points", named.points, "per", area_name<D>(named.method), "active", formulation.active(history));
+  if (const auto* cohesive = std::get_if<contact::CohesiveLaw>(&named.method)) {
+    const auto& [strength, energy, softening, stiffness] = cohesive->cohesion;
+    const bool bilinear = softening == contact::Softening::bilinear;
+    set_fields(L, "strength", strength, "energy", energy, "law", bilinear ? "bilinear" : "exponential");
+    if (bilinear) set_field(L, "stiffness", stiffness);
+    const auto bonds = formulation.bonds();
+    const auto bonded = std::ranges::count_if(bonds, [](const auto& bond) { return bond.foot != contact::Foot::none; });
+    set_field(L, "bonded", static_cast<int>(bonded));
+  }
   if (const auto* adhesion = std::get_if<contact::Adhesion>(&named.method)) {
     set_fields(L, "method", "gpts", "hamaker", adhesion->hamaker, "r0", adhesion->distance);
     return 1;
@@ -85,6 +94,8 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   set_field(L, "per", area_name<D>(named.method));
   if (is_half) set_field(L, "imbalance", model::imbalance(model, static_cast<int>(contact)));
   set_force<D>(L, sum.force);
+  if (const auto* cohesive = std::get_if<contact::CohesiveLaw>(&named.method))
+    set_field(L, "debonded", model.present.contacts[contact].debonding / cohesive->cohesion.energy);
   const auto& multipliers = model.present.contacts[contact].multiplier_results;
   double weighted = 0;
   for (const auto& one : multipliers)
@@ -103,6 +114,7 @@ template <int D> int profile(const model::Model<D>& model, const std::string& na
   const model::Profile all = model::profile<D>(model, find(model.system.scene.contacts, name, "contact"));
   push_fields(L, "x", all.x, "y", all.y, "X", all.reference_x, "Y", all.reference_y, "area", all.area, "pressure",
               all.pressure, "traction", all.traction, "gap", all.gap, "state", all.state);
+  if (!all.damage.empty()) set_field(L, "damage", all.damage);
   if (D == 3)
     set_fields(L, "z", all.z, "Z", all.reference_z, "tx", all.traction_x, "ty", all.traction_y, "tz", all.traction_z);
   return 1;
@@ -152,7 +164,7 @@ template <int D> int sample(const model::Model<D>& model, lua_State* L) {
 template <int D> int energy(const model::Model<D>& model, lua_State* L) {
   const model::Energies now = model::energies(model);
   push_fields(L, "stored", now.stored, "contact", now.contact, "friction", now.friction, "work", now.work,
-              "area_growth", now.growth);
+              "area_growth", now.growth, "debonding", now.debonding);
   return 1;
 }
 

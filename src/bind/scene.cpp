@@ -32,6 +32,14 @@ template <int D> int default_points(const model::Scene<D>& scene, const model::F
   return 3 * (degree + 1);
 }
 
+contact::Cohesion read_cohesion(const Arguments& a, double penalty) {
+  contact::Cohesion cohesion{a.get<double>("strength"), a.get<double>("energy")};
+  if (a.get<std::string>("law") == "exponential") return cohesion;
+  cohesion.softening = contact::Softening::bilinear;
+  cohesion.stiffness = a.get("stiffness", penalty);
+  return cohesion;
+}
+
 template <int D> contact::Method<D> read_method(const Arguments& a) {
   if (a.has("adhesion")) {
     const Arguments adhesion = a.table("adhesion");
@@ -48,6 +56,10 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
   law.enforcement = enforcement == "penalty"     ? contact::Enforcement::penalty
                     : enforcement == "augmented" ? contact::Enforcement::augmented
                                                  : contact::Enforcement::multipliers;
+  if (a.has("cohesive")) {
+    law.per = contact::TractionArea::reference;
+    return contact::CohesiveLaw{law, read_cohesion(a.table("cohesive"), law.normal)};
+  }
   const auto method = a.get<std::string>("method");
   std::optional<contact::MultiplierSpace> multipliers;
   if (a.has("multipliers"))
@@ -60,14 +72,14 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
   return contact::MortarLaw{law, multipliers.value_or(contact::MultiplierSpace::equal)};
 }
 
-/// The user's function of the reference position. It is called only while the model is created, when sg.model's
-/// argument at the bottom of the stack holds it.
-template <int D> contact::Region<D> read_region(const Arguments& a, const std::string& contact) {
+/// The user's function of the reference position, below a path of keys. It is called only while the model is created,
+/// when sg.model's argument at the bottom of the stack holds it.
+template <int D> contact::Region<D> read_region(const Arguments& a, const std::vector<std::string>& path) {
   if (!a.has("where")) return {};
-  return [L = a.state(), contact, name = a.name("where")](const Vec<D>& place) {
+  return [L = a.state(), path, name = a.name("where")](const Vec<D>& place) {
     const int top = lua_gettop(L);
-    lua_getfield(L, 1, "contacts");
-    lua_getfield(L, -1, contact.c_str());
+    lua_pushvalue(L, 1);
+    for (const std::string& key : path) lua_getfield(L, -1, key.c_str());
     lua_getfield(L, -1, "where");
     push(L, VectorX(place));
     lua_call(L, 1, 1);
@@ -100,7 +112,8 @@ template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const 
             "; self-contact is not available: use a face of the other body");
   contact.method = read_method<D>(a);
   contact.points = a.has("points") ? a.get<int>("points") : default_points(builder.scene, contact.slave);
-  contact.where = read_region<D>(a, name);
+  contact.where = read_region<D>(a, {"contacts", name});
+  if (a.has("cohesive")) contact.bonded = read_region<D>(a.table("cohesive"), {"contacts", name, "cohesive"});
   contact.start = {a.get<bool>("active"), a.get<double>("offset"), a.get<std::string>("overlap") == "interference"};
   return contact;
 }

@@ -34,6 +34,16 @@ auto members(Adhesion& law) {
   return std::tie(hamaker, distance);
 }
 
+auto members(Cohesion& law) {
+  auto& [strength, energy, softening, stiffness] = law;
+  return std::tie(strength, energy, softening, stiffness);
+}
+
+auto members(CohesiveLaw& law) {
+  auto& [penalty, cohesion] = law;
+  return std::tie(penalty, cohesion);
+}
+
 auto members(MortarLaw& law) {
   auto& [penalty, multipliers, scale] = law; // the scale follows from material and mesh
   return std::tuple_cat(members(penalty), std::tie(multipliers));
@@ -56,6 +66,11 @@ template <int D> auto members(PointHistory<D>& point) {
   auto& [projection, cleared, slips, slip, limit, multiplier] = point;
   auto& [foot, element, along, xi, gap] = projection;
   return std::tie(foot, element, along, xi, gap, slips, slip, limit, multiplier);
+}
+
+template <int D> auto members(PointBond<D>& bond) {
+  auto& [opening, largest, shear] = bond;
+  return std::tie(opening, largest, shear);
 }
 
 template <int D> auto members(MultiplierResult<D>& result) {
@@ -112,31 +127,37 @@ template <int D> void write(ArchiveWriter& to, const Method<D>& method) {
     to.put(*mortar);
   else if (const auto* half = std::get_if<HalfPass>(&method))
     to.put(*half);
+  else if (const auto* cohesive = std::get_if<CohesiveLaw>(&method))
+    to.put(*cohesive);
 }
 
 template <int D> Method<D> read_method(ArchiveReader& from) {
   const int index = from.get<int>();
-  require(index >= 0 && index <= 3, "contact.archive.law", {{"number", index}});
+  require(index >= 0 && index <= 4, "contact.archive.law", {{"number", index}});
   if (index == 0) return from.get<PenaltyLaw>();
   if (index == 1) return from.get<Adhesion>();
   if (index == 2) return from.get<MortarLaw>();
-  return from.get<HalfPass>();
+  if (index == 3) return from.get<HalfPass>();
+  return from.get<CohesiveLaw>();
 }
 
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {
-  const auto& [points, results, multipliers, multiplier_results, changes, dissipated, growth, offset_work] = history;
-  to.put(changes, dissipated, growth, offset_work, static_cast<std::uint64_t>(points.size()));
+  const auto& [points, results, multipliers, multiplier_results, bonds, changes, dissipated, growth, offset_work,
+               debonding] = history;
+  to.put(changes, dissipated, growth, offset_work, debonding, static_cast<std::uint64_t>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool acts = results[i].area != 0;
     to.put(points[i], acts);
     if (acts) to.put(results[i]);
   }
   for (std::size_t a = 0; a < multipliers.size(); ++a) to.put(multipliers[a], multiplier_results[a]);
+  for (const PointBond<D>& bond : bonds) to.put(bond);
 }
 
 template <int D> void read_history(ArchiveReader& from, History<D>& history) {
-  auto& [points, results, multipliers, multiplier_results, changes, dissipated, growth, offset_work] = history;
-  from.into(changes, dissipated, growth, offset_work);
+  auto& [points, results, multipliers, multiplier_results, bonds, changes, dissipated, growth, offset_work, debonding] =
+      history;
+  from.into(changes, dissipated, growth, offset_work, debonding);
   const auto count = from.get<std::uint64_t>();
   require(count == points.size(), "contact.archive.points", {{"saved", count}, {"count", points.size()}});
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -147,6 +168,7 @@ template <int D> void read_history(ArchiveReader& from, History<D>& history) {
     std::apply([&](auto&... parts) { from.into(parts...); }, members(multipliers[a]));
     multiplier_results[a] = from.get<MultiplierResult<D>>();
   }
+  for (PointBond<D>& bond : bonds) bond = from.get<PointBond<D>>();
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \

@@ -61,6 +61,17 @@ inline constexpr double back_to_back = 0.5;
 /// with the path.
 inline constexpr int crossing_pieces = 256;
 
+// ── Bonds ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// A point is bonded if its distance from the master is at most this fraction of the opening at the largest traction:
+/// the bonds then start with less than 0.3 % of their strength.
+inline constexpr double bond_distance = 1e-3;
+/// Opening of an exponential bond, as a multiple of that at the largest traction, beyond which it transmits nothing:
+/// the traction is below 1e-15 of the strength.
+inline constexpr double broken_opening = 40;
+/// Fraction of its energy at which a bond is no longer counted, although the tail of an exponential law remains.
+inline constexpr double broken_energy = 0.99;
+
 // ── Multipliers that are unknowns ────────────────────────────────────────────────────────────────────────────────────
 
 /// Proximal term on a multiplier's diagonal, as a fraction of scale times area. It is of the order of the compliance of

@@ -7,6 +7,7 @@
 #include "contact/penalty.hpp"
 
 #include <memory>
+#include <span>
 #include <string>
 
 namespace signorini::contact {
@@ -19,6 +20,7 @@ template <int D> struct ContactSetting {
   bool revolved = false; ///< the scene is axisymmetric about the second axis
   Region<D> where = {};
   Start start = {};
+  Region<D> bonded = {}; ///< of a cohesive contact
 };
 
 /// Rules of a step that take precedence over the gap and friction of contact points.
@@ -81,6 +83,12 @@ public:
   }
   /// Overlap of the initial shapes at the points, if the contact is an interference fit; otherwise empty.
   const std::vector<double>& overlap() const { return overlap_; }
+
+  /// Closest points at which the points are bonded in the initial state (Foot::none: not bonded); empty unless
+  /// cohesive.
+  virtual std::span<const Projection<D>> bonds() const { return {}; }
+  /// Fraction of their stiffness that the points' bonds have lost, 1 without a bond; empty unless cohesive.
+  virtual std::vector<double> damage(const History<D>&) const { return {}; }
 
   /// Number of multipliers, eliminated or unknowns; their histories are then the constraints of history.hpp.
   virtual int multipliers() const { return 0; }

@@ -5,8 +5,9 @@
 namespace signorini::contact {
 
 template <int D>
-History<D>::History(const ContactPoints<D>& of, int count)
-    : points(of.size()), results(of.size()), multipliers(at(count)), multiplier_results(at(count)) {
+History<D>::History(const ContactPoints<D>& of, int count, bool bonded)
+    : points(of.size()), results(of.size()), multipliers(at(count)), multiplier_results(at(count)),
+      bonds(bonded ? of.size() : 0) {
   for (std::size_t i = 0; i < of.size(); ++i) results[i].position = of.reference[i];
 }
 
@@ -51,10 +52,10 @@ template <int D> double growth(const MultiplierResult<D>& before, const Multipli
 }
 
 template <int D> double memory(const History<D>& history) {
-  return static_cast<double>(history.points.capacity() * sizeof(PointHistory<D>) +
-                             history.results.capacity() * sizeof(PointResult<D>) +
-                             history.multipliers.capacity() * sizeof(MultiplierHistory<D>) +
-                             history.multiplier_results.capacity() * sizeof(MultiplierResult<D>));
+  return static_cast<double>(
+      history.points.capacity() * sizeof(PointHistory<D>) + history.results.capacity() * sizeof(PointResult<D>) +
+      history.bonds.capacity() * sizeof(PointBond<D>) + history.multipliers.capacity() * sizeof(MultiplierHistory<D>) +
+      history.multiplier_results.capacity() * sizeof(MultiplierResult<D>));
 }
 
 template <int D> void look_again(History<D>& history) {

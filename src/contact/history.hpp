@@ -39,6 +39,13 @@ template <int D> struct PointHistory {
   double multiplier = 0; ///< λ_N of the augmented Lagrangian method, a pressure
 };
 
+/// Bond of one contact point: history and result.
+template <int D> struct PointBond {
+  double opening = 0;            ///< δ
+  double largest = 0;            ///< of all accepted states and this one
+  Vec<D> shear = Vec<D>::Zero(); ///< its share of PointResult::friction
+};
+
 /// Result of one multiplier of mortar contact in an evaluation; components as in mortar_law.hpp.
 template <int D> struct MultiplierResult {
   ContactState state = ContactState::open;
@@ -64,17 +71,19 @@ template <int D> struct MultiplierHistory {
 
 /// One entry per contact point in the first two lists, one per multiplier in the others.
 template <int D> struct History {
-  explicit History(const ContactPoints<D>& of, int multipliers = 0);
+  explicit History(const ContactPoints<D>& of, int multipliers = 0, bool bonded = false);
 
   std::vector<PointHistory<D>> points;
   std::vector<PointResult<D>> results;
   std::vector<MultiplierHistory<D>> multipliers;
   std::vector<MultiplierResult<D>> multiplier_results;
+  std::vector<PointBond<D>> bonds = {}; ///< one per point of a cohesive contact, otherwise none
   Changes changes = {};
   /// Sums over all accepted steps, by the trapezoidal rule over each: work of friction, ∫ μ t_N dγ da; ∫∫ φ dA, the
   /// law's energy φ per area times the growth of the area A on which its tractions act, which no force does; and the
   /// work of changing offsets o, ∫∫ t_N do dA.
   double dissipated = 0, growth = 0, offset_work = 0;
+  double debonding = 0; ///< energy that bonds have dissipated
 };
 
 /// ½ (φ₀ + φ₁) (A₁ − A₀) of a point or a multiplier over a step, zero if it is open before or after.
@@ -98,7 +107,7 @@ struct Constraint {
 template <int D> int constraints(const History<D>& history);
 template <int D> Constraint constraint(const History<D>& history, int index);
 
-/// Energy of the law: springs of the penalty law, or adhesion.
+/// Energy of the law: springs of the penalty law and of bonds, or adhesion.
 template <int D> double potential(const History<D>& history);
 
 /// Bytes in memory.

@@ -5,7 +5,7 @@
 namespace signorini::contact {
 
 const char* name_of(ContactState state) {
-  constexpr const char* names[] = {"open", "stick", "slip", "adhesion"};
+  constexpr const char* names[] = {"open", "stick", "slip", "adhesion", "bonded"};
   return names[static_cast<int>(state)];
 }
 

@@ -31,6 +31,10 @@ template <int D> std::unique_ptr<Formulation<D>> make(const HalfPass& pass, Cont
   return std::make_unique<PenaltyContact<D>>(std::move(setting), pass.penalty, Pass::half);
 }
 
+template <int D> std::unique_ptr<Formulation<D>> make(const CohesiveLaw& law, ContactSetting<D> setting) {
+  return std::make_unique<CohesiveContact<D>>(setting, law);
+}
+
 template <int D> std::unique_ptr<Formulation<D>> make(const FormulationFactory<D>& factory, ContactSetting<D> setting) {
   return factory(std::move(setting));
 }

@@ -2,6 +2,7 @@
 // Contact method as the user specifies it, and the formulation made from it.
 
 #include "contact/adhesion.hpp"
+#include "contact/cohesive_contact.hpp"
 #include "contact/mortar_contact.hpp"
 
 #include <optional>
@@ -20,13 +21,15 @@ struct HalfPass {
 template <int D> using FormulationFactory = std::function<std::unique_ptr<Formulation<D>>(ContactSetting<D>)>;
 
 /// Contact law between a slave face and its master: one alternative per formulation, with its constants.
-template <int D> using Method = std::variant<PenaltyLaw, Adhesion, MortarLaw, HalfPass, FormulationFactory<D>>;
+template <int D>
+using Method = std::variant<PenaltyLaw, Adhesion, MortarLaw, HalfPass, CohesiveLaw, FormulationFactory<D>>;
 
 /// The penalty law of a method, with the constness of its argument; nullptr for adhesion and user-defined formulations.
 template <class AnyMethod> auto penalty_law(AnyMethod& method) {
   auto* law = std::get_if<PenaltyLaw>(&method);
   if (auto* mortar = std::get_if<MortarLaw>(&method)) law = &mortar->penalty;
   if (auto* half = std::get_if<HalfPass>(&method)) law = &half->penalty;
+  if (auto* cohesive = std::get_if<CohesiveLaw>(&method)) law = &cohesive->penalty;
   return law;
 }
 

@@ -11,14 +11,26 @@ PenaltyContact<D>::PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& l
     : GaussPointContact<D>(std::move(setting), pass), law_(checked(law)) {}
 
 template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) {
+  if (!this->active(trial.present)) return;
+  const std::optional<FixedContactState> fixed = close(i, trial, part, at);
+  if (!fixed) return;
+  const PenaltyLaw law = this->law(trial.present, trial.penalty_factor);
+  const LocalGeometry<D> geometry = closed_geometry(i, trial, law, *fixed, at);
+  LocalForce<D> force;
+  penalty_force(law, geometry, force);
+  this->record(i, trial, geometry, force, part, at);
+}
+
+template <int D>
+std::optional<FixedContactState> PenaltyContact<D>::close(std::size_t i, const Trial<D>& trial, Part& part,
+                                                          Feet& at) const {
   PointHistory<D>& point = trial.present.points[i];
   const Controls& controls = trial.controls;
-  if (!this->active(trial.present)) return;
   const double travel = this->travel_;
   FixedContactState fixed = controls.fixed_states.empty() ? FixedContactState::free : controls.fixed_states[i];
   if (fixed == FixedContactState::free ? travel + controls.guessed < point.cleared : fixed == FixedContactState::open)
-    return;
-  if (!this->find_foot(i, trial, part, at)) return;
+    return {};
+  if (!this->find_foot(i, trial, part, at)) return {};
 
   const PenaltyLaw law = this->law(trial.present, trial.penalty_factor);
   const Foot foot = point.projection.foot;
@@ -27,10 +39,17 @@ template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Tri
   const double distance = gap - this->offset(i, trial.present) - point.multiplier / law.normal;
   point.cleared = foot == Foot::regular && at.foot.settled && distance > 0 ? travel + distance : 0;
   if (fixed == FixedContactState::free && std::abs(distance) < controls.guessed) fixed = FixedContactState::stick;
-  if (fixed == FixedContactState::free && distance >= 0) return;
+  if (fixed == FixedContactState::free && distance >= 0) return {};
   if (fixed == FixedContactState::free && controls.landing) fixed = FixedContactState::stick;
-  if (foot != Foot::regular && gap == 0) return; // no direction
+  if (foot != Foot::regular && gap == 0) return {}; // no direction
+  return fixed;
+}
 
+template <int D>
+LocalGeometry<D> PenaltyContact<D>::closed_geometry(std::size_t i, const Trial<D>& trial, const PenaltyLaw& law,
+                                                    FixedContactState fixed, Feet& at) const {
+  const PointHistory<D>& point = trial.present.points[i];
+  const Controls& controls = trial.controls;
   LocalGeometry<D> geometry = this->geometry(i, trial, at);
   geometry.multiplier = point.multiplier;
   geometry.fixed_state = fixed;
@@ -40,9 +59,7 @@ template <int D> void PenaltyContact<D>::evaluate_point(std::size_t i, const Tri
     this->master().locate(point.slip, at.slip_point);
     geometry.slip_point = &at.slip_point.position;
   }
-  LocalForce<D> force;
-  penalty_force(law, geometry, force);
-  this->record(i, trial, geometry, force, part, at);
+  return geometry;
 }
 
 /// A newly closed point slips from its foot point in the accepted state.
@@ -72,8 +89,10 @@ void PenaltyContact<D>::release(History<D>& present, const History<D>& accepted,
   for (std::size_t i = 0; i < this->points_.size(); ++i) {
     PointHistory<D>& point = present.points[i];
     const PointResult<D>& before = accepted.results[i];
-    const double friction = before.friction.norm() * stretch(before);
-    present.dissipated += this->share() * before.law_area * friction * friction / (2 * tangential);
+    // A friction t on a fraction d of the area: d (t/d)²/(2 ε_T)
+    const double friction = friction_of(accepted, i).norm() * stretch(before), fraction = rubbing(accepted, i);
+    if (friction > 0)
+      present.dissipated += this->share() * before.law_area * friction * friction / (2 * tangential * fraction);
     point.slips = false;
     point.limit = 0;
   }
@@ -87,11 +106,11 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
   PointHistory<D>& point = history.points[i];
   PointResult<D>& result = history.results[i];
   const PointResult<D>& last = accepted.results[i];
-  const double limit = law.friction * result.pressure * result.area;
+  const double limit = rubbing(history, i) * law.friction * result.pressure * result.area;
   const double before_slip =
-      limit_before(point.limit, this->friction(accepted), law.friction, last.friction.norm() * last.area);
+      limit_before(point.limit, this->friction(accepted), law.friction, friction_of(accepted, i).norm() * last.area);
   point.limit = limit;
-  if (result.state == ContactState::open) {
+  if (!touches(result.state)) {
     point.slips = false;
   } else if (!point.slips) {
     // The point was beyond the master's end before: friction starts at its present foot point.
@@ -122,7 +141,7 @@ template <int D> void PenaltyContact<D>::augment(History<D>& history) const {
 template <int D> double PenaltyContact<D>::violation(const History<D>& history) const {
   double farthest = 0;
   for (const PointResult<D>& point : history.results)
-    if (point.state != ContactState::open) farthest = std::max(farthest, std::abs(point.gap));
+    if (touches(point.state)) farthest = std::max(farthest, std::abs(point.gap));
   return farthest;
 }
 
@@ -130,7 +149,7 @@ template <int D> double PenaltyContact<D>::stiffness(const History<D>& history, 
   const double penalty = largest_penalty(law(history, penalty_factor));
   double sum = 0;
   for (const PointResult<D>& point : history.results)
-    if (point.state != ContactState::open) sum += point.law_area * penalty * point.law_area * penalty;
+    if (touches(point.state)) sum += point.law_area * penalty * point.law_area * penalty;
   return std::sqrt(sum);
 }
 

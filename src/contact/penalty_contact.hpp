@@ -4,9 +4,11 @@
 #include "contact/gauss_point_contact.hpp"
 #include "contact/penalty.hpp"
 
+#include <optional>
+
 namespace signorini::contact {
 
-template <int D> class PenaltyContact final : public GaussPointContact<D> {
+template <int D> class PenaltyContact : public GaussPointContact<D> {
 public:
   /// Throws Error if a constant is invalid or no contact point is left.
   PenaltyContact(ContactSetting<D> setting, const PenaltyLaw& law, Pass pass = Pass::full);
@@ -20,7 +22,7 @@ public:
   double violation(const History<D>& history) const override;
   double stiffness(const History<D>& history, double penalty_factor) const override;
 
-private:
+protected:
   using typename GaussPointContact<D>::Part;
   using typename GaussPointContact<D>::Feet;
   const PenaltyLaw* law() const override { return &law_; }
@@ -30,6 +32,16 @@ private:
   }
   void evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) override;
   void commit_points(History<D>& present, const History<D>& accepted, double penalty_factor) override;
+  /// The fixed state of point i if the penalty acts on it, with its closest point in at.foot; none: it is open.
+  std::optional<FixedContactState> close(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) const;
+  /// The geometry of a closed point, with the slip point in at.slip_point if there is friction.
+  LocalGeometry<D> closed_geometry(std::size_t i, const Trial<D>& trial, const PenaltyLaw& law, FixedContactState fixed,
+                                   Feet& at) const;
+  /// Fraction of a point's area on which friction acts, and the friction there.
+  virtual double rubbing(const History<D>& /*history*/, std::size_t /*i*/) const { return 1; }
+  virtual Vec<D> friction_of(const History<D>& history, std::size_t i) const { return history.results[i].friction; }
+
+private:
   void remember_touch(std::size_t i, const Trial<D>& trial) const;
   void release(History<D>& present, const History<D>& accepted, double penalty_factor) const;
   void advance_slip_point(std::size_t i, History<D>& history, const History<D>& accepted, const PenaltyLaw& law) const;

@@ -9,16 +9,15 @@ namespace {
 
 constexpr unsigned char beyond = 255;
 
-/// State as a code. Adhesive states count as open, because the traction is continuous in them.
+/// State as a code. Adhesive and bonded states count as open, because the traction is continuous in them.
 unsigned char code(const contact::Constraint& constraint) {
   if (constraint.beyond) return beyond;
-  const bool smooth = constraint.state == contact::ContactState::adhesion;
-  return static_cast<unsigned char>(smooth ? contact::ContactState::open : constraint.state);
+  return static_cast<unsigned char>(touches(constraint.state) ? constraint.state : contact::ContactState::open);
 }
 
 /// Slipping points are fixed to stick, because the direction of slip would change in every iteration.
 contact::FixedContactState fixed_state_for(contact::ContactState state) {
-  return state == contact::ContactState::open ? contact::FixedContactState::open : contact::FixedContactState::stick;
+  return touches(state) ? contact::FixedContactState::stick : contact::FixedContactState::open;
 }
 
 /// The same state, for the next evaluation.
@@ -53,9 +52,9 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
     controls[k].fixed_states.clear();
     if (!frozen_) continue;
     for (int i = 0; i < constraints(histories[k]); ++i)
-      controls[k].fixed_states.push_back(constraint(histories[k], i).state == contact::ContactState::open
-                                             ? contact::FixedContactState::open
-                                             : contact::FixedContactState::touching);
+      controls[k].fixed_states.push_back(touches(constraint(histories[k], i).state)
+                                             ? contact::FixedContactState::touching
+                                             : contact::FixedContactState::open);
   }
   counts_.assign(at(first_.back()), 0);
 }

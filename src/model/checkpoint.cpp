@@ -10,7 +10,7 @@ namespace signorini::model {
 
 namespace {
 
-const ArchiveKind kind{"checkpoint", 5};
+const ArchiveKind kind{"checkpoint", 6};
 
 using Parts = std::vector<ScenePart>;
 

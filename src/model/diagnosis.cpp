@@ -177,7 +177,7 @@ template <int D> bool slides(const Model<D>& model, std::size_t contact, std::si
   bool touches = false;
   for (const auto& point : model.present.contacts[contact].results) {
     if (point.state == contact::ContactState::open) continue;
-    if (point.state == contact::ContactState::adhesion) return false;
+    if (!contact::touches(point.state)) return false;
     if (residual_of(orthonormal(point.tangents), d).norm() > across_part * d.norm()) return false;
     touches = true;
   }
@@ -276,6 +276,25 @@ template <int D> void add_stiffness(Diagnosis& diagnosis, const Model<D>& model)
                             Message("model.remedy.lower_penalty", {{"contact", name}, {"stiffness", worst.stiffness}}));
 }
 
+/// Adds the number of bonds under high traction in the accepted state. Where bonds snap, no equilibrium lies ahead.
+template <int D> void add_debonding(Diagnosis& diagnosis, const Model<D>& model, const ControlsOn& on) {
+  for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
+    const auto* law = std::get_if<contact::CohesiveLaw>(&model.system.scene.contacts[k].method);
+    if (!law) continue;
+    const contact::History<D>& history = model.accepted.contacts[k];
+    int loaded = 0;
+    for (std::size_t i = 0; i < history.bonds.size(); ++i) {
+      const double tension = std::min(0.0, history.results[i].pressure), shear = history.bonds[i].shear.norm();
+      loaded += std::hypot(tension, shear) > high_traction * law->cohesion.strength;
+    }
+    if (loaded == 0) continue;
+    diagnosis.messages.push_back(
+        Message("model.diagnosis.debonding", {{"contact", model.system.scene.contacts[k].name}, {"count", loaded}}));
+    diagnosis.remedies.insert(diagnosis.remedies.begin(),
+                              Message(on.contains("arc_length") ? "model.remedy.snap_steps" : "model.remedy.snap"));
+  }
+}
+
 } // namespace
 
 template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report, const ControlsOn& on) {
@@ -325,6 +344,8 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
     });
   if (diagnosis.places.empty()) diagnosis.places = diagnosis.unbalanced;
   if (diagnosis.remedies.empty()) diagnosis.remedies = offered(remedies(diagnosis.outcome), on);
+  if (stalls || report.outcome == Outcome::cycling || report.outcome == Outcome::inverted_element)
+    add_debonding(diagnosis, model, on);
   if (report.outcome != Outcome::penetration && report.outcome != Outcome::lost_projection)
     add_stiffness(diagnosis, model);
   return diagnosis;

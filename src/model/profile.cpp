@@ -21,20 +21,21 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
   for (const Vec<D>& place : formulation.points().reference)
     append<D>(place, {&result.reference_x, &result.reference_y, &result.reference_z});
   for (const auto& point : history.results) {
-    const bool touching = point.state == contact::ContactState::stick || point.state == contact::ContactState::slip;
+    const bool is_held = touches(point.state) || point.state == contact::ContactState::bonded;
     append<D>(point.position, {&result.x, &result.y, &result.z});
     result.area.push_back(point.area);
     result.pressure.push_back(point.pressure);
     if constexpr (D == 2) {
       // t_T is tangential to the master, at a small angle to the slave's tangent, which gives only the sign.
       result.traction.push_back(
-          touching ? std::copysign(point.friction.norm(), point.friction.dot(point.tangents.col(0))) : 0.0);
+          is_held ? std::copysign(point.friction.norm(), point.friction.dot(point.tangents.col(0))) : 0.0);
     } else {
       result.traction.push_back(point.friction.norm());
       append<D>(point.friction, {&result.traction_x, &result.traction_y, &result.traction_z});
     }
     result.state.push_back(contact::name_of(point.state));
   }
+  result.damage = formulation.damage(history);
   return result;
 }
 

@@ -11,8 +11,9 @@ struct Profile {
   std::vector<double> x, y, z, reference_x, reference_y, reference_z, area;
   std::vector<double> pressure, gap;
   std::vector<double> traction; ///< tangential: signed along the slave face's direction (2D), |t_T| (3D)
+  std::vector<double> damage;   ///< of the points' bonds; empty unless the contact is cohesive
   std::vector<double> traction_x, traction_y, traction_z; ///< t_T; the traction on the slave is t_N n̄ − t_T
-  std::vector<std::string> state;                         ///< "open", "stick", "slip", "adhesion"
+  std::vector<std::string> state;                         ///< contact::name_of()
 };
 template <int D> Profile profile(const Model<D>& model, int contact);
 

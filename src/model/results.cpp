@@ -37,7 +37,7 @@ template <int D> Vec<D> load_resultant(const Model<D>& model, int load) {
 }
 
 template <int D> Energies energies(const Model<D>& model) {
-  Energies sum{model.system.springs.energy(model.present.displacement), 0, 0, model.path.work, 0};
+  Energies sum{model.system.springs.energy(model.present.displacement), 0, 0, model.path.work};
   const auto& bodies = model.system.scene.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     sum.stored += solid::stored_energy(*bodies[b].body, body_displacement(model, static_cast<int>(b)).data(),
@@ -45,6 +45,7 @@ template <int D> Energies energies(const Model<D>& model) {
   for (const auto& history : model.present.contacts) {
     sum.contact += contact::potential(history);
     sum.friction += history.dissipated;
+    sum.debonding += history.debonding;
     sum.growth += history.growth;
     sum.work += history.offset_work;
   }

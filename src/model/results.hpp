@@ -16,13 +16,14 @@ template <int D> double moment(const Model<D>& model, int support);
 template <int D> Vec<D> load_resultant(const Model<D>& model, int load);
 
 /// Energies of a state and of the path to it. In the limit of small steps, with friction and a little penetration,
-///   work + growth = stored + contact + friction − initial energy.
+///   work + growth = stored + contact + friction + debonding − initial energy.
 struct Energies {
-  double stored;   ///< in the bodies, and in the springs of supports
-  double contact;  ///< in penalty springs, and in adhesion (zero at infinite distance)
-  double friction; ///< dissipated in all accepted steps
-  double work;     ///< of supports, loads and offsets in all accepted steps, by the trapezoidal rule
-  double growth; ///< ∫∫ φ dA in all accepted steps, see contact::History; zero if tractions act per reference area
+  double stored;        ///< in the bodies, and in the springs of supports
+  double contact;       ///< in penalty springs and bonds, and in adhesion (zero at infinite distance)
+  double friction;      ///< dissipated in all accepted steps
+  double work;          ///< of supports, loads and offsets in all accepted steps, by the trapezoidal rule
+  double debonding = 0; ///< dissipated by bonds in all accepted steps
+  double growth = 0; ///< ∫∫ φ dA in all accepted steps, see contact::History; zero if tractions act per reference area
 };
 /// Energies of the present state, with friction and work up to the accepted one.
 template <int D> Energies energies(const Model<D>& model);

@@ -113,8 +113,9 @@ template <int D> struct Contact {
   int points; ///< Gauss points per slave element and direction
   contact::Region<D> where = {};
   contact::Start start = {};
-  int other_pass = -1;          ///< of a half pass: index of the contact with slave and master swapped
-  bool default_penalty = false; ///< its penalty is from material and mesh
+  contact::Region<D> bonded = {}; ///< of a cohesive contact
+  int other_pass = -1;            ///< of a half pass: index of the contact with slave and master swapped
+  bool default_penalty = false;   ///< its penalty is from material and mesh
 };
 
 /// Two faces that move as one, see contact/tie.hpp.

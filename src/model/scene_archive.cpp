@@ -78,6 +78,17 @@ template <int D> Places<D> points_of_region(const Contact<D>& contact, const con
   return points;
 }
 
+/// Those of the bonded points of a cohesive contact; no columns if all are bonded.
+template <int D> Places<D> bonded_points(const contact::Formulation<D>& formulation) {
+  std::vector<Vec<D>> bonded;
+  const auto bonds = formulation.bonds();
+  for (std::size_t i = 0; i < bonds.size(); ++i)
+    if (bonds[i].foot != contact::Foot::none) bonded.push_back(formulation.points().reference[i]);
+  Places<D> points(D, bonded.size() == bonds.size() ? 0 : static_cast<Eigen::Index>(bonded.size()));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = bonded[static_cast<std::size_t>(i)];
+  return points;
+}
+
 /// The region of exactly these points, whose coordinates are bitwise reproducible.
 template <int D> contact::Region<D> region_of(const Places<D>& points) {
   if (points.cols() == 0) return {};
@@ -92,15 +103,16 @@ template <int D> contact::Region<D> region_of(const Places<D>& points) {
 
 template <int D>
 void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Formulation<D>& formulation) {
-  const auto& [name, slave, master, method, points, where, start, other_pass, default_penalty] = contact;
+  const auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty] = contact;
   const auto* faces = std::get_if<Faces>(&master);
   to.put(name, slave, faces ? *faces : Faces{}, faces ? -1 : std::get<ObstacleReference>(master).obstacle, method,
-         points, points_of_region(contact, formulation), start, other_pass, default_penalty);
+         points, points_of_region(contact, formulation), start, bonded_points(formulation), other_pass,
+         default_penalty);
 }
 
 template <int D> Contact<D> read_contact(ArchiveReader& from) {
   Contact<D> contact{};
-  auto& [name, slave, master, method, points, where, start, other_pass, default_penalty] = contact;
+  auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty] = contact;
   from.into(name, slave);
   const Faces faces = from.get<Faces>();
   const ObstacleReference obstacle{from.get<int>()};
@@ -111,7 +123,9 @@ template <int D> Contact<D> read_contact(ArchiveReader& from) {
   method = contact::read_method<D>(from);
   points = from.get<int>();
   where = region_of<D>(from.get<Places<D>>());
-  from.into(start, other_pass, default_penalty);
+  from.into(start);
+  bonded = region_of<D>(from.get<Places<D>>());
+  from.into(other_pass, default_penalty);
   return contact;
 }
 

@@ -99,6 +99,32 @@ void warn_of_stiff_slave(const Scene<D>& scene, const Contact<D>& contact, std::
                                                            {"ratio", ratio}}));
 }
 
+/// Length of the cohesive zone: E G/σ² in a thick body, where A. Turon et al. (Eng. Fract. Mech. 74, 2007) compare
+/// factors, and (E G/σ²)^¼ h^¾ in a thin one of thickness h (J. G. Williams, H. Hadavinia, J. Mech. Phys. Solids 50,
+/// 2002). Bodies with fewer than three elements in it pull off element by element.
+template <int D>
+void warn_of_coarse_bonds(const Scene<D>& scene, const Contact<D>& contact, std::vector<Message>& warnings) {
+  const auto* law = std::get_if<contact::CohesiveLaw>(&contact.method);
+  if (!law) return;
+  const double strength = law->cohesion.strength, energy = law->cohesion.energy;
+  double softer = youngs_modulus(scene, contact.slave), thinner = thickness(scene, contact.slave);
+  if (const auto* face = std::get_if<Faces>(&contact.master)) {
+    softer = std::min(softer, youngs_modulus(scene, *face));
+    thinner = std::min(thinner, thickness(scene, *face));
+  }
+  const double thick = softer * energy / (strength * strength);
+  const double zone = std::min(thick, std::pow(thick, 0.25) * std::pow(thinner, 0.75));
+  const double size = element_size(scene, contact.slave, 2), least = zone_elements * size;
+  if (least <= zone) return;
+  // The strength of a zone of the least length
+  const double needed = thick > zone ? std::pow(least / std::pow(thinner, 0.75), 4) : least;
+  warnings.push_back(Message("model.warning.coarse_bonds", {{"contact", contact.name},
+                                                            {"size", size},
+                                                            {"zone", zone},
+                                                            {"least", zone_elements},
+                                                            {"strength", std::sqrt(softer * energy / needed)}}));
+}
+
 /// Contact points as pairs of element and index; without `points` only elements, with index 0.
 template <int D> std::set<std::pair<int, int>> places(const contact::Formulation<D>& contact, bool points) {
   std::set<std::pair<int, int>> result;
@@ -107,12 +133,17 @@ template <int D> std::set<std::pair<int, int>> places(const contact::Formulation
   return result;
 }
 
+/// Cohesive contact contains penalty contact.
+template <int D> std::size_t kind_of(const contact::Method<D>& method) {
+  return std::holds_alternative<contact::CohesiveLaw>(method) ? 0 : method.index();
+}
+
 /// Whether two contacts act on the same points at the start. Different kinds of laws may do so: adhesion and penalty.
 /// Half passes act on their slave only.
 template <int D>
 bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Formulation<D>& first,
                const contact::Formulation<D>& second) {
-  if (a.method.index() != b.method.index() || !a.start.active || !b.start.active) return false;
+  if (kind_of<D>(a.method) != kind_of<D>(b.method) || !a.start.active || !b.start.active) return false;
   const auto* master = a.other_pass < 0 ? std::get_if<Faces>(&a.master) : nullptr;
   if (master && *master == b.slave && b.master == decltype(b.master)(a.slave)) return true; // slave and master swapped
   if (!(a.slave == b.slave) || !(a.master == b.master)) return false;
@@ -172,6 +203,7 @@ std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formul
     warn_of_friction(scene.contacts[k].name, contacts[k]->friction(histories[k]), warnings);
     warn_of_stiffness(scene, scene.contacts[k], contacts[k]->penalty(histories[k]), warnings);
     warn_of_stiff_slave(scene, scene.contacts[k], warnings);
+    warn_of_coarse_bonds(scene, scene.contacts[k], warnings);
     warn_of_offset(scene, scene.contacts[k], contacts[k]->offset(histories[k]), warnings);
   }
   warn_of_twins(scene, contacts, warnings);

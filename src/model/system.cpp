@@ -51,14 +51,14 @@ template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
                                       : contact::Master<D>(scene.obstacles[at(std::get<1>(contact.master).obstacle)]);
     contacts.push_back(contact::make_formulation<D>(
         contact.method, {surface_of(scene, contact.slave), std::move(master), contact.points,
-                         scene.kind == solid::Kind::axisymmetric, contact.where, contact.start}));
+                         scene.kind == solid::Kind::axisymmetric, contact.where, contact.start, contact.bonded}));
   }
   return contacts;
 }
 
 /// Removes regions, which may refer to objects that exist only during construction.
 template <int D> Scene<D> without_regions(Scene<D> scene) {
-  for (Contact<D>& contact : scene.contacts) contact.where = {};
+  for (Contact<D>& contact : scene.contacts) contact.where = contact.bonded = {};
   return scene;
 }
 
@@ -81,7 +81,8 @@ System<D>::System(Scene<D> given)
 
 template <int D> State<D> System<D>::start() const {
   State<D> state{VectorX::Zero(unknowns.dofs()), drives.start(), VectorX::Zero(unknowns.dofs()), 1, {}, {}};
-  for (const auto& contact : contacts) state.contacts.emplace_back(contact->points(), contact->multipliers());
+  for (const auto& contact : contacts)
+    state.contacts.emplace_back(contact->points(), contact->multipliers(), !contact->bonds().empty());
   for (const auto& named : scene.bodies) state.internal.push_back(solid::initial_values(*named.body));
   return state;
 }

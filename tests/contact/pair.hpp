@@ -5,7 +5,7 @@
 
 namespace signorini::contact::test {
 
-using Law = std::variant<PenaltyLaw, Adhesion, MortarLaw, HalfPass>;
+using Law = std::variant<PenaltyLaw, Adhesion, MortarLaw, HalfPass, CohesiveLaw>;
 
 template <int D> class Pair {
 public:
@@ -14,7 +14,8 @@ public:
       : setting_{std::move(slave), std::move(master), points, revolved, where},
         method_(std::visit([](const auto& constants) { return Method<D>(constants); }, law)),
         formulation_(make_formulation(method_, setting_)),
-        accepted_(formulation_->points(), formulation_->multipliers()), present_(accepted_) {}
+        accepted_(formulation_->points(), formulation_->multipliers(), !formulation_->bonds().empty()),
+        present_(accepted_) {}
   Pair(Surface<D> slave, Surface<D> master, const Law& law, int points, bool revolved = false,
        const Region<D>& where = {})
       : Pair(std::move(slave), Master<D>(std::move(master)), law, points, revolved, where) {}

@@ -49,12 +49,21 @@ check.case("shrink fit: Lamé's pressure, and the force to pull the hub off", fu
   assert(fit.force[2] < 0.8 * fit.most and fit.force[#fit.force] < 0.4 * fit.most)
 end)
 
+check.case("peeling a film: the force of Rivlin and Kendall, and the balance of energy", function()
+  local peel = results("peel_film", "steps=40")
+  check.within_share("force", peel.steady, peel.closed, 0.01)
+  check.within("balance", peel.balance, 1, 0.005)
+  assert(peel.peeled[#peel.peeled] > 5)
+end)
+
 check.case("wrong arguments are errors", function()
   check.refused(script "ball", { ["approach=0.6"] = "approach", ["elements=1"] = "elements", ["depth=0"] = "depth",
                                  ["penalty=-1"] = "penalty" })
   check.refused(script "bushing", { ["volumetric=mixed"] = "volumetric", ["most=0.9"] = "most", ["K=0"] = "K",
                                     ["steps=0"] = "steps" })
   check.refused(script "o_ring", { ["most=0.5"] = "most", ["elements=2"] = "elements", ["most=-1"] = "most" })
+  check.refused(script "peel_film", { ["energy=0"] = "energy", ["strength=-1"] = "strength", ["law=linear"] = "law",
+                                      ["steps=2"] = "steps" })
   check.refused(script "shrink_fit", { ["interference=0"] = "interference", ["mu=-1"] = "mu", ["steps=1"] = "steps" })
   check.refused(script "snap_fit", { ["mu=-1"] = "mu", ["steps=1"] = "steps", ["penalty=0"] = "penalty",
                                      ["elements=3"] = "elements" })

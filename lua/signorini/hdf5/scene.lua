@@ -89,7 +89,7 @@ function scene.displacements(model)
   end)
 end
 
-local states = { "open", "stick", "slip", "adhesion" }
+local states = { "open", "stick", "slip", "adhesion", "bonded" }
 local number_of_state = {}
 for i, name in ipairs(states) do number_of_state[name] = i - 1 end
 

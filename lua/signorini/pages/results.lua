@@ -47,15 +47,17 @@ return {
 (reference), area (current, where the point touches; 0 at an open point, so that the sum is the area in contact; with
 adhesion the reference area), pressure, traction (of friction, along the chord from slip point to foot point, which is
 tangential on a straight master; in the plane positive along the slave face's xi; on the slave it acts in the opposite
-direction), gap, state ("open", "stick", also of a closed point without friction, "slip", "adhesion"). At a slipping
-point |traction| = mu pressure (mortar: at each multiplier). Pressure and traction are forces per current area, whatever
+direction), gap, state ("open", "stick", also of a closed point without friction, "slip", "adhesion", "bonded": not
+closed, held by a bond). At a slipping point |traction| = mu pressure (mortar: at each multiplier). A cohesive contact
+also has damage, from 0 to 1 (no bond); its pressure, negative in tension, and traction include those of the bonds.
+Pressure and traction are forces per current area, whatever
 `per` of the contact is; with method = "mortar" and with adhesion `area`, pressure and traction refer to the reference
 area.
 In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is `traction`; -t_T acts
 on the slave. Reading any other field is an error.]],
     arguments = { a_contact },
     returns = t.record("x y X Y area pressure traction gap", t.numbers(), "state", t.list(t.text), "z? Z? tx? ty? tz?",
-      t.numbers()),
+      t.numbers(), "damage?", t.numbers()),
     example = "model:profile(\"interface\").pressure" },
   { "model:sample", "Returns a field's value at a parametric point of a body.",
     arguments = {
@@ -67,14 +69,14 @@ of a slave face, on which xi must be]] },
     },
     returns = t.number,
     example = "model:sample(\"slab\", \"uy\", {0.5, 1})" },
-  { "model:energy", [[Returns { stored, contact, friction, work, area_growth }: strain energy of the bodies, and that
-of springs of supports; energy of penalty springs or of adhesion; and, summed over all accepted steps (trapezoidal
-rule), dissipation by friction; work of supports, of loads and of changing offsets and overlaps of contacts; energy of
-the penalty springs times the growth of the area on which they act, zero for contacts with per = "reference". Per unit
-depth in plane strain. Where nothing changes suddenly, as when a contact is switched off, work + area_growth = stored +
-contact + friction in the limit of small steps (with friction: and of small penetration): see share/doc/theory.md,
-Output quantities.]],
-    returns = t.record("stored contact friction work area_growth", t.number),
+  { "model:energy", [[Returns { stored, contact, friction, work, area_growth, debonding }: strain energy of the bodies,
+and that of springs of supports; energy of penalty springs and bonds, or of adhesion; and, summed over accepted steps
+(trapezoidal rule), dissipation by friction; work of supports, of loads and of changing offsets and overlaps of
+contacts; energy of the penalty springs times the growth of the area on which they act, zero for contacts with per =
+"reference"; dissipation by bonds. Per unit depth in plane strain. Where nothing changes suddenly, as when a contact is
+switched off, work + area_growth = stored + contact + friction + debonding in the limit of small steps (with friction:
+and of small penetration): see share/doc/theory.md, Output quantities.]],
+    returns = t.record("stored contact friction work area_growth debonding", t.number),
     example = "model:energy().stored" },
   { "model:reaction", [[Returns the force {fx, fy} ({fx, fy, fz} in 3D) that a support exerts on its bodies, followed,
 for a support that rotates, by the moment about its center (in 3D about the axis); for a load, its force. Also by name:
@@ -88,17 +90,19 @@ fx, fy, fz, moment.]],
   { "model:contact_law", [[Returns the constants of a contact: { method, enforcement, per, points, penalty,
 default_penalty, active, offset }, as given to sg.model or by default, in the present state; default_penalty is true
 where the penalty is from material and mesh. With friction also mu, friction_penalty; with overlap = "interference"
-overlap, the fraction of the initial overlap that is still allowed; with method = "mortar" multipliers; with adhesion
-{ method, per, points, active, hamaker, r0 }. print(model) shows them.]],
+overlap, the fraction of the initial overlap that is still allowed; with method = "mortar" multipliers; of a cohesive
+contact strength, energy, law, stiffness, and bonded, the number of points with a bond; with adhesion { method, per,
+points, active, hamaker, r0 }. print(model) shows them.]],
     arguments = { a_contact },
-    returns = t.record("method per", t.text, "enforcement? multipliers?", t.text, "points", t.count,
-      "penalty? mu? friction_penalty? hamaker? r0? offset? overlap?", t.number, "active", t.flag,
-      "default_penalty?", t.flag),
+    returns = t.record("method per", t.text, "enforcement? multipliers? law?", t.text, "points bonded?", t.count,
+      "penalty? mu? friction_penalty? hamaker? r0? strength? energy? stiffness? offset? overlap?", t.number,
+      "active default_penalty?", t.flag),
     example = "model:contact_law(\"interface\").penalty" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, per,
 unsettled, crossed }: the force on the slave (fz in 3D), the current area in contact (with method = "mortar" and with
 adhesion the reference area), extremes, the numbers of contact points that touch and slip, and the area, "current" or
-"reference", on which tractions act; with multipliers also weighted_penetration, the largest of the multipliers; with
+"reference", on which tractions act; with multipliers also weighted_penetration, the largest of the multipliers;
+of a cohesive contact debonded, the area of new surface: energy dissipated by bonds over energy of separation; with
 "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how much action and
 reaction differ, 0 without forces. unsettled: how often, in all accepted states so far, the search for a closest point
 or slip point ended at the limit of iterations; unsettled_at is the reference position of the latest such point.
@@ -106,8 +110,8 @@ crossed, crossed_at: the same for points that passed through the master
 since the previous state without contact.]],
     arguments = { a_contact },
     returns = t.record("fx fy", t.number, "fz?", t.number, "area max_pressure max_penetration", t.number,
-      "weighted_penetration? imbalance?", t.number, "active slipping unsettled crossed", t.integer(0), "per", t.text,
-      "unsettled_at? crossed_at?", t.point),
+      "weighted_penetration? imbalance? debonded?", t.number, "active slipping unsettled crossed", t.integer(0),
+      "per", t.text, "unsettled_at? crossed_at?", t.point),
     example = "model:contact_resultant(\"interface\").area" },
   { "model:tie_profile", [[Returns lists along the slave face of a tie, one entry per quadrature point opposite the
 master: x, y (current), X, Y (reference), area (reference area with the point's weight), tx, ty (traction of the master

@@ -1,5 +1,6 @@
 -- Pages: a scene and its parts.
 
+local cohesive = require "signorini.pages.cohesive"
 local describe = require "signorini.describe"
 local lists = require "signorini.lists"
 local t = require "signorini.types"
@@ -61,9 +62,9 @@ passes of either face. equal: those of the slave face. reduced: of degree p - 2 
     otherwise = '"equal" with method = "mortar"; without it half passes act at contact points' },
   { "per", t.choice { "current", "reference" }, [[area of the slave face on which tractions act, and to which penalty
 and friction.penalty refer. "current" is that of the published studies; with "reference" and without friction the forces
-derive from an energy, and the tangent is symmetric. method = "mortar" and adhesion act per reference area, half passes
-per current area, also with multipliers]],
-    otherwise = '"current", with method = "mortar" or adhesion "reference"' },
+derive from an energy, and the tangent is symmetric. method = "mortar", adhesion and cohesive act per reference area,
+half passes per current area, also with multipliers]],
+    otherwise = '"current", with method = "mortar", adhesion or cohesive "reference"' },
   { "points", t.integer(1, 100), "Gauss points per slave element and direction",
     otherwise = "3 (p + 1), p the degree along the slave face, that of its layer if it has one, in 3D the higher one" },
   { "adhesion", t.named {
@@ -71,6 +72,10 @@ per current area, also with multipliers]],
     { "r0", t.positive, "equilibrium distance of the potential", unit = "length" },
   }, "van der Waals forces in place of penalty and friction; the force is zero at the distance 15^(-1/6) r0",
     optional = true },
+  { "cohesive", t.named(cohesive.rows(region)), [[bonds between faces that coincide in the reference shape, which
+break as they open: at each contact point a traction per reference area over the distance from the master's point next
+to it at first, with irreversible damage d. Pressure acts by the penalty; where bonds are damaged, friction acts on the
+fraction d of the area. For method = "gpts", enforcement = "penalty"]], optional = true },
   { "active", t.flag, "whether the contact acts from the start; stages switch it on and off", default = true },
   { "offset", t.number, [[gap at which the faces touch: the gap g of all formulas is the distance less the offset.
 Positive: a shim of this thickness; negative: a clearance that the shapes do not have. The offset acts in full from the
@@ -100,6 +105,8 @@ local function conflict_of_enforcement(method, enforcement)
 end
 
 contact.conflict = function(values)
+  local bonded = values.cohesive and cohesive.conflict(values)
+  if bonded then return bonded end
   if values.adhesion and (values.offset ~= 0 or values.overlap ~= "error") then
     return ("it has both adhesion and %s, but van der Waals forces act at every distance: remove one of the two")
       :format(values.offset ~= 0 and "offset" or 'overlap = "interference"')
@@ -303,10 +310,14 @@ loads = { sea = { on = die:face "east", pressure = function(x, y) return 9.81e-3
     more = [[Results: model:profile(name), model:contact_resultant(name), the columns <name>.fx … of a run (force on the
 slave). Two half passes have two names: <name> is the pass over the slave face, <name>.master that over the master face.
 Source: projection and gap (3.45), (3.46), penalty (3.73), forces (3.83), friction (3.74) to (3.76), adhesion (3.85) to
-(3.89), points 7.1.1 of ]] .. thesis .. [[. More in share/doc/theory.md.]],
-    example = [[
+(3.89), points 7.1.1 of ]] .. thesis .. [[. More in share/doc/theory.md.
+Debonding often snaps: follow it with arc_length = true of model:run, or with prescribed displacements and damping.]],
+    example = { [[
 contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
-                           friction = { mu = 0.2, penalty = 100 } } }]] },
+                           friction = { mu = 0.2, penalty = 100 } } }]], [[
+contacts = { glue = { slave = slab:face "south", master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} },
+                      penalty = 1000, cohesive = { strength = 2, energy = 0.5,
+                                                   where = function(X) return X[1] > 0.1 end } } }]] } },
   { "join", "Joins two faces, so that their bodies deform as one without further unknowns.",
     head = "joins = { <name> = { face, face } }, in sg.model{ … }",
     more = [[Faces that match point by point share their control points' unknowns (C0): they have the same degrees and

@@ -57,13 +57,14 @@ end
 --- 'method = "mortar", multipliers = "equal", enforcement = "augmented", penalty = 40 (from material and mesh)'.
 local function law_text(law)
   local parts = {}
-  for _, key in ipairs { "method", "multipliers", "enforcement" } do
+  for _, key in ipairs { "method", "multipliers", "enforcement", "law" } do
     if law[key] then parts[#parts + 1] = ('%s = "%s"'):format(key, law[key]) end
   end
-  for _, key in ipairs { "penalty", "mu", "friction_penalty", "hamaker", "r0" } do
+  for _, key in ipairs { "penalty", "mu", "friction_penalty", "strength", "energy", "stiffness", "hamaker", "r0" } do
     if law[key] then parts[#parts + 1] = ("%s = %.4g"):format(key:gsub("_", "."), law[key]) end
     if key == "penalty" and law.default_penalty then parts[#parts] = parts[#parts] .. " (from material and mesh)" end
   end
+  if law.bonded then parts[#parts + 1] = counted(law.bonded, "bonded point") end
   if law.offset and law.offset ~= 0 then parts[#parts + 1] = ("offset = %.4g"):format(law.offset) end
   if law.overlap then
     parts[#parts + 1] = ('overlap = "interference", of which %.4g %% is left'):format(100 * law.overlap)
@@ -81,6 +82,7 @@ local function contact_text(model, name)
   local text = ("  contact %s: %s, %d slipping; force {%s}, largest pressure %.4g; tractions per %s area")
     :format(name, now.active == 1 and "1 active point" or now.active .. " active points", now.slipping,
       table.concat(force, ", "), now.max_pressure, now.per)
+  if now.debonded then text = ("%s; debonded %.4g"):format(text, now.debonded) end
   if now.imbalance then text = ("%s; half pass, imbalance %.2g"):format(text, now.imbalance) end
   return ("%s\n    %s"):format(text, law)
 end

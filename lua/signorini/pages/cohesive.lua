@@ -1,0 +1,56 @@
+-- Rows of the bonds of a cohesive contact.
+
+local t = require "signorini.types"
+
+local cohesive = {}
+
+local function conflict(values)
+  if values.stiffness and values.law == "exponential" then
+    return 'it has stiffness and law = "exponential", whose stiffness e^2 strength^2 / energy follows from the other '
+      .. 'constants: remove stiffness, or write law = "bilinear"'
+  end
+end
+
+--- The rows; `region`: the type of a function of the position.
+function cohesive.rows(region)
+  return {
+    { "strength", t.positive, "largest traction", unit = "force per area" },
+    { "energy", t.positive, [[energy of separation per area, G, for any mixture of opening and shear. The zone in which
+bonds open has a length of about E G / strength^2, less in thin bodies; its elements should be a third of it]],
+      unit = "energy per area" },
+    { "law", t.choice { "exponential", "bilinear" }, [[traction T over the opening u. exponential: T = e strength (u/c)
+exp(-u/c) with c = G/(e strength). bilinear: T = stiffness u up to the strength, then linear to zero at
+u = 2 G/strength]], default = "exponential" },
+    { "stiffness", t.positive, "initial stiffness of a bilinear law, above strength^2/(2 G)",
+      unit = "pressure per length", otherwise = "the contact's penalty" },
+    { "where", region, [[function(X) that returns true where the faces are bonded, to leave out an initial crack;
+elsewhere only contact acts. Points farther from the master than 0.001 of the opening at the largest traction are not
+bonded; print(model) shows how many are]], otherwise = "everywhere" },
+    conflict = conflict,
+  }
+end
+
+--- A message for an argument that cohesive contact does not have.
+function cohesive.conflict(values)
+  local function both(what, cure) return ("it has both cohesive and %s: %s"):format(what, cure) end
+  if values.adhesion then return both("adhesion", "both hold the faces together, remove one of the two") end
+  if values.method ~= "gpts" then
+    return both(('method = "%s"'):format(values.method), 'bonds are at contact points, write method = "gpts"')
+  end
+  if values.enforcement ~= "penalty" then
+    return both(('enforcement = "%s"'):format(values.enforcement),
+      'bonds open and close against a penalty, write enforcement = "penalty"')
+  end
+  if values.per == "current" then
+    return both('per = "current"', 'bonds are those of the reference shape, write per = "reference", or omit it')
+  end
+  if not values.active then
+    return both("active = false", "bonds exist from the start; cohesive.where leaves out places without a bond")
+  end
+  if values.offset ~= 0 then return both("offset", "bonded faces coincide, remove the offset") end
+  if values.overlap ~= "error" then
+    return both('overlap = "interference"', "bonded faces coincide, remove one of the two")
+  end
+end
+
+return cohesive

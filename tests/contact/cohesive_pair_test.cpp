@@ -1,0 +1,289 @@
+// Bonded faces in 2D and 3D: tangent, symmetry, balance of forces, energies, history.
+#include "contact/faces3d.hpp"
+#include "contact/tangents.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace signorini::contact {
+namespace cohesive_pair_test {
+
+using namespace test;
+
+/// Faces that coincide at first, with all displacements in one vector: of the slave body, then of the master body or
+/// the obstacle.
+template <int D> struct Bonded {
+  nurbs::Discretization die;
+  std::optional<nurbs::Discretization> base;
+  Pair<D> pair;
+  VectorX u;
+
+  Bonded(nurbs::Discretization slave, const std::string& side, nurbs::Discretization master,
+         const std::string& master_side, const Law& law, bool revolved = false)
+      : die(std::move(slave)), base(std::move(master)),
+        pair(Surface<D>(die, nurbs::side_of(side, D)), Surface<D>(*base, nurbs::side_of(master_side, D)), law, 4,
+             revolved),
+        u(VectorX::Zero(first_extra())) {
+    evaluate();
+    pair.accept();
+  }
+  Bonded(nurbs::Discretization slave, const std::string& side, const Obstacle<D>& master, const Law& law,
+         bool revolved = false)
+      : die(std::move(slave)), pair(Surface<D>(die, nurbs::side_of(side, D)), master, law, 4, revolved),
+        u(VectorX::Zero(first_extra())) {
+    evaluate();
+    pair.accept();
+  }
+  int die_dofs() const { return D * die.functions(); }
+  int base_dofs() const { return base ? D * base->functions() : D; }
+  int first_extra() const { return die_dofs() + base_dofs(); }
+  void evaluate() { pair.evaluate(u.data(), u.data() + die_dofs()); }
+  Dense dense() const { return test::dense(pair, die_dofs(), base_dofs()); }
+  void move_die(const Vec<D>& by) {
+    for (int i = 0; i < die_dofs(); i += D) u.template segment<D>(i) += by;
+  }
+  void shake(Random& random, double size) {
+    for (int i = 0; i < u.size(); ++i) u(i) += uniform(random, -size, size);
+  }
+  void place_die(const Vec<D>& at) {
+    u.setZero();
+    move_die(at);
+    evaluate();
+  }
+};
+
+struct Counts {
+  int compared = 0, stepped_over = 0, bonded = 0, stick = 0, slip = 0, open = 0, opening = 0, elsewhere = 0;
+};
+
+template <int D> void compare(Bonded<D>& couple, Random& random, bool symmetric, Counts& counts) {
+  couple.evaluate();
+  const Dense at = couple.dense();
+  if (symmetric) {
+    EXPECT_LE((at.tangent - at.tangent.transpose()).norm(), 1e-12 * at.tangent.norm());
+  }
+  Counts here = counts;
+  for (const auto& point : couple.pair.results())
+    ++(point.state == ContactState::bonded  ? here.bonded
+       : point.state == ContactState::stick ? here.stick
+       : point.state == ContactState::slip  ? here.slip
+                                            : here.open);
+  for (std::size_t i = 0; i < couple.pair.present().bonds.size(); ++i)
+    here.opening += couple.pair.present().bonds[i].largest > couple.pair.history().bonds[i].largest;
+  for (const Block& block : couple.pair.blocks()) here.elsewhere += block.slip_element >= 0;
+  ++here.compared;
+  const bool compared = holds_in_random_directions(couple, at, random);
+  couple.evaluate();
+  if (compared)
+    counts = here;
+  else
+    ++counts.stepped_over;
+}
+
+/// Lifts, lowers, presses and drags the die, in directions e_last and e_first.
+template <int D> void move_and_compare(Bonded<D>& couple, unsigned seed, bool symmetric, Counts& counts) {
+  Random random(seed);
+  const Vec<D> up = Vec<D>::Unit(D - 1), along = Vec<D>::Unit(0);
+  const std::vector<Vec<D>> path = {
+      0.005 * up, 0.02 * up + 0.01 * along,  -0.012 * up,   -0.016 * up + 0.01 * along, 0.02 * along,
+      0.05 * up,  -0.06 * up + 0.03 * along, -0.004 * along};
+  for (const Vec<D>& move : path) {
+    couple.move_die(move);
+    couple.shake(random, 4e-4);
+    compare(couple, random, symmetric, counts);
+    couple.pair.accept();
+  }
+}
+
+CohesiveLaw with(const Cohesion& cohesion, double mu = 0) {
+  return {{100, 60, mu, TractionArea::reference}, cohesion};
+}
+const Cohesion exponential{2, 0.05}, bilinear{2, 0.05, Softening::bilinear, 150};
+
+nurbs::Discretization strip(const std::string& label) {
+  return discretize(nurbs::rectangle(3, 0.5, Eigen::Vector2d(0.2, 0)), {7, 1}, label, "south");
+}
+nurbs::Discretization ground(int elements) {
+  return discretize(nurbs::rectangle(3.4, 1, Eigen::Vector2d(0, -1)), {elements, 1}, "N2", "north");
+}
+/// Half rings below (3, 0): the outer face of the inner one meets the inner face of the outer one at radius 1.
+nurbs::Discretization ring(double inner, double outer, int elements, const std::string& side) {
+  return discretize(nurbs::half_annulus(inner, outer, Eigen::Vector2d(3, 0)), {elements, 1}, "N3", side);
+}
+
+TEST(CohesivePair, TangentIsTheForcesDerivativeInThePlane) {
+  Counts counts;
+  for (const Cohesion& cohesion : {exponential, bilinear})
+    for (const bool revolved : {false, true}) {
+      std::vector<Bonded<2>> couples;
+      couples.emplace_back(strip("N2"), "south", ground(5), "north", with(cohesion), revolved);
+      couples.emplace_back(strip("N3"), "south", make_plane<2>({0, 0}, {0, 1}), with(cohesion), revolved);
+      couples.emplace_back(ring(0.5, 1, 6, "south"), "south", ring(1, 1.4, 5, "north"), "north", with(cohesion),
+                           revolved);
+      unsigned seed = 1;
+      // Points of the ring move beyond the master's ends, where the area fades.
+      for (auto& couple : couples) move_and_compare(couple, seed++, &couple != &couples[2], counts);
+    }
+  EXPECT_GE(counts.compared, 50) << counts.stepped_over << " states lay on a change of state";
+  EXPECT_GT(counts.bonded, 300);
+  EXPECT_GT(counts.stick, 300);
+  EXPECT_GT(counts.open, 50);
+  EXPECT_GT(counts.opening, 300);
+  EXPECT_GT(counts.elsewhere, 5);
+}
+
+TEST(CohesivePair, TangentIsTheForcesDerivativeWithFriction) {
+  Counts counts;
+  for (const Cohesion& cohesion : {exponential, bilinear}) {
+    std::vector<Bonded<2>> couples;
+    couples.emplace_back(strip("N2"), "south", ground(5), "north", with(cohesion, 0.3));
+    couples.emplace_back(strip("N3"), "south", make_plane<2>({0, 0}, {0, 1}), with(cohesion, 0.3));
+    unsigned seed = 11;
+    for (auto& couple : couples) move_and_compare(couple, seed++, false, counts);
+  }
+  EXPECT_GE(counts.compared, 15) << counts.stepped_over << " states lay on a change of state";
+  EXPECT_GT(counts.stick, 40);
+  EXPECT_GT(counts.slip, 40);
+}
+
+TEST(CohesivePair, TangentIsTheForcesDerivativeInSpace) {
+  const auto block = [](double z, double margin, std::vector<int> elements, const std::string& contact) {
+    nurbs::Plan plan;
+    plan.elements = std::move(elements);
+    plan.contact = {nurbs::side_of(contact, 3)};
+    plan.labels.assign(2, nurbs::parse_label("N2"));
+    plan.thickness_degree = 1;
+    return nurbs::Discretization(
+        nurbs::block({1 + 2 * margin, 1 + 2 * margin, 0.5}, Eigen::Vector3d(-margin, -margin, z)), plan);
+  };
+  Counts counts;
+  for (const double mu : {0.0, 0.3}) {
+    std::vector<Bonded<3>> couples;
+    couples.emplace_back(block(0, 0, {2, 2, 1}, "front"), "front", block(-0.5, 0.2, {3, 2, 1}, "back"), "back",
+                         with(exponential, mu));
+    couples.emplace_back(block(0, 0, {2, 1, 1}, "front"), "front", make_plane<3>({0, 0, 0}, {0, 0, 1}),
+                         with(bilinear, mu));
+    unsigned seed = 21;
+    for (auto& couple : couples) move_and_compare(couple, seed++, mu == 0, counts);
+  }
+  EXPECT_GE(counts.compared, 18) << counts.stepped_over << " states lay on a change of state";
+  EXPECT_GT(counts.bonded, 100);
+  EXPECT_GT(counts.stick, 100);
+  EXPECT_GT(counts.slip, 20);
+}
+
+/// Forces and moments vanish in sum without friction, because each acts along the line between its two points.
+TEST(CohesivePair, ForcesAndMomentsBalance) {
+  Bonded<2> couple(ring(0.5, 1, 6, "south"), "south", ring(1, 1.4, 5, "north"), "north", with(exponential));
+  Random random(5);
+  for (const double lift : {0.02, -0.01}) {
+    couple.move_die({0.01, lift});
+    couple.shake(random, 1e-3);
+    couple.evaluate();
+    const VectorX force = couple.dense().force;
+    const MatrixX die = couple.die.points(), base = couple.base->points();
+    Vec<2> sum = Vec<2>::Zero(), on_slave = Vec<2>::Zero();
+    double moment = 0, size = 0;
+    for (int i = 0; i < couple.u.size(); i += 2) {
+      const bool first = i < couple.die_dofs();
+      const Vec<2> x = Vec<2>(first ? die.col(i / 2) : base.col((i - couple.die_dofs()) / 2)) + couple.u.segment<2>(i);
+      const Vec<2> f = force.segment<2>(i);
+      sum += f;
+      if (first) on_slave += f;
+      moment += x(0) * f(1) - x(1) * f(0);
+      size += f.norm();
+    }
+    EXPECT_LT(sum.norm(), 1e-13 * size);
+    EXPECT_LT(std::abs(moment), 1e-12 * size);
+    // The residual holds minus the force on the slave.
+    EXPECT_LT((on_slave + couple.pair.resultant().force).norm(), 1e-12 * size);
+  }
+}
+
+double energy(const Bonded<2>& couple) {
+  return couple.pair.potential() + couple.pair.history().debonding;
+}
+
+/// Complete separation takes G_c per area, whatever the mixture of opening and shear, also pressed (without friction).
+TEST(CohesivePair, SeparationTakesTheEnergyForAnyMixture) {
+  for (const Cohesion& cohesion : {exponential, bilinear}) {
+    const double last = cohesion.softening == Softening::bilinear ? 2 * cohesion.energy / cohesion.strength
+                                                                  : 40 * strongest_opening(cohesion);
+    for (const double angle : {90.0, 60.0, 25.0, 0.0}) {
+      Bonded<2> couple(strip("N2"), "south", make_plane<2>({0, 0}, {0, 1}), with(cohesion));
+      const double turn = angle * std::numbers::pi / 180;
+      const Vec<2> way(std::cos(turn), std::sin(turn)), pressed(0, angle == 0 ? -0.002 : 0);
+      constexpr int steps = 400;
+      double work = 0;
+      for (int step = 1; step <= steps; ++step) {
+        couple.place_die(pressed + 1.01 * last * step / steps * way);
+        // Simpson's rule on the force on the slave, which is the same along the whole path
+        work -= couple.pair.resultant().force.dot(way) * 1.01 * last / steps * (step % 2 == 1 ? 4 : 2) / 3;
+        couple.pair.accept();
+      }
+      const double springs = 3 * 0.5 * 100 * pressed.squaredNorm();
+      EXPECT_NEAR(energy(couple) - springs, 3 * cohesion.energy, 1e-10) << angle;
+      EXPECT_NEAR(work, 3 * cohesion.energy, 2e-3 * cohesion.energy) << angle;
+    }
+  }
+}
+
+/// The force falls along the secant to zero at the bonded point, and rises again along it.
+TEST(CohesivePair, ClosesToTheOrigin) {
+  for (const Cohesion& cohesion : {exponential, bilinear}) {
+    Bonded<2> couple(strip("N2"), "south", make_plane<2>({0, 0}, {0, 1}), with(cohesion));
+    const double most = 1.7 * strongest_opening(cohesion);
+    const Vec<2> way(0.6, 0.8);
+    couple.place_die(most * way);
+    const Vec<2> force = couple.pair.resultant().force;
+    EXPECT_NEAR(force.norm(), 3 * separate(cohesion, most, 0).stiffness * most, 1e-12);
+    EXPECT_NEAR((force + force.norm() * way).norm(), 0, 1e-12);
+    couple.pair.accept();
+    for (const double part : {0.5, 0.0, 0.7}) {
+      couple.place_die(part * most * way);
+      EXPECT_NEAR((couple.pair.resultant().force - part * force).norm(), 0, 1e-12);
+      couple.pair.accept();
+    }
+    EXPECT_NEAR(couple.pair.history().debonding, 3 * separate(cohesion, most, 0).dissipated, 1e-13);
+  }
+}
+
+TEST(CohesivePair, RollBackForgetsTheOpening) {
+  Bonded<2> couple(strip("N2"), "south", ground(5), "north", with(exponential, 0.2));
+  couple.place_die({0, 0.01});
+  couple.pair.accept();
+  couple.place_die({0, 0.008});
+  const VectorX before = couple.dense().force;
+  couple.place_die({0.02, 0.09});
+  couple.pair.rollback();
+  couple.place_die({0, 0.008});
+  EXPECT_EQ((couple.dense().force - before).norm(), 0);
+}
+
+/// Where the bond is broken, friction reaches μ p; where it holds, pressure alone opens nothing.
+TEST(CohesivePair, PressureNeitherOpensNorIsHeld) {
+  Bonded<2> couple(strip("N2"), "south", make_plane<2>({0, 0}, {0, 1}), with(bilinear, 0.3));
+  couple.place_die({0, -0.02});
+  EXPECT_NEAR(couple.pair.resultant().force(1), 3 * 100 * 0.02, 1e-12);
+  EXPECT_NEAR(couple.pair.resultant().force(0), 0, 1e-12);
+  for (const auto& bond : couple.pair.present().bonds) EXPECT_LT(bond.largest, 1e-10);
+  couple.pair.accept();
+  for (int step = 1; step <= 40; ++step) {
+    couple.place_die({0.005 * step, -0.02});
+    couple.pair.accept();
+  }
+  EXPECT_NEAR(couple.pair.resultant().force(0), -0.3 * 3 * 100 * 0.02, 1e-12);
+  EXPECT_NEAR(couple.pair.history().debonding, 3 * bilinear.energy, 1e-12);
+}
+
+TEST(CohesivePair, ErrorsNameTheArgument) {
+  const auto at = [](double y) {
+    return Bonded<2>(strip("N2"), "south", make_plane<2>({0, y}, {0, 1}), with(exponential));
+  };
+  EXPECT_ERROR(at(-0.1), "contact.cohesion.apart: distance = 0.1");
+  EXPECT_NEAR(strongest_opening(exponential), 0.05 / (2 * std::numbers::e), 1e-15);
+  at(-9e-6); // a thousandth of it
+}
+
+} // namespace cohesive_pair_test
+} // namespace signorini::contact

@@ -1,0 +1,181 @@
+-- Cohesive contact: a block pulled off and its snap-back, energy balance, profiles, checkpoints, threads; invalid
+-- arguments. debonding_test.lua has closed forms of cracks.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local check = require "check"
+local debond = require "debond"
+local show = require "signorini.show"
+
+core.quiet = true
+
+--- Traction of the two laws over the opening.
+local function traction(bond, u)
+  if bond.law == "bilinear" then
+    local first, last = bond.strength / bond.stiffness, 2 * bond.energy / bond.strength
+    return math.max(0, math.min(bond.stiffness * u, bond.strength * (last - u) / (last - first)))
+  end
+  local c = bond.energy / (math.exp(1) * bond.strength)
+  return math.exp(1) * bond.strength * u / c * math.exp(-u / c)
+end
+
+local smooth = { strength = 2, energy = 0.4 }
+local linear = { strength = 2, energy = 0.4, law = "bilinear", stiffness = 300 }
+
+check.case("a block is pulled off along the law; work = stored + contact + debonding", function()
+  for _, bond in ipairs { smooth, linear } do
+    local model = debond.block(bond)
+    check.equal(model:contact_law "glue".bonded, 6)
+    local run = model:run{ { steps = 160, lid = {0.5} } }
+    check.equal(run.failed, false)
+    for i, u in ipairs(run:column "lid.uy") do
+      -- The block's stretch T h/E is a part of u.
+      local force = run:column "lid.fy"[i] / 2
+      check.near(force, traction(bond, u - force * 4 / 1000), 1e-7)
+    end
+    local e, whole = model:energy(), 2 * bond.energy
+    check.within("balance", e.work - e.stored - e.contact - e.debonding, 0, 1e-3 * whole)
+    check.near(model:contact_resultant "glue".debonded, e.debonding / bond.energy, 1e-12)
+    if bond == linear then check.near({ e.debonding, e.contact }, { whole, 0 }, 1e-12) end
+  end
+end)
+
+check.case("arc length follows the snap-back of an elastic block", function()
+  -- E/h below the law's slope: u = d + T(d) h/E goes back.
+  local model, E, first, last = debond.block(smooth, { E = 20 }), 20, 0, 1
+  local run = model:run({ { steps = 40, lid = {0.9} } }, { arc_length = true })
+  check.equal({ run.failed, #run.controls }, { false, 2 })
+  local u, force = run:column "lid.uy", run:column "lid.fy"
+  for i = 2, #u do
+    if u[i] < u[i - 1] then first, last = math.max(first, u[i - 1]), math.min(last, u[i]) end
+    check.near(force[i] / 2, traction(smooth, u[i] - force[i] / 2 * 4 / E), 1e-6)
+  end
+  assert(first > 0.47 and last < 0.4, "the path has not gone back")
+  local e = model:energy()
+  check.near(e.debonding, 0.8, 1e-3)
+  check.within("balance", e.work - e.stored - e.contact - e.debonding, 0, 0.02 * e.work)
+end)
+
+check.case("without arc length the failed step names the bonds and arc length", function()
+  local run = debond.block(linear, { E = 20 }):run({ { steps = 40, lid = {0.9} } }, sg.plain{})
+  check.equal(run.failed, true)
+  check.holds(run.failure, "6 bonds of contact 'glue' carried more than half of the strength", "arc_length = true")
+end)
+
+check.case("profile: damage, tension and state along the crack", function()
+  local model = debond.cantilevers(24, 24, { strength = 20 })
+  model:run{ { steps = 8, up = {-1.6}, down = {1.6} } }
+  local profile, greatest = model:profile "glue", 0
+  for i, X in ipairs(profile.X) do
+    if X < 8 then check.equal({ profile.damage[i], profile.state[i] }, { 1, "open" }) end
+    if X > 20 then check.at_most("damage", profile.damage[i], 0.1) end
+    greatest = math.max(greatest, -profile.pressure[i])
+  end
+  check.within_share("strength", greatest, 20, 0.03)
+  check.holds(show.text(model), "debonded", "law = \"exponential\"", "strength = 20", "144 bonded points")
+end)
+
+check.case("a checkpoint amid debonding continues bitwise", function()
+  local model = debond.cantilevers(16, 16, { strength = 20 })
+  local file = check.folder() .. "/state.sig"
+  model:run{ { steps = 6, up = {-1.2}, down = {1.2} } }
+  model:save(file)
+  local other = sg.load(file)
+  local rest = { { steps = 2, up = {-0.9}, down = {0.9} }, { steps = 2, up = {-1.4}, down = {1.4} } }
+  model:run(rest)
+  other:run(rest)
+  check.equal(other:reaction "up".moment, model:reaction "up".moment)
+  check.equal(other:energy().debonding, model:energy().debonding)
+  check.equal(other:profile "glue".damage, model:profile "glue".damage)
+  check.equal(other:contact_law "glue".bonded, model:contact_law "glue".bonded)
+end)
+
+check.case("one and two threads give the same bits", function()
+  local code = [[
+local sg = require "signorini"
+local patch = sg.nurbs.extrude{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, along = {0, 0, 1} }
+local body = sg.body{ patch = patch, elements = {6, 1, 2}, order = "N2", contact = "south",
+                      material = sg.neo_hookean{ E = 100, nu = 0.3 } }
+local model = sg.model{ bodies = { film = body },
+  supports = { grip = { on = body:face "west", fix = "xz", drive = "y" } },
+  contacts = { glue = { slave = body:face "south", penalty = 500, cohesive = { strength = 3, energy = 0.5 },
+                        master = sg.rigid.plane{ point = {0, 0, 0}, normal = {0, 1, 0} } } } }
+model:run{ { steps = 4, grip = {0.4} } }
+print(("%a %a"):format(model:reaction "grip".fy, model:energy().debonding))]]
+  local one, status = check.program{ "-q", "--threads", "1", "-e", code }
+  check.equal(status, 0)
+  check.equal((check.program{ "-q", "--threads", "2", "-e", code }), one)
+  assert(one:match "%-?0x%x" and not one:match "0x0p", one)
+end)
+
+-- Each ends with status 1 and a message that names the script's line, the argument, the value and the hint.
+local start = [[
+local sg = require "signorini"
+local s = sg.body{ patch = sg.shapes.rectangle{ width = 20, height = 4 }, elements = {10, 2}, order = "N2",
+                   contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.2 } }
+local plane = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }
+local function with(bond, more)
+  local contact = { slave = s:face "south", master = plane, penalty = 10, cohesive = bond }
+  for key, value in pairs(more or {}) do contact[key] = value end
+  return sg.model{ bodies = { s = s }, contacts = { f = contact } }
+end
+local bond = { strength = 0.1, energy = 0.2 }
+]]
+local wrong = {
+  { "a strength of 0", "with{ strength = 0, energy = 1 }", "contacts.f.cohesive.strength must be a positive number",
+    "got the number 0" },
+  { "a negative energy", "with{ strength = 1, energy = -1 }", "contacts.f.cohesive.energy must be a positive number",
+    "got the number -1" },
+  { "no energy", "with{ strength = 1 }", "contacts.f.cohesive.energy", "is missing" },
+  { "a number as bond", "with(3)", "contacts.f.cohesive must be a table of named arguments", "got the number 3" },
+  { "an unknown law", "with{ strength = 1, energy = 1, law = 'linear' }", "contacts.f.cohesive.law must be",
+    "'exponential' or 'bilinear'", "'linear'" },
+  { "a misspelt constant", "with{ strenght = 1, energy = 1 }", "unknown argument 'strenght'",
+    "did you mean 'strength'?" },
+  { "stiffness of an exponential law", "with{ strength = 1, energy = 1, stiffness = 100 }",
+    "contacts.f.cohesive: it has stiffness and law = \"exponential\"", "law = \"bilinear\"" },
+  { "a bilinear law that snaps back", "with{ strength = 1, energy = 0.01, law = 'bilinear' }",
+    "cohesive.stiffness must be above strength^2 / (2 energy) = 50, got 10", "raise stiffness" },
+  { "adhesion as well", "with(bond, { penalty = false, adhesion = { hamaker = 1, r0 = 1 } })", "contacts.f" },
+  { "mortar", "with(bond, { method = 'mortar' })", "it has both cohesive and method = \"mortar\"",
+    "write method = \"gpts\"" },
+  { "half passes", "with(bond, { method = 'half_passes' })", "it has both cohesive and method = \"half_passes\"" },
+  { "augmented", "with(bond, { enforcement = 'augmented' })", "it has both cohesive and enforcement = \"augmented\"",
+    "write enforcement = \"penalty\"" },
+  { "per current area", "with(bond, { per = 'current' })", "it has both cohesive and per = \"current\"" },
+  { "inactive", "with(bond, { active = false })", "it has both cohesive and active = false", "cohesive.where" },
+  { "an offset", "with(bond, { offset = 0.1 })", "it has both cohesive and offset" },
+  { "an interference fit", "with(bond, { overlap = 'interference' })", "overlap = \"interference\"" },
+  { "no penalty", "with(bond, { penalty = false })", "contacts.f.penalty" },
+  { "faces apart", "with(bond, { master = sg.rigid.plane{ point = {0, -0.5}, normal = {0, 1} } })",
+    "no contact point is bonded", "the nearest one is 0.5 from the master", "coincide in the reference shape" },
+  { "bonds nowhere", "with{ strength = 1, energy = 1, where = function(X) return false end }",
+    "cohesive.where must return true for some contact points" },
+  { "a region that answers with a number", "with{ strength = 1, energy = 1, where = function(X) return X[1] end }",
+    "contacts.f.cohesive.where must return true or false", "got the number" },
+  { "a region that is not a function", "with{ strength = 1, energy = 1, where = 3 }",
+    "contacts.f.cohesive.where must be a function" },
+  { "a stage that switches it off",
+    "with(bond):run{ { steps = 1, contacts = { f = { active = false } } } }",
+    "contacts.f is cohesive, of which a load path can change penalty and friction alone", "remove active and offset" },
+  { "a stage with an offset", "with(bond):run{ { steps = 1, contacts = { f = { offset = 0.1 } } } }",
+    "contacts.f is cohesive" },
+  { "a stage with friction that is not there",
+    "with(bond):run{ { steps = 1, contacts = { f = { friction = { mu = 0.1 } } } } }", "has no friction in sg.model" },
+}
+for _, case in ipairs(wrong) do
+  check.case(case[1], function()
+    local output, status = check.script(start .. case[2])
+    check.equal(status, 1)
+    check.holds(output, "study.lua:", table.unpack(case, 3))
+  end)
+end
+
+check.case("coarse elements are a warning with the cure", function()
+  local output, status = check.script(start .. "with{ strength = 1, energy = 0.1 }")
+  check.equal(status, 0)
+  check.holds(output, "contacts.f: the elements of the slave face, 2 long, are coarse for the zone in which bonds open",
+    "refine the slave face, or lower strength at the same energy")
+end)
+
+check.done()
