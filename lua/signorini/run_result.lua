@@ -69,6 +69,16 @@ local function record_target(run, model, name)
   record_list(run, add_columns(run, name, drives.components(model, name)), function() return model:target(name) end)
 end
 
+--- The unknown motions of an obstacle.
+local function record_motion(run, model, name)
+  local free = model:free_motion(name)
+  local keys = lists.filter({ "ux", "uy", "uz", "angle" }, function(key) return free[key] ~= nil end)
+  record_list(run, add_columns(run, name, keys), function()
+    local motion = model:free_motion(name)
+    return lists.map(keys, function(key) return motion[key] end)
+  end)
+end
+
 local function record_contact(run, model, contact)
   local columns, resultant = {}, model:contact_resultant(contact)
   for _, key in ipairs(contact_columns) do
@@ -111,6 +121,7 @@ function Run.new(model, path)
   for _, support in ipairs(model:support_names()) do record_force(run, model, support) end
   for _, load in ipairs(model:load_names()) do record_force(run, model, load) end
   for _, name in ipairs(model:driven_names()) do record_target(run, model, name) end
+  for _, support in ipairs(model:support_names()) do record_motion(run, model, support) end
   for _, contact in ipairs(model:contact_names()) do record_contact(run, model, contact) end
   return run
 end

@@ -529,8 +529,8 @@ function sg.rigid.sphere(arguments) end
 ---@return sg.obstacle
 function sg.rigid.surface(patch) end
 
----The result of sg.rigid.\*: a rigid master without unknowns; print(obstacle) shows its shape. It is fixed unless a
----support drives it: supports = { push = { on = obstacle, drive = "y" } }; stages then give its displacement, push =
+---The result of sg.rigid.\*: a rigid master; print(obstacle) shows its shape. It is fixed unless a support drives,
+---rotates or frees it: supports = { push = { on = obstacle, drive = "y" } }; stages then give its displacement, push =
 ---{-0.1}, and run:column "push.fy" returns the force that the support exerts on the obstacle, which equals the contact
 ---force on the slave, run:column "touch.fy".
 ---

@@ -70,7 +70,7 @@ function model:body(name) end
 function model:driven_names() end
 
 ---Returns the components that stages prescribe, in order: {"x", "y"} (in 3D also "z") of a driven support or a
----traction, {"angle"} of a support that rotates (after its driven components), {"pressure"}.
+---traction, {"angle"} of a support that rotates (after its driven components), {"pressure"}, {"moment"}.
 ---
 ---Example:
 ---```lua
@@ -180,9 +180,9 @@ function model:target(name) end
 ---  loops:       maximum number of augmentations per step (a whole number from 1 to 1000000; default 100)
 ---```
 ---@field augmentation? sg.model.solve_step.arguments.augmentation
----damping: true or false; default false. Damps unconstrained bodies until contact holds them; the converged state is in
+---damping: true or false; default false. Damps unconstrained bodies and obstacles until contact holds them; the
 ---```text
----         equilibrium without damping
+---         converged state is in equilibrium without damping
 ---```
 ---@field damping? boolean
 ---pseudo_transient: true or false; default false. pseudo-transient continuation: follows a damped motion, past a limit
@@ -477,12 +477,14 @@ function model:residual() end
 function model:tangent() end
 
 ---@class (exact) sg.model.unknowns.result
----@field body string
----@field point integer
+---@field body? string
+---@field support? string
+---@field point? integer
 ---@field component string
 
 ---Returns the meaning of each unknown: a list of { body, point, component }; for control points that share an unknown,
----the first one.
+---the first one; { support, component } for an obstacle that a support frees. The unknown of its "angle" is the arc at
+---a length of the obstacle's size, share/doc/theory.md.
 ---
 ---Example:
 ---```lua
@@ -515,7 +517,8 @@ function model:displacements() end
 ---@param du number[] # du: increment of each unknown, in the order of model:residual (a list of numbers)
 function model:move(du) end
 
----Returns the names of the unconstrained bodies: those with rigid-body modes that no support prevents.
+---Returns the names of the unconstrained bodies: those with rigid-body modes that no support prevents; and those of the
+---supports that free obstacles which no spring holds.
 ---
 ---Example:
 ---```lua

@@ -97,6 +97,17 @@ function model:energy() end
 ---@return sg.model.reaction.result
 function model:reaction(name) end
 
+---Returns the motions of an obstacle that are unknowns, by name: ux, uy, uz of its translation as far as its support
+---frees them, and its angle if that is free. Empty for other supports.
+---
+---Example:
+---```lua
+---model:free_motion("grip")
+---```
+---@param name string # name: a support (a string)
+---@return table
+function model:free_motion(name) end
+
 ---@class (exact) sg.model.contact_law.result
 ---@field method string
 ---@field per string

@@ -11,9 +11,9 @@ local sg = {}
 ---        name = … })
 ---```
 ---@field bodies table<string, (sg.body|sg.compound)|nil>
----supports: supports of bodies and obstacles; entries with traction, pressure or force are loads (a table of names {
+---supports: supports of bodies and obstacles; entries with traction, pressure, force or moment are loads (a table of
 ---```text
----          name = … }; optional)
+---          names { name = … }; optional)
 ---  see help "support"
 ---```
 ---@field supports? table<string, (sg.support|sg.load)|nil>
@@ -80,16 +80,20 @@ function sg.model(arguments) end
 ---Fixes or prescribes displacements of faces, edges, corners or obstacles; at least one component.
 ---
 ---```text
----supports = { <name> = { on, fix, drive, free, rotate, spring, shape, symmetry } }, in sg.model{ … }
+---supports = { <name> = { on, fix, drive, free, rotate, center, angle, spring, shape, symmetry } }, in sg.model{ … }
 ---```
 ---
 ---model:reaction(name) is the force that it exerts, followed by the moment if it rotates; the columns of a run are
----\<name>.fx, .fy, .fz, .moment, and for driven components \<name>.ux … .angle, or .factor of a shape.
+---\<name>.fx, .fy, .fz, .moment, and for driven components and those of obstacles that are free \<name>.ux … .angle
+---(model:free_motion), or .factor of a shape. The angle of an obstacle may exceed a turn; points that stick or slip on
+---its surface turn with it. More in share/doc/theory.md, Rigid obstacles.
 ---
 ---Example:
 ---```lua
 ---supports = { bed  = { on = slab:face "south", fix = "xy" },
 ---             grip = { on = { die:face "west", die:face "east" }, drive = "xy" } }
+---supports = { roller = { on = sg.rigid.cylinder{ center = {0, 1.2}, radius = 0.2 }, free = "y", drive = "x",
+---                        rotate = true, angle = "free" } }
 ---```
 ---@class (exact) sg.support
 ---on: where; the reaction of a list is the sum (a face or a list of faces, an edge, a corner or an obstacle)
@@ -98,9 +102,10 @@ function sg.model(arguments) end
 ---@field fix? sg.support.fix.choice
 ---drive: components that stages prescribe ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; length; optional)
 ---@field drive? sg.support.drive.choice
----free: free components, for documentation: unlisted components are free ('x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz';
+---free: 'x', 'y', 'z', 'xy', 'xz', 'yz' or 'xyz'; optional. Free components. Of faces, edges and corners for
 ---```text
----      optional)
+---      documentation: unlisted components are free; of one obstacle those that loads, springs and contact move, while
+---      unlisted components are fixed
 ---```
 ---@field free? sg.support.free.choice
 ---rotate: true in the plane; in 3D 'x', 'y', 'z' or a vector {ax, ay, az}; by default no rotation. The face rotates as
@@ -109,13 +114,23 @@ function sg.model(arguments) end
 ---        rigid body about its centroid, in 3D about the axis through it, by an angle in degrees that stages give after
 ---        the driven components; in 3D a list of faces rotates as one, in the plane it must be one face. fix and drive
 ---        then refer to the centroid, whose other components are free: rotate = true, fix = "xy" rotates the face about
----        a fixed point
+---        a fixed point. An obstacle rotates about its center, which moves with its translation
 ---```
 ---@field rotate? boolean|"x"|"y"|"z"|[number, number, number]
----spring: a list of 2 or 3 numbers; force per length and reference area; optional. Stiffness {kx, ky}, in 3D {kx, ky,
+---center: the point {x, y}, in 3D {x, y, z}, about which an obstacle rotates (a list of 2 or 3 numbers; by default that
 ---```text
----        kz}, of springs that hold the faces; 0 where there is none. They are free of forces in the reference shape and
----        keep the directions of the axes
+---        of a sphere or cylinder)
+---```
+---@field center? [number, number]|[number, number, number]
+---angle: 'driven' or 'free'; by default "driven". Of an obstacle that rotates: prescribed by stages, or an unknown that
+---```text
+---       moments, friction and the shape of the obstacle determine
+---```
+---@field angle? "driven"|"free"
+---spring: a list of 2 or 3 numbers; force per length and reference area; of an obstacle per length; optional. Stiffness
+---```text
+---        {kx, ky}, in 3D {kx, ky, kz}, of springs that hold the faces, or an obstacle in free components, then in all;
+---        0 where there is none. They are free of forces in the reference shape and keep the directions of the axes
 ---```
 ---@field spring? [number, number]|[number, number, number]
 ---shape: a function; by default a displacement for each driven component. function(x, y), in 3D function(x, y, z), that
@@ -135,10 +150,10 @@ function sg.model(arguments) end
 ---@field symmetry? boolean
 ---@field [string] sg.unknown_argument
 
----Applies a traction or pressure to faces, or a force per volume to bodies.
+---Applies a traction or pressure to faces, a force per volume to bodies, or a force or moment to obstacles.
 ---
 ---```text
----loads = { <name> = { on, traction or pressure or force, follower, factor } }, in sg.model{ … }
+---loads = { <name> = { on, traction or pressure or force or moment, follower, factor } }, in sg.model{ … }
 ---```
 ---
 ---Loads are dead, with the direction and the magnitude that they have in the reference shape, except for a pressure
@@ -150,8 +165,8 @@ function sg.model(arguments) end
 ---force and stresses near it grow without limit as the mesh is refined. The value given here is that at the start of
 ---the path; stages change it linearly to theirs. A load that no stage names acts in full from the first step; to
 ---increase one from zero, give 0 here and its value in a stage. model:reaction(name) is the force; the columns of a run
----are \<name>.fx …, and the values that stages change: .tx …, .pressure, .bx … of a force on bodies, .px … on corners
----and edges, or .factor of a function.
+---are \<name>.fx …, and the values that stages change: .tx …, .pressure, .bx … of a force on bodies, .px … on corners,
+---edges and obstacles, .moment, or .factor of a function.
 ---
 ---Example:
 ---```lua
@@ -162,8 +177,11 @@ function sg.model(arguments) end
 ---          tip = { on = slab:corner "north-east", force = {0, -0.01} } }
 ---```
 ---@class (exact) sg.load
----on: loaded faces; of a force, bodies, corners, or in 3D edges (a face, a body, or a list of these)
----@field on sg.face|sg.body|sg.compound|(sg.face|sg.body|sg.compound|(sg.face|sg.body|sg.compound)[])[]
+---on: loaded faces; of a force, bodies, corners, in 3D edges, or an obstacle; of a moment, an obstacle (a face, a body,
+---```text
+---    an obstacle, or a list of these)
+---```
+---@field on sg.face|sg.body|sg.compound|sg.obstacle|(sg.face|sg.body|sg.compound|sg.obstacle|(sg.face|sg.body|sg.compound|sg.obstacle)[])[]
 ---traction: dead load {tx, ty}, in 3D {tx, ty, tz} (a list of 2 or 3 numbers or a function; force per reference area;
 ---```text
 ---          optional)
@@ -183,9 +201,15 @@ function sg.model(arguments) end
 ---force: a list of 2 or 3 numbers or a function; force per reference volume; optional. Dead load {bx, by}, in 3D {bx,
 ---```text
 ---       by, bz}, on bodies, such as density times gravity; {px, py}, in 3D {px, py, pz}, on edges per reference length,
----       or on corners, in axisymmetric models around the full circle
+---       or in total on corners, in axisymmetric models around the full circle, and on an obstacle, which moves in the
+---       components that its supports free
 ---```
 ---@field force? [number, number]|[number, number, number]|(fun(x: number, y: number, z: number): any)
+---moment: a number; force times length; optional. Moment on an obstacle about the center, in 3D about the axis, of the
+---```text
+---        support that rotates it with angle = "free"; positive from x to y, or by the right-hand rule about the axis
+---```
+---@field moment? number
 ---factor: initial factor of a function's values, which stages change; of functions only (a number; default 1)
 ---@field factor? number
 ---@field [string] sg.unknown_argument
@@ -636,9 +660,9 @@ function model:warnings() end
 ---  loops:       maximum number of augmentations per step (a whole number from 1 to 1000000; default 100)
 ---```
 ---@field augmentation? sg.model.run.options.augmentation
----damping: true or false; default false. Damps unconstrained bodies until contact holds them; the converged state is in
+---damping: true or false; default false. Damps unconstrained bodies and obstacles until contact holds them; the
 ---```text
----         equilibrium without damping
+---         converged state is in equilibrium without damping
 ---```
 ---@field damping? boolean
 ---pseudo_transient: true or false; default false. pseudo-transient continuation: follows a damped motion, past a limit
@@ -739,9 +763,9 @@ function model:warnings() end
 ---  left_path        an arc-length increment converged on another part of the path
 ---```
 ---run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns: step,
----increments, iterations, wall; \<support>.fx, .fy, in 3D .fz, .moment if it rotates, .ux, .uy, .uz, .angle if driven;
----\<load>.fx …, .tx …, .pressure, .bx …, .px … or .factor; \<contact>.fx … (force on the slave), .area, .max_pressure,
----.max_penetration.
+---increments, iterations, wall; \<support>.fx, .fy, in 3D .fz, .moment if it rotates, .ux, .uy, .uz, .angle if driven,
+---or free of an obstacle; \<load>.fx …, .tx …, .pressure, .bx …, .px …, .moment or .factor; \<contact>.fx … (force on
+---the slave), .area, .max_pressure, .max_penetration.
 ---
 ---Source: Newton's steps (4.33) to (4.35), freeze_active_set 4.5.2 of V. Agrawal, thesis, IIT Guwahati, 2020;
 ---augmentation: J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992); arc_length: E. Riks, J. Appl. Mech. 39 (1972), H.
@@ -752,7 +776,7 @@ function model:warnings() end
 ---model:run{ { name = "press", steps = 46, grip = {0, -0.23} } }
 ---```
 ---@param stages sg.stage[] # stages: parts of the load path (a list of stages) see help "stage"
----@param options? sg.model.run.options # options: controls, records and files of the run (a table of named arguments; default {}) arc_length: true or false; default false. Where a step fails, arc-length continuation follows the path, also past turning points, until the end of the step is passed; available after the model's first accepted step. Rows between steps have fractional step numbers, run.controls lists where control changed step: a table of named arguments; by default { adaptive = true }, with arc_length = true { adaptive = false }. Step cutting: a failed step is cut in half. A run still has one row per step; run.cutbacks counts the cuts, run:column "increments" the increments of each step, run:attempts(step) lists all attempts adaptive: whether failed steps are cut; false: each step is solved as a whole, also by fallbacks (true or false; default true) max: largest increment, a fraction of the step (a number above 0 and at most 1; default 1) min: smallest increment, a fraction of the step (a number above 0 and at most 1; by default 1/64, at most max) growth: growth factor after an increment that took at most half of newton.iterations (a number, 1 or more; default 2) fallback: true or false; by default true, with arc_length = true false. A failed step is tried again with fallbacks, one at a time: the tangent predictor; damping, if an unconstrained body makes the tangent singular. If these fail, the step is cut. When it cannot be cut further, these are tried: damping, if it was not tried before; a line search; pseudo-transient continuation; a frozen active set. run.fallbacks counts their successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions predictor: predictor, the first guess of a step; "linear" extrapolates the last step ('tangent', 'constant' or 'linear'; by default "linear", with arc_length = true "tangent") newton: Newton's method in each attempt (a table of named arguments; default {}) tolerance: residual that counts as zero, relative to reactions and loads (a positive number; default 1e-10) iterations: maximum number of iterations per attempt (a whole number from 1 to 1000000; default 25) line_search: how Newton corrections are shortened: by the norm of the residual (non-monotone) or by the energy ('none', 'residual' or 'energy'; default "none") freeze_active_set: true, false or a number from 0 to 1; default false. Contact states are frozen until |f·Δu| has decreased to this fraction of its first value; true is 0.01 active_set_changes: a whole number from 0 to 1000000; default 0. A contact point that changes its state more than this number of times in a step is fixed in it (a slipping one as sticking) until the others have converged; 0: never linear: 'auto', 'klu', 'umfpack', 'condensed', 'reuse' or 'mumps'; default "auto". Linear solver. "klu", "umfpack": direct; "reuse": a reused (lagged) factorization preconditions GMRES while that is cheaper than a new one; "condensed": static condensation, for linear elastic bodies; "mumps": MUMPS, direct, in parallel under mpirun; "auto": automatic choice mumps: options of linear = "mumps" (a table of named arguments; optional) reuse: a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default false) low_rank: a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the tangent: approximate factors, with less memory and operations in large solids, which precondition GMRES precision: of the factors; single ones precondition GMRES ('double' or 'single'; default "double") out_of_core: an existing folder in which each process stores its factors; on a local disk (a string; optional) augmentation: a table of named arguments; by default { penetration = 1e-6, loops = 100 }. Limits of contacts with enforcement = "augmented": their pressures are augmented (Uzawa) until penetration and separation of closed points are within the tolerance; in mortar contact those of the multipliers, whose friction is augmented as well. With method = "gpts" on a deformable master, curved under the slave, the default tolerance is often not reached, and the step fails (run.cause "penetration"). An error if no contact is augmented penetration: largest penetration, as a fraction of the largest body's diagonal (a number above 0 and at most 1; default 1e-06) loops: maximum number of augmentations per step (a whole number from 1 to 1000000; default 100) damping: true or false; default false. Damps unconstrained bodies until contact holds them; the converged state is in equilibrium without damping pseudo_transient: true or false; default false. pseudo-transient continuation: follows a damped motion, past a limit point, to a distant equilibrium, in up to 40 times as many iterations; not with line_search verbose: true or false; default false. Prints each iteration when it ends: the residual, relative to the forces so that newton.tolerance is its goal; the energy |f·Δu| of the correction; contact points that are active, that slip and that have changed their state; the linear solver, where it has factored, or iterations of GMRES; a factor on the correction, augmentations, the reason of the end penalty: increases the penalties along the path (a table of named arguments; optional) start: initial factor of all penalties (a number above 0 and at most 1) steps: steps until it is 1 (a whole number, 1 or more) threads: threads of this and later runs; results do not depend on the number (a whole number from 1 to 1024; by default the value of --threads) checkpoint: a string or a table of named arguments; optional. Saves the model and the progress of the run, so that a killed process leaves a file of its last saved step file: the checkpoint's file (a string) every: steps between two saves; the end is always saved (a whole number, 1 or more; default 1) durable: synchronizes the disk at every save instead of once a second (true or false; default false) resume: true or false; default false. Continues from the checkpoint's file if it exists, with results bitwise identical to an uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding error. The file of a finished run returns that run at once. Scene and stages must be the same hdf5: a string or a table of named arguments; optional. A file of HDF5 for Python, Julia, MATLAB and others, written as the run goes and complete at any moment, also after kill -9; with resume = true it is continued. Contents: share/doc/results.md file: name of the file (a string) every: a whole number, 1 or more; by default as few as take less than 2 % of the run's time. Steps between two writes; with 1 the file has the last accepted step at any moment. It is written before each save of a checkpoint and at the end, too states: steps whose displacements the file has: "stored": those of run:states() ('stored' or 'all'; default "stored") profiles: steps whose contact profiles and energies the file has ('stored' or 'all'; default "all") units: a table of names { name = … }; optional. Units by quantity or by the name of a column, { length = "mm", force = "N" }, for the attribute `unit` of arrays; quantities: angle, area, count, energy, force, force_per_volume, length, moment, stress, time states: a number of states from 2, a list of steps, or a function; by default the start and the end of each stage. States stored for run:states(): this number, evenly from start to end, those of the listed steps (0 is the start), or those for which function(info) returns true; a resumed run has those since its resumption on_step: a function; optional. function(info), called after each step with info.step, info.stage, info["grip.fx"] …; returns nothing, "stop" to end the run, "cut" to repeat the step in halves, or a table of numbers, which become columns of the run (nan elsewhere) on_iteration: a function; optional. function(info), called after each iteration with stage, step, from, to (parts of the step), iteration, residual, energy, reason; returns nothing, "stop", or "cut" to abandon the attempt
+---@param options? sg.model.run.options # options: controls, records and files of the run (a table of named arguments; default {}) arc_length: true or false; default false. Where a step fails, arc-length continuation follows the path, also past turning points, until the end of the step is passed; available after the model's first accepted step. Rows between steps have fractional step numbers, run.controls lists where control changed step: a table of named arguments; by default { adaptive = true }, with arc_length = true { adaptive = false }. Step cutting: a failed step is cut in half. A run still has one row per step; run.cutbacks counts the cuts, run:column "increments" the increments of each step, run:attempts(step) lists all attempts adaptive: whether failed steps are cut; false: each step is solved as a whole, also by fallbacks (true or false; default true) max: largest increment, a fraction of the step (a number above 0 and at most 1; default 1) min: smallest increment, a fraction of the step (a number above 0 and at most 1; by default 1/64, at most max) growth: growth factor after an increment that took at most half of newton.iterations (a number, 1 or more; default 2) fallback: true or false; by default true, with arc_length = true false. A failed step is tried again with fallbacks, one at a time: the tangent predictor; damping, if an unconstrained body makes the tangent singular. If these fail, the step is cut. When it cannot be cut further, these are tried: damping, if it was not tried before; a line search; pseudo-transient continuation; a frozen active set. run.fallbacks counts their successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions predictor: predictor, the first guess of a step; "linear" extrapolates the last step ('tangent', 'constant' or 'linear'; by default "linear", with arc_length = true "tangent") newton: Newton's method in each attempt (a table of named arguments; default {}) tolerance: residual that counts as zero, relative to reactions and loads (a positive number; default 1e-10) iterations: maximum number of iterations per attempt (a whole number from 1 to 1000000; default 25) line_search: how Newton corrections are shortened: by the norm of the residual (non-monotone) or by the energy ('none', 'residual' or 'energy'; default "none") freeze_active_set: true, false or a number from 0 to 1; default false. Contact states are frozen until |f·Δu| has decreased to this fraction of its first value; true is 0.01 active_set_changes: a whole number from 0 to 1000000; default 0. A contact point that changes its state more than this number of times in a step is fixed in it (a slipping one as sticking) until the others have converged; 0: never linear: 'auto', 'klu', 'umfpack', 'condensed', 'reuse' or 'mumps'; default "auto". Linear solver. "klu", "umfpack": direct; "reuse": a reused (lagged) factorization preconditions GMRES while that is cheaper than a new one; "condensed": static condensation, for linear elastic bodies; "mumps": MUMPS, direct, in parallel under mpirun; "auto": automatic choice mumps: options of linear = "mumps" (a table of named arguments; optional) reuse: a factorization preconditions GMRES on later tangents, as with linear = "reuse" (true or false; default false) low_rank: a number above 0 and at most 1; optional. Tolerance of block low-rank compression, relative to the tangent: approximate factors, with less memory and operations in large solids, which precondition GMRES precision: of the factors; single ones precondition GMRES ('double' or 'single'; default "double") out_of_core: an existing folder in which each process stores its factors; on a local disk (a string; optional) augmentation: a table of named arguments; by default { penetration = 1e-6, loops = 100 }. Limits of contacts with enforcement = "augmented": their pressures are augmented (Uzawa) until penetration and separation of closed points are within the tolerance; in mortar contact those of the multipliers, whose friction is augmented as well. With method = "gpts" on a deformable master, curved under the slave, the default tolerance is often not reached, and the step fails (run.cause "penetration"). An error if no contact is augmented penetration: largest penetration, as a fraction of the largest body's diagonal (a number above 0 and at most 1; default 1e-06) loops: maximum number of augmentations per step (a whole number from 1 to 1000000; default 100) damping: true or false; default false. Damps unconstrained bodies and obstacles until contact holds them; the converged state is in equilibrium without damping pseudo_transient: true or false; default false. pseudo-transient continuation: follows a damped motion, past a limit point, to a distant equilibrium, in up to 40 times as many iterations; not with line_search verbose: true or false; default false. Prints each iteration when it ends: the residual, relative to the forces so that newton.tolerance is its goal; the energy |f·Δu| of the correction; contact points that are active, that slip and that have changed their state; the linear solver, where it has factored, or iterations of GMRES; a factor on the correction, augmentations, the reason of the end penalty: increases the penalties along the path (a table of named arguments; optional) start: initial factor of all penalties (a number above 0 and at most 1) steps: steps until it is 1 (a whole number, 1 or more) threads: threads of this and later runs; results do not depend on the number (a whole number from 1 to 1024; by default the value of --threads) checkpoint: a string or a table of named arguments; optional. Saves the model and the progress of the run, so that a killed process leaves a file of its last saved step file: the checkpoint's file (a string) every: steps between two saves; the end is always saved (a whole number, 1 or more; default 1) durable: synchronizes the disk at every save instead of once a second (true or false; default false) resume: true or false; default false. Continues from the checkpoint's file if it exists, with results bitwise identical to an uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding error. The file of a finished run returns that run at once. Scene and stages must be the same hdf5: a string or a table of named arguments; optional. A file of HDF5 for Python, Julia, MATLAB and others, written as the run goes and complete at any moment, also after kill -9; with resume = true it is continued. Contents: share/doc/results.md file: name of the file (a string) every: a whole number, 1 or more; by default as few as take less than 2 % of the run's time. Steps between two writes; with 1 the file has the last accepted step at any moment. It is written before each save of a checkpoint and at the end, too states: steps whose displacements the file has: "stored": those of run:states() ('stored' or 'all'; default "stored") profiles: steps whose contact profiles and energies the file has ('stored' or 'all'; default "all") units: a table of names { name = … }; optional. Units by quantity or by the name of a column, { length = "mm", force = "N" }, for the attribute `unit` of arrays; quantities: angle, area, count, energy, force, force_per_volume, length, moment, stress, time states: a number of states from 2, a list of steps, or a function; by default the start and the end of each stage. States stored for run:states(): this number, evenly from start to end, those of the listed steps (0 is the start), or those for which function(info) returns true; a resumed run has those since its resumption on_step: a function; optional. function(info), called after each step with info.step, info.stage, info["grip.fx"] …; returns nothing, "stop" to end the run, "cut" to repeat the step in halves, or a table of numbers, which become columns of the run (nan elsewhere) on_iteration: a function; optional. function(info), called after each iteration with stage, step, from, to (parts of the step), iteration, residual, energy, reason; returns nothing, "stop", or "cut" to abandon the attempt
 ---@return sg.run
 function model:run(stages, options) end
 

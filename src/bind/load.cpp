@@ -39,6 +39,28 @@ void add_points(const SceneBuilder<D>& builder, const Arguments& a, const Bounda
   }
 }
 
+/// Reads `on` of a force or moment on obstacles; false for others.
+template <int D> bool read_obstacles(SceneBuilder<D>& builder, const Arguments& a, model::Load& load) {
+  const bool moment = a.has("moment");
+  int others = 0;
+  a.list("on", [&](int, int index, const std::string&) {
+    if (!has_type(a.state(), index, Type<Rigid<D>>::name)) {
+      ++others;
+      return;
+    }
+    const int obstacle = builder.index_of(read_object<Rigid<D>>(a.state(), index, {a.name("on")}), a.name("on"));
+    if (std::ranges::find(load.obstacles, obstacle) != load.obstacles.end()) reject_twice(a, "an obstacle");
+    load.obstacles.push_back(obstacle);
+  });
+  if (moment && others > 0)
+    a.fail("it is a moment, which acts on obstacles that rotate, but on names another place: give force or traction");
+  if (load.obstacles.empty()) return false;
+  if (others > 0 || load.obstacles.size() > 1)
+    a.fail("it is on an obstacle and another place, but a force on an obstacle is its total: use a load for each");
+  load.kind = moment ? LoadKind::moment : LoadKind::point_force;
+  return true;
+}
+
 /// Reads `on` of a force: bodies, corners, or edges.
 template <int D> void read_places(const SceneBuilder<D>& builder, const Arguments& a, model::Load& load) {
   std::vector<std::string> kinds, listed;
@@ -84,11 +106,11 @@ template <int D> void read_faces(const SceneBuilder<D>& builder, const Arguments
 
 } // namespace
 
-template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arguments& a) {
+template <int D> model::Load read_load(SceneBuilder<D>& builder, const Arguments& a) {
   model::Load load;
-  const char* key = a.has("pressure") ? "pressure" : a.has("force") ? "force" : "traction";
-  if (a.has("force")) {
-    read_places(builder, a, load);
+  const char* key = a.has("pressure") ? "pressure" : a.has("force") ? "force" : a.has("moment") ? "moment" : "traction";
+  if (a.has("force") || a.has("moment")) {
+    if (!read_obstacles(builder, a, load)) read_places(builder, a, load);
   } else {
     read_faces(builder, a, load);
     load.kind = !a.has("pressure")        ? LoadKind::traction
@@ -96,12 +118,13 @@ template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arg
                                           : LoadKind::pressure;
   }
   if (!lua_isfunction(a.state(), a.push(key))) {
-    load.start = load.pressure() ? std::vector<double>{a.get<double>(key)} : a.get<std::vector<double>>(key);
-    if (load.start.size() != (load.pressure() ? 1 : at(D))) a.refuse(key, expected_of<D>(load.kind));
+    const bool scalar = load.pressure() || load.kind == LoadKind::moment;
+    load.start = scalar ? std::vector<double>{a.get<double>(key)} : a.get<std::vector<double>>(key);
+    if (load.start.size() != (scalar ? 1 : at(D))) a.refuse(key, expected_of<D>(load.kind));
     return load;
   }
   if (load.kind == LoadKind::point_force)
-    a.fail("force is a function, which is for faces and bodies, but it is on corners or edges: give ",
+    a.fail("force is a function, which is for faces and bodies, but it is on corners, edges or an obstacle: give ",
            expected_of<D>(load.kind));
   for (const model::FaceReference& face : load.on)
     append_values<D>(a, key, solid::face_point_positions(*builder.scene.bodies[at(face.body)].body, face.side), load);
@@ -111,7 +134,7 @@ template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arg
   return load;
 }
 
-template model::Load read_load(const SceneBuilder<2>&, const Arguments&);
-template model::Load read_load(const SceneBuilder<3>&, const Arguments&);
+template model::Load read_load(SceneBuilder<2>&, const Arguments&);
+template model::Load read_load(SceneBuilder<3>&, const Arguments&);
 
 } // namespace signorini::bind

@@ -78,13 +78,22 @@ template <int D> std::string model_text(const model::Model<D>& model) {
   const auto& scene = model.system.scene;
   constexpr const char* kinds[] = {"plane-strain", "axisymmetric", "plane-stress"};
   const char* kind = D == 3 ? "solid" : kinds[static_cast<int>(scene.kind)];
-  return text(kind, " model of ", listed(names_of(scene.bodies)), ": ", model.system.unknowns.dofs(),
-              " degrees of freedom, ", model.system.unknowns.size(), " of them free, ",
-              counted(scene.supports.size(), "support"), ", ", counted(scene.contacts.size(), "contact"),
-              scene.ties.empty() ? "" : ", " + counted(scene.ties.size(), "tie"), joins_text(scene),
-              names_text("on springs", scene.supports, [](const auto& support) { return !support.spring.isZero(0); }),
-              names_text("follows the deformation", scene.loads,
-                         [](const auto& load) { return load.kind == model::LoadKind::follower_pressure; }));
+  return text(
+      kind, " model of ", listed(names_of(scene.bodies)), ": ", model.system.unknowns.dofs(), " degrees of freedom, ",
+      model.system.unknowns.size(), " of them free, ", counted(scene.supports.size(), "support"), ", ",
+      counted(scene.contacts.size(), "contact"), scene.ties.empty() ? "" : ", " + counted(scene.ties.size(), "tie"),
+      joins_text(scene),
+      names_text("on springs", scene.supports,
+                 [](const auto& support) { return !support.spring.isZero(0) || !support.obstacle_spring.isZero(0); }),
+      names_text("frees an obstacle", scene.supports,
+                 [](const auto& support) {
+                   return support.free_angle ||
+                          (!support.obstacles.empty() && std::ranges::count(support.freed, true) > 0);
+                 }),
+      names_text("rotates an obstacle", scene.supports,
+                 [](const auto& support) { return support.turns() && !support.obstacles.empty(); }),
+      names_text("follows the deformation", scene.loads,
+                 [](const auto& load) { return load.kind == model::LoadKind::follower_pressure; }));
 }
 
 template <int D>

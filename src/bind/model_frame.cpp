@@ -1,5 +1,7 @@
 #include "base/index.hpp"
 #include "bind/frame.hpp"
+#include "bind/turned_obstacle.hpp"
+#include "model/turning.hpp"
 #include "view/obstacle.hpp"
 
 #include <algorithm>
@@ -112,12 +114,29 @@ void add_obstacle(view::Panel& panel, const contact::Obstacle<3>& shape, const V
   add(shifted(std::get<nurbs::Patch>(shape), shift, panel.windows));
 }
 
+/// A radius of a disc, which shows its rotation.
+void add_spoke(view::Panel& panel, const contact::Obstacle<2>& shape, const Vec<2>& shift, const Mat<2>& rotation) {
+  const auto* ball = std::get_if<contact::Ball<2>>(&shape);
+  if (!ball) return;
+  view::Points& spoke = panel.outlines.back().spoke;
+  spoke.setZero(3, 2);
+  spoke.topRows<2>().colwise() = ball->center + shift;
+  spoke.col(1).head<2>() += ball->radius * rotation.col(0);
+}
+
 template <int D> void add_obstacles(view::Panel& panel, const model::Model<D>& model, bool deformed) {
   for (int k = 0; k < static_cast<int>(model.system.scene.obstacles.size()); ++k) {
     const int first = model.system.unknowns.obstacle_offset(k);
-    const Vec<D> shift =
-        deformed ? Vec<D>(model.present.displacement.template segment<D>(first)) : Vec<D>(Vec<D>::Zero());
-    add_obstacle(panel, model.system.scene.obstacles[at(k)], shift);
+    const VectorX& u = model.present.displacement;
+    const Vec<D> shift = deformed ? Vec<D>(u.template segment<D>(first)) : Vec<D>(Vec<D>::Zero());
+    contact::Obstacle<D> shape = model.system.scene.obstacles[at(k)];
+    const auto turn = model::turn_of(model.system.scene, k);
+    Mat<D> rotation = Mat<D>::Identity();
+    if (turn && deformed) rotation += Eigen::Map<const Mat<D>>(u.data() + first + D) / turn->turning.arm;
+    if (turn) shape = turned<D>(std::move(shape), turn->turning.center, rotation);
+    add_obstacle(panel, shape, shift);
+    if constexpr (D == 2)
+      if (turn) add_spoke(panel, shape, shift, rotation);
   }
 }
 

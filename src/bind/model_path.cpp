@@ -7,6 +7,7 @@
 #include "model/checkpoint.hpp"
 #include "model/diagnosis.hpp"
 #include "model/load_step.hpp"
+#include "model/turning.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -165,6 +166,15 @@ template <int D> int unknowns(const model::Model<D>& model, lua_State* L) {
       push_fields(L, "body", bodies[b].name, "point", i / D + 1, "component", model::component_name(i % D));
       lua_rawseti(L, -2, unknown + 1);
     }
+  const auto add = [&](int obstacle, int dof, const std::string& component) {
+    const int unknown = numbers.unknown(dof);
+    if (unknown < 0) return;
+    push_fields(L, "support", model::support_of(model.system.scene, obstacle, component), "component", component);
+    lua_rawseti(L, -2, unknown + 1);
+  };
+  for (int k = 0; k < static_cast<int>(model.system.scene.obstacles.size()); ++k)
+    for (int c = 0; c < D; ++c) add(k, numbers.obstacle_offset(k) + c, model::component_name(c));
+  for (const model::FreeAngle<D>& angle : numbers.free_angles()) add(angle.obstacle, angle.dof, "angle");
   return 1;
 }
 
@@ -183,10 +193,18 @@ template <int D> VectorX displacements(const model::Model<D>& model) {
   return values;
 }
 
+/// Names of the bodies, and of the supports of obstacles.
 template <int D> std::vector<std::string> unconstrained_bodies(model::Model<D>& model) {
   std::vector<std::string> names;
   for (const model::UnconstrainedMotion& unconstrained : model.system.unconstrained()) {
     const std::string& name = model.system.scene.bodies[at(unconstrained.body)].name;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  const auto& numbers = model.system.unknowns;
+  for (const auto& [obstacle, dof] : model.system.unconstrained_obstacles()) {
+    const int component = dof - numbers.obstacle_offset(obstacle);
+    const std::string& name =
+        model::support_of(model.system.scene, obstacle, component < D ? model::component_name(component) : "angle");
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;

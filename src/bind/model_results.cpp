@@ -28,12 +28,20 @@ template <int D> int reaction(const model::Model<D>& model, const std::string& n
                               : model::reaction(model, support);
   push(L, VectorX(force));
   set_force<D>(L, force);
-  if (!loaded && scene.supports[at(support)].rotates) {
+  if (!loaded && scene.supports[at(support)].turns()) {
     const double moment = model::moment(model, support);
     push(L, moment);
     lua_rawseti(L, -2, D + 1);
     set_field(L, "moment", moment);
   }
+  return 1;
+}
+
+/// The unknown motions of a support's obstacles.
+template <int D> int free_motion(const model::Model<D>& model, const std::string& name, lua_State* L) {
+  const int support = find(model.system.scene.supports, name, "support");
+  lua_newtable(L);
+  for (const auto& [key, value] : model::free_motion(model, support)) set_field(L, key.c_str(), value);
   return 1;
 }
 
@@ -240,15 +248,11 @@ template <int D> int cost(const model::Model<D>& model, lua_State* L) {
 
 template <int D>
 constexpr Function model_results_entries[] = {
-    {"reaction", call<reaction<D>>},
-    {"contact_law", call<contact_law<D>>},
-    {"contact_resultant", call<contact_resultant<D>>},
-    {"profile", call<profile<D>>},
-    {"tie_resultant", call<tie_resultant<D>>},
-    {"tie_profile", call<tie_profile<D>>},
-    {"sample", call<sample<D>>},
-    {"energy", call<energy<D>>},
-    {"cost", call<cost<D>>},
+    {"reaction", call<reaction<D>>},       {"free_motion", call<free_motion<D>>},
+    {"contact_law", call<contact_law<D>>}, {"contact_resultant", call<contact_resultant<D>>},
+    {"profile", call<profile<D>>},         {"tie_resultant", call<tie_resultant<D>>},
+    {"tie_profile", call<tie_profile<D>>}, {"sample", call<sample<D>>},
+    {"energy", call<energy<D>>},           {"cost", call<cost<D>>},
 };
 
 } // namespace

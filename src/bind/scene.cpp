@@ -217,7 +217,7 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
   };
   // Loads are accepted among the supports: both are external actions on a body.
   const auto add_boundary_condition = [&](const Arguments& part, const std::string&) -> std::string& {
-    if (part.has("traction") || part.has("pressure") || part.has("force"))
+    if (part.has("traction") || part.has("pressure") || part.has("force") || part.has("moment"))
       return scene.loads.emplace_back(read_load(builder, part)).name;
     return scene.supports.emplace_back(read_support(builder, part)).name;
   };

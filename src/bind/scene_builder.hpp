@@ -69,6 +69,6 @@ std::string position_text(const VectorX& x);
 
 /// An entry of `supports` or `loads`; the caller sets its name. New obstacles are added to the scene.
 template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const Arguments& a);
-template <int D> model::Load read_load(const SceneBuilder<D>& builder, const Arguments& a);
+template <int D> model::Load read_load(SceneBuilder<D>& builder, const Arguments& a);
 
 } // namespace signorini::bind

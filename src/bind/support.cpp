@@ -6,6 +6,7 @@
 #include "solid/load.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace signorini::bind {
 
@@ -29,6 +30,7 @@ void read_components(const Arguments& a, const char* key, Constraint constraint,
       a.fail("it both fixes and drives ", letter,
              ": a component is either fixed or driven, remove it from one of the two");
     component = constraint;
+    support.freed[at(letter - 'x')] = constraint == Constraint::free;
   }
 }
 
@@ -36,7 +38,8 @@ void read_components(const Arguments& a, const char* key, Constraint constraint,
 Vec<3> read_axis(const Arguments& a, int index) {
   lua_State* L = a.state();
   const char* expected = "'x', 'y', 'z', or a vector {x, y, z}";
-  if (lua_isboolean(L, index)) a.refuse("rotate", expected, "in 3D a face rotates about an axis, as in rotate = \"z\"");
+  if (lua_isboolean(L, index))
+    a.refuse("rotate", expected, "in 3D a face or obstacle rotates about an axis, as in rotate = \"z\"");
   if (lua_isstring(L, index)) return Vec<3>::Unit(*lua_tostring(L, index) - 'x');
   const Vec<3> axis = to<VectorX>(L, index);
   if (!(axis.norm() > 0)) a.refuse("rotate", expected, "a zero vector has no direction");
@@ -57,16 +60,65 @@ template <int D, class Visit> void each_face(const Arguments& a, const char* exp
   });
 }
 
-/// The face, in space the faces, that a support rotates about their common centroid (in space: an axis through it).
-template <int D> void read_rotation(const Arguments& a, model::Support<D>& support) {
+/// The point about which a support rotates obstacles: that given, or the center of the sphere or cylinder.
+template <int D> Vec<D> read_center(const Arguments& a, const SceneBuilder<D>& builder, const std::vector<int>& on) {
+  if (a.has("center")) {
+    const auto center = a.get<VectorX>("center");
+    if (center.size() != D) a.refuse("center", components_text<D>(' '));
+    return center;
+  }
+  const contact::Obstacle<D>& shape = builder.scene.obstacles[at(on.front())];
+  if (on.size() == 1) {
+    if (const auto* ball = std::get_if<contact::Ball<D>>(&shape)) return ball->center;
+    if constexpr (D == 3)
+      if (const auto* cylinder = std::get_if<contact::Cylinder>(&shape)) return cylinder->point;
+  }
+  a.refuse("center", D == 2 ? "a point {x, y}" : "a point {x, y, z}",
+           "the obstacle rotates about it; only one sphere or cylinder has a center of its own");
+}
+
+/// The obstacles that a support rotates, by a driven or a free angle.
+template <int D> void read_turning(const Arguments& a, const SceneBuilder<D>& builder, model::Support<D>& support) {
+  if (!support.on.empty())
+    a.fail("it rotates obstacles and faces, which have centers of their own: use a support for each");
+  if (builder.scene.kind == solid::Kind::axisymmetric)
+    a.fail("it rotates an obstacle, which would no longer be axisymmetric: remove rotate, or use a model in 3D");
+  support.center = read_center(a, builder, support.obstacles);
+  support.free_angle = a.get("angle", std::string("driven")) == "free";
+}
+
+/// Throws if a support frees what cannot move.
+template <int D>
+void check_freed(const Arguments& a, const SceneBuilder<D>& builder, const model::Support<D>& support) {
+  if (support.obstacles.empty()) return;
+  const bool frees = support.free_angle || std::ranges::find(support.freed, true) != support.freed.end();
+  if (frees && support.obstacles.size() > 1)
+    a.fail("it frees several obstacles, which would move independently: use a support for each");
+  if (builder.scene.kind == solid::Kind::axisymmetric && support.freed[0])
+    a.fail("free names x, but in an axisymmetric model an obstacle moves along the axis only: write free = \"y\"");
+}
+
+/// The face, in space the faces, that a support rotates about their common centroid (in space: an axis through it), or
+/// obstacles.
+template <int D> void read_rotation(const Arguments& a, const SceneBuilder<D>& builder, model::Support<D>& support) {
   lua_State* L = a.state();
   const int given = a.push("rotate");
   support.rotates = lua_toboolean(L, given);
-  if (!support.rotates) return;
+  const auto needs = [&](const char* key, const char* why, const char* cure) {
+    if (a.has(key)) a.fail(key, " is for obstacles that rotate", why, ": ", cure);
+  };
+  if (!support.rotates) {
+    needs("center", ", but rotate is missing", D == 2 ? "add rotate = true" : "add rotate = \"z\", the axis");
+    needs("angle", ", but rotate is missing", D == 2 ? "add rotate = true" : "add rotate = \"z\", the axis");
+    return;
+  }
   if constexpr (D == 3)
     support.axis = read_axis(a, given);
   else if (!lua_isboolean(L, given))
-    a.refuse("rotate", "true or false", "plane bodies can only rotate in the plane: write rotate = true");
+    a.refuse("rotate", "true or false", "plane bodies and obstacles can only rotate in the plane: write rotate = true");
+  if (!support.obstacles.empty()) return read_turning(a, builder, support);
+  needs("center", "; faces rotate about their centroid", "remove it");
+  needs("angle", "; those of faces are prescribed by stages", "remove it");
   const char* expected = D == 2 ? "one face" : "a face, or a list of faces";
   const char* cure = D == 2 ? "only one face of a body can rotate; use separate supports for other faces"
                             : "only faces of bodies can rotate; use separate supports for others";
@@ -96,6 +148,15 @@ template <int D> void read_spring(const Arguments& a, const SceneBuilder<D>& bui
                     ": a component is held by a spring or prescribed, use 0 for it");
   }
   if (support.spring.isZero(0)) reject_spring("has no stiffness: give a positive one for at least one component");
+  if (!support.obstacles.empty()) {
+    if (!support.on.empty()) reject_spring("holds obstacles and faces, per area: use a support for each");
+    for (int c = 0; c < D; ++c)
+      if (support.spring(c) > 0 && !support.freed[at(c)])
+        reject_spring("acts on ", model::component_name(c), ", in which the obstacle is fixed: add free = \"",
+                      model::component_name(c), "\"");
+    std::swap(support.obstacle_spring, support.spring);
+    return;
+  }
   if (support.rotates) reject_spring("cannot be combined with rotate: use separate supports");
   each_face<D>(a, "a face, or a list of faces", "springs are for faces of bodies; use separate supports for others",
                [&](const BoundaryPart<D>& face) {
@@ -215,13 +276,15 @@ template <int D> model::Support<D> read_support(SceneBuilder<D>& builder, const 
   read_components(a, "fix", Constraint::fixed, support);
   read_components(a, "drive", Constraint::driven, support);
   read_components(a, "free", Constraint::free, support);
-  read_rotation(a, support);
+  read_rotation(a, builder, support);
+  check_freed(a, builder, support);
   read_symmetry(a, builder, support);
   read_spring(a, builder, support);
   read_shape(a, builder, support);
-  if (support.constraint == std::array<Constraint, D>{} && !support.rotates && support.spring_faces.empty())
+  const bool frees = !support.obstacles.empty() && std::ranges::find(support.freed, true) != support.freed.end();
+  if (support.constraint == std::array<Constraint, D>{} && !support.rotates && support.spring_faces.empty() && !frees)
     a.fail("it must constrain at least one component: add fix = \"xy\", drive = \"xy\", ",
-           D == 2 ? "rotate = true" : "rotate = \"z\"", " or symmetry = true, or a spring");
+           D == 2 ? "rotate = true" : "rotate = \"z\"", " or symmetry = true, or a spring; for an obstacle also free");
   return support;
 }
 

@@ -7,7 +7,7 @@
 namespace signorini::contact {
 
 /// Of two elements or of a group of multipliers. Rows belong to the degrees of freedom of the slave element's
-/// functions, then of the master element's (the single node of a rigid master is element 0), D each, then to the
+/// functions, then of the master element's (the nodes of a rigid master are element 0), D each, then to the
 /// formulation's additional unknowns; columns belong to the same, then to the degrees of freedom of the slip element's
 /// functions. A half pass has rows for the slave element only. Rows and columns of a group's block belong to those of
 /// its slave nodes, then of its master nodes, then to additional unknowns. See Formulation::append_dofs.

@@ -87,7 +87,7 @@ void BlockSums<D>::fill_columns(const Block& block, const double* r, double w, c
 template <int D>
 void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const FacePoint<D>& master,
                        const FacePoint<D>* slip_point, const LocalForce<D>& force, bool tangent) {
-  const bool rigid = master_.rigid(); // one node for all elements
+  const bool rigid = master_.rigid(); // the same nodes for all elements
   const bool own_columns = slip_point && !rigid && slip_point->element != master.element;
   const std::size_t index =
       find(points.list[point].element, rigid ? 0 : master.element, own_columns ? slip_point->element : -1, tangent);

@@ -22,7 +22,7 @@ template <int D> void Formulation<D>::move(const double* slave_displacement, con
   double master_moved;
   {
     const ScopedTimer timer(times_search_ ? &search_seconds_ : nullptr);
-    master_moved = master_.move(master_displacement);
+    master_moved = master_.move(master_displacement, slave_.points());
   }
   // A surface point is a convex combination of control points, so their largest displacement is a bound.
   travel_ += std::sqrt((slave_.points() - previous_slave_).colwise().squaredNorm().maxCoeff()) + master_moved;
@@ -44,7 +44,7 @@ template <int D> void Formulation<D>::append_slave(int element, std::vector<int>
 template <int D>
 void Formulation<D>::append_master(int element, const Offsets& offsets, std::vector<int>& dofs, bool and_next) const {
   if (master().rigid()) {
-    for (int c = 0; c < D; ++c) dofs.push_back(offsets.master + c);
+    for (int c = 0; c < D * master().functions_on(0); ++c) dofs.push_back(offsets.master + c);
     return;
   }
   const Surface<D>& face = *master().surface();
@@ -63,7 +63,7 @@ void Formulation<D>::append_dofs(const Block& block, const Offsets& offsets, std
       for (int c = 0; c < D; ++c) dofs.push_back(D * slave().body_function(node) + c);
     for (const int node : block.master_nodes)
       for (int c = 0; c < D; ++c)
-        dofs.push_back(offsets.master + (master().rigid() ? 0 : D * master().surface()->body_function(node)) + c);
+        dofs.push_back(offsets.master + D * (master().rigid() ? node : master().surface()->body_function(node)) + c);
     for (const int number : block.extra) dofs.push_back(offsets.extra + number);
     return;
   }

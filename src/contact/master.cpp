@@ -2,6 +2,8 @@
 
 #include "contact/slip.hpp"
 
+#include <algorithm>
+
 namespace signorini::contact {
 
 namespace {
@@ -22,18 +24,38 @@ template <int D> Master<D>::Master(Surface<D> face) : rigid_(false), surface_(st
   previous_ = surface_->points();
 }
 
-template <int D> Master<D>::Master(Obstacle<D> obstacle) : rigid_(true) {
+template <int D>
+Master<D>::Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning)
+    : rigid_(true), turning_(std::move(turning)) {
   if (const auto* patch = std::get_if<nurbs::Patch>(&obstacle)) {
     surface_.emplace(*patch);
     surface_->extend(end_extension);
     boxes_.update(*surface_);
+    previous_ = surface_->points();
     displacements_.resize(at(D * surface_->functions()));
   } else {
     shape_ = std::move(obstacle);
   }
 }
 
-template <int D> double Master<D>::move(const double* displacement) {
+/// Turns the master; returns a bound as move(). Seen from the master, a point x moves by at most ‖ΔR‖ |x − c − t|.
+template <int D>
+double Master<D>::turn(const double* markers, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite) {
+  const Mat<D> to = Mat<D>::Identity() + Eigen::Map<const Mat<D>>(markers) / turning_->arm;
+  const double change = (to - rotation_).norm();
+  rotation_ = to;
+  const Vec<D> center = turning_->center + translation_;
+  return change == 0 ? 0 : change * std::sqrt((opposite.colwise() - center).colwise().squaredNorm().maxCoeff());
+}
+
+/// x as seen from an obstacle that neither moves nor turns.
+template <int D> Vec<D> Master<D>::pulled_back(const Vec<D>& x) const {
+  if (!turning_) return x - translation_;
+  return turning_->center + rotation_.transpose() * (x - translation_ - turning_->center);
+}
+
+template <int D>
+double Master<D>::move(const double* displacement, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite) {
   if (!rigid_) {
     surface_->move(displacement);
     boxes_.update(*surface_);
@@ -43,10 +65,15 @@ template <int D> double Master<D>::move(const double* displacement) {
     return distance;
   }
   const Vec<D> to = Eigen::Map<const Vec<D>>(displacement);
-  const double distance = (to - translation_).norm();
+  double distance = (to - translation_).norm();
   translation_ = to;
+  if (turning_) distance += turn(displacement + D, opposite);
   if (surface_ && distance > 0) {
     for (std::size_t i = 0; i < displacements_.size(); ++i) displacements_[i] = displacement[i % D];
+    if (turning_) {
+      Eigen::Map<Eigen::Matrix<double, D, Eigen::Dynamic>> all(displacements_.data(), D, previous_.cols());
+      all += (rotation_ - Mat<D>::Identity()) * (previous_.colwise() - turning_->center);
+    }
     surface_->move(displacements_.data());
     boxes_.update(*surface_);
   }
@@ -57,13 +84,18 @@ template <int D> double Master<D>::move(const double* displacement) {
 template <int D> void Master<D>::place(FacePoint<D>& point) const {
   point.element = 0;
   with_shape<D>(*shape_, [&](const auto& shape) { contact::locate(shape, point); });
+  if (turning_) {
+    point.position = turning_->center + rotation_ * (point.position - turning_->center);
+    for (auto& tangent : point.tangent) tangent = (rotation_ * tangent).eval();
+    for (auto& second : point.second) second = (rotation_ * second).eval();
+  }
   point.position += translation_;
 }
 
 template <int D>
 Projection<D> Master<D>::project(const Vec<D>& x, const Projection<D>& seed, FacePoint<D>& point) const {
   if (!shape_) return contact::project(*surface_, boxes_, x, seed, point);
-  point.xi = with_shape<D>(*shape_, [&](const auto& shape) { return closest(shape, Vec<D>(x - translation_)); });
+  point.xi = with_shape<D>(*shape_, [&](const auto& shape) { return closest(shape, pulled_back(x)); });
   place(point);
   return {Foot::regular, 0, 0, point.xi, (x - point.position).dot(normal(point))};
 }
@@ -82,6 +114,15 @@ template <int D> void Master<D>::functions(FacePoint<D>& point, int order) const
   if (!rigid_) return surface_->functions(point, order);
   point.value[0] = 1;
   for (auto& derivative : point.derivative) derivative[0] = 0;
+  if (!turning_) return;
+  // X − c = Rᵀ (x − t − c),  X_,α = Rᵀ τ_α
+  const double scale = 1 / turning_->arm;
+  const Vec<D> arm = scale * (pulled_back(point.position) - turning_->center);
+  std::copy_n(arm.data(), D, point.value.begin() + 1);
+  for (std::size_t a = 0; a < D - 1 && order > 0; ++a) {
+    const Vec<D> rate = scale * (rotation_.transpose() * point.tangent[a]);
+    std::copy_n(rate.data(), D, point.derivative[a].begin() + 1);
+  }
 }
 
 template <int D> void Master<D>::locate(const FaceCoordinates<D>& xi, FacePoint<D>& point) const {

@@ -6,8 +6,19 @@
 
 namespace signorini::contact {
 
-/// Position, kinematics and functions of a master. A rigid one has a single node, its translation, whose shape function
-/// is 1 everywhere, so that the same residual and tangent serve both.
+/// Rotation of a rigid master about a point that moves with it. `arm` is the length L that makes the displacements of
+/// its markers lengths: of the size of the shape, so that forces on markers and on the translation compare.
+template <int D> struct Turning {
+  Vec<D> center;
+  double arm;
+};
+
+/// Position, kinematics and functions of a master. A rigid one has a single node, its translation t, whose shape
+/// function is 1 everywhere, so that the same residual and tangent serve both. One that turns about c has D further
+/// nodes, the markers c + L e_i, e_i the unit vectors. With their displacements u_i = L (R − I) e_i relative to t, its
+/// points are at
+///     x = X + t + Σ_i N_i u_i,   N_i = (X − c)·e_i / L,
+/// linear in the nodes like the points of a face.
 ///
 /// If the traction ended with the face, it would jump whenever a point passes the end, where for example the edge of a
 /// block pressed into a slab carries most load; and a point at a plane of symmetry that rounding error or a small slope
@@ -16,19 +27,19 @@ namespace signorini::contact {
 template <int D> class Master {
 public:
   Master(Surface<D> face);
-  Master(Obstacle<D> obstacle);
+  Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning = {});
 
   bool rigid() const { return rigid_; }
   /// The moving face, or the rigid NURBS curve or surface; null for a closed-form shape.
   const Surface<D>* surface() const { return surface_ ? &*surface_ : nullptr; }
-  /// Number of functions on an element; 1 when rigid.
-  int functions_on(int element) const { return rigid_ ? 1 : surface_->functions_on(element); }
+  /// Number of functions on an element; the number of nodes when rigid.
+  int functions_on(int element) const { return rigid_ ? nodes() : surface_->functions_on(element); }
   /// Largest number of functions on an element.
-  int most_functions() const { return rigid_ ? 1 : surface_->most_functions(); }
+  int most_functions() const { return rigid_ ? nodes() : surface_->most_functions(); }
 
-  /// Sets displacements, D values per function of the body, or the obstacle's translation. Returns an upper bound of
-  /// the distance that any point moved.
-  double move(const double* displacement);
+  /// Sets displacements, D values per function of the body, or per node of the obstacle. Returns an upper bound of the
+  /// distance by which any point has come closer to the convex hull of `opposite` (D × points).
+  double move(const double* displacement, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite = {});
 
   /// The closest point to x, see projection.hpp; `point` receives the geometry there (order 2) without functions.
   /// Closed-form shapes have no ends.
@@ -47,15 +58,20 @@ public:
   FaceCoordinates<D> advance(const FaceCoordinates<D>& slip, const FacePoint<D>& foot, double length) const;
 
 private:
+  int nodes() const { return turning_ ? 1 + D : 1; }
   void place(FacePoint<D>& point) const;
+  double turn(const double* markers, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite);
+  Vec<D> pulled_back(const Vec<D>& x) const;
 
   bool rigid_;
   std::optional<Obstacle<D>> shape_; ///< a closed-form shape
   std::optional<Surface<D>> surface_;
   ElementBoxes<D> boxes_;
-  Vec<D> translation_ = Vec<D>::Zero();               ///< of a rigid master
-  Eigen::Matrix<double, D, Eigen::Dynamic> previous_; ///< control points before the last move
-  std::vector<double> displacements_;                 ///< working space: equal displacements of a rigid face
+  Vec<D> translation_ = Vec<D>::Zero(); ///< of a rigid master
+  std::optional<Turning<D>> turning_;
+  Mat<D> rotation_ = Mat<D>::Identity();              ///< R, if it turns
+  Eigen::Matrix<double, D, Eigen::Dynamic> previous_; ///< control points before the last move; of a rigid face at first
+  std::vector<double> displacements_;                 ///< working space: of the control points of a rigid face
 };
 
 } // namespace signorini::contact

@@ -98,7 +98,7 @@ template <int D>
 void MultiplierRows<D>::add(const ContactPoints<D>& points, std::size_t i, const FacePoint<D>& master,
                             const FacePoint<D>* slip_point, const LocalRows<D>& local, int count, double area,
                             const double* weights) {
-  const bool rigid = master_.rigid(); // one node for all elements
+  const bool rigid = master_.rigid(); // the same nodes for all elements
   const bool own_columns = slip_point && !rigid && slip_point->element != master.element;
   Strip& strip =
       find(points.list[i].element, rigid ? 0 : master.element, own_columns ? slip_point->element : -1, count);
@@ -133,7 +133,7 @@ void collect_nodes(const MultiplierGroup& group, const Master<D>& master,
     }
   sort_once(block.master_elements);
   if (master.rigid()) {
-    block.master_nodes.push_back(0);
+    for (int node = 0; node < master.functions_on(0); ++node) block.master_nodes.push_back(node);
     return;
   }
   const Surface<D>& face = *master.surface();
@@ -161,7 +161,7 @@ void add_strip(const Strip& strip, int own, int count, const Surface<D>& slave, 
     if (b < ns) {
       node = space.slave_column[at(slave.nodes(strip.slave_element)[b])];
     } else if (master.rigid()) {
-      node = space.master_column[0];
+      node = space.master_column[at(b - ns)];
     } else {
       const int* list = master.surface()->nodes(b < ns + nm ? strip.master_element : strip.slip_element);
       node = space.master_column[at(list[b < ns + nm ? b - ns : b - ns - nm])];
@@ -210,7 +210,8 @@ void couple(const MultiplierGroup& group, const MultiplierFunctions<D>& function
   collect_nodes(group, master, strips, block);
   const int ns = static_cast<int>(block.slave_nodes.size()), nm = static_cast<int>(block.master_nodes.size());
   number(block.slave_nodes, 0, slave.functions(), space.slave_column);
-  number(block.master_nodes, ns, master.rigid() ? 1 : master.surface()->functions(), space.master_column);
+  number(block.master_nodes, ns, master.rigid() ? master.functions_on(0) : master.surface()->functions(),
+         space.master_column);
   const int size = block.columns = D * (ns + nm);
   block.rows = pass == Pass::half ? D * ns : size;
   const bool frictional = count > PointRows<D>::count(false);

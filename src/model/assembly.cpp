@@ -3,6 +3,7 @@
 #include "base/index.hpp"
 #include "base/parallel.hpp"
 #include "base/timer.hpp"
+#include "model/free_angles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,17 +14,20 @@ template <int D>
 Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts,
                       const contact::Ties<D>& ties, const FollowerLoads<D>& followers, const Springs<D>& springs)
     : scene_(scene), unknowns_(unknowns), contacts_(contacts), followers_(followers), springs_(springs),
-      ties_(tie_terms(scene, unknowns, ties)), tie_border_(tie_border(scene, unknowns, ties)),
-      placements_(contacts.size()), is_contact_unknown_(at(unknowns.size()), false), product_(unknowns.dofs()) {
+      ties_(tie_terms(scene, unknowns, ties)), border_(tie_border(scene, unknowns, ties)), placements_(contacts.size()),
+      is_contact_unknown_(at(unknowns.size()), false), product_(unknowns.dofs()) {
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const solid::Body<D>& body = *scene_.bodies[b].body;
     partitions_.push_back(partition(unknowns_, body, unknowns_.offset(static_cast<int>(b))));
     arrays_.insert(arrays_.end(), partitions_.back().heads.size(), solid::ElementArrays<D>(body));
     linear_ = linear_ && body.linear();
   }
+  // Bodies have no stiffness at the unknowns of obstacles, which their factors must not contain.
+  for (int dof = unknowns.obstacles(); dof < unknowns.displacements(); ++dof)
+    if (const int i = unknowns.unknown(dof); i >= 0) border_.push_back(i);
   build_bulk();
   cover(false);
-  if (!tie_border_.empty()) list_contact_unknowns();
+  if (!border_.empty()) list_contact_unknowns();
 }
 
 template <int D> void Assembly<D>::build_bulk() {
@@ -105,7 +109,7 @@ template <int D> void Assembly<D>::cover(bool contacts) {
       if (block.group < 0) contacts_[k]->append_master(block.master_element, unknowns_.of_contact(k), dofs, true);
       for (const int element : block.master_elements)
         contacts_[k]->append_master(element, unknowns_.of_contact(k), dofs, true);
-      for (int& dof : dofs) dof = unknowns_.unknown(dof);
+      for (int& dof : dofs) dof = unknowns_.mover(dof);
       groups.push_back(std::move(dofs));
     }
   std::vector<int> moved;
@@ -159,12 +163,14 @@ std::optional<BodyInversion> Assembly<D>::assemble(const States<D>& states, cons
   const std::optional<BodyInversion> inverted = add_bulk(request, timings);
   if (inverted) return inverted;
   ScopedTimer timer(timings.contact);
-  if (linear_ || D == 3 || !tie_border_.empty()) watch_contacts();
+  if (linear_ || D == 3 || !border_.empty()) watch_contacts();
   add_contacts(request);
   ties_.multiply(states.present.displacement, states.present.force);
   springs_.multiply(states.present.displacement, states.present.force);
   if (direction) ties_.multiply(*direction, product_);
   if (direction) springs_.multiply(*direction, product_);
+  if (direction) add_moments(unknowns_, states.present.displacement, product_);
+  if (tangent) add_angles(request);
   if (tangent) add_followers(request);
   if (tangent) find_diagonal_norm();
   return std::nullopt;
@@ -311,8 +317,17 @@ void Assembly<D>::multiply(int b, int e, const solid::ElementArrays<D>& arrays, 
         }
 }
 
+/// Adds the part of the tangent of free angles that is due to the path of their markers.
+template <int D> void Assembly<D>::add_angles(const Request& request) {
+  const auto& [displacement, targets, force, factor, contacts, internal] = request.states.present;
+  for (const FreeAngle<D>& angle : unknowns_.free_angles())
+    values_[at(diagonal_[at(unknowns_.unknown(angle.dof))])] += angle_curvature(angle, displacement, force);
+}
+
 template <int D> void Assembly<D>::add_contacts(const Request& request) {
   VectorX& force = request.states.present.force;
+  const bool turns = request.tangent && !unknowns_.free_angles().empty();
+  const VectorX rates = turns ? angle_rates(unknowns_, request.states.present.displacement) : VectorX();
   for (std::size_t k = 0; k < contacts_.size(); ++k)
     for (const contact::Block& block : contacts_[k]->blocks()) {
       const Placement& placement = placements_[k].find(block.key())->second;
@@ -324,7 +339,11 @@ template <int D> void Assembly<D>::add_contacts(const Request& request) {
           for (int c = 0; c < block.columns; ++c)
             product_(placement.rows[at(r)]) += matrix[c] * (*request.direction)(placement.columns[at(c)]);
         if (!request.tangent) continue;
-        for (int c = 0; c < block.columns; ++c) values_[at(position[c])] += matrix[c];
+        if (turns)
+          for (int c = 0; c < block.columns; ++c)
+            values_[at(position[c])] += rates(placement.rows[at(r)]) * matrix[c] * rates(placement.columns[at(c)]);
+        else
+          for (int c = 0; c < block.columns; ++c) values_[at(position[c])] += matrix[c];
       }
     }
 }

@@ -63,7 +63,8 @@ public:
   /// The constant tangent of bodies, springs and ties if all bodies are linear elastic; otherwise empty.
   const std::vector<double>& constant_values() const { return constant_; }
   /// The unknowns on which contacts act or may soon act, sorted. The list is extended in large pieces, each with a new
-  /// contact_version(). Maintained for linear bodies, in 3D and with ties, whose tie_border() it contains.
+  /// contact_version(). Maintained for linear bodies, in 3D and with ties, whose tie_border() it contains, and of
+  /// obstacles with unknowns, which it contains, too.
   const std::vector<int>& contact_unknowns() const { return contact_unknowns_; }
   int contact_version() const { return contact_version_; }
   /// 2-norm of the last tangent's diagonal; 0 before the first.
@@ -98,6 +99,7 @@ private:
   void scatter(int body, int e, const solid::ElementArrays<D>& arrays, double* values) const;
   void multiply(int body, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction);
   void add_contacts(const Request& request);
+  void add_angles(const Request& request);
   void locate_face_terms();
   void add_springs(double* values) const;
   void add_followers(const Request& request);
@@ -115,7 +117,7 @@ private:
   const FollowerLoads<D>& followers_;
   const Springs<D>& springs_;
   TieTerms ties_;
-  std::vector<int> tie_border_;
+  std::vector<int> border_; ///< of ties, and the unknowns of obstacles
   solve::Pattern bulk_pattern_, pattern_;
   std::vector<int> bulk_positions_, positions_;          ///< per element and block entry: in bulk_pattern_, in pattern_
   std::vector<std::vector<std::size_t>> first_position_; ///< [body][element]

@@ -8,9 +8,9 @@
 
 namespace signorini::model {
 
-/// Lists the unknowns that are marked as those of contacts, and the ties' border.
+/// Lists the unknowns that are marked as those of contacts, and the border.
 template <int D> void Assembly<D>::list_contact_unknowns() {
-  for (const int i : tie_border_) is_contact_unknown_[at(i)] = true;
+  for (const int i : border_) is_contact_unknown_[at(i)] = true;
   contact_unknowns_.clear();
   for (int i = 0; i < unknowns_.size(); ++i)
     if (is_contact_unknown_[at(i)]) contact_unknowns_.push_back(i);
@@ -23,7 +23,7 @@ template <int D> void Assembly<D>::watch_contacts() {
   const auto all_known = [&](std::size_t k, const contact::Block& block) {
     const Nodes& list = placements_[k].find(block.key())->second.columns;
     return std::all_of(list.begin(), list.end(), [&](int dof) {
-      const int i = unknowns_.unknown(dof);
+      const int i = unknowns_.mover(dof);
       return i < 0 || is_contact_unknown_[at(i)];
     });
   };
@@ -50,7 +50,7 @@ template <int D> void Assembly<D>::watch_contacts() {
           }
     }
     for (int dof : dofs)
-      if (const int i = unknowns_.unknown(dof); i >= 0) is_contact_unknown_[at(i)] = true;
+      if (const int i = unknowns_.mover(dof); i >= 0) is_contact_unknown_[at(i)] = true;
   }
   list_contact_unknowns();
 }
@@ -69,7 +69,7 @@ template <int D> bool Assembly<D>::locate() {
       std::vector<int> positions;
       for (int row : placement.rows)
         for (int column : placement.columns) {
-          const int i = unknowns_.unknown(row), j = unknowns_.unknown(column);
+          const int i = unknowns_.mover(row), j = unknowns_.mover(column);
           positions.push_back(i < 0 || j < 0 ? pattern_.entries() : pattern_.find(i, j));
           if (positions.back() < 0) return false;
         }

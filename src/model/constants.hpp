@@ -20,6 +20,9 @@ inline constexpr double most_bent = 0.3;
 
 /// Largest motion of a body in contact in one damped iteration, relative to the bodies' extent.
 inline constexpr double small_stride = 1e-3;
+/// The same of an obstacle, which does not deform where it penetrates: a tool sinks by a tenth of the bodies' extent in
+/// ten iterations.
+inline constexpr double obstacle_stride = 1e-2;
 /// Smallest damping relative to the diagonal: keeps the tangent regular for motions without work, such as frictionless
 /// sliding.
 inline constexpr double least_damping = 1e-10;

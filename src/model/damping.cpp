@@ -34,6 +34,14 @@ template <int D> std::vector<std::vector<int>> connected_groups(const Scene<D>& 
   return groups;
 }
 
+/// The smallest |gap| of a contact; 0 if it is closed.
+template <int D> double nearest_gap(const contact::Formulation<D>& contact, const contact::History<D>& history) {
+  if (resultant(history).active > 0) return 0;
+  double distance = std::numeric_limits<double>::infinity();
+  for (const double gap : contact.gaps(history)) distance = std::min(distance, std::abs(gap));
+  return distance;
+}
+
 } // namespace
 
 template <int D>
@@ -97,10 +105,7 @@ std::vector<double> strides(const Scene<D>& scene, const contact::Formulations<D
   std::vector<double> nearest(scene.bodies.size(), infinity);
   const auto note = [&](int body, double distance) { nearest[at(body)] = std::min(nearest[at(body)], distance); };
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const double touch = resultant(state.contacts[k]).active > 0 ? 0 : infinity;
-    double distance = touch;
-    if (touch > 0)
-      for (const double gap : contacts[k]->gaps(state.contacts[k])) distance = std::min(distance, std::abs(gap));
+    const double distance = nearest_gap(*contacts[k], state.contacts[k]);
     for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
       if (acts_on(scene.contacts[k], b)) note(b, distance);
   }
@@ -113,11 +118,44 @@ std::vector<double> strides(const Scene<D>& scene, const contact::Formulations<D
   return nearest;
 }
 
+template <int D>
+std::vector<UnconstrainedObstacle> unconstrained_obstacles(const Scene<D>& scene, const Unknowns<D>& unknowns) {
+  const Springs<D> springs(scene, unknowns);
+  const auto held = [&](int dof) {
+    return std::ranges::any_of(springs.parts(), [&](const auto& part) { return part.dofs.front() == dof; });
+  };
+  std::vector<UnconstrainedObstacle> motions;
+  for (int k = 0; k < static_cast<int>(scene.obstacles.size()); ++k)
+    for (int dof = unknowns.obstacle_offset(k), end = dof + D; dof < end; ++dof)
+      if (unknowns.unknown(dof) >= 0 && !held(dof)) motions.push_back({k, dof});
+  for (const FreeAngle<D>& angle : unknowns.free_angles()) motions.push_back({angle.obstacle, angle.dof});
+  return motions;
+}
+
+template <int D>
+void damp_obstacles(const Scene<D>& scene, const Unknowns<D>& unknowns,
+                    const std::vector<UnconstrainedObstacle>& motions, const VectorX& diagonal, const VectorX& force,
+                    const contact::Formulations<D>& contacts, const State<D>& state, double small, VectorX& shift) {
+  const double largest = diagonal.cwiseAbs().maxCoeff();
+  for (const auto& [obstacle, dof] : motions) {
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < contacts.size(); ++k)
+      if (scene.contacts[k].master == std::variant<Faces, ObstacleReference>(ObstacleReference{obstacle}))
+        distance = std::min(distance, nearest_gap(*contacts[k], state.contacts[k]));
+    const double stride = std::isfinite(distance) ? std::max(distance, small) : small;
+    shift(unknowns.unknown(dof)) += std::max(least_damping * largest, std::abs(force(dof)) / stride);
+  }
+}
+
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template std::vector<UnconstrainedMotion> unconstrained_motions(const Scene<D>&, const Unknowns<D>&);                \
   template VectorX damping(const Scene<D>&, const Unknowns<D>&, const std::vector<UnconstrainedMotion>&,               \
                            const VectorX&, const VectorX&, const std::vector<double>&);                                \
-  template std::vector<double> strides(const Scene<D>&, const contact::Formulations<D>&, const State<D>&, double);
+  template std::vector<double> strides(const Scene<D>&, const contact::Formulations<D>&, const State<D>&, double);     \
+  template std::vector<UnconstrainedObstacle> unconstrained_obstacles(const Scene<D>&, const Unknowns<D>&);            \
+  template void damp_obstacles(const Scene<D>&, const Unknowns<D>&, const std::vector<UnconstrainedObstacle>&,         \
+                               const VectorX&, const VectorX&, const contact::Formulations<D>&, const State<D>&,       \
+                               double, VectorX&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

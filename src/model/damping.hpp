@@ -1,6 +1,6 @@
 #pragma once
-// Damping of unconstrained bodies, which are supported by contact only: keeps the tangent regular and limits their
-// motion until they touch.
+// Damping of unconstrained bodies and obstacles, which are supported by contact only: keeps the tangent regular and
+// limits their motion until they touch.
 
 #include "model/scene.hpp"
 #include "model/state.hpp"
@@ -33,5 +33,20 @@ VectorX damping(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::v
 template <int D>
 std::vector<double> strides(const Scene<D>& scene, const contact::Formulations<D>& contacts, const State<D>& state,
                             double small);
+
+/// A component of an obstacle's translation, or its angle, that is an unknown without a spring.
+struct UnconstrainedObstacle {
+  int obstacle;
+  int dof;
+};
+template <int D>
+std::vector<UnconstrainedObstacle> unconstrained_obstacles(const Scene<D>& scene, const Unknowns<D>& unknowns);
+
+/// Adds the shift of the diagonal at their unknowns, by which the residual force moves none of them farther than the
+/// smallest gap of its contacts, or `small`, as for bodies: |f| / stride.
+template <int D>
+void damp_obstacles(const Scene<D>& scene, const Unknowns<D>& unknowns,
+                    const std::vector<UnconstrainedObstacle>& motions, const VectorX& diagonal, const VectorX& force,
+                    const contact::Formulations<D>& contacts, const State<D>& state, double small, VectorX& shift);
 
 } // namespace signorini::model

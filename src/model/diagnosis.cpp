@@ -6,6 +6,7 @@
 #include "model/constants.hpp"
 #include "model/rigid_motions.hpp"
 #include "model/scene_warnings.hpp"
+#include "model/turning.hpp"
 #include "model/weak_directions.hpp"
 
 #include <algorithm>
@@ -131,9 +132,26 @@ Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> moves_of(const Model<
           model.system.scene.bodies[body].body->functions()};
 }
 
-/// Message about the body that a direction moves as a rigid body; empty if there is none.
+/// Message about the obstacle that a direction moves; empty if there is none.
+template <int D> Message obstacle_part(const Model<D>& model, const VectorX& all) {
+  const Scene<D>& scene = model.system.scene;
+  const Unknowns<D>& unknowns = model.system.unknowns;
+  const auto message = [&](int obstacle, const std::string& component) {
+    return Message("model.diagnosis.obstacle",
+                   {{"component", component}, {"support", support_of(scene, obstacle, component)}});
+  };
+  for (int k = 0; k < static_cast<int>(scene.obstacles.size()); ++k)
+    for (int c = 0; c < D; ++c)
+      if (std::abs(all(unknowns.obstacle_offset(k) + c)) > own_part * all.norm()) return message(k, component_name(c));
+  for (const FreeAngle<D>& angle : unknowns.free_angles())
+    if (std::abs(all(angle.dof)) > own_part * all.norm()) return message(angle.obstacle, "angle");
+  return {};
+}
+
+/// Message about the body or obstacle that a direction moves as a rigid body; empty if there is none.
 template <int D> Message rigid_part(const Model<D>& model, const VectorX& direction) {
   const VectorX all = model.system.unknowns.spread(direction);
+  if (Message obstacle = obstacle_part(model, all); !obstacle.code.empty()) return obstacle;
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
     const auto& named = model.system.scene.bodies[b];
     const auto own = moves_of(model, b, all);
@@ -321,6 +339,8 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
         null_direction(assembly.pattern(), assembly.values(), model.system.unknowns.free_displacements(), solver);
     add_direction(diagnosis, model, weak);
     if (weak.direction.norm() > 0) diagnosis.remedies = cure_of_sliding(model, weak.direction);
+    if (!obstacle_part(model, model.system.unknowns.spread(weak.direction)).code.empty())
+      diagnosis.remedies = offered({{"", "model.remedy.obstacle"}, {"damping", "model.remedy.damping"}}, on);
   }
   const bool stalls = report.outcome == Outcome::iteration_limit || report.outcome == Outcome::diverged ||
                       report.outcome == Outcome::line_search;

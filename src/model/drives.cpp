@@ -2,9 +2,9 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "model/rotation.hpp"
+#include "model/turning.hpp"
 #include "solid/load.hpp"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
@@ -23,13 +23,14 @@ template <int D> std::vector<std::string> moved_components(const Support<D>& sup
   std::vector<std::string> names;
   for (int c = 0; c < D; ++c)
     if (support.constraint[at(c)] == Constraint::driven) names.push_back(component_name(c));
-  if (support.rotates) names.emplace_back("angle");
+  if (support.turns()) names.emplace_back("angle");
   return names;
 }
 
 template <int D> std::vector<std::string> load_components(const Load& load) {
   if (!load.values.empty()) return {"factor"};
   if (load.pressure()) return {"pressure"};
+  if (load.kind == LoadKind::moment) return {"moment"};
   std::vector<std::string> names;
   const char* prefix = load.kind == LoadKind::body_force ? "b" : load.kind == LoadKind::point_force ? "p" : "";
   for (int c = 0; c < D; ++c) names.push_back(prefix + component_name(c));
@@ -40,19 +41,6 @@ template <int D> std::vector<std::string> load_components(const Load& load) {
 MatrixX next_values(const Load& load, Eigen::Index& used, int components, Eigen::Index points) {
   const Eigen::Index first = std::exchange(used, used + components * points);
   return Eigen::Map<const MatrixX>(load.values.data() + first, components, points);
-}
-
-/// R(θ) r, or its derivative with respect to θ, by R′ = R(θ + 90°) normal to the axis.
-template <int D> Vec<D> turned(double degrees, const Vec<D>& axis, const Vec<D>& arm, bool derivative) {
-  const double angle = degrees * radians_per_degree, c = std::cos(angle), s = std::sin(angle);
-  if constexpr (D == 2) {
-    const Vec<2> quarter(-arm(1), arm(0));
-    return derivative ? Vec<2>(c * quarter - s * arm) : Vec<2>(c * arm + s * quarter);
-  } else {
-    // Rodrigues: R r = a (a·r) + cos θ (r − a (a·r)) + sin θ a × r
-    const Vec<3> along = axis * axis.dot(arm), across = arm - along, quarter = axis.cross(arm);
-    return derivative ? Vec<3>(c * quarter - s * across) : Vec<3>(along + c * across + s * quarter);
-  }
 }
 
 } // namespace
@@ -112,6 +100,11 @@ template <int D> void Drives<D>::add_unit_load(const Load& load, int k, Eigen::R
   }
   for (const PointShare& point : load.points)
     force(unknowns_.offset(point.body) + D * point.function + k) += point.share;
+  for (const int obstacle : load.obstacles) {
+    if (load.kind != LoadKind::moment) force(unknowns_.obstacle_offset(obstacle) + k) += 1;
+    for (const FreeAngle<D>& angle : unknowns_.free_angles())
+      if (load.kind == LoadKind::moment && angle.obstacle == obstacle) force(angle.dof) += 1 / angle.arm;
+  }
 }
 
 template <int D> int Drives<D>::target(int drive, int component) const {
@@ -147,16 +140,14 @@ template <int D> double Drives<D>::shape_of(const Support<D>& support, int body,
 /// Adds the degrees of freedom that a support moves.
 template <int D> void Drives<D>::follow(int s, const Drive& drive) {
   const Support<D>& support = scene_.supports[at(s)];
+  const int angle = support.turns() ? drive.first + static_cast<int>(drive.components.size()) - 1 : -1;
   for (int c = 0, next = drive.first; c < D; ++c) {
     const bool driven = support.constraint[at(c)] == Constraint::driven;
-    const int target = !driven            ? -1
-                       : support.shaped() ? drive.first
-                                          : next++,
-              angle = support.rotates ? drive.first + static_cast<int>(drive.components.size()) - 1 : -1;
+    const int target = !driven ? -1 : support.shaped() ? drive.first : next++;
     if (!driven && !support.rotates) continue;
     for (const int dof : unknowns_.of_support(s, c)) {
-      if (dof >= unknowns_.obstacle_offset(0)) {
-        followers_.push_back({dof, c, target, -1, Vec<D>::Zero(), Vec<D>::Zero(), 1});
+      if (dof >= unknowns_.obstacles()) {
+        if (driven) followers_.push_back({dof, c, target, -1, Vec<D>::Zero(), Vec<D>::Zero(), 1});
         continue;
       }
       std::size_t body = scene_.bodies.size() - 1;
@@ -169,6 +160,13 @@ template <int D> void Drives<D>::follow(int s, const Drive& drive) {
           {dof, c, target, angle, point.template head<D>() / point(D) - support.center, support.axis, shape});
     }
   }
+  if (angle < 0) return;
+  for (const int obstacle : support.obstacles) {
+    const double arm = turn_of(scene_, obstacle)->turning.arm;
+    for (int i = 0, dof = unknowns_.obstacle_offset(obstacle) + D; i < D; ++i)
+      for (int c = 0; c < D; ++c, ++dof)
+        followers_.push_back({dof, c, -1, angle, arm * Vec<D>::Unit(i), support.axis, 1});
+  }
 }
 
 template <int D> VectorX Drives<D>::displacement(const VectorX& targets) const {
@@ -176,7 +174,7 @@ template <int D> VectorX Drives<D>::displacement(const VectorX& targets) const {
   for (const Follower& f : followers_) {
     double& u = result(f.dof);
     u = f.target >= 0 ? f.shape * targets(f.target) : 0;
-    if (f.angle >= 0) u += (turned<D>(targets(f.angle), f.axis, f.arm, false) - f.arm)(f.component);
+    if (f.angle >= 0) u += (rotated<D>(targets(f.angle) * radians_per_degree, f.axis, f.arm) - f.arm)(f.component);
   }
   return result;
 }
@@ -187,7 +185,8 @@ template <int D> VectorX Drives<D>::rate(const VectorX& targets, const VectorX& 
     double& u = result(f.dof);
     u = f.target >= 0 ? f.shape * direction(f.target) : 0;
     if (f.angle >= 0)
-      u += radians_per_degree * direction(f.angle) * turned<D>(targets(f.angle), f.axis, f.arm, true)(f.component);
+      u += radians_per_degree * direction(f.angle) *
+           rotated<D>(targets(f.angle) * radians_per_degree, f.axis, f.arm, 1)(f.component);
   }
   return result;
 }
@@ -199,7 +198,7 @@ template <int D> VectorX Drives<D>::force(const VectorX& targets) const {
 template <int D> double Drives<D>::moment(int support, const VectorX& targets, const VectorX& force) const {
   // With a unit rate of the angle in radians, M = f · ∂u/∂θ.
   for (const Drive& drive : all_) {
-    if (drive.support != support || !scene_.supports[at(support)].rotates) continue;
+    if (drive.support != support || !scene_.supports[at(support)].turns()) continue;
     VectorX turn = VectorX::Zero(targets.size());
     turn(drive.first + static_cast<int>(drive.components.size()) - 1) = 1 / radians_per_degree;
     return rate(targets, turn).dot(force);

@@ -4,6 +4,7 @@
 #include "base/index.hpp"
 #include "base/timer.hpp"
 #include "model/constants.hpp"
+#include "model/free_angles.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -12,6 +13,7 @@
 namespace signorini::model {
 
 template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, Message& why) {
+  follow_angles(model.system.unknowns, model.present.displacement);
   const auto inverted = model.system.assembly.assemble({model.present, model.accepted, model.controls, model.acting},
                                                        direction, tangent, model.timings);
   take_residual(model);
@@ -34,18 +36,32 @@ template <int D> void take_residual(Model<D>& model) {
   model.external = model.dead;
   model.system.followers.add_force(model.present.displacement, model.acting, model.external);
   model.residual = model.present.force - model.external;
+  add_moments(model.system.unknowns, model.present.displacement, model.residual);
   model.unbalanced = model.system.unknowns.gather(model.residual);
 }
 
 namespace {
 
-/// Adds the damping of unconstrained bodies to the tangent.
+/// Adds the damping of unconstrained bodies and obstacles to the tangent.
 template <int D> void damp(Model<D>& model) {
   System<D>& system = model.system;
-  if (system.unconstrained().empty()) return;
-  system.assembly.add_diagonal(
-      damping(system.scene, system.unknowns, system.unconstrained(), system.assembly.diagonal(), model.residual,
-              strides(system.scene, system.contacts, model.present, small_stride * system.extent)));
+  if (!system.has_unconstrained()) return;
+  const double small = small_stride * system.extent;
+  const VectorX diagonal = system.assembly.diagonal();
+  VectorX shift = damping(system.scene, system.unknowns, system.unconstrained(), diagonal, model.residual,
+                          strides(system.scene, system.contacts, model.present, small));
+  damp_obstacles(system.scene, system.unknowns, system.unconstrained_obstacles(), diagonal, model.residual,
+                 system.contacts, model.present, obstacle_stride * system.extent, shift);
+  system.assembly.add_diagonal(shift);
+}
+
+/// Whether an unconstrained body or obstacle takes part in a contact.
+template <int D> bool has_unconstrained(System<D>& system, const Contact<D>& contact) {
+  const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);
+  const auto acts = [&](const UnconstrainedMotion& motion) { return acts_on(contact, motion.body); };
+  const auto is_master = [&](const UnconstrainedObstacle& motion) { return motion.obstacle == obstacle->obstacle; };
+  return std::ranges::any_of(system.unconstrained(), acts) ||
+         (obstacle && std::ranges::any_of(system.unconstrained_obstacles(), is_master));
 }
 
 } // namespace
@@ -57,7 +73,7 @@ template <int D> bool factor(Model<D>& model, const StepOptions& options) {
   const Tangent tangent{assembly.values(),          assembly.pattern(),          assembly.pattern_version(),
                         assembly.constant_values(), assembly.contact_unknowns(), assembly.contact_version()};
   return model.linear.factor(tangent,
-                             {options.linear, options.damping && !model.system.unconstrained().empty(), options.mumps});
+                             {options.linear, options.damping && model.system.has_unconstrained(), options.mumps});
 }
 
 template <int D> bool solve_for(Model<D>& model, VectorX& b) {
@@ -111,9 +127,7 @@ template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& op
   for (std::size_t k = 0; k < system.contacts.size() && damping; ++k) {
     const Contact<D>& contact = system.scene.contacts[k];
     const bool falls = system.contacts[k]->active(model.present.contacts[k]) &&
-                       resultant(model.present.contacts[k]).active == 0 &&
-                       std::any_of(system.unconstrained().begin(), system.unconstrained().end(),
-                                   [&](const UnconstrainedMotion& motion) { return acts_on(contact, motion.body); });
+                       resultant(model.present.contacts[k]).active == 0 && has_unconstrained(system, contact);
     model.controls[k].landing = falls;
     any = any || falls;
   }

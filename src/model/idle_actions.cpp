@@ -1,6 +1,7 @@
 #include "model/idle_actions.hpp"
 
 #include "base/index.hpp"
+#include "model/turning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,9 +76,41 @@ template <int D> std::string holders(const System<D>& system, const std::vector<
   return names;
 }
 
+/// Whether an obstacle is round about the axis of its free angle, so that only friction turns it.
+template <int D> bool is_round(const Scene<D>& scene, const FreeAngle<D>& angle) {
+  const contact::Obstacle<D>& shape = scene.obstacles[at(angle.obstacle)];
+  const Vec<D> center = turn_of(scene, angle.obstacle)->turning.center;
+  const double tolerance = negligible * angle.arm;
+  if (const auto* ball = std::get_if<contact::Ball<D>>(&shape)) {
+    Vec<D> arm = ball->center - center;
+    if constexpr (D == 3) arm -= angle.axis * angle.axis.dot(arm);
+    return arm.norm() <= tolerance;
+  }
+  if constexpr (D == 3)
+    if (const auto* cylinder = std::get_if<contact::Cylinder>(&shape))
+      return cylinder->axis.cross(angle.axis).norm() <= negligible &&
+             (cylinder->point - center).cross(angle.axis).norm() <= tolerance;
+  return false;
+}
+
+/// Warns of free angles of round obstacles that are in contact without friction.
+template <int D> void warn_of_idle_angles(const System<D>& system, std::vector<Message>& warnings) {
+  for (const FreeAngle<D>& angle : system.unknowns.free_angles()) {
+    const auto rubs = [&](const Contact<D>& contact) {
+      const auto* master = std::get_if<ObstacleReference>(&contact.master);
+      const contact::PenaltyLaw* law = contact::penalty_law(contact.method);
+      return master && master->obstacle == angle.obstacle && (!law || may_rub(*law));
+    };
+    if (is_round(system.scene, angle) && std::ranges::none_of(system.scene.contacts, rubs))
+      warnings.push_back(
+          Message("model.warning.idle_angle", {{"support", support_of(system.scene, angle.obstacle, "angle")}}));
+  }
+}
+
 } // namespace
 
 template <int D> void warn_of_idle_actions(const System<D>& system, std::vector<Message>& warnings) {
+  warn_of_idle_angles(system, warnings);
   if (system.scene.loads.empty() && system.springs.parts().empty()) return;
   const std::vector<char> on_axis = radial_on_axis(system);
   const auto warn = [&](const std::vector<int>& dofs, const Message& action) {

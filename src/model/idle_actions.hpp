@@ -1,5 +1,6 @@
 #pragma once
-// Loads and springs without effect, because supports prescribe all displacements on which they act.
+// Loads and springs without effect, because supports prescribe all displacements on which they act, and free angles of
+// obstacles that nothing turns.
 
 #include "model/system.hpp"
 

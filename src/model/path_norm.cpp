@@ -1,6 +1,7 @@
 #include "model/path_norm.hpp"
 
 #include "base/index.hpp"
+#include "model/turning.hpp"
 
 namespace signorini::model {
 
@@ -15,7 +16,13 @@ template <int D> VectorX path_weights(const Scene<D>& scene, const Unknowns<D>& 
     volume += body.volumes().sum();
   }
   weights /= volume;
-  for (int i = 0; i < D * static_cast<int>(scene.obstacles.size()); ++i) weights(unknowns.obstacle_offset(0) + i) = 1;
+  for (int k = 0; k < static_cast<int>(scene.obstacles.size()); ++k) {
+    const int first = unknowns.obstacle_offset(k);
+    weights.template segment<D>(first).setOnes();
+    // Two markers move by L dθ each, those of a free angle with s = L θ.
+    if (const auto turn = turn_of(scene, k)) weights.segment(first + D, D * D).setConstant(turn->free ? 0 : 0.5);
+  }
+  for (const FreeAngle<D>& angle : unknowns.free_angles()) weights(angle.dof) = 1;
   return weights;
 }
 

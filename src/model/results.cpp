@@ -4,6 +4,7 @@
 #include "base/index.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 namespace signorini::model {
 
@@ -22,18 +23,34 @@ template <int D> Vec<D> reaction(const Model<D>& model, int index) {
       for (int dof : model.system.unknowns.of_support(index, c)) sum(c) += model.residual(dof);
   VectorX held = VectorX::Zero(model.system.unknowns.dofs());
   model.system.springs.multiply(model.present.displacement, held, index);
-  return sum - held.head(model.system.unknowns.displacements()).reshaped(D, Eigen::AutoSize).rowwise().sum();
+  return sum - model.system.unknowns.resultant(held);
 }
 
 template <int D> double moment(const Model<D>& model, int support) {
   return model.system.drives.moment(support, model.present.targets, model.residual);
 }
 
+template <int D> std::vector<std::pair<std::string, double>> free_motion(const Model<D>& model, int index) {
+  const Support<D>& support = model.system.scene.supports[at(index)];
+  const Unknowns<D>& unknowns = model.system.unknowns;
+  std::vector<std::pair<std::string, double>> motion;
+  for (const int obstacle : support.obstacles) {
+    for (int c = 0; c < D; ++c)
+      if (support.freed[at(c)])
+        motion.emplace_back("u" + component_name(c),
+                            model.present.displacement(unknowns.obstacle_offset(obstacle) + c));
+    for (const FreeAngle<D>& angle : unknowns.free_angles())
+      if (support.free_angle && angle.obstacle == obstacle)
+        motion.emplace_back("angle", model.present.displacement(angle.dof) / angle.arm * 180 / std::numbers::pi);
+  }
+  return motion;
+}
+
 template <int D> Vec<D> load_resultant(const Model<D>& model, int load) {
   const VectorX targets = model.system.drives.only(load, model.present.targets);
   VectorX force = model.system.drives.force(targets);
   model.system.followers.add_force(model.present.displacement, targets, force);
-  return force.head(model.system.unknowns.displacements()).reshaped(D, Eigen::AutoSize).rowwise().sum();
+  return model.system.unknowns.resultant(force);
 }
 
 template <int D> Energies energies(const Model<D>& model) {
@@ -91,6 +108,7 @@ template <int D> double memory(const Model<D>& model) {
   template Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> body_displacement(const Model<D>&, int);         \
   template Vec<D> reaction(const Model<D>&, int);                                                                      \
   template double moment(const Model<D>&, int);                                                                        \
+  template std::vector<std::pair<std::string, double>> free_motion(const Model<D>&, int);                              \
   template Vec<D> load_resultant(const Model<D>&, int);                                                                \
   template Energies energies(const Model<D>&);                                                                         \
   template std::vector<Message> warnings(const Model<D>&);                                                             \

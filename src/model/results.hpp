@@ -12,6 +12,8 @@ Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> body_displacement(con
 template <int D> Vec<D> reaction(const Model<D>& model, int support);
 /// Moment of a rotating support about its center, conjugate to its angle in radians.
 template <int D> double moment(const Model<D>& model, int support);
+/// Unknown motions of a support's obstacles: components of their translations, by name, and their angle in degrees.
+template <int D> std::vector<std::pair<std::string, double>> free_motion(const Model<D>& model, int support);
 /// Force of a load.
 template <int D> Vec<D> load_resultant(const Model<D>& model, int load);
 

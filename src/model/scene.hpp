@@ -63,7 +63,7 @@ struct SupportedControlPoints {
 /// rigid body,
 ///   x = X_c + c + R(θ)(X − X_c),
 /// with a prescribed angle θ, in 3D about `axis`; `constraint` then refers to the translation c, whose free components
-/// are unknowns.
+/// are unknowns. Components of an obstacle's translation are unknowns only if `freed`, and its angle may be free.
 template <int D> struct Support {
   std::string name;
   std::vector<SupportedControlPoints> on;
@@ -75,14 +75,20 @@ template <int D> struct Support {
   Vec<D> spring = Vec<D>::Zero(); ///< stiffness per reference area, by component
   std::vector<FaceReference> spring_faces = {};
   double shape_error = 0; ///< of the projection of its shape, see face_projection.hpp
+  std::array<bool, D> freed{};
+  bool free_angle = false;                 ///< of an obstacle that it rotates
+  Vec<D> obstacle_spring = Vec<D>::Zero(); ///< stiffness by component, of springs that hold obstacles
 
+  /// Whether it rotates by a prescribed angle.
+  bool turns() const { return rotates && !free_angle; }
   /// Whether its driven components follow a shape times one factor, in place of a displacement for each component.
   bool shaped() const { return !on.empty() && !on.front().shape.empty(); }
 };
 
 /// Dead loads: per reference area or volume, or on edges and corners, of D components, or one value against the outward
-/// reference normal; and a pressure against the current normal per current area, which follows the deformation.
-enum class LoadKind { traction, pressure, body_force, follower_pressure, point_force };
+/// reference normal; and a pressure against the current normal per current area, which follows the deformation. On
+/// obstacles a force, or a moment about the center or axis of the support that rotates it.
+enum class LoadKind { traction, pressure, body_force, follower_pressure, point_force, moment };
 
 /// The share of a control point in a force on corners and edges: 1 at a corner, on an edge a length.
 struct PointShare {
@@ -90,7 +96,7 @@ struct PointShare {
   double share;
 };
 
-/// An external force on faces, on the volume of bodies, or on corners and edges.
+/// An external force on faces, on the volume of bodies, on corners and edges, or on obstacles.
 struct Load {
   std::string name;
   std::vector<FaceReference> on;
@@ -101,6 +107,7 @@ struct Load {
   /// uniform load. `start` is then a factor.
   std::vector<double> values = {};
   std::vector<PointShare> points = {}; ///< of a force on corners and edges
+  std::vector<int> obstacles = {};     ///< of a force or moment on obstacles, each of which receives all of it
 
   bool pressure() const { return kind == LoadKind::pressure || kind == LoadKind::follower_pressure; }
 };
@@ -135,7 +142,7 @@ struct Join {
 
 template <int D> struct Scene {
   std::vector<NamedBody<D>> bodies;
-  std::vector<contact::Obstacle<D>> obstacles = {}; ///< fixed unless a support drives them
+  std::vector<contact::Obstacle<D>> obstacles = {}; ///< fixed unless a support drives or frees them
   std::vector<Support<D>> supports;
   std::vector<Load> loads = {};
   std::vector<Contact<D>> contacts;

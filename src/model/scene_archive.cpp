@@ -29,8 +29,10 @@ auto members(SupportedControlPoints& points) {
 }
 
 template <int D> auto members(Support<D>& support) {
-  auto& [name, on, constraint, obstacles, rotates, center, axis, spring, spring_faces, shape_error] = support;
-  return std::tie(name, on, constraint, obstacles, rotates, center, axis, spring, spring_faces, shape_error);
+  auto& [name, on, constraint, obstacles, rotates, center, axis, spring, spring_faces, shape_error, freed, free_angle,
+         obstacle_spring] = support;
+  return std::tie(name, on, constraint, obstacles, rotates, center, axis, spring, spring_faces, shape_error, freed,
+                  free_angle, obstacle_spring);
 }
 
 auto members(PointShare& point) {
@@ -39,8 +41,8 @@ auto members(PointShare& point) {
 }
 
 auto members(Load& load) {
-  auto& [name, on, kind, start, bodies, values, points] = load;
-  return std::tie(name, on, kind, start, bodies, values, points);
+  auto& [name, on, kind, start, bodies, values, points, obstacles] = load;
+  return std::tie(name, on, kind, start, bodies, values, points, obstacles);
 }
 
 auto members(Tie& tie) {

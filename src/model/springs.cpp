@@ -8,6 +8,10 @@ namespace signorini::model {
 template <int D> Springs<D>::Springs(const Scene<D>& scene, const Unknowns<D>& unknowns) {
   for (std::size_t s = 0; s < scene.supports.size(); ++s) {
     const Support<D>& support = scene.supports[s];
+    for (const int obstacle : support.obstacles)
+      for (int c = 0; c < D; ++c)
+        if (const double k = support.obstacle_spring(c); k > 0)
+          parts_.push_back({static_cast<int>(s), {unknowns.obstacle_offset(obstacle) + c}, MatrixX::Constant(1, 1, k)});
     for (const FaceReference& face : support.spring_faces) {
       const solid::Body<D>& body = *scene.bodies[at(face.body)].body;
       const MatrixX points = body.space().points();

@@ -1,5 +1,6 @@
 #pragma once
-// Elastic supports: springs between faces and the ground, with a stiffness per reference area for each component.
+// Elastic supports: springs between faces and the ground, with a stiffness per reference area for each component, and
+// between obstacles and the ground.
 
 #include "model/unknowns.hpp"
 
@@ -9,11 +10,11 @@ template <int D> class Springs {
 public:
   Springs(const Scene<D>& scene, const Unknowns<D>& unknowns);
 
-  /// One component on an element of a face.
+  /// One component on an element of a face, or of an obstacle.
   struct Part {
     int support;           ///< index into Scene::supports
     std::vector<int> dofs; ///< degrees of freedom of this component
-    MatrixX stiffness;     ///< k ∫ N_A N_B dA
+    MatrixX stiffness;     ///< k ∫ N_A N_B dA; of an obstacle k
   };
   const std::vector<Part>& parts() const { return parts_; }
 

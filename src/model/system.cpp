@@ -7,6 +7,7 @@
 #include "model/joins.hpp"
 #include "model/path_norm.hpp"
 #include "model/ties.hpp"
+#include "model/turning.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -43,12 +44,17 @@ template <int D> const Scene<D>& completed(Scene<D>& scene) {
   return scene;
 }
 
+template <int D> contact::Master<D> obstacle_of(const Scene<D>& scene, int obstacle) {
+  const auto turn = turn_of(scene, obstacle);
+  return {scene.obstacles[at(obstacle)], turn ? std::optional(turn->turning) : std::nullopt};
+}
+
 template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
   contact::Formulations<D> contacts;
   for (const Contact<D>& contact : scene.contacts) {
     const auto* faces = std::get_if<Faces>(&contact.master);
     contact::Master<D> master = faces ? contact::Master<D>(surface_of(scene, *faces))
-                                      : contact::Master<D>(scene.obstacles[at(std::get<1>(contact.master).obstacle)]);
+                                      : obstacle_of(scene, std::get<1>(contact.master).obstacle);
     contacts.push_back(contact::make_formulation<D>(
         contact.method, {surface_of(scene, contact.slave), std::move(master), contact.points,
                          scene.kind == solid::Kind::axisymmetric, contact.where, contact.start, contact.bonded}));
@@ -105,6 +111,11 @@ template <int D> void System<D>::settle(State<D>& accepted) {
 template <int D> const std::vector<UnconstrainedMotion>& System<D>::unconstrained() {
   if (!unconstrained_) unconstrained_ = unconstrained_motions(scene, unknowns);
   return *unconstrained_;
+}
+
+template <int D> const std::vector<UnconstrainedObstacle>& System<D>::unconstrained_obstacles() {
+  if (!unconstrained_obstacles_) unconstrained_obstacles_ = model::unconstrained_obstacles(scene, unknowns);
+  return *unconstrained_obstacles_;
 }
 
 template <int D> const VectorX& System<D>::path_weights() {

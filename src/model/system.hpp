@@ -38,11 +38,16 @@ template <int D> struct System {
 
   /// Rigid-body modes that no support prevents; computed on first use.
   const std::vector<UnconstrainedMotion>& unconstrained();
+  /// Unknown motions of obstacles that no spring prevents; computed on first use.
+  const std::vector<UnconstrainedObstacle>& unconstrained_obstacles();
+  /// Whether there are any of both.
+  bool has_unconstrained() { return !unconstrained().empty() || !unconstrained_obstacles().empty(); }
   /// See path_norm.hpp; computed on first use.
   const VectorX& path_weights();
 
 private:
   std::optional<std::vector<UnconstrainedMotion>> unconstrained_;
+  std::optional<std::vector<UnconstrainedObstacle>> unconstrained_obstacles_;
   std::optional<VectorX> path_weights_;
 };
 

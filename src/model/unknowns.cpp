@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "model/contact_faces.hpp"
+#include "model/turning.hpp"
 
 #include <algorithm>
 
@@ -11,6 +12,7 @@ namespace {
 
 /// Message code of the constraint of a component.
 template <int D> const char* verb(const Support<D>& support, int component) {
+  if (support.freed[at(component)] && support.constraint[at(component)] == Constraint::free) return "model.verb.frees";
   if (support.rotates) return "model.verb.turns";
   return support.constraint[at(component)] == Constraint::driven ? "model.verb.drives" : "model.verb.fixes";
 }
@@ -29,7 +31,14 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
     count += D * body.body->functions();
   }
   obstacles_ = count;
-  count += D * static_cast<int>(scene.obstacles.size());
+  check_obstacles(scene);
+  for (int k = 0; k < static_cast<int>(scene.obstacles.size()); ++k) {
+    obstacle_offsets_.push_back(count);
+    count += D;
+    const auto turn = turn_of(scene, k);
+    if (turn && turn->free) free_angles_.push_back({k, count + D * D, count, turn->axis, turn->turning.arm});
+    if (turn) count += D * (turn->free ? D + 1 : D);
+  }
 
   // Coincident control points of a body, and those of joined faces, share the unknowns of the first of them.
   const std::vector<std::vector<int>> mates = coincident_points(scene).all();
@@ -51,17 +60,21 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
           for (int member : mates[at(group)]) list.push_back(D * member + c);
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
-      if (constraint != Constraint::free || support.rotates)
+      if (constraint != Constraint::free || support.rotates || support.freed[at(c)])
         for (int dof : list) {
+          // Control points that a support does not constrain are free; of obstacles the translation that it frees.
+          const bool moved = dof < obstacles_ ? support.rotates : support.freed[at(c)];
+          if (constraint == Constraint::free && !moved) continue;
           const Support<D>*& other = support_of[at(dof)];
           const bool both_fixed = constraint == Constraint::fixed && !support.rotates &&
                                   (!other || (other->constraint[at(c)] == constraint && !other->rotates));
           if (other && !both_fixed)
-            fail("model.scene.constrained_twice", {{"support", support.name},
-                                                   {"verb", Message(verb(support, c))},
-                                                   {"component", component_name(c)},
-                                                   {"other", other->name},
-                                                   {"other_verb", Message(verb(*other, c))}});
+            fail(dof < obstacles_ ? "model.scene.constrained_twice" : "model.scene.moved_twice",
+                 {{"support", support.name},
+                  {"verb", Message(verb(support, c))},
+                  {"component", component_name(c)},
+                  {"other", other->name},
+                  {"other_verb", Message(verb(*other, c))}});
           other = &support;
         }
       of_support_.push_back(std::move(list));
@@ -73,9 +86,13 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
     const Support<D>* support = support_of[at(dof)];
     const int c = dof % D; // every body and obstacle has D components per control point
     constrained_.push_back(support != nullptr || dof >= obstacles_);
-    if (!support) {
+    if (dof >= obstacles_) {
+      const bool freed = support && support->constraint[at(c)] == Constraint::free;
+      unknown_.push_back(freed ? size_++ : -1);
+      constrained_.back() = !freed;
+    } else if (!support) {
       const int group = group_of[at(dof / D)], lead = group < 0 ? dof : D * mates[at(group)].front() + c;
-      unknown_.push_back(dof >= obstacles_ ? -1 : lead < dof ? unknown(lead) : size_++);
+      unknown_.push_back(lead < dof ? unknown(lead) : size_++);
     } else if (support->rotates && support->constraint[at(c)] == Constraint::free) {
       int& unknown = shared[static_cast<std::size_t>(support - scene.supports.data())][at(c)];
       if (unknown < 0) unknown = size_++;
@@ -83,6 +100,10 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
     } else {
       unknown_.push_back(-1);
     }
+  }
+  for (const FreeAngle<D>& angle : free_angles_) {
+    unknown_[at(angle.dof)] = size_++;
+    std::fill_n(constrained_.begin() + angle.markers, D * D + 1, false);
   }
   displacements_ = count;
   free_displacements_ = size_;
@@ -110,6 +131,9 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
     of_ties_.push_back(dofs());
     add(tie.multipliers());
   }
+  if (!free_angles_.empty()) movers_ = unknown_;
+  for (const FreeAngle<D>& angle : free_angles_)
+    std::fill_n(movers_.begin() + angle.markers, D * D, unknown(angle.dof));
 }
 
 template <int D> VectorX Unknowns<D>::gather(const VectorX& values) const {
@@ -133,6 +157,13 @@ template <int D> double Unknowns<D>::constrained_norm(const VectorX& values) con
   for (int dof = 0; dof < displacements(); ++dof)
     if (constrained(dof)) sum += values(dof) * values(dof);
   return std::sqrt(sum);
+}
+
+template <int D> Vec<D> Unknowns<D>::resultant(const VectorX& values) const {
+  if (obstacle_offsets_.empty()) return values.head(displacements_).reshaped(D, Eigen::AutoSize).rowwise().sum();
+  Vec<D> sum = values.head(obstacles_).reshaped(D, Eigen::AutoSize).rowwise().sum();
+  for (const int translation : obstacle_offsets_) sum += values.template segment<D>(translation);
+  return sum;
 }
 
 template class Unknowns<2>;

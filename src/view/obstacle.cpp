@@ -222,6 +222,7 @@ Outline mirrored(const Outline& outline, int axis) {
   Outline image = outline;
   image.line = outline.line.rowwise().reverse(); // keeps the left side
   image.line.row(axis) *= -1;
+  if (image.spoke.size() > 0) image.spoke.row(axis) *= -1;
   return image;
 }
 
@@ -242,6 +243,9 @@ void draw_obstacle(Drawing& drawing, const Outline& outline, const Box& box, con
       hatch(drawing, part, box, style);
     drawing.marks.push_back(Stroke{std::move(part), rim_color, 3.6 * style.unit});
   }
+  if (outline.spoke.size() > 0)
+    for (auto& part : clip_line(flat(outline.spoke), box))
+      drawing.marks.push_back(Stroke{std::move(part), rim_color, 3.6 * style.unit});
 }
 
 Points worth_showing(const Outline& outline, const Bounds& box) {

@@ -95,6 +95,7 @@ void join_at_mirror(Body& body, int axis);
 struct Outline {
   Points line;
   bool endless = false; ///< first and last segment are infinite
+  Points spoke = {};    ///< of a disc, a line that shows how far it has turned
 };
 
 struct RigidPlane {

@@ -177,6 +177,8 @@ void put_on_paper(Scene& scene, const Frame& frame) {
   const Vec<3> shift(frame.x.from - scale * frame.x.low, frame.y.from - scale * frame.y.low, 0);
   each_part(scene, [&](auto& points, const Points&) { points = (scale * points).colwise() + shift; });
   for (Outline& outline : scene.outlines) outline.line = (scale * outline.line).colwise() + shift;
+  for (Outline& outline : scene.outlines)
+    if (outline.spoke.size() > 0) outline.spoke = ((scale * outline.spoke).colwise() + shift).eval();
   for (Line& line : scene.lines) line.line.spacing *= scale;
   for (PointVector& one : scene.vectors) one.at = scale * one.at + shift;
 }

@@ -56,7 +56,29 @@ check.case("peeling a film: the force of Rivlin and Kendall, and the balance of 
   assert(peel.peeled[#peel.peeled] > 5)
 end)
 
+check.case("belt: the capstan equation for a thick belt, on a driven pulley and on a fixed cylinder", function()
+  local belt = results("belt", "elements=32", "steps=8")
+  check.within_share("driven", belt.ratio, belt.thick, 0.005)
+  check.within_share("fixed", belt.ratio_over, belt.thick, 0.015)
+  check.within_share("moment", belt.moment, belt.balance, 5e-3)
+  -- A thinner belt is closer to the capstan equation.
+  local thin = results("belt", "elements=32", "steps=8", "h=0.25")
+  check.within("half the difference", math.log(thin.thin / thin.ratio) / math.log(belt.thin / belt.ratio), 0.5, 0.15)
+end)
+
+check.case("ironing under a constant force: equilibrium, and a rigid tool as a stiff die", function()
+  local ironing = results("pressed_tool", "refinement=1", "steps=20")
+  for step = 5, #ironing.rigid.drag do
+    check.within("force", ironing.rigid.normal[step], -0.15, 1e-8)
+    -- Before all points slip, the guides of the die give way a little.
+    if step >= 7 then check.within("drag", ironing.rigid.drag[step], ironing.die.drag[step], 0.005 * 0.2 * 0.15) end
+    check.within_share("sinking", ironing.rigid.height[step], ironing.die.height[step], 0.005)
+  end
+end)
+
 check.case("wrong arguments are errors", function()
+  check.refused(script "belt", { ["h=0"] = "h", ["mu=1"] = "mu", ["elements=2"] = "elements", ["turn=0"] = "turn" })
+  check.refused(script "pressed_tool", { ["P=0"] = "P", ["refinement=0"] = "refinement", ["distance=3"] = "distance" })
   check.refused(script "ball", { ["approach=0.6"] = "approach", ["elements=1"] = "elements", ["depth=0"] = "depth",
                                  ["penalty=-1"] = "penalty" })
   check.refused(script "bushing", { ["volumetric=mixed"] = "volumetric", ["most=0.9"] = "most", ["K=0"] = "K",

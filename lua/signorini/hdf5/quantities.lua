@@ -19,7 +19,7 @@ local of_key = {
   increments = { "count", "increments of the step" },
   iterations = { "count", "Newton iterations of the step, with failed attempts" },
   wall = { "time", "wall time of the step, with failed attempts" },
-  angle = { "angle", "prescribed rotation" }, moment = { "moment", "moment about the center or the axis" },
+  angle = { "angle", "rotation of the support" }, moment = { "moment", "moment about the center or the axis" },
   area = { "area", "area in contact; with mortar contact and adhesion the reference area" },
   pressure = { "stress", "pressure, positive in compression" },
   traction = { "stress", "tangential traction" },
@@ -47,7 +47,7 @@ for _, axis in ipairs { "x", "y", "z" } do
   of_key[axis] = { "length", "current position, " .. axis }
   of_key[axis:upper()] = { "length", "reference position, " .. axis }
   of_key["f" .. axis] = { "force", "force, " .. axis }
-  of_key["u" .. axis] = { "length", "prescribed displacement, " .. axis }
+  of_key["u" .. axis] = { "length", "displacement of the support, " .. axis }
   of_key["t" .. axis] = { "stress", "traction, " .. axis }
   of_key["b" .. axis] = { "force_per_volume", "force per reference volume, " .. axis }
   of_key["p" .. axis] = { "force", "force on corners, or per length of edges, " .. axis }

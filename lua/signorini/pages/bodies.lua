@@ -140,8 +140,8 @@ patch:reverse(1) exchanges inside and outside. ]] .. driven,
     returns = t.object "obstacle",
     example = { "sg.rigid.surface(sg.nurbs.arc{ center = {0, 0}, radius = 1, from = 0, to = 180 })",
                 'sg.rigid.surface(sg.shapes.block{ size = {9, 9, 1}, corner = {0, 0, -1} }:face "back")' } },
-  { "obstacle", [[The result of sg.rigid.*: a rigid master without unknowns; print(obstacle) shows its shape. It is
-fixed unless a support drives it: supports = { push = { on = obstacle, drive = "y" } }; stages then give its
+  { "obstacle", [[The result of sg.rigid.*: a rigid master; print(obstacle) shows its shape. It is fixed unless a
+support drives, rotates or frees it: supports = { push = { on = obstacle, drive = "y" } }; stages then give its
 displacement, push = {-0.1}, and run:column "push.fy" returns the force that the support exerts
 on the obstacle, which equals the contact force on the slave, run:column "touch.fy".]],
     example = [[

@@ -39,7 +39,7 @@ rotate, then loads.]],
     returns = t.list(t.text),
     example = "model:driven_names()  --> {\"grip\"}" },
   { "model:driven", [[Returns the components that stages prescribe, in order: {"x", "y"} (in 3D also "z") of a driven
-support or a traction, {"angle"} of a support that rotates (after its driven components), {"pressure"}.]],
+support or a traction, {"angle"} of a support that rotates (after its driven components), {"pressure"}, {"moment"}.]],
     arguments = { driven },
     returns = t.list(t.text),
     example = "model:driven \"grip\"  --> {\"x\", \"y\"}" },
@@ -134,8 +134,9 @@ by row.]],
     returns = t.record("size", t.integer(0), "rows columns", t.list(t.count), "values", t.numbers()),
     example = "model:tangent().size" },
   { "model:unknowns", [[Returns the meaning of each unknown: a list of { body, point, component }; for control points
-that share an unknown, the first one.]],
-    returns = t.list(t.record("body", t.text, "point", t.count, "component", t.text)),
+that share an unknown, the first one; { support, component } for an obstacle that a support frees. The unknown of its
+"angle" is the arc at a length of the obstacle's size, share/doc/theory.md.]],
+    returns = t.list(t.record("body? support?", t.text, "point?", t.count, "component", t.text)),
     example = "model:unknowns()[1].body  --> \"die\"" },
   { "model:displacements", [[Returns the current displacement of each unknown, in the order of model:unknowns.]],
     returns = t.numbers(),
@@ -152,7 +153,7 @@ for i = 1, #model:residual() do zeros[i] = 0 end
 model:move(zeros)
 model:rollback()]] },
   { "model:unconstrained_bodies", [[Returns the names of the unconstrained bodies: those with rigid-body modes that no
-support prevents.]],
+support prevents; and those of the supports that free obstacles which no spring holds.]],
     returns = t.list(t.text),
     example = "model:unconstrained_bodies()" },
   { "model:diagnose", [[Diagnoses why the last solve_step, iterate or solve_arc failed; call it before model:rollback.

@@ -87,6 +87,11 @@ fx, fy, fz, moment.]],
     end), "a support or a load" } },
     returns = force,
     example = "model:reaction(\"grip\").fy" },
+  { "model:free_motion", [[Returns the motions of an obstacle that are unknowns, by name: ux, uy, uz of its translation
+as far as its support frees them, and its angle if that is free. Empty for other supports.]],
+    arguments = { { "name", t.name(function(model) return model:support_names() end), "a support" } },
+    returns = t.table(),
+    example = "model:free_motion(\"grip\")" },
   { "model:contact_law", [[Returns the constants of a contact: { method, enforcement, per, points, penalty,
 default_penalty, active, offset }, as given to sg.model or by default, in the present state; default_penalty is true
 where the penalty is from material and mesh. With friction also mu, friction_penalty; with overlap = "interference"

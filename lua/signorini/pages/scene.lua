@@ -178,8 +178,9 @@ proven stable (inf-sup), less accurate; for degree p >= 2]], default = "equal" }
 local components = t.either(t.point, course)
 components.cure = "put it into braces, as in {0, -1}, or give a function of the position"
 local load = {
-  { "on", t.worded(t.flat(t.either(face, t.object "body", t.object "compound")), "a face, a body, or a list of these"),
-    "loaded faces; of a force, bodies, corners, or in 3D edges" },
+  { "on", t.worded(t.flat(t.either(face, t.object "body", t.object "compound", obstacle)),
+    "a face, a body, an obstacle, or a list of these"),
+    "loaded faces; of a force, bodies, corners, in 3D edges, or an obstacle; of a moment, an obstacle" },
   { "traction", components, "dead load {tx, ty}, in 3D {tx, ty, tz}", unit = "force per reference area",
     optional = true },
   { "pressure", t.either(t.number, course),
@@ -189,8 +190,12 @@ local load = {
 current normal and per current area, under plane stress per current length and undeformed thickness. Otherwise it is a
 dead load per reference area]], default = false },
   { "force", components, [[dead load {bx, by}, in 3D {bx, by, bz}, on bodies, such as density times gravity; {px, py},
-in 3D {px, py, pz}, on edges per reference length, or on corners, in axisymmetric models around the full circle]],
+in 3D {px, py, pz}, on edges per reference length, or in total on corners, in axisymmetric models around the full
+circle, and on an obstacle, which moves in the components that its supports free]],
     unit = "force per reference volume", optional = true },
+  { "moment", t.number, [[moment on an obstacle about the center, in 3D about the axis, of the support that rotates it
+with angle = "free"; positive from x to y, or by the right-hand rule about the axis]], unit = "force times length",
+    optional = true },
   { "factor", t.number, "initial factor of a function's values, which stages change; of functions only", default = 1.0,
     otherwise = "1" },
 }
@@ -199,10 +204,13 @@ load.hints = {
   body_force = "write force = {bx, by}, in 3D {bx, by, bz}, and on = body",
 }
 load.conflict = function(values, given)
-  local kinds = lists.filter({ "traction", "pressure", "force" }, function(kind) return values[kind] ~= nil end)
+  local kinds = lists.filter({ "traction", "pressure", "force", "moment" }, function(kind)
+    return values[kind] ~= nil
+  end)
   if #kinds ~= 1 then
     return "it must have one of traction = {tx, ty} ({tx, ty, tz} in 3D) and pressure = p, or force = {bx, by}"
-      .. " on bodies" .. (#kinds > 1 and ", but has " .. table.concat(kinds, " and ") or "")
+      .. " on bodies or an obstacle, or moment = m"
+      .. (#kinds > 1 and ", but has " .. table.concat(kinds, " and ") or "")
   end
   if given.factor and type(values[kinds[1]]) ~= "function" then
     return ("factor is for functions, but %s is constant: give its value, and another one in a stage"):format(kinds[1])
@@ -225,7 +233,7 @@ radius, y the axis, and forces refer to the full circle.]],
       { "bodies", t.map(t.or_nil(t.either(t.object "body", t.object "compound")), 1), [[the bodies. The parts of one of
 several patches are named after it: "ball.1", "ball.2", …]] },
       { "supports", t.map(t.or_nil(t.either(t.named "support", t.named "load"))),
-        "supports of bodies and obstacles; entries with traction, pressure or force are loads",
+        "supports of bodies and obstacles; entries with traction, pressure, force or moment are loads",
         optional = true },
       { "loads", t.map(t.or_nil(t.named "load")), "external forces", optional = true },
       { "contacts", t.map(t.or_nil(t.named "contact")), "pairs of faces that may touch", optional = true },
@@ -252,22 +260,30 @@ sg.model{ bodies = { cube = cube }, loads = { push = { on = cube:face "east", tr
           supports = { bed = { on = cube:face "front", fix = "xyz" },
                        grip = { on = cube:face "back", drive = "z", fix = "xy", rotate = "z" } } }]] } },
   { "support", "Fixes or prescribes displacements of faces, edges, corners or obstacles; at least one component.",
-    head = "supports = { <name> = { on, fix, drive, free, rotate, spring, shape, symmetry } }, in sg.model{ … }",
+    head = "supports = { <name> = { on, fix, drive, free, rotate, center, angle, spring, shape, symmetry } }, in "
+      .. "sg.model{ … }",
     named = {
       hints = { stiffness = "write spring = {kx, ky}, in 3D {kx, ky, kz}" },
       { "on", t.worded(t.flat(t.either(face, obstacle)),
         "a face or a list of faces, an edge, a corner or an obstacle"), "where; the reaction of a list is the sum" },
       { "fix", axes, "components with zero displacement", optional = true },
       { "drive", axes, "components that stages prescribe", unit = "length", optional = true },
-      { "free", axes, "free components, for documentation: unlisted components are free", optional = true },
+      { "free", axes, [[free components. Of faces, edges and corners for documentation: unlisted components are free; of
+one obstacle those that loads, springs and contact move, while unlisted components are fixed]], optional = true },
       { "rotate", t.worded(t.either(t.flag, t.choice { "x", "y", "z" }, t.space_point),
         "true in the plane; in 3D 'x', 'y', 'z' or a vector {ax, ay, az}"), [[the face rotates as a rigid body about its
 centroid, in 3D about the axis through it, by an angle in degrees that stages give after the driven components; in 3D a
 list of faces rotates as one, in the plane it must be one face. fix and drive then refer to the centroid, whose other
-components are free: rotate = true, fix = "xy" rotates the face about a fixed point]], otherwise = "no rotation" },
-      { "spring", t.point, [[stiffness {kx, ky}, in 3D {kx, ky, kz}, of springs that hold the faces; 0 where there is
-none. They are free of forces in the reference shape and keep the directions of the axes]],
-        unit = "force per length and reference area", optional = true },
+components are free: rotate = true, fix = "xy" rotates the face about a fixed point. An obstacle rotates about its
+center, which moves with its translation]], otherwise = "no rotation" },
+      { "center", t.point, "the point {x, y}, in 3D {x, y, z}, about which an obstacle rotates",
+        otherwise = "that of a sphere or cylinder" },
+      { "angle", t.choice { "driven", "free" }, [[of an obstacle that rotates: prescribed by stages, or an unknown that
+moments, friction and the shape of the obstacle determine]], otherwise = '"driven"' },
+      { "spring", t.point, [[stiffness {kx, ky}, in 3D {kx, ky, kz}, of springs that hold the faces, or an obstacle in
+free components, then in all; 0 where there is none. They are free of forces in the reference shape and keep the
+directions of the axes]],
+        unit = "force per length and reference area; of an obstacle per length", optional = true },
       { "shape", course, [[function(x, y), in 3D function(x, y, z), that returns the displacement {ux, uy} of a
 reference position of the faces, of which the driven components follow it, times a factor that stages prescribe; the
 others must be 0. It is called when the model is made, and projected onto the faces (least squares), which reproduces
@@ -279,13 +295,16 @@ remain those of the full circle]],
         default = false },
     },
     more = [[model:reaction(name) is the force that it exerts, followed by the moment if it rotates; the columns of a
-run are <name>.fx, .fy, .fz, .moment, and for driven components <name>.ux … .angle,
-or .factor of a shape.]],
-    example = [[
+run are <name>.fx, .fy, .fz, .moment, and for driven components and those of obstacles that are free <name>.ux …
+.angle (model:free_motion), or .factor of a shape. The angle of an obstacle may exceed a turn; points that stick or slip
+on its surface turn with it. More in share/doc/theory.md, Rigid obstacles.]],
+    example = { [[
 supports = { bed  = { on = slab:face "south", fix = "xy" },
-             grip = { on = { die:face "west", die:face "east" }, drive = "xy" } }]] },
-  { "load", "Applies a traction or pressure to faces, or a force per volume to bodies.",
-    head = "loads = { <name> = { on, traction or pressure or force, follower, factor } }, in sg.model{ … }",
+             grip = { on = { die:face "west", die:face "east" }, drive = "xy" } }]], [[
+supports = { roller = { on = sg.rigid.cylinder{ center = {0, 1.2}, radius = 0.2 }, free = "y", drive = "x",
+                        rotate = true, angle = "free" } }]] } },
+  { "load", "Applies a traction or pressure to faces, a force per volume to bodies, or a force or moment to obstacles.",
+    head = "loads = { <name> = { on, traction or pressure or force or moment, follower, factor } }, in sg.model{ … }",
     named = load,
     more = [[Loads are dead, with the direction and the magnitude that they have in the reference shape, except for a
 pressure with follower = true. The tangent has the follower's exact derivative. For a uniform pressure it is symmetric,
@@ -297,7 +316,7 @@ change. Displacements at a point force and stresses near it grow without limit a
 The value given here is that at the start of the path; stages change it linearly to theirs. A load that no
 stage names acts in full from the first step; to increase one from zero, give 0 here and its value in a stage.
 model:reaction(name) is the force; the columns of a run are <name>.fx …, and the values that stages change: .tx …,
-.pressure, .bx … of a force on bodies, .px … on corners and edges, or .factor of a function.]],
+.pressure, .bx … of a force on bodies, .px … on corners, edges and obstacles, .moment, or .factor of a function.]],
     example = { [[loads = { push = { on = die:face "east", traction = {0, -1} } }]],
                 [[loads = { gravity = { on = slab, force = {0, -9.81e-3} },
           gas = { on = slab:face "north", pressure = 0, follower = true } }]],

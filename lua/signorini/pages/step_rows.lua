@@ -51,8 +51,8 @@ local hints = {
   enforcement = "write it in the contact, in sg.model",
 }
 
-local damping = { "damping", t.flag, [[damps unconstrained bodies until contact holds them; the converged state is in
-equilibrium without damping]], default = false }
+local damping = { "damping", t.flag, [[damps unconstrained bodies and obstacles until contact holds them; the converged
+state is in equilibrium without damping]], default = false }
 local pseudo_transient = { "pseudo_transient", t.flag, [[pseudo-transient continuation: follows a damped motion, past a
 limit point, to a distant equilibrium, in up to 40 times as many iterations; not with line_search]], default = false }
 

@@ -1,0 +1,119 @@
+-- Rigid obstacles that loads move and turn: equilibrium, rolling, and moments, against closed forms.
+
+local sg = require "signorini"
+local check = require "check"
+
+local soft = sg.neo_hookean{ E = 10, nu = 0.3 }
+
+--- A slab of width 4 and height 1 under a cylinder of radius 0.5, with these keys of contact, support and loads.
+local function rolled(contact, support, loads, height)
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = {24, 3}, contact = "north",
+                        order = "N2", material = soft }
+  local tool = sg.rigid.cylinder{ center = {1.5, 1.5 + (height or 0)}, radius = 0.5 }
+  local model = { bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" }, tool = support },
+                  contacts = { press = { slave = slab:face "north", master = tool, penalty = 200 } }, loads = loads }
+  for key, value in pairs(contact) do model.contacts.press[key] = value end
+  support.on = tool
+  for _, load in pairs(loads or {}) do load.on = tool end
+  return sg.model(model)
+end
+
+--- A run that has reached its end.
+local function completed(run)
+  if run.failed then error(run.failure, 2) end
+  return run
+end
+
+local function last(run, name)
+  local column = run:column(name)
+  return column[#column]
+end
+
+local methods = { penalty = {}, augmented = { method = "mortar", enforcement = "augmented" },
+                  mortar = { method = "mortar" }, multipliers = { method = "mortar", enforcement = "multipliers" } }
+
+--- Augmentation ends where penetrations are below 1e-6 of the slab's size.
+local function tolerance(method) return method.enforcement == "augmented" and 4e-5 or 1e-8 end
+
+check.case("a free tool under a force is where a prescribed one needs that force", function()
+  for name, method in pairs(methods) do
+    local free = rolled(method, { free = "y" }, { weight = { force = {0, 0} } })
+    local pressed = completed(free:run{ { steps = 4, weight = {0, -0.8} } })
+    local depth = last(pressed, "tool.uy")
+    assert(depth < -0.03)
+    check.within(name .. ": contact", last(pressed, "press.fy"), -0.8, 1e-8)
+    check.within(name .. ": bed", last(pressed, "bed.fy"), 0.8, 1e-8)
+    local driven = rolled(method, { drive = "y" })
+    local run = completed(driven:run{ { steps = 4, tool = {depth} } })
+    check.within(name, last(run, "tool.fy"), -0.8, tolerance(method))
+  end
+end)
+
+check.case("a tool that falls from a distance lands", function()
+  for name, method in pairs(methods) do
+    local falls = rolled(method, { free = "y" }, { weight = { force = {0, -0.8} } }, 0.3)
+    local run = completed(falls:run{ { steps = 1 } })
+    local touches = completed(rolled(method, { free = "y" }, { weight = { force = {0, 0} } })
+      :run{ { steps = 4, weight = {0, -0.8} } })
+    check.within(name, last(run, "tool.uy") + 0.3, last(touches, "tool.uy"), tolerance(method))
+  end
+end)
+
+local mu, R = 0.3, 0.5
+local rough = { friction = { mu = mu, penalty = 200 } }
+
+check.case("a driven cylinder that spins in place: its moment is the radius times the friction", function()
+  for name, method in pairs(methods) do
+    local contact = { friction = { mu = mu } }
+    if method.enforcement ~= "multipliers" then contact.friction.penalty = 200 end
+    for key, value in pairs(method) do contact[key] = value end
+    local model = rolled(contact, { drive = "y", fix = "x", rotate = true })
+    local run = completed(model:run{ { steps = 4, tool = {-0.1, 0} }, { steps = 16, tool = {-0.1, 16} } })
+    local law = model:contact_resultant "press"
+    check.equal(law.slipping, law.active)
+    local profile, friction = model:profile "press", 0
+    for i, traction in ipairs(profile.traction) do friction = friction + traction * profile.area[i] end
+    -- Friction of mortar contact lies in the slave's planes, which differ a little from the cylinder's tangents.
+    -- At points it has the direction of the chord of a step's slip, 1° here.
+    local share = method.method == "mortar" and 0.015 or 1e-4
+    check.within_share(name, math.abs(last(run, "tool.moment")), math.abs(R * friction), share)
+  end
+end)
+
+--- Rolls a cylinder of a weight over the slab by 0.8, with its angle free: advance per radian, and mean drag over
+--- the weight.
+local function rolling(weight)
+  local model = rolled({ friction = { mu = 0.6, penalty = 1000 }, penalty = 1000 },
+                       { free = "y", drive = "x", rotate = true, angle = "free" }, { weight = { force = {0, 0} } })
+  local run = completed(model:run{ { steps = 3, tool = {0}, weight = {0, -weight} },
+                                   { steps = 40, tool = {0.8}, weight = {0, -weight} } })
+  local x, angle, drag = run:column "tool.ux", run:column "tool.angle", run:column "tool.fx"
+  local mean = 0
+  for step = 24, 43 do mean = mean + drag[step] / 20 end
+  return -(x[43] - x[23]) / math.rad(angle[43] - angle[23]), mean / weight
+end
+
+check.case("a cylinder that rolls freely has no drag, and advances by its radius per radian", function()
+  local radius, drag = rolling(0.4)
+  local lighter, less = rolling(0.05)
+  check.at_most("drag", drag, 2e-3)
+  check.at_most("drag of the lighter one", less, 2e-3)
+  -- The surface is compressed along the contact, in proportion to its width (creep), which tends to 0 with the weight.
+  check.within_share("rolling radius", radius, R, 0.025)
+  check.within_share("rolling radius of the lighter one", lighter, R, 0.01)
+end)
+
+check.case("a moment on a cylinder that is held in place is that of friction", function()
+  local model = rolled(rough, { drive = "y", fix = "x", rotate = true, angle = "free" }, { turn = { moment = 0 } })
+  local run = completed(model:run{ { steps = 4, tool = {-0.1}, turn = {0} },
+                                   { steps = 3, tool = {-0.1}, turn = {0.04} } })
+  local profile, moment = model:profile "press", 0
+  for i, traction in ipairs(profile.traction) do moment = moment + R * traction * profile.area[i] end
+  -- Elastic slip is a chord of the circle, not quite tangential.
+  check.within_share("friction", math.abs(moment), 0.04, 1e-5)
+  assert(last(run, "tool.angle") > 0)
+  -- More than Coulomb's limit has no equilibrium.
+  check.equal(model:run{ { steps = 1, tool = {-0.1}, turn = {0.4} } }.failed, true)
+end)
+
+check.done()
