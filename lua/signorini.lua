@@ -19,6 +19,7 @@ sg.work_precision = require "signorini.work_precision"
 sg.cheapest = require "signorini.cheapest"
 sg.pvd = require "signorini.pvd"
 sg.scenes = require "signorini.scenes"
+function sg.rigid.level_set(values) return require "signorini.level_set" (values) end
 local profile = require "signorini.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
 function sg.hyperelastic(values) return require("signorini.hyperelastic").new(values) end

@@ -1,42 +1,9 @@
 -- Elastic laws from an energy: the user's function is called once with symbols, and its formula is compiled.
 
 local core = require "signorini.core"
-local check = require "signorini.check"
-local counted = require "signorini.counted"
-local lists = require "signorini.lists"
+local formula = require "signorini.formula"
 
 local hyperelastic = {}
-
---- A hint for an error in the function, such as math.log of a symbol, or "".
-local function cure(message)
-  local name = message:match "'(%w+)' %(number expected, got symbol%)"
-  if not name then return "" end
-  if not rawget(core.sg, name) then return ". Hint: help 'formulas' lists the functions of symbols" end
-  return (". Hint: use sg.%s, which accepts symbols"):format(name)
-end
-
---- The formula that a function of symbols returns.
-local function formula_of(where, name, f, symbols)
-  local ok, result = pcall(f, table.unpack(symbols))
-  if not ok then error(type(result) == "string" and result .. cure(result) or result, 0) end
-  if type(result) == "number" then
-    core.fail(("%s: %s must return a formula of its arguments, got the number %s"):format(where, name, result))
-  end
-  if core.kind(result) ~= "symbol" then
-    check.reject(where, "the result of " .. name, "a formula of its arguments", result,
-      result == nil and "write return before the formula" or nil)
-  end
-  return result
-end
-
---- Raises an error unless a function has as many parameters as there are arguments for it; `fewer`: or less.
-local function check_parameters(where, name, f, symbols, fewer, hint)
-  local about = debug.getinfo(f, "u")
-  local takes, has = about.nparams, #symbols
-  if about.isvararg or takes == has or (fewer and takes < has) then return end
-  core.fail(("%s: %s must take %s, %s, but takes %d. Hint: %s"):format(where, name, counted(has, "argument"),
-    table.concat(lists.map(symbols, tostring), ", "), takes, hint))
-end
 
 --- A material from functions; `label`: its name in print(material), `where`: the function that the user has called.
 function hyperelastic.make(where, label, energy, stretches, fibers)
@@ -44,11 +11,11 @@ function hyperelastic.make(where, label, energy, stretches, fibers)
   local measure = stretches and "stretches" or "invariants"
   local name, f = stretches and "stretches" or "energy", stretches or energy
   local symbols = core.strain_symbols(measure, #fibers)
-  check_parameters(where, name, f, symbols, not stretches and #fibers == 0,
+  formula.check_parameters(where, name, f, symbols, not stretches and #fibers == 0,
     stretches and "write function(l1, l2, l3)" or #fibers == 0 and "I4 of a fiber needs fibers = { {x, y} }"
     or "after I1, I2 and J there is one argument per direction of fibers")
   return core.hyperelastic { called = where, label = label, measure = measure, fibers = fibers,
-                             energy = formula_of(where, name, f, symbols) }
+                             energy = formula.of(where, name, f, symbols) }
 end
 
 --- sg.hyperelastic

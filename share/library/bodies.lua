@@ -476,19 +476,22 @@ function sg.rigid.plane(arguments) end
 ---@field axis? [number, number, number]
 ---radius: a positive number; length
 ---@field radius number
+---inside: hollow: the body is inside, as in a bore, a socket or a groove (true or false; default false)
+---@field inside? boolean
 ---@field [string] sg.unknown_argument
 
 ---Returns a rigid cylinder of infinite length as an obstacle; in the plane, a disc. A support can move it: see help
 ---"obstacle".
 ---
 ---```text
----sg.rigid.cylinder{ center, axis, radius }
+---sg.rigid.cylinder{ center, axis, radius, inside = false }
 ---```
 ---
 ---Example:
 ---```lua
 ---sg.rigid.cylinder{ center = {0, 2}, radius = 1 }
 ---sg.rigid.cylinder{ center = {0, 0, 2}, axis = {0, 1, 0}, radius = 1 }
+---sg.rigid.cylinder{ center = {0, 0}, radius = 3, inside = true }
 ---```
 ---@param arguments sg.rigid.cylinder.arguments
 ---@return sg.obstacle
@@ -499,26 +502,96 @@ function sg.rigid.cylinder(arguments) end
 ---@field center [number, number]|[number, number, number]
 ---radius: a positive number; length
 ---@field radius number
+---inside: hollow: the body is inside, as in a bore, a socket or a groove (true or false; default false)
+---@field inside? boolean
 ---@field [string] sg.unknown_argument
 
 ---Returns a rigid sphere in 3D, or on the axis of an axisymmetric model, as an obstacle. A support can move it: see
 ---help "obstacle".
 ---
 ---```text
----sg.rigid.sphere{ center, radius }
+---sg.rigid.sphere{ center, radius, inside = false }
 ---```
 ---
 ---Example:
 ---```lua
 ---sg.rigid.sphere{ center = {0, 0, 2}, radius = 1 }
+---sg.rigid.sphere{ center = {0, 0, 0}, radius = 3, inside = true }
 ---```
 ---@param arguments sg.rigid.sphere.arguments
 ---@return sg.obstacle
 function sg.rigid.sphere(arguments) end
 
+---@class (exact) sg.rigid.torus.arguments
+---center: in 2D {r, z}, of the circle; in 3D of the torus (a list of 2 or 3 numbers; length)
+---@field center [number, number]|[number, number, number]
+---axis: direction of the axis; needed in 3D, not allowed in 2D (a list of 3 numbers {x, y, z}; optional)
+---@field axis? [number, number, number]
+---ring: distance of the circle's center from the axis; needed in 3D, not allowed in 2D (a positive number; length;
+---```text
+---      optional)
+---```
+---@field ring? number
+---radius: of the circle (a positive number; length)
+---@field radius number
+---inside: hollow: the body is inside, as in a bore, a socket or a groove (true or false; default false)
+---@field inside? boolean
+---@field [string] sg.unknown_argument
+
+---Returns a rigid torus as an obstacle: in an axisymmetric model a disc off the axis, in 3D a circle revolved about an
+---axis. A groove is a hollow one, inside = true. A support can move it: see help "obstacle".
+---
+---```text
+---sg.rigid.torus{ center, axis, ring, radius, inside = false }
+---```
+---
+---Example:
+---```lua
+---sg.rigid.torus{ center = {4, 1}, radius = 0.5 }
+---sg.rigid.torus{ center = {0, 0, 1}, axis = {0, 0, 1}, ring = 4, radius = 0.5 }
+---```
+---@param arguments sg.rigid.torus.arguments
+---@return sg.obstacle
+function sg.rigid.torus(arguments) end
+
+---@class (exact) sg.rigid.level_set.arguments
+---f: positive outside, negative inside (a function)
+---@field f fun(x: sg.symbol, y: sg.symbol, z: sg.symbol): sg.symbol
+---box: {corner, opposite corner}: where contact occurs (a list of 2 points; length)
+---@field box [[number, number]|[number, number, number], [number, number]|[number, number, number]]
+---@field [string] sg.unknown_argument
+
+---Returns an obstacle bounded by the curve or surface f = 0 of a formula, with f > 0 outside. The function is called
+---once with symbols for the coordinates, to read its formula; in an axisymmetric model x is the radius. A support can
+---move it: see help "obstacle".
+---
+---```text
+---sg.rigid.level_set{ f, box }
+---```
+---
+---Closest points are searched from points of the surface in the box, found on a lattice of 160 (in 3D 40) cells along
+---its longest side, so that details must be larger; pictures show that part. The surface does not end at the box. It
+---may have several parts. f must be finite in the box and have a gradient where it is zero: use one obstacle per
+---surface where surfaces cross. Corners and edges, as of sg.abs, have no closest points that Newton's method finds:
+---round them, as in the superellipse below. A formula has + - \* / ^ and the functions in help "formulas"; write no if.
+---Checkpoints and studies hold the formula.
+---
+---Example:
+---```lua
+---sg.rigid.level_set{ f = function(x, y) return x^4 + (y / 2)^4 - 1 end, box = { {-2, -3}, {2, 3} } }
+---sg.rigid.level_set{ f = function(x, y, z) return z - 0.1 * sg.cos(x) * sg.cos(y) end,
+---  box = { {-5, -5, -1}, {5, 5, 1} } }
+---```
+---@param arguments sg.rigid.level_set.arguments
+---@return sg.obstacle
+function sg.rigid.level_set(arguments) end
+
 ---Returns an obstacle bounded by a NURBS: a curve in the plane, whose outside is on the right of its direction, or a
 ---surface in 3D, whose outward normal is the cross product of its tangents along xi1 and xi2. patch:reverse(1)
 ---exchanges inside and outside. A support can move it: see help "obstacle".
+---
+---The patch may come from a file, sg.rigid.surface(sg.nurbs.read("tool.xml")[1]); of a body's shape take a face,
+---patch:face "north".
 ---
 ---Example:
 ---```lua

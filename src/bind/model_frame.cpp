@@ -1,6 +1,6 @@
 #include "base/index.hpp"
 #include "bind/frame.hpp"
-#include "bind/turned_obstacle.hpp"
+#include "bind/obstacle_frame.hpp"
 #include "model/turning.hpp"
 #include "view/obstacle.hpp"
 
@@ -74,53 +74,50 @@ void add_pressure(view::Panel& panel, const model::Model<2>& model, const Showin
 
 // ── Obstacles, in the present or initial position ────────────────────────────────────────────────────────────────────
 
-void add_obstacle(view::Panel& panel, const contact::Obstacle<2>& shape, const Vec<2>& shift) {
+void add_obstacle(view::Panel& panel, const contact::Obstacle<2>& shape, const Motion<2>& motion) {
   const auto add = [&](view::Outline outline) { panel.outlines.push_back(std::move(outline)); };
   if (const auto* plane = std::get_if<contact::Plane<2>>(&shape))
-    return add(view::half_plane(plane->point + shift, plane->normal));
-  if (const auto* ball = std::get_if<contact::Ball<2>>(&shape))
-    return add(view::circle(ball->center + shift, ball->radius, panel.windows));
+    return add(view::half_plane(plane->point, plane->normal));
+  if (const auto* ball = std::get_if<contact::Ball<2>>(&shape)) return add(circle_of(*ball, panel.windows));
+  if (const auto* level_set = std::get_if<contact::LevelSet<2>>(&shape)) {
+    for (view::Outline& outline : outlines(*level_set, motion)) add(std::move(outline));
+    return;
+  }
   const auto& curve = std::get<nurbs::Patch>(shape);
   const nurbs::KnotVector& knots = curve.directions().front();
   const auto place = [&](double fraction) {
     const double xi = knots.first() + (knots.last() - knots.first()) * fraction;
     Vec<3> point = Vec<3>::Zero();
-    point.head<2>() = nurbs::evaluate(curve, VectorX::Constant(1, xi)) + shift;
+    point.head<2>() = nurbs::evaluate(curve, VectorX::Constant(1, xi));
     return point;
   };
   add(view::outline(place, 400, panel.windows));
 }
 
-view::RigidSurface shifted(const nurbs::Patch& patch, const Vec<3>& shift, std::vector<Window> windows) {
-  for (Window& window : windows) {
-    window.low -= window.axes * shift;
-    window.high -= window.axes * shift;
-  }
-  tessellation::Skin skin = tessellation::tessellate(patch, 1, windows);
-  skin.points.colwise() += shift;
-  for (tessellation::SkinLine& line : skin.rim) line.points.colwise() += shift;
-  view::Body body = picture_body(std::move(skin), {});
+view::RigidSurface rigid_patch(const nurbs::Patch& patch, const std::vector<Window>& windows) {
+  view::Body body = picture_body(tessellation::tessellate(patch, 1, windows), {});
   return {std::move(body.skin), std::move(body.rim)};
 }
 
-void add_obstacle(view::Panel& panel, const contact::Obstacle<3>& shape, const Vec<3>& shift) {
+void add_obstacle(view::Panel& panel, const contact::Obstacle<3>& shape, const Motion<3>& motion) {
   const auto add = [&](view::Rigid rigid) { panel.obstacles.push_back(std::move(rigid)); };
   if (const auto* plane = std::get_if<contact::Plane<3>>(&shape))
-    return add(view::RigidPlane{plane->point + shift, plane->normal});
-  if (const auto* ball = std::get_if<contact::Ball<3>>(&shape))
-    return add(view::RigidBall{ball->center + shift, ball->radius});
+    return add(view::RigidPlane{plane->point, plane->normal});
+  if (const auto* ball = std::get_if<contact::Ball<3>>(&shape)) return add(view::RigidBall{ball->center, ball->radius});
   if (const auto* cylinder = std::get_if<contact::Cylinder>(&shape))
-    return add(view::RigidCylinder{cylinder->point + shift, cylinder->axis, cylinder->radius});
-  add(shifted(std::get<nurbs::Patch>(shape), shift, panel.windows));
+    return add(view::RigidCylinder{cylinder->point, cylinder->axis, cylinder->radius});
+  if (const auto* torus = std::get_if<contact::Torus>(&shape)) return add(surface_of(*torus));
+  if (const auto* level_set = std::get_if<contact::LevelSet<3>>(&shape)) return add(surface_of(*level_set, motion));
+  add(rigid_patch(std::get<nurbs::Patch>(shape), panel.windows));
 }
 
 /// A radius of a disc, which shows its rotation.
-void add_spoke(view::Panel& panel, const contact::Obstacle<2>& shape, const Vec<2>& shift, const Mat<2>& rotation) {
+void add_spoke(view::Panel& panel, const contact::Obstacle<2>& shape, const Mat<2>& rotation) {
   const auto* ball = std::get_if<contact::Ball<2>>(&shape);
   if (!ball) return;
   view::Points& spoke = panel.outlines.back().spoke;
   spoke.setZero(3, 2);
-  spoke.topRows<2>().colwise() = ball->center + shift;
+  spoke.topRows<2>().colwise() = ball->center;
   spoke.col(1).head<2>() += ball->radius * rotation.col(0);
 }
 
@@ -129,14 +126,14 @@ template <int D> void add_obstacles(view::Panel& panel, const model::Model<D>& m
     const int first = model.system.unknowns.obstacle_offset(k);
     const VectorX& u = model.present.displacement;
     const Vec<D> shift = deformed ? Vec<D>(u.template segment<D>(first)) : Vec<D>(Vec<D>::Zero());
-    contact::Obstacle<D> shape = model.system.scene.obstacles[at(k)];
     const auto turn = model::turn_of(model.system.scene, k);
     Mat<D> rotation = Mat<D>::Identity();
     if (turn && deformed) rotation += Eigen::Map<const Mat<D>>(u.data() + first + D) / turn->turning.arm;
-    if (turn) shape = turned<D>(std::move(shape), turn->turning.center, rotation);
-    add_obstacle(panel, shape, shift);
+    const Motion<D> motion = motion_about<D>(turn ? turn->turning.center : Vec<D>(Vec<D>::Zero()), rotation, shift);
+    const contact::Obstacle<D> shape = moved<D>(model.system.scene.obstacles[at(k)], motion);
+    add_obstacle(panel, shape, motion);
     if constexpr (D == 2)
-      if (turn) add_spoke(panel, shape, shift, rotation);
+      if (turn) add_spoke(panel, shape, rotation);
   }
 }
 

@@ -10,15 +10,26 @@ namespace signorini::bind {
 
 namespace {
 
-/// In the plane a disc is a cylinder or, on the axis of an axisymmetric model, a sphere.
+/// A disc is a cylinder in the plane; in an axisymmetric model a sphere on the axis, or a torus.
 void check_disc(const RigidShape<2>& rigid, bool revolved, const std::string& where) {
-  require(rigid.form != RigidForm::sphere || revolved, where,
-          " is a sphere in plane strain: use sg.rigid.cylinder, or kind = \"axisymmetric\" for the model");
+  const auto* disc = std::get_if<contact::Ball<2>>(&rigid.shape);
+  if (!disc) return;
+  const double x = disc->center(0);
+  require(rigid.form == RigidForm::cylinder || revolved, where,
+          rigid.form == RigidForm::sphere ? " is a sphere" : " is a torus",
+          " in a plane model: use sg.rigid.cylinder, or kind = \"axisymmetric\" for the model");
   require(rigid.form != RigidForm::cylinder || !revolved, where,
-          " is a cylinder across an axisymmetric model: use sg.rigid.sphere with its center on the axis x = 0");
-  if (const auto* ball = std::get_if<contact::Ball<2>>(&rigid.shape); ball && revolved && ball->center(0) != 0)
-    fail(where, " has its center at x = ", ball->center(0),
-         ": in an axisymmetric model a sphere's center lies on the axis, x = 0");
+          " is a cylinder across an axisymmetric model: use sg.rigid.sphere with its center on the axis x = 0, "
+          "sg.rigid.torus off the axis, or for a shaft or a bore about the axis sg.rigid.plane with normal {1, 0} or "
+          "{-1, 0}");
+  if (rigid.form == RigidForm::sphere && x != 0)
+    fail(where, " has its center at x = ", x,
+         ": in an axisymmetric model a sphere's center lies on the axis, x = 0; a disc off the axis is a torus: use "
+         "sg.rigid.torus");
+  if (rigid.form == RigidForm::torus && x <= disc->radius)
+    fail(where, " has its center at x = ", x, " and radius ", disc->radius,
+         ": in an axisymmetric model a torus must not reach the axis, x = 0; use sg.rigid.sphere for a disc on the "
+         "axis");
 }
 
 /// Gauss points per slave element and direction: 3(p+1), p the full degree along the slave face (thesis 7.1.1), the

@@ -6,8 +6,8 @@
 
 namespace signorini::bind {
 
-/// The user's name of the shape: a disc is a cylinder in plane strain and a sphere in an axisymmetric model.
-enum class RigidForm { plane, cylinder, sphere, surface };
+/// The user's name of the shape: a disc is a cylinder in plane strain, a sphere or a torus in an axisymmetric model.
+enum class RigidForm { plane, cylinder, sphere, surface, torus, level_set };
 
 template <int D> struct RigidShape {
   RigidForm form;

@@ -43,7 +43,7 @@ int negative(lua_State* L) {
 int refuse_comparison(lua_State*) {
   throw ArgumentError(
       "a symbol has no value that could be compared: the function is called once, with symbols, to read "
-      "its formula, which must hold for all strains. Hint: write one formula without if, and, or");
+      "its formula, which must hold everywhere. Hint: write one formula without if, and, or");
 }
 
 std::string symbol_text(const Symbol& symbol) {
@@ -80,6 +80,13 @@ constexpr Function symbol_entries[] = {
     {"__tostring", call<symbol_text>},
 };
 
+/// core.symbols{"x", "y"}: variables of a new graph
+int symbols(lua_State* L) {
+  push_variables(L, to<std::vector<std::string>>(L, 1));
+  return 1;
+}
+
+constexpr Function symbol_core_entries[] = {{"symbols", symbols}};
 constexpr Function symbol_functions[] = {
     {"log", apply<Operation::log>},   {"exp", apply<Operation::exp>},   {"sqrt", root},
     {"sin", apply<Operation::sin>},   {"cos", apply<Operation::cos>},   {"tan", apply<Operation::tan>},
@@ -101,6 +108,7 @@ void push_variables(lua_State* L, std::vector<std::string> names) {
 
 void open_symbols(lua_State* L) {
   register_functions(L, "sg", symbol_functions);
+  register_functions(L, "core", symbol_core_entries);
   register_type<Symbol>(L, symbol_entries);
 }
 

@@ -10,13 +10,28 @@ template <int D> auto members(Plane<D>& plane) {
 }
 
 template <int D> auto members(Ball<D>& ball) {
-  auto& [center, radius] = ball;
-  return std::tie(center, radius);
+  auto& [center, radius, hollow] = ball;
+  return std::tie(center, radius, hollow);
 }
 
 auto members(Cylinder& cylinder) {
-  auto& [point, axis, radius] = cylinder;
-  return std::tie(point, axis, radius);
+  auto& [point, axis, radius, hollow] = cylinder;
+  return std::tie(point, axis, radius, hollow);
+}
+
+auto members(Torus& torus) {
+  auto& [center, axis, ring, radius, hollow] = torus;
+  return std::tie(center, axis, ring, radius, hollow);
+}
+
+template <int D> void write(ArchiveWriter& to, const LevelSet<D>& level_set) {
+  to.put(level_set.compiled->formula, level_set.compiled->low, level_set.compiled->high);
+}
+
+template <int D> LevelSet<D> read_level_set(ArchiveReader& from) {
+  symbolic::Formula formula = symbolic::read_formula(from, level_set_variables<D>());
+  const auto low = from.get<Vec<D>>(), high = from.get<Vec<D>>();
+  return make_level_set<D>(std::move(formula), low, high);
 }
 
 auto members(PenaltyLaw& law) {
@@ -64,8 +79,8 @@ template <int D> auto members(PointResult<D>& result) {
 /// `cleared` is not stored, because settling resets it.
 template <int D> auto members(PointHistory<D>& point) {
   auto& [projection, cleared, slips, slip, limit, multiplier] = point;
-  auto& [foot, element, along, xi, gap] = projection;
-  return std::tie(foot, element, along, xi, gap, slips, slip, limit, multiplier);
+  auto& [foot, element, along, xi, gap, last] = projection;
+  return std::tie(foot, element, along, xi, gap, last, slips, slip.xi, slip.last, limit, multiplier);
 }
 
 template <int D> auto members(PointBond<D>& bond) {
@@ -95,10 +110,13 @@ template <int D> Obstacle<D> read_obstacle(ArchiveReader& from) {
   const int form = from.get<int>();
   if (form == 0) return from.get<Plane<D>>();
   if (form == 1) return from.get<Ball<D>>();
-  if constexpr (D == 3)
+  if constexpr (D == 3) {
     if (form == 2) return from.get<Cylinder>();
-  require(form == D, "contact.archive.obstacle", {{"number", form}});
-  return from.get<nurbs::Patch>();
+    if (form == 5) return from.get<Torus>();
+  }
+  if (form == D) return from.get<nurbs::Patch>();
+  require(form == D + 1, "contact.archive.obstacle", {{"number", form}});
+  return read_level_set<D>(from);
 }
 
 } // namespace

@@ -10,7 +10,7 @@ bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& fr
   FacePoint<D> foot, foot_before, point;
   Projection<D> found = now.project(to, seed, foot);
   if (found.foot != Foot::regular || found.gap <= 0 || now.normal(foot).dot(outward) <= back_to_back) return false;
-  before.locate(found.xi, foot_before);
+  before.locate(found.point(), foot_before);
   const Vec<D> way = (from - foot_before.position) - (to - foot.position);
   const double length = way.norm();
   // The gap changes by at most the distance moved, so steps of the gap's length cannot miss the master.

@@ -34,7 +34,7 @@ template <int D> struct PointHistory {
   Projection<D> projection; ///< start of the next closest-point projection
   double cleared = 0;       ///< value of Formulation::travel_ up to which an open point stays open
   bool slips = false;       ///< has a slip point
-  FaceCoordinates<D> slip = FaceCoordinates<D>::Zero();
+  MasterPoint<D> slip;
   double limit = 0;      ///< μ t_N times the area in the accepted state
   double multiplier = 0; ///< λ_N of the augmented Lagrangian method, a pressure
 };

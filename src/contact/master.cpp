@@ -3,6 +3,7 @@
 #include "contact/slip.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace signorini::contact {
 
@@ -11,8 +12,11 @@ namespace {
 /// Calls what(shape) with the closed-form shape; `obstacle` must not be a patch.
 template <int D, class What> auto with_shape(const Obstacle<D>& obstacle, const What& what) {
   if (const auto* ball = std::get_if<Ball<D>>(&obstacle)) return what(*ball);
-  if constexpr (D == 3)
+  if (const auto* level_set = std::get_if<LevelSet<D>>(&obstacle)) return what(*level_set);
+  if constexpr (D == 3) {
     if (const auto* cylinder = std::get_if<Cylinder>(&obstacle)) return what(*cylinder);
+    if (const auto* torus = std::get_if<Torus>(&obstacle)) return what(*torus);
+  }
   return what(std::get<Plane<D>>(obstacle));
 }
 
@@ -95,9 +99,9 @@ template <int D> void Master<D>::place(FacePoint<D>& point) const {
 template <int D>
 Projection<D> Master<D>::project(const Vec<D>& x, const Projection<D>& seed, FacePoint<D>& point) const {
   if (!shape_) return contact::project(*surface_, boxes_, x, seed, point);
-  point.xi = with_shape<D>(*shape_, [&](const auto& shape) { return closest(shape, pulled_back(x)); });
+  with_shape<D>(*shape_, [&](const auto& shape) { find_closest(shape, pulled_back(x), point); });
   place(point);
-  return {Foot::regular, 0, 0, point.xi, (x - point.position).dot(normal(point))};
+  return {Foot::regular, 0, 0, point.xi, (x - point.position).dot(normal(point)), point.last};
 }
 
 template <int D> Vec<D> Master<D>::normal(const FacePoint<D>& point) const {
@@ -125,12 +129,13 @@ template <int D> void Master<D>::functions(FacePoint<D>& point, int order) const
   }
 }
 
-template <int D> void Master<D>::locate(const FaceCoordinates<D>& xi, FacePoint<D>& point) const {
+template <int D> void Master<D>::locate(const MasterPoint<D>& at, FacePoint<D>& point) const {
   if (shape_) {
-    point.xi = xi;
+    point.xi = at.xi;
+    point.last = at.last;
     place(point);
   } else {
-    surface_->locate(surface_->find_element(xi), xi, 0, point);
+    surface_->locate(surface_->find_element(at.xi), at.xi, 0, point);
   }
   functions(point, 0);
 }
@@ -138,13 +143,19 @@ template <int D> void Master<D>::locate(const FaceCoordinates<D>& xi, FacePoint<
 template <int D> void Master<D>::locate(const Projection<D>& projection, FacePoint<D>& point) const {
   if (!shape_) return surface_->locate(projection.element, projection.xi, 2, point);
   point.xi = projection.xi;
+  point.last = projection.last;
   place(point);
 }
 
 template <int D>
-FaceCoordinates<D> Master<D>::advance(const FaceCoordinates<D>& slip, const FacePoint<D>& foot, double length) const {
-  if (!shape_) return advance_slip(*surface_, slip, foot, length);
-  return with_shape<D>(*shape_, [&](const auto& shape) { return advance_slip(shape, slip, foot, length); });
+MasterPoint<D> Master<D>::advance(const MasterPoint<D>& slip, const FacePoint<D>& foot, double length) const {
+  if (!shape_) return advance_slip(*surface_, slip.xi, foot, length);
+  return with_shape<D>(*shape_, [&]<class Shape>(const Shape& shape) -> MasterPoint<D> {
+    if constexpr (std::is_same_v<Shape, LevelSet<D>>)
+      return advance_slip(shape, slip, foot, length);
+    else
+      return advance_slip(shape, slip.xi, foot, length);
+  });
 }
 
 template class Master<2>;

@@ -50,12 +50,12 @@ public:
   double fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const;
   /// Evaluates the functions at point.element, point.xi, with first derivatives if `order` is 1.
   void functions(FacePoint<D>& point, int order) const;
-  /// Sets the element that contains xi, the position and the functions there, without derivatives.
-  void locate(const FaceCoordinates<D>& xi, FacePoint<D>& point) const;
+  /// Sets the element that contains a point, the position and the functions there, without derivatives.
+  void locate(const MasterPoint<D>& at, FacePoint<D>& point) const;
   /// The geometry (order 2) at a closest point found before, without functions.
   void locate(const Projection<D>& projection, FacePoint<D>& point) const;
-  /// The slip point's coordinate after a step (slip.hpp); `foot` is the projected point.
-  FaceCoordinates<D> advance(const FaceCoordinates<D>& slip, const FacePoint<D>& foot, double length) const;
+  /// The slip point after a step (slip.hpp); `foot` is the projected point.
+  MasterPoint<D> advance(const MasterPoint<D>& slip, const FacePoint<D>& foot, double length) const;
 
 private:
   int nodes() const { return turning_ ? 1 + D : 1; }

@@ -96,7 +96,7 @@ template <int D> void MortarContact<D>::weigh(std::size_t i, const Trial<D>& tri
     const ScopedTimer timer(this->times_search_ ? &part.search_seconds : nullptr);
     point.projection = master.project(result.position, point.projection, at.foot);
   }
-  const auto& [foot, element, along, xi, gap] = point.projection;
+  const auto& [foot, element, along, xi, gap, last] = point.projection;
   result.beyond = foot == Foot::none;
   result.settled = at.foot.settled;
   const double distance = gap - this->offset(i, trial.present);
@@ -141,7 +141,7 @@ template <int D> void MortarContact<D>::remember_foot(std::size_t i, const Trial
       this->accepted_master_.project(trial.accepted.results[i].position, point.projection, foot);
   if (projection.foot == Foot::none) return;
   point.slips = true;
-  point.slip = projection.xi;
+  point.slip = projection.point();
 }
 
 // ── Pressures ────────────────────────────────────────────────────────────────────────────────────────────────────────

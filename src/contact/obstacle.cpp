@@ -28,6 +28,28 @@ void check_radius(double radius) {
   require(std::isfinite(radius) && radius > 0, "contact.obstacle.radius", {{"radius", radius}});
 }
 
+void check_axis(const Vec<3>& point, const Vec<3>& axis) {
+  require(point.allFinite() && axis.allFinite(), "contact.cylinder.finite");
+  require(axis.norm() > 0, "contact.cylinder.axis");
+}
+
+/// The fraction t of a path with chord(t) = length, by bisection; chord(1) is longer.
+template <class Chord> double fraction_at(const Chord& chord, double length) {
+  double low = 0, high = 1;
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = (low + high) / 2;
+    (chord(middle) > length ? high : low) = middle;
+  }
+  return low;
+}
+
+/// Turns the outward normal of a hollow shape around.
+void turn_if(bool hollow, FacePoint<3>& point) {
+  if (!hollow) return;
+  std::swap(point.tangent[0], point.tangent[1]);
+  std::swap(point.second[0], point.second[2]);
+}
+
 } // namespace
 
 template <int D> Plane<D> make_plane(const Vec<D>& point, const Vec<D>& normal) {
@@ -37,17 +59,23 @@ template <int D> Plane<D> make_plane(const Vec<D>& point, const Vec<D>& normal) 
   return {point, normal / length};
 }
 
-template <int D> Ball<D> make_ball(const Vec<D>& center, double radius) {
+template <int D> Ball<D> make_ball(const Vec<D>& center, double radius, bool hollow) {
   require(center.allFinite(), "contact.obstacle.center");
   check_radius(radius);
-  return {center, radius};
+  return {center, radius, hollow};
 }
 
-Cylinder make_cylinder(const Vec<3>& point, const Vec<3>& axis, double radius) {
-  require(point.allFinite() && axis.allFinite(), "contact.cylinder.finite");
-  require(axis.norm() > 0, "contact.cylinder.axis");
+Cylinder make_cylinder(const Vec<3>& point, const Vec<3>& axis, double radius, bool hollow) {
+  check_axis(point, axis);
   check_radius(radius);
-  return {point, axis.normalized(), radius};
+  return {point, axis.normalized(), radius, hollow};
+}
+
+Torus make_torus(const Vec<3>& center, const Vec<3>& axis, double ring, double radius, bool hollow) {
+  check_axis(center, axis);
+  check_radius(radius);
+  require(std::isfinite(ring) && radius < ring, "contact.torus.ring", {{"ring", ring}, {"radius", radius}});
+  return {center, axis.normalized(), ring, radius, hollow};
 }
 
 template <int D> double largest_coordinate(const Obstacle<D>& obstacle) {
@@ -58,8 +86,12 @@ template <int D> double largest_coordinate(const Obstacle<D>& obstacle) {
           return shape.center.cwiseAbs().maxCoeff() + shape.radius;
         else if constexpr (std::is_same_v<Shape, Cylinder>)
           return shape.point.cwiseAbs().maxCoeff() + shape.radius;
+        else if constexpr (std::is_same_v<Shape, Torus>)
+          return shape.center.cwiseAbs().maxCoeff() + shape.ring + shape.radius;
         else if constexpr (std::is_same_v<Shape, Plane<D>>)
           return shape.point.cwiseAbs().maxCoeff();
+        else if constexpr (std::is_same_v<Shape, LevelSet<D>>)
+          return shape.compiled->mesh.points.cwiseAbs().maxCoeff();
         else
           return shape.points().cwiseAbs().maxCoeff();
       },
@@ -82,7 +114,7 @@ template <int D> void locate(const Plane<D>& plane, FacePoint<D>& point) {
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template Plane<D> make_plane(const Vec<D>&, const Vec<D>&);                                                          \
-  template Ball<D> make_ball(const Vec<D>&, double);                                                                   \
+  template Ball<D> make_ball(const Vec<D>&, double, bool);                                                             \
   template double largest_coordinate<D>(const Obstacle<D>&);                                                           \
   template FaceCoordinates<D> closest(const Plane<D>&, const Vec<D>&);                                                 \
   template void locate(const Plane<D>&, FacePoint<D>&);
@@ -92,13 +124,15 @@ SIGNORINI_INSTANTIATE(3)
 
 FaceCoordinates<2> closest(const Ball<2>& ball, const Vec<2>& x) {
   const Vec<2> out = x - ball.center;
-  return FaceCoordinates<2>(std::atan2(out(1), out(0)));
+  const double angle = std::atan2(out(1), out(0));
+  return FaceCoordinates<2>(ball.hollow ? -angle : angle);
 }
 
 void locate(const Ball<2>& ball, FacePoint<2>& point) {
-  const Vec<2> out = ball.radius * Vec<2>(std::cos(point.xi(0)), std::sin(point.xi(0)));
+  const double sign = ball.hollow ? -1 : 1;
+  const Vec<2> out = ball.radius * Vec<2>(std::cos(point.xi(0)), sign * std::sin(point.xi(0)));
   point.position = ball.center + out;
-  point.tangent[0] = {-out(1), out(0)};
+  point.tangent[0] = {-sign * out(1), sign * out(0)};
   point.second[0] = -out;
 }
 
@@ -129,6 +163,13 @@ FaceCoordinates<3> closest(const Cylinder& cylinder, const Vec<3>& x) {
   return {std::atan2(b.dot(out), a.dot(out)), cylinder.axis.dot(out)};
 }
 
+FaceCoordinates<3> closest(const Torus& torus, const Vec<3>& x) {
+  const auto [a, b] = across(torus.axis);
+  const Vec<3> out = x - torus.center;
+  const double first = a.dot(out), second = b.dot(out);
+  return {std::atan2(second, first), std::atan2(torus.axis.dot(out), std::hypot(first, second) - torus.ring)};
+}
+
 void locate(const Ball<3>& ball, FacePoint<3>& point) {
   const double azimuth = point.xi(0), polar = point.xi(1);
   const Vec<3> around(-std::sin(azimuth), std::cos(azimuth), 0);
@@ -138,6 +179,7 @@ void locate(const Ball<3>& ball, FacePoint<3>& point) {
   // Arc lengths over R along `down` and `around`: x,11 = x,22 = −R n, x,12 = 0 at the point
   point.tangent = {ball.radius * down, ball.radius * around};
   point.second = {-ball.radius * out, Vec<3>::Zero(), -ball.radius * out};
+  turn_if(ball.hollow, point);
 }
 
 void locate(const Cylinder& cylinder, FacePoint<3>& point) {
@@ -147,6 +189,19 @@ void locate(const Cylinder& cylinder, FacePoint<3>& point) {
   point.position = cylinder.point + cylinder.radius * out + point.xi(1) * cylinder.axis;
   point.tangent = {cylinder.radius * (c * b - s * a), cylinder.axis};
   point.second = {-cylinder.radius * out, Vec<3>::Zero(), Vec<3>::Zero()};
+  turn_if(cylinder.hollow, point);
+}
+
+void locate(const Torus& torus, FacePoint<3>& point) {
+  const auto [a, b] = across(torus.axis);
+  const double c = std::cos(point.xi(0)), s = std::sin(point.xi(0));
+  const double along = torus.radius * std::cos(point.xi(1)), up = torus.radius * std::sin(point.xi(1));
+  const Vec<3> out = c * a + s * b, around = c * b - s * a;
+  // x = c + (R + r cos ψ) e(φ) + r sin ψ a
+  point.position = torus.center + (torus.ring + along) * out + up * torus.axis;
+  point.tangent = {(torus.ring + along) * around, along * torus.axis - up * out};
+  point.second = {-(torus.ring + along) * out, -up * around, -along * out - up * torus.axis};
+  turn_if(torus.hollow, point);
 }
 
 FaceCoordinates<3> advance_slip(const Plane<3>&, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
@@ -178,12 +233,25 @@ FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<
   const double angle = std::remainder(slip(0) - foot.xi(0), 2 * std::numbers::pi), height = slip(1) - foot.xi(1);
   const auto chord = [&](double t) { return std::hypot(2 * cylinder.radius * std::sin(t * angle / 2), t * height); };
   if (!(chord(1) > length)) return slip;
-  double low = 0, high = 1;
-  for (int halving = 0; halving < 60; ++halving) {
-    const double middle = (low + high) / 2;
-    (chord(middle) > length ? high : low) = middle;
-  }
-  return {foot.xi(0) + low * angle, foot.xi(1) + low * height};
+  const double t = fraction_at(chord, length);
+  return {foot.xi(0) + t * angle, foot.xi(1) + t * height};
+}
+
+FaceCoordinates<3> advance_slip(const Torus& torus, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+                                double length) {
+  // Along the path that is straight in both angles, on the shorter way around
+  const FaceCoordinates<3> way(std::remainder(slip(0) - foot.xi(0), 2 * std::numbers::pi),
+                               std::remainder(slip(1) - foot.xi(1), 2 * std::numbers::pi));
+  FacePoint<3> from, to; // without the obstacle's translation
+  from.xi = foot.xi;
+  locate(torus, from);
+  const auto chord = [&](double t) {
+    to.xi = foot.xi + t * way;
+    locate(torus, to);
+    return (to.position - from.position).norm();
+  };
+  if (!(chord(1) > length)) return slip;
+  return foot.xi + fraction_at(chord, length) * way;
 }
 
 } // namespace signorini::contact

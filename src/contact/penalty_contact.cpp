@@ -70,7 +70,7 @@ template <int D> void PenaltyContact<D>::remember_touch(std::size_t i, const Tri
       this->accepted_master_.project(trial.accepted.results[i].position, point.projection, foot);
   if (projection.foot == Foot::none) return;
   point.slips = true;
-  point.slip = projection.xi;
+  point.slip = projection.point();
 }
 
 template <int D>
@@ -115,10 +115,10 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
   } else if (!point.slips) {
     // The point was beyond the master's end before: friction starts at its present foot point.
     point.slips = true;
-    point.slip = point.projection.xi;
+    point.slip = point.projection.point();
   } else if (result.state == ContactState::slip) {
     FacePoint<D> foot, slip_point;
-    master.locate(point.projection.xi, foot);
+    master.locate(point.projection.point(), foot);
     master.locate(point.slip, slip_point);
     // |x̄ᵐ − xᵐ(ξ_sl)| decreases to μ t_N/ε_T; the difference is the slip Δγ.
     const double length = law.friction * result.pressure * stretch(result) / law.tangential;

@@ -21,6 +21,8 @@ template <int D> struct Projection {
   FaceCoordinates<D> xi = FaceCoordinates<D>::Zero();
   /// Normal gap (xˢ − x̄ᵐ)·n̄, negative when penetrating.
   double gap = 0;
+  double last = 0; ///< with xi on a level set, see MasterPoint
+  MasterPoint<D> point() const { return {xi, last}; }
 };
 
 /// The closest point of `surface` to x. Starts at the element and parameter of `seed` (if any), descends across element

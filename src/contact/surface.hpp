@@ -19,6 +19,15 @@ inline constexpr int most_face_functions = D == 2 ? nurbs::max_degree + 1
 /// Parametric coordinates on a face.
 template <int D> using FaceCoordinates = Eigen::Matrix<double, D - 1, 1>;
 
+/// What identifies a point of a master in all its positions: parametric coordinates; on a level set, which has none,
+/// the Cartesian ones in its own frame, of which `last` is the D-th.
+template <int D> struct MasterPoint {
+  MasterPoint(const FaceCoordinates<D>& coordinates = FaceCoordinates<D>::Zero(), double last_one = 0)
+      : xi(coordinates), last(last_one) {}
+  FaceCoordinates<D> xi;
+  double last;
+};
+
 /// The face at one parametric point: position, tangents τ_α, second derivatives x_,αβ (2D: x_,11; 3D: x_,11 x_,12
 /// x_,22), and on request the rational functions with first derivatives.
 template <int D> struct FacePoint {
@@ -26,6 +35,7 @@ template <int D> struct FacePoint {
   static constexpr int seconds = (D - 1) * D / 2;
   int element;
   FaceCoordinates<D> xi;
+  double last = 0; ///< with xi on a level set, see MasterPoint
   Vec<D> position;
   std::array<Vec<D>, tangents> tangent;
   std::array<Vec<D>, seconds> second;

@@ -132,6 +132,14 @@ template <int D> bool is_shallow(const Scene<D>& scene, const Contact<D>& contac
   return depth < obstacle_overlap * size && depth < mistaken_overlap * thick;
 }
 
+/// What may be wrong with an obstacle that contains a body.
+template <int D> Message cure(const contact::Obstacle<D>& obstacle) {
+  if (std::holds_alternative<nurbs::Patch>(obstacle)) return Message("model.clearance.reverse_patch");
+  if (std::holds_alternative<contact::Plane<D>>(obstacle)) return Message("model.clearance.reverse_plane");
+  if (std::holds_alternative<contact::LevelSet<D>>(obstacle)) return Message("model.clearance.change_sign");
+  return Message("model.clearance.hollow");
+}
+
 } // namespace
 
 template <int D>
@@ -150,16 +158,19 @@ std::vector<Message> check_clearance(const Scene<D>& scene, const contact::Formu
       continue;
     }
     const contact::Obstacle<D>& obstacle = scene.obstacles[at(std::get<ObstacleReference>(contact.master).obstacle)];
-    require(is_shallow(scene, contact, deepest.depth),
-            std::holds_alternative<nurbs::Patch>(obstacle) ? "model.clearance.inside_patch" : "model.clearance.inside",
-            {{"contact", contact.name}, {"body", named.name}, {"depth", deepest.depth}, {"at", deepest.position}});
+    require(is_shallow(scene, contact, deepest.depth), "model.clearance.inside",
+            {{"contact", contact.name},
+             {"body", named.name},
+             {"depth", deepest.depth},
+             {"at", deepest.position},
+             {"hint", cure<D>(obstacle)}});
     // A body that touches a plane of wrong orientation has zero gaps, but its middle lies behind the plane.
     if (const auto* plane = std::get_if<contact::Plane<D>>(&obstacle)) {
       const Vec<D> middle = named.body->space().points().rowwise().mean();
       require(plane->normal.dot(middle - plane->point) > 0, "model.clearance.middle",
               {{"contact", contact.name}, {"body", named.name}, {"at", middle}});
     }
-    if (const auto* ball = std::get_if<contact::Ball<D>>(&obstacle))
+    if (const auto* ball = std::get_if<contact::Ball<D>>(&obstacle); ball && !ball->hollow)
       require(!inside<D>(named.body->space(), ball->center), "model.clearance.center",
               {{"contact", contact.name}, {"body", named.name}, {"center", ball->center}});
   }

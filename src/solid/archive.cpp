@@ -4,6 +4,7 @@
 #include "solid/hyperelastic.hpp"
 #include "solid/linear_elastic.hpp"
 #include "solid/neo_hookean.hpp"
+#include "symbolic/archive.hpp"
 
 #include <algorithm>
 
@@ -26,27 +27,16 @@ template <Law T> constexpr LawRow row() {
           [](ArchiveReader& from) -> Material { return std::bit_cast<T>(from.get<Members>()); }};
 }
 
-/// The nodes of the energy that are not variables, in an order in which operands come first.
 void write_formula(ArchiveWriter& to, const void* law) {
   const EnergyFormula& formula = static_cast<const Hyperelastic*>(law)->formula();
-  const symbolic::Graph& graph = formula.graph;
-  to.put(formula.label, formula.measure, formula.fibers, graph.size(), formula.energy);
-  for (int n = static_cast<int>(graph.variables().size()); n < graph.size(); ++n)
-    to.put(graph[n].operation, graph[n].value, graph[n].a, graph[n].b);
+  to.put(formula.label, formula.measure, formula.fibers, symbolic::Formula{formula.graph, formula.energy});
 }
 
 Material read_formula(ArchiveReader& from) {
   auto label = from.get<std::string>();
   const auto measure = from.get<Measure>();
   auto fibers = from.get<std::vector<Vec<3>>>();
-  symbolic::Graph graph(variable_names(measure, fibers.size()));
-  const int size = from.get<int>(), energy = from.get<int>();
-  for (int n = graph.size(); n < size; ++n) {
-    symbolic::Node node{};
-    from.into(node.operation, node.value, node.a, node.b);
-    require(graph.restore(node) == n, "solid.archive.formula", {{"node", n}});
-  }
-  require(energy >= 0 && energy < graph.size(), "solid.archive.formula", {{"node", energy}});
+  auto [graph, energy] = symbolic::read_formula(from, variable_names(measure, fibers.size()));
   return hyperelastic({std::move(label), measure, std::move(fibers), std::move(graph), energy});
 }
 

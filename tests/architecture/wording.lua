@@ -4,7 +4,7 @@
 --   build/signorini tests/architecture/wording.lua [folder of the sources]
 
 local source = arg and arg[1] or "src"
-local modules = { "base", "nurbs", "exchange", "solid", "contact", "solve", "model", "tessellation", "view",
+local modules = { "base", "symbolic", "nurbs", "exchange", "solid", "contact", "solve", "model", "tessellation", "view",
   "terminal" }
 
 local function output(command)

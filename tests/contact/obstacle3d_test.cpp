@@ -1,9 +1,10 @@
-// Planes, balls and cylinders in 3D: closest points, geometry against differences, slip points on the shortest path;
-// and slip points on surfaces.
+// Planes, balls, cylinders, tori and level sets in 3D: closest points, geometry against differences, slip points on the
+// shortest path; and slip points on surfaces.
 #include "contact/master.hpp"
 #include "contact/slip.hpp"
 
 #include "contact/faces3d.hpp"
+#include "contact/level_sets.hpp"
 #include "differences.hpp"
 
 #include <Eigen/Geometry>
@@ -21,6 +22,11 @@ Vec<3> anywhere(Random& random, double size) {
   return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
 }
 
+double distance(const Torus& torus, const Vec<3>& x) {
+  const double height = torus.axis.dot(x - torus.center);
+  return std::hypot((x - torus.center - height * torus.axis).norm() - torus.ring, height) - torus.radius;
+}
+
 /// A random shape and its closed-form signed distance.
 struct Shape {
   Obstacle<3> shape;
@@ -31,10 +37,22 @@ std::vector<Shape> shapes(Random& random) {
   const auto plane = make_plane<3>(anywhere(random, 1), anywhere(random, 2));
   const auto ball = make_ball<3>(anywhere(random, 1), uniform(random, 0.3, 2));
   const auto cylinder = make_cylinder(anywhere(random, 1), anywhere(random, 2), uniform(random, 0.3, 2));
+  const auto hollow_ball = make_ball<3>(anywhere(random, 1), uniform(random, 0.3, 2), true);
+  const auto bore = make_cylinder(anywhere(random, 1), anywhere(random, 2), uniform(random, 0.3, 2), true);
+  const double ring = uniform(random, 0.8, 2);
+  const auto torus = make_torus(anywhere(random, 1), anywhere(random, 2), ring, uniform(random, 0.3, 0.7) * ring);
+  const auto groove =
+      make_torus(anywhere(random, 1), anywhere(random, 2), ring, uniform(random, 0.3, 0.7) * ring, true);
   return {
       {plane, [=](const Vec<3>& x) { return plane.normal.dot(x - plane.point); }},
       {ball, [=](const Vec<3>& x) { return (x - ball.center).norm() - ball.radius; }},
-      {cylinder, [=](const Vec<3>& x) { return (x - cylinder.point).cross(cylinder.axis).norm() - cylinder.radius; }}};
+      {cylinder, [=](const Vec<3>& x) { return (x - cylinder.point).cross(cylinder.axis).norm() - cylinder.radius; }},
+      {hollow_ball, [=](const Vec<3>& x) { return hollow_ball.radius - (x - hollow_ball.center).norm(); }},
+      {bore, [=](const Vec<3>& x) { return bore.radius - (x - bore.point).cross(bore.axis).norm(); }},
+      {torus, [=](const Vec<3>& x) { return distance(torus, x); }},
+      {groove, [=](const Vec<3>& x) { return -distance(groove, x); }},
+      {level_set_of(ball, 4), [=](const Vec<3>& x) { return (x - ball.center).norm() - ball.radius; }},
+      {level_set_of(torus, 5), [=](const Vec<3>& x) { return distance(torus, x); }}};
 }
 
 TEST(ObstacleIn3D, GapIsTheSignedDistance) {
@@ -52,7 +70,7 @@ TEST(ObstacleIn3D, GapIsTheSignedDistance) {
       EXPECT_NEAR(master.normal(point).dot(point.tangent[0]), 0, 1e-14);
       EXPECT_NEAR(master.normal(point).dot(point.tangent[1]), 0, 1e-14);
       FacePoint<3> again;
-      master.locate(found.xi, again);
+      master.locate(found.point(), again);
       EXPECT_NEAR((again.position - point.position).norm(), 0, 1e-13);
     }
 }
@@ -96,12 +114,12 @@ TEST(ObstacleIn3D, SlipPointFollowsOnTheShortestPath) {
       const Projection<3> at = master.project(anywhere(random, 3), {}, foot);
       const Projection<3> old = master.project(foot.position + anywhere(random, 0.3), {}, slip);
       const double before = (slip.position - foot.position).norm(), length = uniform(random, 0, 1) * before;
-      const FaceCoordinates<3> moved = master.advance(old.xi, foot, length);
+      const MasterPoint<3> moved = master.advance(old.point(), foot, length);
       master.locate(moved, after);
       EXPECT_NEAR((after.position - foot.position).norm(), length, 1e-12) << "trial " << trial;
       // Between the two, up to the curvature
       EXPECT_LE((after.position - slip.position).norm(), before - length + 0.05 * before);
-      EXPECT_EQ((master.advance(old.xi, foot, 1.001 * before) - old.xi).norm(), 0);
+      EXPECT_EQ((master.advance(old.point(), foot, 1.001 * before).xi - old.xi).norm(), 0);
       EXPECT_TRUE(at.xi.allFinite());
     }
 }

@@ -33,7 +33,8 @@ Case random_plane(Random& random) {
       {uniform(random, -1, 1), uniform(random, -1, 1)}};
 }
 Case random_ball(Random& random) {
-  return {make_ball<2>({uniform(random, -1, 1), uniform(random, -1, 1)}, uniform(random, 0.2, 3)),
+  return {make_ball<2>({uniform(random, -1, 1), uniform(random, -1, 1)}, uniform(random, 0.2, 3),
+                       uniform(random, 0, 1) < 0.5),
           {uniform(random, -1, 1), uniform(random, -1, 1)}};
 }
 
@@ -78,8 +79,8 @@ TEST(Obstacle, ClosestPointIsTheGlobalMinimum) {
       const auto& [through, out] = std::get<Plane<2>>(obstacle.shape);
       EXPECT_NEAR(found.gap, (x - obstacle.translation - through).dot(out), 1e-14);
     } else {
-      const auto& [center, radius] = std::get<Ball<2>>(obstacle.shape);
-      EXPECT_NEAR(found.gap, (x - obstacle.translation - center).norm() - radius, 1e-14);
+      const auto& [center, radius, hollow] = std::get<Ball<2>>(obstacle.shape);
+      EXPECT_NEAR(found.gap, (hollow ? -1 : 1) * ((x - obstacle.translation - center).norm() - radius), 1e-14);
     }
   }
 }
@@ -138,12 +139,12 @@ TEST(Obstacle, SlipPointFollowsUntilItIsAtTheGivenDistance) {
     master.locate(foot.xi, foot);
     const double before = (position(master, slip) - foot.position).norm();
     const double length = uniform(random, 0, 1) * before;
-    const double after = master.advance(FaceCoordinates<2>(slip), foot, length)(0);
+    const double after = master.advance(FaceCoordinates<2>(slip), foot, length).xi(0);
     EXPECT_NEAR((position(master, after) - foot.position).norm(), length, 1e-14);
     // On that path: the chords from the old slip point to it and from it to the foot point form less than a right
     // angle.
     EXPECT_GE((position(master, after) - position(master, slip)).dot(foot.position - position(master, slip)), 0);
-    EXPECT_EQ(master.advance(FaceCoordinates<2>(slip), foot, 2 * before)(0), slip);
+    EXPECT_EQ(master.advance(FaceCoordinates<2>(slip), foot, 2 * before).xi(0), slip);
   }
 }
 

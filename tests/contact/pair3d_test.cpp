@@ -1,6 +1,7 @@
 // A contact of solids: force and tangent against finite differences in every state, on smooth and kinked surfaces and
 // on obstacles, balance of forces and moments, Coulomb's law for any direction of slip, reversal and twisting.
 #include "contact/couple3d.hpp"
+#include "contact/level_sets.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -79,6 +80,26 @@ std::vector<Obstacle<3>> obstacles(Random& random) {
   return {make_plane<3>({1.5, 1.5, 0}, {0.1, -0.05, 2}), make_ball<3>({1.5, 1.5, -2}, 2),
           make_cylinder({1.5, 1.5, -1}, {1, 0.3, 0}, 1),
           nurbs::test::patch_of(wavy_plate(random, 3, 0.03, 2, 4).face(nurbs::side_of("back", 3)))};
+}
+
+/// Tori, bowls and waves whose surfaces contain (1.5, 1.5, 0).
+std::vector<Obstacle<3>> curved_obstacles() {
+  const auto waves = [](const std::vector<Term>& x) {
+    return x[2] - 0.05 * (cosine(3 * (x[0] - 1.5)) + cosine(2 * (x[1] - 1.5)) - 2);
+  };
+  return {make_torus({0.3, 1.5, -0.6}, {0, 0, 1}, 1.2, 0.6), make_torus({-1.5, 1.5, 3}, {0, 0, 1}, 3, 3 - 1e-6, true),
+          make_ball<3>({1.5, 1.5, 3}, 3, true), level_set<3>(waves, Vec<3>(1.5, 1.5, 0), 1.5)};
+}
+
+TEST(SolidPair, TangentIsTheForcesDerivativeOnCurvedObstacles) {
+  Census3 sum;
+  unsigned seed = 300;
+  for (double mu : {0.0, 0.3})
+    for (const Obstacle<3>& obstacle : curved_obstacles())
+      wander(Couple3("N2", obstacle, PenaltyLaw{100, 80, mu}, {1.5, 1.5, 0.1}), ++seed, 0.05, sum);
+  EXPECT_GE(sum.compared, 30) << sum.stepped_over << " states lay on a change of state";
+  EXPECT_GT(sum.stick, 50);
+  EXPECT_GT(sum.slip, 50);
 }
 
 TEST(SolidPair, TangentIsTheForcesDerivativeOnObstacles) {

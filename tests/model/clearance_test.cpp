@@ -44,7 +44,7 @@ TEST(Clearance, ObstacleInsideTheBodyIsAnError) {
 TEST(Clearance, ReversedNormalIsAnError) {
   EXPECT_ERROR(build(plane(-0.3, -1)), "model.clearance.inside");
   EXPECT_ERROR(build(plane(0, -1)), "model.clearance.middle"); // only touches
-  EXPECT_ERROR(build(nurbs::line(Eigen::Vector2d(-1, -0.3), Eigen::Vector2d(2, -0.3))), "model.clearance.inside_patch");
+  EXPECT_ERROR(build(nurbs::line(Eigen::Vector2d(-1, -0.3), Eigen::Vector2d(2, -0.3))), "model.clearance.inside");
 }
 
 /// A disc in the middle of the body penetrates no face.

@@ -25,6 +25,13 @@ end
 
 local name_of_face = "west, east (ends of xi1), south, north (xi2), front, back (xi3)"
 local driven = [[A support can move it: see help "obstacle".]]
+--- A curve or surface as a tool.
+local boundary = { kind = "object", name = "patch", cure = function(value)
+  if type(value) == "table" and #value > 0 then
+    return "make one obstacle per patch of the list; sg.nurbs.read(file)[1] is the first patch of a file"
+  end
+end }
+local inside = { "inside", t.flag, "hollow: the body is inside, as in a bore, a socket or a groove", default = false }
 
 return {
   title = "Materials, bodies, obstacles", word = "bodies",
@@ -124,19 +131,51 @@ or along the direction of the contact face.]],
 disc. ]] .. driven,
     named = { { "center", t.point, "a point of the axis", unit = "length" },
               { "axis", t.space_point, "direction of the axis; needed in 3D, not allowed in 2D", optional = true },
-              { "radius", t.positive, "", unit = "length" } },
+              { "radius", t.positive, "", unit = "length" }, inside },
     returns = t.object "obstacle",
     example = { "sg.rigid.cylinder{ center = {0, 2}, radius = 1 }",
-                "sg.rigid.cylinder{ center = {0, 0, 2}, axis = {0, 1, 0}, radius = 1 }" } },
+                "sg.rigid.cylinder{ center = {0, 0, 2}, axis = {0, 1, 0}, radius = 1 }",
+                "sg.rigid.cylinder{ center = {0, 0}, radius = 3, inside = true }" } },
   { "sg.rigid.sphere",
     "Returns a rigid sphere in 3D, or on the axis of an axisymmetric model, as an obstacle. " .. driven,
-    named = { { "center", t.point, "", unit = "length" }, { "radius", t.positive, "", unit = "length" } },
+    named = { { "center", t.point, "", unit = "length" }, { "radius", t.positive, "", unit = "length" }, inside },
     returns = t.object "obstacle",
-    example = "sg.rigid.sphere{ center = {0, 0, 2}, radius = 1 }" },
+    example = { "sg.rigid.sphere{ center = {0, 0, 2}, radius = 1 }",
+                "sg.rigid.sphere{ center = {0, 0, 0}, radius = 3, inside = true }" } },
+  { "sg.rigid.torus", [[Returns a rigid torus as an obstacle: in an axisymmetric model a disc off the axis, in 3D a
+circle revolved about an axis. A groove is a hollow one, inside = true. ]] .. driven,
+    named = { { "center", t.point, "in 2D {r, z}, of the circle; in 3D of the torus", unit = "length" },
+              { "axis", t.space_point, "direction of the axis; needed in 3D, not allowed in 2D", optional = true },
+              { "ring", t.positive, "distance of the circle's center from the axis; needed in 3D, not allowed in 2D",
+                unit = "length", optional = true },
+              { "radius", t.positive, "of the circle", unit = "length" }, inside },
+    returns = t.object "obstacle",
+    example = { "sg.rigid.torus{ center = {4, 1}, radius = 0.5 }",
+                "sg.rigid.torus{ center = {0, 0, 1}, axis = {0, 0, 1}, ring = 4, radius = 0.5 }" } },
+  { "sg.rigid.level_set", [[Returns an obstacle bounded by the curve or surface f = 0 of a formula, with f > 0 outside.
+The function is called once with symbols for the coordinates, to read its formula; in an axisymmetric model x is the
+radius. ]] .. driven,
+    named = { { "f", t.callback_of({ { "x", t.object "symbol" }, { "y", t.object "symbol" },
+                                     { "z", t.object "symbol" } }, t.object "symbol"),
+                "positive outside, negative inside" },
+              { "box", t.list(t.point, 2), "{corner, opposite corner}: where contact occurs", unit = "length" } },
+    more = [[Closest points are searched from points of the surface in the box, found on a lattice of 160 (in 3D 40)
+cells along its longest side, so that details must be larger; pictures show that part. The surface does not end at the
+box. It may have several parts. f must be finite in the box and have a gradient where it is zero: use one obstacle per
+surface where surfaces cross. Corners and edges, as of sg.abs, have no closest points that Newton's method finds: round
+them, as in the superellipse below. A formula has + - * / ^ and the functions in help "formulas"; write no if.
+Checkpoints and studies hold the formula.]],
+    returns = t.object "obstacle",
+    example = { [[
+sg.rigid.level_set{ f = function(x, y) return x^4 + (y / 2)^4 - 1 end, box = { {-2, -3}, {2, 3} } }]], [[
+sg.rigid.level_set{ f = function(x, y, z) return z - 0.1 * sg.cos(x) * sg.cos(y) end,
+  box = { {-5, -5, -1}, {5, 5, 1} } }]] } },
   { "sg.rigid.surface", [[Returns an obstacle bounded by a NURBS: a curve in the plane, whose outside is on the right of
 its direction, or a surface in 3D, whose outward normal is the cross product of its tangents along xi1 and xi2.
 patch:reverse(1) exchanges inside and outside. ]] .. driven,
-    arguments = { { "patch", t.object "patch", "curve in the plane, or surface in 3D" } },
+    arguments = { { "patch", boundary, "curve in the plane, or surface in 3D" } },
+    more = [[The patch may come from a file, sg.rigid.surface(sg.nurbs.read("tool.xml")[1]); of a body's shape take a
+face, patch:face "north".]],
     returns = t.object "obstacle",
     example = { "sg.rigid.surface(sg.nurbs.arc{ center = {0, 0}, radius = 1, from = 0, to = 180 })",
                 'sg.rigid.surface(sg.shapes.block{ size = {9, 9, 1}, corner = {0, 0, -1} }:face "back")' } },
