@@ -67,10 +67,10 @@ model = sg.model { bodies = { slab = slab }, supports = { grip = { on = slab:fac
 check.case("named arguments of nested tables, under any names", function()
   check.equal(all "sg.model{ contacts = { c = { friction = { m", { "mu = " })
   check.equal(all 'sg.model{ bodies = {}, supports = { interface = { on = slab:face "south", ',
-    { "fix = ", "drive = ", "free = ", "rotate = ", "spring = ", "shape = ", "symmetry = ", "traction = ",
-      "pressure = ", "follower = ", "force = ", "factor = " })
+    { "fix = ", "drive = ", "free = ", "rotate = ", "center = ", "angle = ", "spring = ", "shape = ", "symmetry = ",
+      "traction = ", "pressure = ", "follower = ", "force = ", "moment = ", "factor = " })
   check.equal(all "sg.model{ loads = { a = {}, b = {\n",
-    { "on = ", "traction = ", "pressure = ", "follower = ", "force = ", "factor = " })
+    { "on = ", "traction = ", "pressure = ", "follower = ", "force = ", "moment = ", "factor = " })
   check.equal(all "model:run(stages, { newton = { l", { "line_search = " })
   check.equal(all "model:run(stages, { step = { min = 1/8, m", { "max = " })
   check.equal(all "model:run(stages, { checkpoint = { ", { "file = ", "every = ", "durable = " })

@@ -55,6 +55,7 @@ local function spring(fails)
     return { reason = self.failure, message = "no luck", cure = "be lucky", places = {}, unbalanced = {} }
   end
   function model:unconstrained_bodies() return {} end
+  function model:free_motion() return {} end
   function model:warnings() return {} end
   function model:snapshot() return { self.accepted[1], self.accepted[2] } end
   function model:restore(saved) self.accepted, self.next = saved, saved end

@@ -99,7 +99,7 @@ for _, case in ipairs {
     "supports.top.spring acts on y, which the support also fixes" },
   { "a corner", [[model{ on = a:corner "north-east", spring = {0, 2} }]], "supports.top.on",
     "springs are for faces of bodies" },
-  { "an obstacle", "model{ on = plane, spring = {0, 2} }", "supports.top.on", "springs are for faces of bodies" },
+  { "a fixed obstacle", "model{ on = plane, spring = {0, 2} }", "supports.top.spring acts on y", 'add free = "y"' },
   { "with rotate", "model{ on = north, spring = {0, 2}, rotate = true }", "supports.top.spring cannot be combined" },
   { "stiffness", "model{ on = north, stiffness = {0, 1} }", "supports.top: unknown argument 'stiffness'",
     "Hint: write spring = {kx, ky}" },
