@@ -49,6 +49,58 @@ check.case("a free tool under a force is where a prescribed one needs that force
   end
 end)
 
+--- A cube under a free or driven sphere in 3D, or a quarter of its section, a cylinder of the same height.
+local function below_sphere(kind, support, loads)
+  local solid = kind == "solid"
+  local body = sg.body{ patch = solid and sg.shapes.block{ size = {2, 2, 1}, corner = {-1, -1, 0} } or
+                          sg.shapes.rectangle{ width = 1.5, height = 1 }, elements = solid and {4, 4, 1} or {6, 3},
+                        order = solid and {"N2", "N2"} or "N2", contact = solid and "back" or "north",
+                        material = soft }
+  local sphere = sg.rigid.sphere{ center = solid and {0, 0, 2} or {0, 2}, radius = 1 }
+  support.on = sphere
+  for _, load in pairs(loads or {}) do load.on = sphere end
+  local supports = { bed = { on = body:face(solid and "front" or "south"), fix = solid and "xyz" or "xy" },
+                     tool = support }
+  if not solid then supports.axis = { on = body:face "west", fix = "x" } end
+  return sg.model{ bodies = { body = body }, supports = supports, loads = loads, kind = not solid and kind or nil,
+                   contacts = { press = { slave = body:face(solid and "back" or "north"), master = sphere,
+                                          penalty = 100 } } }
+end
+
+check.case("the same in 3D and in axisymmetric models, where the force is that of the full circle", function()
+  for kind, up in pairs{ solid = "z", axisymmetric = "y" } do
+    local force = kind == "solid" and {0, 0, -0.5} or {0, -0.5}
+    local zero = kind == "solid" and {0, 0, 0} or {0, 0}
+    local free = below_sphere(kind, { free = up }, { weight = { force = zero } })
+    local run = completed(free:run{ { steps = 3, weight = force } })
+    local depth = last(run, "tool.u" .. up)
+    check.within("contact", last(run, "press.f" .. up), -0.5, 1e-8)
+    local driven = completed(below_sphere(kind, { drive = up }):run{ { steps = 3, tool = {depth} } })
+    check.within("force", last(driven, "tool.f" .. up), -0.5, 1e-8)
+  end
+end)
+
+check.case("a free lid compresses a block uniformly, also with a free angle", function()
+  local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, contact = "north",
+                         order = "N2", material = sg.linear_elastic{ E = 2, nu = 0 } }
+  local lid = sg.rigid.plane{ point = {0.5, 1}, normal = {0, -1} }
+  local model = sg.model{ bodies = { block = block },
+    supports = { bed = { on = block:face "south", fix = "y" }, corner = { on = block:corner "south-west", fix = "x" },
+                 lid = { on = lid, free = "y", rotate = true, angle = "free", center = {0.5, 1} } },
+    loads = { weight = { on = lid, force = {0, 0} }, turn = { on = lid, moment = 0 } },
+    contacts = { press = { slave = block:face "north", master = lid, penalty = 100, per = "reference" } } }
+  local run = completed(model:run{ { steps = 1, weight = {0, -0.1}, turn = {0} } })
+  -- u = F/E, and the penetration F/ε
+  check.within("depth", last(run, "lid.uy"), -0.1 * (1 / 2 + 1 / 100), 1e-9)
+  check.at_most("angle", last(run, "lid.angle"), 1e-8)
+  -- A moment from x to y lifts the right side: the pressures on the lid have the opposite moment.
+  run = completed(model:run{ { steps = 1, weight = {0, -0.1}, turn = {0.005} } })
+  local profile, moment = model:profile "press", 0
+  for i, x in ipairs(profile.x) do moment = moment + (x - 0.5) * profile.pressure[i] * profile.area[i] end
+  check.within("moment", moment, -0.005, 1e-5)
+  assert(last(run, "lid.angle") > 0)
+end)
+
 check.case("a tool that falls from a distance lands", function()
   for name, method in pairs(methods) do
     local falls = rolled(method, { free = "y" }, { weight = { force = {0, -0.8} } }, 0.3)
