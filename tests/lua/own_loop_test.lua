@@ -181,4 +181,35 @@ check.case("reactions are also accessible by name", function()
   check.equal({ weight.fx, weight.fy }, { 0, 0 })
 end)
 
+check.case("a roller whose height and angle are unknowns", function()
+  local function roller()
+    local block = sg.body { patch = sg.shapes.rectangle { width = 1, height = 0.5 }, elements = { 4, 1 }, order = "N2",
+                            contact = "north", material = sg.neo_hookean { E = 1, nu = 0.3 } }
+    local disc = sg.rigid.cylinder { center = { 0.5, 1 }, radius = 0.5 }
+    local model = sg.model {
+      bodies = { block = block }, loads = { weight = { on = disc, force = { 0, 0 } } },
+      supports = { bed = { on = block:face "south", fix = "xy" },
+                   tool = { on = disc, drive = "x", free = "y", rotate = true, angle = "free",
+                            center = { 0.5, 0.9 } } },
+      contacts = { roll = { slave = block:face "north", master = disc, penalty = 10,
+                            friction = { mu = 0.5, penalty = 10 } } } }
+    model:set_target("weight", { 0, -0.02 })
+    check.equal(model:solve_step { damping = true }.converged, true)
+    model:accept()
+    model:set_target("tool", { 0.03 })
+    return model
+  end
+  local own, its = roller(), roller()
+  local unknowns = own:unknowns()
+  check.equal({ unknowns[#unknowns - 1].support, unknowns[#unknowns - 1].component }, { "tool", "y" })
+  check.equal({ unknowns[#unknowns].support, unknowns[#unknowns].component }, { "tool", "angle" })
+  newton(own)
+  own:accept()
+  check.equal(its:solve_step {}.converged, true)
+  its:accept()
+  check.near(own:free_motion("tool").angle, its:free_motion("tool").angle, 1e-9)
+  check.near(own:free_motion("tool").uy, its:free_motion("tool").uy, 1e-12)
+  assert(own:free_motion("tool").angle < -0.5)
+end)
+
 check.done()

@@ -20,6 +20,10 @@ return {
       .. "force = {0, -1} }.", "load" },
   { "spring, foundation, elastic support, robin",
     "`spring` of a support holds faces by springs, with a stiffness per reference area by component.", "support" },
+  { "torque, moment load, couple, roller, rolling, pulley, rotating tool, free rigid body, rigid body motion",
+    "Obstacles turn by `rotate` of their support, are free by `free` and `angle = \"free\"`, and loaded by `force` and "
+      .. "`moment`. Bodies have no moment loads; the support of a face that rotates returns its moment.",
+    "support", "load", "obstacle" },
   { "multi point constraint, mpc, rigid coupling, kinematic coupling, remote displacement",
     "A support with `rotate` couples a face as a rigid body; other multi-point constraints are not available.",
     "support" },
