@@ -132,29 +132,6 @@ check.case("a driven cylinder that spins in place: its moment is the radius time
   end
 end)
 
---- Rolls a cylinder of a weight over the slab by 0.8, with its angle free: advance per radian, and mean drag over
---- the weight.
-local function rolling(weight)
-  local model = rolled({ friction = { mu = 0.6, penalty = 1000 }, penalty = 1000 },
-                       { free = "y", drive = "x", rotate = true, angle = "free" }, { weight = { force = {0, 0} } })
-  local run = completed(model:run{ { steps = 3, tool = {0}, weight = {0, -weight} },
-                                   { steps = 40, tool = {0.8}, weight = {0, -weight} } })
-  local x, angle, drag = run:column "tool.ux", run:column "tool.angle", run:column "tool.fx"
-  local mean = 0
-  for step = 24, 43 do mean = mean + drag[step] / 20 end
-  return -(x[43] - x[23]) / math.rad(angle[43] - angle[23]), mean / weight
-end
-
-check.case("a cylinder that rolls freely has no drag, and advances by its radius per radian", function()
-  local radius, drag = rolling(0.4)
-  local lighter, less = rolling(0.05)
-  check.at_most("drag", drag, 2e-3)
-  check.at_most("drag of the lighter one", less, 2e-3)
-  -- The surface is compressed along the contact, in proportion to its width (creep), which tends to 0 with the weight.
-  check.within_share("rolling radius", radius, R, 0.025)
-  check.within_share("rolling radius of the lighter one", lighter, R, 0.01)
-end)
-
 check.case("a moment on a cylinder that is held in place is that of friction", function()
   local model = rolled(rough, { drive = "y", fix = "x", rotate = true, angle = "free" }, { turn = { moment = 0 } })
   local run = completed(model:run{ { steps = 4, tool = {-0.1}, turn = {0} },

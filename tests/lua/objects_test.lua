@@ -76,7 +76,15 @@ check.case("ironing under a constant force: equilibrium, and a rigid tool as a s
   end
 end)
 
+check.case("roller: no drag in the mean, and an advance by the radius per radian as the contact narrows", function()
+  for _, found in ipairs(results "roller") do
+    check.at_most("drag", found.mean, 1e-3)
+    check.within("creep", (found.advance - 0.5) / found.width, 0.085, 0.02)
+  end
+end)
+
 check.case("wrong arguments are errors", function()
+  check.refused(script "roller", { ["mu=0"] = "mu", ["travel=2"] = "travel", ["steps=4"] = "steps" })
   check.refused(script "belt", { ["h=0"] = "h", ["mu=1"] = "mu", ["elements=2"] = "elements", ["turn=0"] = "turn" })
   check.refused(script "pressed_tool", { ["P=0"] = "P", ["refinement=0"] = "refinement", ["distance=3"] = "distance" })
   check.refused(script "ball", { ["approach=0.6"] = "approach", ["elements=1"] = "elements", ["depth=0"] = "depth",

@@ -20,7 +20,7 @@ return {
       .. "force = {0, -1} }.", "load" },
   { "spring, foundation, elastic support, robin",
     "`spring` of a support holds faces by springs, with a stiffness per reference area by component.", "support" },
-  { "torque, moment load, couple, roller, rolling, pulley, rotating tool, free rigid body, rigid body motion",
+  { "torque, moment load, couple, rolling, pulley, rotating tool, free rigid body, rigid body motion",
     "Obstacles turn by `rotate` of their support, are free by `free` and `angle = \"free\"`, and loaded by `force` and "
       .. "`moment`. Bodies have no moment loads; the support of a face that rotates returns its moment.",
     "support", "load", "obstacle" },
