@@ -1,4 +1,4 @@
--- Convergence of first contact: an unconstrained body that does not touch yet.
+-- Convergence of first contact: an unconstrained body, or a rigid tool under a force, that does not touch yet.
 --
 -- Problem: a quarter of a hollow cylinder is placed above a plane or a slab and loaded downwards. Before contact it is
 --          unconstrained vertically (rigid-body mode), so the tangent is singular.
@@ -8,17 +8,18 @@
 --                 \    /   quarter ring, radii 0.5 and 1, neo-Hooke, E = 1, nu = 0.3, plane strain, 12 × 3 elements
 --                  \__/
 --          gap  _________________
---                 under=plane: rigid; under=slab: 2 × 1, E = 1, 10 × 5 elements, bottom clamped, u_x = 0 at x = 0
+--                 under=plane: rigid; under=slab: 2 × 1, E = 1, 10 × 5 elements, bottom clamped, u_x = 0 at x = 0;
+--                 under=tool: the ring's cut is held, and P lifts the rigid plane, whose height is an unknown
 --
 --          Gaps below 0 are initial overlaps, a common workaround: the first iteration finds points in contact.
 --          Normal penalty 100; with mu = 0.3 also a tangential penalty of 100. The load is applied in 5 steps.
 -- Source: chosen here.
 -- Units: any consistent units; lengths relative to the outer radius, loads to Young's modulus times outer radius.
 -- Expected: plain Newton converges in no cell without overlap: the tangent is singular. With overlap it converges in
---           all cells on the plane without friction, otherwise in all but those of the highest load: 8 and 6 of 24
---           cells. All controls converge in all 96: damping moves the body to its first contact. The contact force
+--           all cells on the plane without friction and under the tool, otherwise in all but those of the highest load:
+--           8 and 6 of 24 cells. All controls converge in all 144: damping moves the body to its first contact. The contact force
 --           equals the load.
--- Run: signorini scripts/stability/first_touch.lua [under=plane,slab] [friction=0,0.3] [order=N2]
+-- Run: signorini scripts/stability/first_touch.lua [under=plane,slab,tool] [friction=0,0.3] [order=N2]
 --      [gaps=-1e-2,-1e-3,0,1e-3,1e-2,1e-1] [loads=1e-4,1e-3,1e-2,0.05] [steps=5] [jobs=2] [limit=600] [keep=no]
 --      [with=robust] [formulation=gpts] [out=out/stability/first_touch]; one map for each of under and friction;
 --      keep=yes reuses the cells that an earlier call left in the folder; with=cutting, fallback or prediction turns on
@@ -29,12 +30,12 @@ local formulations = require "formulations.rows"
 local study = require "stability.study"
 
 local options = study.arguments{
-  under = { { "plane", "slab" }, choices = { "plane", "slab" } }, friction = { 0, 0.3 }, order = "N2",
+  under = { { "plane", "slab", "tool" }, choices = { "plane", "slab", "tool" } }, friction = { 0, 0.3 }, order = "N2",
   gaps = { -1e-2, -1e-3, 0, 1e-3, 1e-2, 1e-1 }, loads = { { 1e-4, 1e-3, 1e-2, 0.05 }, above = 0 }, steps = 5,
   formulation = formulations.argument "gpts", out = "out/stability/first_touch",
 }
 local formulation = formulations[options.formulation]
-if formulation.two_faces and options.under[1] .. (options.under[2] or "") ~= "slab" then
+if formulation.two_faces and table.concat(options.under) ~= "slab" then
   error(("formulation=%s needs under=slab, since a plane is never the slave"):format(formulation.name), 0)
 end
 local order, steps = options.order, options.steps
@@ -57,9 +58,14 @@ local function scene(under, mu, gap)
     supports.bed = { on = slab:face "south", fix = "xy" }
     supports.middle = { on = slab:face "west", fix = "x" }
   end
+  local push = { on = ring:face "east", traction = { 0, 0 } }
+  if under == "tool" then
+    supports.cut = { on = ring:face "east", fix = "y" }
+    supports.tool = { on = master, free = "y" }
+    push = { on = master, force = { 0, 0 } }
+  end
   return sg.model{
-    bodies = bodies, supports = supports,
-    loads = { push = { on = ring:face "east", traction = { 0, 0 } } },
+    bodies = bodies, supports = supports, loads = { push = push },
     contacts = { ground = formulations.contact(formulation, {
       slave = ring:face "south", master = master, penalty = penalty,
       friction = mu > 0 and { mu = mu, penalty = penalty } or nil }) },
@@ -75,7 +81,8 @@ for _, under in ipairs(options.under) do
       x = { name = "gap", values = options.gaps }, y = { name = "load", values = options.loads },
       scene = function(gap) return scene(under, mu, gap) end,
       path = function(_, _, load)
-        return { { name = "press", steps = steps, push = { 0, -load / (outer - inner) } } }
+        local force = under == "tool" and load or -load / (outer - inner)
+        return { { name = "press", steps = steps, push = { 0, force } } }
       end,
       formulation = formulation,
       results = function(_, run) return { carried = run:column "ground.fy"[run.steps] } end,

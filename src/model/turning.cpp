@@ -23,8 +23,12 @@ template <int D> double arm_of(const Scene<D>& scene, int obstacle, const Vec<D>
       return reach_from<D>(shape.center, center, axis) + shape.radius;
     else if constexpr (std::is_same_v<Shape, contact::Cylinder>)
       return reach_from<D>(shape.point, center, axis) + shape.radius;
+    else if constexpr (std::is_same_v<Shape, contact::Torus>)
+      return reach_from<D>(shape.center, center, axis) + shape.ring + shape.radius;
     else if constexpr (std::is_same_v<Shape, nurbs::Patch>)
       return reach_from<D>(shape.points(), center, axis);
+    else if constexpr (std::is_same_v<Shape, contact::LevelSet<D>>)
+      return reach_from<D>(shape.compiled->mesh.points, center, axis);
     else
       return 0.0;
   };

@@ -117,8 +117,8 @@ check.case("locking: the force of L1 is too high the nearer nu comes to 0.5, tha
   end)
 
 check.case("first contact: an unconstrained body is singular before it touches; damping converges", function()
-  local result = study("first_touch", "under=plane,slab", "friction=0.3", "gaps=-1e-3,1e-3", "loads=1e-3")
-  for _, key in ipairs { "plane_mu0.3", "slab_mu0.3" } do
+  local result = study("first_touch", "under=plane,slab,tool", "friction=0.3", "gaps=-1e-3,1e-3", "loads=1e-3")
+  for _, key in ipairs { "plane_mu0.3", "slab_mu0.3", "tool_mu0.3" } do
     local plain = result.maps[key].plain
     check.equal(outcomes(plain), { "completed", "singular" })
     check_controls(result.maps[key], 2)
@@ -127,7 +127,20 @@ check.case("first contact: an unconstrained body is singular before it touches; 
     check.near({ carried(plain, -1e-3), carried(robust, 1e-3) }, { 1e-3, 1e-3 }, 1e-9)
     check.equal(robust:cell(1e-3, 1e-3).fallback_steps, 1)
   end
-  check_files(result, 10)
+  check_files(result, 15)
+end)
+
+check.case("ironing under a constant force: lost contact and deep steps stop plain Newton, controls carry P", function()
+  local result = study("pressed_tool", "friction=0.2", "forces=0.02,0.4", "lengths=0.2")
+  local map = result.maps["mu0.2"]
+  check.equal(outcomes(map.plain), { "singular", "inverted" })
+  check_controls(map, 2)
+  for _, force in ipairs { 0.02, 0.4 } do
+    check.near({ map.robust:cell(force, 0.2).results.carried }, { force }, 1e-8)
+  end
+  local distant = study("pressed_tool", "friction=0.2", "forces=0.1", "lengths=0.2", "gap=0.05").maps["mu0.2"]
+  check.equal({ distant.plain.cells[1].outcome, distant.robust.cells[1].outcome }, { "singular", "completed" })
+  check_files(result, 5)
 end)
 
 check.case("cost: controls take no more iterations where nothing fails; the linear predictor saves a fifth", function()
