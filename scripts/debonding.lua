@@ -51,7 +51,7 @@ local function solve(law, n)
   local e = model:energy()
   return { law = law, zone = zone * n / length, mean = sum / count, oscillation = high - low,
            balance = (e.stored + e.contact + e.debonding) / e.work, angle = angle, moment = moment,
-           debonded = model:contact_resultant "glue".debonded }
+           debonded = model:contact_resultant "glue".debonded, model = model }
 end
 
 local cases, rows, curves, convergence = {}, {}, {}, {}
@@ -78,6 +78,8 @@ if #options.elements > 1 then
             xlabel = "elements in the cohesive zone", ylabel = "oscillation (% of the moment)",
             table.unpack(convergence) }
 end
+sg.picture{ model = cases[#options.elements].model, field = "damage", file = files "damage.png",
+            title = ("Damage at the end of the path, %s law"):format(options.laws[1]), axes = { "x (mm)", "y (mm)" } }
 files:report()
 
 return { cases = cases }

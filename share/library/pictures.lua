@@ -13,9 +13,9 @@ local sg = {}
 ---@field [integer] sg.patch
 ---@field [string] sg.unknown_argument
 
----@alias sg.picture.arguments.fields.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|string
+---@alias sg.picture.arguments.fields.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|"damage"|string
 
----@alias sg.picture.arguments.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|string
+---@alias sg.picture.arguments.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|"damage"|string
 
 ---@alias sg.picture.arguments.colormap.choice "viridis"|"magma"|"inferno"|"plasma"|"cividis"|"gray"|"coolwarm"
 
@@ -75,8 +75,9 @@ local sg = {}
 ---```text
 ---       von_mises, pressure (-tr sigma/3), I1 (tr sigma: the first invariant of the stress, not of C); deformation
 ---       gradient (no unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per
----       current area, with adhesion per reference area) on slave faces, in the plane as a band along them. Stresses are
----       evaluated at the points drawn, neither extrapolated nor averaged, so that jumps between elements are visible
+---       current area, with adhesion per reference area) on slave faces, and damage (of bonds, 0 to 1) on those of
+---       cohesive contacts, in the plane as a band along them. Stresses are evaluated at the points drawn, neither
+---       extrapolated nor averaged, so that jumps between elements are visible
 ---```
 ---@field field? sg.picture.arguments.field.choice
 ---factor: multiplies the field (a number; default 1)
@@ -335,9 +336,9 @@ function picture:show() end
 ---@class sg.model
 local model = {}
 
----@alias sg.model.show.arguments.fields.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|string
+---@alias sg.model.show.arguments.fields.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|"damage"|string
 
----@alias sg.model.show.arguments.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|string
+---@alias sg.model.show.arguments.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|"damage"|string
 
 ---@alias sg.model.show.arguments.colormap.choice "viridis"|"magma"|"inferno"|"plasma"|"cividis"|"gray"|"coolwarm"
 
@@ -384,8 +385,9 @@ local model = {}
 ---```text
 ---       von_mises, pressure (-tr sigma/3), I1 (tr sigma: the first invariant of the stress, not of C); deformation
 ---       gradient (no unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per
----       current area, with adhesion per reference area) on slave faces, in the plane as a band along them. Stresses are
----       evaluated at the points drawn, neither extrapolated nor averaged, so that jumps between elements are visible
+---       current area, with adhesion per reference area) on slave faces, and damage (of bonds, 0 to 1) on those of
+---       cohesive contacts, in the plane as a band along them. Stresses are evaluated at the points drawn, neither
+---       extrapolated nor averaged, so that jumps between elements are visible
 ---```
 ---@field field? sg.model.show.arguments.field.choice
 ---factor: multiplies the field (a number; default 1)

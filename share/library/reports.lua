@@ -208,7 +208,7 @@ local run = {}
 ---@field legend_title? string
 ---@field [string] sg.unknown_argument
 
----@alias sg.run.report.options.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|string
+---@alias sg.run.report.options.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|"damage"|string
 
 ---@class (exact) sg.run.report.options.pictures
 ---picture: a picture, or a file that ends with .png, .jpg, .svg, .gif or .webp (a picture or a string)

@@ -41,7 +41,7 @@ local model = {}
 ---@return sg.model.profile.result
 function model:profile(contact) end
 
----@alias sg.model.sample.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"
+---@alias sg.model.sample.field.choice "ux"|"uy"|"u"|"sxx"|"syy"|"szz"|"sxy"|"von_mises"|"pressure"|"I1"|"F11"|"F12"|"F21"|"F22"|"uz"|"sxz"|"syz"|"F13"|"F23"|"F31"|"F32"|"F33"|"contact_pressure"|"damage"
 
 ---Returns a field's value at a parametric point of a body.
 ---
@@ -50,7 +50,7 @@ function model:profile(contact) end
 ---model:sample("slab", "uy", {0.5, 1})
 ---```
 ---@param body sg.body|string # body: a body or its name (a body or a string)
----@param field sg.model.sample.field.choice # field: 'ux', 'uy', 'u', 'sxx', 'syy', 'szz', 'sxy', 'von_mises', 'pressure', 'I1', 'F11', 'F12', 'F21', 'F22', 'uz', 'sxz', 'syz', 'F13', 'F23', 'F31', 'F32', 'F33' or 'contact_pressure'. As in sg.picture; contact_pressure is interpolated between the contact points of a slave face, on which xi must be
+---@param field sg.model.sample.field.choice # field: 'ux', 'uy', 'u', 'sxx', 'syy', 'szz', 'sxy', 'von_mises', 'pressure', 'I1', 'F11', 'F12', 'F21', 'F22', 'uz', 'sxz', 'syz', 'F13', 'F23', 'F31', 'F32', 'F33', 'contact_pressure' or 'damage'. As in sg.picture; contact_pressure and damage are interpolated between the contact points of a slave face, on which xi must be
 ---@param xi [number, number]|[number, number, number] # xi: parametric coordinates (a list of 2 numbers {xi1, xi2}, in 3D of 3)
 ---@return number
 function model:sample(body, field, xi) end

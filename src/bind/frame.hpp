@@ -4,6 +4,7 @@
 #include "base/window.hpp"
 #include "bind/arguments.hpp"
 #include "bind/scene.hpp"
+#include "model/face_values.hpp"
 #include "tessellation/tessellate.hpp"
 #include "view/panel.hpp"
 
@@ -37,13 +38,10 @@ view::Panel show(const std::vector<nurbs::Patch>& patches, const Showing& showin
 /// The drawing of a body or patch.
 view::Body picture_body(tessellation::Skin skin, const Showing& showing);
 
-/// The field that is defined on slave faces only.
-inline constexpr const char* pressure_name = "contact_pressure";
-
-/// A band along the slave face of a contact, inside its body, colored by the pressure; `size`: longest side of the
-/// drawn bodies.
-view::Body pressure_band(const model::Model<2>& model, int contact, std::size_t face, const Showing& showing,
-                         double size);
+/// A band along the slave face of a contact, inside its body, colored by the field; `size`: longest side of the drawn
+/// bodies.
+view::Body face_band(const model::Model<2>& model, model::FaceField field, int contact, std::size_t face,
+                     const Showing& showing, double size);
 
 /// The tractions at the closed contact points on the slave faces of the drawn bodies.
 template <int D> std::vector<view::PointVector> tractions(const model::Model<D>& model, const std::vector<int>& bodies);

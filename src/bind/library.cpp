@@ -121,7 +121,7 @@ void open_library(lua_State* L, const Settings& settings) {
   lua_setfield(L, -2, "sg");
   std::vector<std::string> fields;
   for (const auto& field : model::fields<3>()) fields.push_back(field.name);
-  fields.push_back("contact_pressure");
+  fields.insert(fields.end(), {"contact_pressure", "damage"});
   const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   set_fields(L, "terminal", isatty(STDERR_FILENO) == 1, // where progress is displayed
              "interactive", isatty(STDIN_FILENO) && isatty(STDOUT_FILENO), "quiet", settings.quiet, "threads",

@@ -43,7 +43,8 @@ view::Body skin_of(const model::Model<D>& model, int b, const Showing& showing, 
   const auto sampling = tessellation::sampling(model, b, divisions, showing.deformed, showing.windows);
   tessellation::Skin skin = tessellation::tessellate(model, b, field, sampling, showing.deformed);
   if constexpr (D == 3)
-    if (showing.field == pressure_name) skin.values = tessellation::contact_pressure(model, b, sampling);
+    if (const auto on_faces = model::face_field(showing.field))
+      skin.values = tessellation::face_values(model, *on_faces, b, sampling);
   view::Body body = picture_body(std::move(skin), showing);
   if (showing.vectors == "displacement") {
     const view::Points other = tessellation::tessellate(model, b, nullptr, sampling, !showing.deformed).points;
@@ -58,17 +59,17 @@ view::Body skin_of(const model::Model<D>& model, int b, const Showing& showing, 
   return body;
 }
 
-/// Inserts pressure bands on the slave faces of the drawn bodies before these, because bodies drawn first cover later
+/// Inserts bands on the slave faces of the drawn bodies before these, because bodies drawn first cover later
 /// ones.
-void add_pressure(view::Panel& panel, const model::Model<2>& model, const Showing& showing) {
+void add_bands(view::Panel& panel, const model::Model<2>& model, model::FaceField field, const Showing& showing) {
   view::Bounds box;
   for (const view::Body& body : panel.bodies) box.take(body.skin.points);
   std::vector<view::Body> bands;
   const auto& contacts = model.system.scene.contacts;
   for (std::size_t c = 0; c < contacts.size(); ++c)
-    for (std::size_t k = 0; k < contacts[c].slave.size(); ++k)
+    for (std::size_t k = 0; k < contacts[c].slave.size() && has(contacts[c], field); ++k)
       if (std::count(showing.bodies.begin(), showing.bodies.end(), contacts[c].slave[k].body) > 0)
-        bands.push_back(pressure_band(model, static_cast<int>(c), k, showing, box.size()));
+        bands.push_back(face_band(model, field, static_cast<int>(c), k, showing, box.size()));
   panel.bodies.insert(panel.bodies.begin(), bands.begin(), bands.end());
 }
 
@@ -227,10 +228,14 @@ view::Body picture_body(tessellation::Skin skin, const Showing& showing) {
 }
 
 template <int D> view::Panel show(const model::Model<D>& model, const Showing& showing, const std::optional<Cut>& cut) {
-  const bool pressure = showing.field == pressure_name;
-  require(D == 2 || !pressure || !model.system.contacts.empty(), "field '", pressure_name,
-          "' needs a contact, and the model has none: add contacts to sg.model, or draw another field");
-  const model::Field<D>* field = showing.field.empty() || pressure ? nullptr : &model::find_field<D>(showing.field);
+  const auto on_faces = model::face_field(showing.field);
+  const auto& contacts = model.system.scene.contacts;
+  const bool found =
+      !on_faces || std::ranges::any_of(contacts, [&](const auto& contact) { return has(contact, *on_faces); });
+  const bool is_damage = on_faces == model::FaceField::damage;
+  require(found || (D == 2 && !is_damage), "field '", showing.field, "' needs a ", is_damage ? "cohesive " : "",
+          "contact, and the model has none: add contacts to sg.model, or draw another field");
+  const model::Field<D>* field = showing.field.empty() || on_faces ? nullptr : &model::find_field<D>(showing.field);
   view::Panel panel;
   panel.windows = showing.windows;
   Showing skins = showing;
@@ -238,8 +243,8 @@ template <int D> view::Panel show(const model::Model<D>& model, const Showing& s
   for (int b : showing.bodies) panel.bodies.push_back(skin_of(model, b, skins, field));
   if constexpr (D == 3) {
     if (cut) cut_open(panel, model, *cut, showing, field);
-  } else if (pressure) {
-    add_pressure(panel, model, showing);
+  } else if (on_faces) {
+    add_bands(panel, model, *on_faces, showing);
   }
   if (showing.vectors == "traction") panel.vectors = tractions(model, showing.bodies);
   if (showing.obstacles) add_obstacles(panel, model, showing.deformed);

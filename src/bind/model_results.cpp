@@ -1,6 +1,6 @@
 #include "base/index.hpp"
 #include "bind/model.hpp"
-#include "model/contact_pressure.hpp"
+#include "model/face_values.hpp"
 #include "model/linear_choice.hpp"
 #include "model/profile.hpp"
 #include "model/sample.hpp"
@@ -164,8 +164,9 @@ template <int D> int sample(const model::Model<D>& model, lua_State* L) {
   if (point.size() != D)
     reject(L, 4, {"xi", "parametric coordinates"},
            D == 2 ? "a list of 2 numbers {xi1, xi2}" : "a list of 3 numbers {xi1, xi2, xi3}");
-  push(L, name == "contact_pressure" ? model::sample_contact_pressure(model, body, point)
-                                     : model::sample(model, body, model::find_field<D>(name), point));
+  const auto on_faces = model::face_field(name);
+  push(L, on_faces ? model::sample_face(model, *on_faces, body, point)
+                   : model::sample(model, body, model::find_field<D>(name), point));
   return 1;
 }
 

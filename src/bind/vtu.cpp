@@ -8,6 +8,7 @@
 #include "bind/model.hpp"
 #include "bind/open.hpp"
 #include "bind/patch.hpp"
+#include "model/face_values.hpp"
 #include "tessellation/bezier_cells.hpp"
 #include "view/figure.hpp"
 
@@ -53,7 +54,9 @@ template <int D> exchange::BezierGrid grid_of(const model::Model<D>& model, bool
   grid.points.resize(3, 0);
   for (const tessellation::CellField& field : bodies.front().fields)
     grid.point_arrays.push_back({field.name, MatrixX(field.values.rows(), 0), component_names(field.name)});
-  if (!scene.contacts.empty()) grid.point_arrays.push_back({"contact_pressure", MatrixX(1, 0)});
+  for (const model::FaceField field : {model::FaceField::pressure, model::FaceField::damage})
+    if (std::ranges::any_of(scene.contacts, [&](const auto& contact) { return has(contact, field); }))
+      grid.point_arrays.push_back({name_of(field), MatrixX(1, 0)});
   grid.cell_arrays = {{"body", {}}, {"contact", {}}};
   grid.names = {{"body_names", names_of(scene.bodies)}, {"contact_names", names_of(scene.contacts)}};
   for (std::size_t b = 0; b < bodies.size(); ++b) append(grid, bodies[b], {static_cast<int>(b) + 1, 0});

@@ -25,6 +25,8 @@ template <int D> void rub_in_part(const LocalForce<D>& without, double damage, L
 template <int D>
 CohesiveContact<D>::CohesiveContact(const ContactSetting<D>& setting, const CohesiveLaw& law)
     : PenaltyContact<D>(setting, law.penalty), law_(checked(law.cohesion)), bonds_(this->points_.size()) {
+  require(law.penalty.per == TractionArea::reference && law.penalty.enforcement == Enforcement::penalty,
+          "contact.cohesion.penalty");
   const double most = bond_distance * strongest_opening(law_);
   double nearest = std::numeric_limits<double>::infinity();
   bool any = false;
@@ -36,9 +38,11 @@ CohesiveContact<D>::CohesiveContact(const ContactSetting<D>& setting, const Cohe
     const Projection<D> closest = this->master().project(place, {}, foot);
     if (closest.foot == Foot::none || this->master().fade(closest.xi, rate) < 1) continue;
     nearest = std::min(nearest, std::abs(closest.gap));
-    if (std::abs(closest.gap) > most) continue;
     bonds_[i] = closest;
-    any = true;
+    if (std::abs(closest.gap) > most)
+      bonds_[i].foot = Foot::none;
+    else
+      any = true;
   }
   require(any || nearest < std::numeric_limits<double>::infinity(), "contact.cohesion.nowhere");
   require(any, "contact.cohesion.apart", {{"distance", nearest}, {"most", most}});

@@ -84,8 +84,8 @@ public:
   /// Overlap of the initial shapes at the points, if the contact is an interference fit; otherwise empty.
   const std::vector<double>& overlap() const { return overlap_; }
 
-  /// Closest points at which the points are bonded in the initial state (Foot::none: not bonded); empty unless
-  /// cohesive.
+  /// Closest points at which the points are bonded in the initial state, with Foot::none if they are not, with an
+  /// element if they are only too far from it; empty unless cohesive.
   virtual std::span<const Projection<D>> bonds() const { return {}; }
   /// Fraction of their stiffness that the points' bonds have lost, 1 without a bond; empty unless cohesive.
   virtual std::vector<double> damage(const History<D>&) const { return {}; }

@@ -133,6 +133,25 @@ template <int D> std::set<std::pair<int, int>> places(const contact::Formulation
   return result;
 }
 
+/// Points close to the master that are too far from it for a bond.
+template <int D>
+void warn_of_missing_bonds(const Scene<D>& scene, const Contact<D>& contact, const contact::Formulation<D>& formulation,
+                           std::vector<Message>& warnings) {
+  if (formulation.bonds().empty()) return;
+  const double close = most_seam_distance * element_size(scene, contact.slave, 2);
+  int count = 0;
+  double farthest = 0;
+  for (const contact::Projection<D>& bond : formulation.bonds()) {
+    const double distance = std::abs(bond.gap);
+    if (bond.foot != contact::Foot::none || bond.element < 0 || distance > close) continue;
+    ++count;
+    farthest = std::max(farthest, distance);
+  }
+  if (count > 0)
+    warnings.push_back(
+        Message("model.warning.missing_bonds", {{"contact", contact.name}, {"count", count}, {"distance", farthest}}));
+}
+
 /// Cohesive contact contains penalty contact.
 template <int D> std::size_t kind_of(const contact::Method<D>& method) {
   return std::holds_alternative<contact::CohesiveLaw>(method) ? 0 : method.index();
@@ -204,6 +223,7 @@ std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formul
     warn_of_stiffness(scene, scene.contacts[k], contacts[k]->penalty(histories[k]), warnings);
     warn_of_stiff_slave(scene, scene.contacts[k], warnings);
     warn_of_coarse_bonds(scene, scene.contacts[k], warnings);
+    warn_of_missing_bonds(scene, scene.contacts[k], *contacts[k], warnings);
     warn_of_offset(scene, scene.contacts[k], contacts[k]->offset(histories[k]), warnings);
   }
   warn_of_twins(scene, contacts, warnings);

@@ -2,7 +2,7 @@
 
 #include "base/index.hpp"
 #include "base/orthonormal.hpp"
-#include "model/contact_pressure.hpp"
+#include "model/face_values.hpp"
 #include "model/results.hpp"
 #include "model/sample.hpp"
 #include "nurbs/bezier.hpp"
@@ -186,17 +186,23 @@ BezierCells contact_cells(const Model<D>& model, int contact, std::size_t face, 
   for (const std::vector<int>& degrees : cells.degrees) first_point.push_back(first_point.back() + points_of(degrees));
 
   const std::vector<std::vector<double>> places(D - 1, solid::gauss_legendre(definition.points, 0, 1).points);
-  const MatrixX pressures = contact_point_pressures(model, contact, face);
+  std::vector<model::FaceField> fields;
+  for (const model::FaceField field : {model::FaceField::pressure, model::FaceField::damage})
+    if (has(definition, field)) fields.push_back(field);
+  std::vector<MatrixX> values;
+  for (const model::FaceField field : fields) values.push_back(contact_point_values(model, field, contact, face));
   BezierCells result;
-  std::vector<int> chosen;        // among the points of the body's cells
-  std::vector<double> on_contact; // pressures there
-  for (int f = 0; f < pressures.cols(); ++f) {
+  std::vector<int> chosen;                                    // among the points of the body's cells
+  std::vector<std::vector<double>> on_contact(fields.size()); // values there
+  for (int f = 0; f < values.front().cols(); ++f) {
     const int e = space.element_behind(side, f);
     std::vector<int> degrees = cells.degrees[at(e)], own = points_on(side, degrees);
     for (int& point : own) point += first_point[at(e)];
     degrees.erase(degrees.begin() + side.direction);
-    const MatrixX fitted = Projector(degrees, places)(pressures.col(f).transpose(), cells.weights(own));
-    on_contact.insert(on_contact.end(), fitted.data(), fitted.data() + fitted.size());
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const MatrixX fitted = Projector(degrees, places)(values[i].col(f).transpose(), cells.weights(own));
+      on_contact[i].insert(on_contact[i].end(), fitted.data(), fitted.data() + fitted.size());
+    }
     chosen.insert(chosen.end(), own.begin(), own.end());
     result.degrees.push_back(std::move(degrees));
   }
@@ -204,7 +210,8 @@ BezierCells contact_cells(const Model<D>& model, int contact, std::size_t face, 
   result.weights = cells.weights(chosen);
   for (const CellField& field : cells.fields) result.fields.push_back({field.name, field.values(Eigen::all, chosen)});
   const auto count = static_cast<Eigen::Index>(chosen.size());
-  result.fields.push_back({"contact_pressure", Eigen::Map<const MatrixX>(on_contact.data(), 1, count)});
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    result.fields.push_back({name_of(fields[i]), Eigen::Map<const MatrixX>(on_contact[i].data(), 1, count)});
   return result;
 }
 

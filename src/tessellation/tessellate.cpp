@@ -1,6 +1,6 @@
 #include "tessellation/tessellate.hpp"
 
-#include "model/contact_pressure.hpp"
+#include "model/face_values.hpp"
 #include "model/results.hpp"
 #include "tessellation/grid.hpp"
 
@@ -11,7 +11,7 @@
 namespace signorini::tessellation {
 
 using model::BodyPoint;
-using model::FacePressure;
+using model::FaceValues;
 
 namespace {
 
@@ -167,11 +167,12 @@ Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sa
   return skin;
 }
 
-VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sampling) {
-  std::vector<FacePressure<3>> faces;
+VectorX face_values(const Model<3>& model, model::FaceField field, int body, const Sampling<3>& sampling) {
+  std::vector<FaceValues<3>> faces;
   for (std::size_t c = 0; c < model.system.scene.contacts.size(); ++c)
     for (std::size_t k = 0; k < model.system.scene.contacts[c].slave.size(); ++k)
-      if (model.system.scene.contacts[c].slave[k].body == body) faces.emplace_back(model, static_cast<int>(c), k);
+      if (model.system.scene.contacts[c].slave[k].body == body && has(model.system.scene.contacts[c], field))
+        faces.emplace_back(model, field, static_cast<int>(c), k);
   if (faces.empty()) return {};
   std::vector<double> values;
   each_side_element(model, body, false, [&](const SkinSide& side, int i, int j) {
@@ -180,7 +181,7 @@ VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sam
     for (double t : grid.across)
       for (double s : grid.along) {
         double sum = 0;
-        for (const FacePressure<3>& face : faces)
+        for (const FaceValues<3>& face : faces)
           if (face.side() == side.side) sum += face.at_place(e, {s, t});
         values.push_back(sum);
       }

@@ -1,6 +1,7 @@
 #pragma once
 // Tessellation of the exact geometry of bodies into points, triangles and lines, for pictures.
 
+#include "model/face_values.hpp"
 #include "model/sample.hpp"
 #include "tessellation/sampling.hpp"
 
@@ -45,9 +46,9 @@ Vec<3> place(const nurbs::Patch& patch, const VectorX& xi);
 /// Number of element sides on the surface.
 int surface_elements(const nurbs::Discretization& space);
 
-/// Contact pressure on the slave faces of the body at the points of its skin: linear between the contact points of a
-/// face element, constant beyond the outer ones; 0 on other faces. Empty if no face of the body is a slave.
-VectorX contact_pressure(const Model<3>& model, int body, const Sampling<3>& sampling);
+/// A field on the slave faces of the body at the points of its skin: linear between the contact points of a face
+/// element, constant beyond the outer ones; 0 on other faces. Empty if no face of the body has it.
+VectorX face_values(const Model<3>& model, model::FaceField field, int body, const Sampling<3>& sampling);
 
 /// An element sampled at (divisions + 1)³ points, uniform in its parameters, ξ¹ fastest.
 struct Inside {

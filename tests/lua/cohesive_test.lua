@@ -56,6 +56,24 @@ check.case("arc length follows the snap-back of an elastic block", function()
   check.within("balance", e.work - e.stored - e.contact - e.debonding, 0, 0.02 * e.work)
 end)
 
+check.case("arc length follows a strip that peels element by element, past its snap-back", function()
+  local body = sg.body{ patch = sg.shapes.rectangle{ width = 100, height = 5 }, elements = {40, 2}, order = "N2",
+                        contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 2, nu = 0.2 } }
+  local model = sg.model{
+    bodies = { strip = body },
+    supports = { edge = { on = body:face "east", rotate = true }, pin = { on = body:corner "south-west", fix = "x" } },
+    contacts = { film = { slave = body:face "south", penalty = 20, cohesive = { strength = 0.16, energy = 0.05 },
+                          master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } } }
+  local run, back = model:run({ { steps = 118, edge = 118 } }, { arc_length = true }), 0
+  check.equal({ run.failed, run.reason }, { false, "completed" })
+  local angle = run:column "edge.angle"
+  for i = 2, #angle do back = math.max(back, angle[i - 1] - angle[i]) end
+  assert(back > 1, "the path has not gone back")
+  local e = model:energy()
+  check.within_share("balance", e.stored + e.contact + e.debonding, e.work, 0.01)
+  assert(model:contact_resultant "film".debonded > 20)
+end)
+
 check.case("without arc length the failed step names the bonds and arc length", function()
   local run = debond.block(linear, { E = 20 }):run({ { steps = 40, lid = {0.9} } }, sg.plain{})
   check.equal(run.failed, true)
@@ -73,6 +91,29 @@ check.case("profile: damage, tension and state along the crack", function()
   end
   check.within_share("strength", greatest, 20, 0.03)
   check.holds(show.text(model), "debonded", "law = \"exponential\"", "strength = 20", "144 bonded points")
+end)
+
+check.case("damage in samples, pictures and .vtu files", function()
+  local model, folder = debond.cantilevers(24, 24, { strength = 20 }), check.folder()
+  model:run{ { steps = 4, up = {-1.4}, down = {1.4} } }
+  local profile = model:profile "glue"
+  check.equal(model:sample("upper", "damage", { 0, 0 }), 1)
+  -- Between the two points in the middle of an element, of nine
+  check.within("sample", model:sample("upper", "damage", { 10.5 / 24, 0 }), profile.damage[9 * 10 + 5], 1e-12)
+  for _, values in ipairs { { "band", field = "damage" }, { "face", field = "contact_pressure" } } do
+    sg.picture{ model = model, field = values.field, file = ("%s/%s.png"):format(folder, values[1]) }
+  end
+  check.pictures(folder, { "band", "face" })
+  sg.vtu{ model = model, file = folder .. "/state.vtu" }
+  check.holds(core.read_file(folder .. "/state.vtu"), 'Name="damage"', 'Name="contact_pressure"')
+  check.fails(function() model:sample("lower", "damage", { 0.5, 1 }) end, "damage is defined on slave faces only",
+    "this body has none")
+  local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N2",
+                         contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local plain = sg.model{ bodies = { block = block }, contacts = { touch = { slave = block:face "south", penalty = 1,
+    master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } } }
+  check.fails(function() sg.picture{ model = plain, field = "damage", file = folder .. "/none.png" } end,
+    "field 'damage' needs a cohesive contact, and the model has none")
 end)
 
 check.case("a checkpoint amid debonding continues bitwise", function()
@@ -170,6 +211,14 @@ for _, case in ipairs(wrong) do
     check.holds(output, "study.lua:", table.unpack(case, 3))
   end)
 end
+
+check.case("points that are slightly too far away for a bond are a warning", function()
+  local output, status = check.script(start
+    .. "with(bond, { master = sg.rigid.plane{ point = {0, 0}, normal = {1e-3, 1} } })")
+  check.equal(status, 0)
+  check.holds(output, "contacts.f: 86 points of the slave face, up to 0.0199",
+    "from the master, are not bonded", "let the faces coincide there")
+end)
 
 check.case("coarse elements are a warning with the cure", function()
   local output, status = check.script(start .. "with{ strength = 1, energy = 0.1 }")

@@ -133,7 +133,7 @@ TEST(Skin, ContainsFieldsAndContactPressure) {
   const int divisions = 3;
   const Field<3>& stress = find_field<3>("szz");
   const Skin skin = tessellate(model, 0, &stress, evenly(model, divisions), true);
-  const VectorX pressure = contact_pressure(model, 0, evenly(model, divisions));
+  const VectorX pressure = face_values(model, model::FaceField::pressure, 0, evenly(model, divisions));
   ASSERT_EQ(pressure.size(), skin.points.cols());
   const double uniform = sample(model, 0, stress, Vec<3>(0.3, 0.6, 0.7));
   EXPECT_LT(uniform, -0.1);
@@ -156,7 +156,7 @@ TEST(Skin, InterpolatesBetweenContactPoints) {
   Model<3> model(pressed(contact::make_ball<3>({0.75, 0.25, 1.6}, 0.6)));
   press(model, 0.1);
   // An odd number of contact points has one at the middle of every element, and so do two divisions.
-  const VectorX pressure = contact_pressure(model, 0, evenly(model, 2));
+  const VectorX pressure = face_values(model, model::FaceField::pressure, 0, evenly(model, 2));
   const auto& results = model.present.contacts[0].results;
   const Eigen::Index first = pressure.size() - 8 * 9; // the back is the last side
   double largest = 0;
@@ -172,7 +172,7 @@ TEST(Skin, InterpolatesBetweenContactPoints) {
   scene.contacts[0].where = [](const Vec<3>& place) { return place(0) < 1; };
   Model<3> half(scene);
   press(half, 0.1);
-  const VectorX partial = contact_pressure(half, 0, evenly(half, 2));
+  const VectorX partial = face_values(half, model::FaceField::pressure, 0, evenly(half, 2));
   for (int e = 0; e < 8; ++e)
     for (int i = 0; i < 9; ++i)
       if (e % 4 >= 2) {

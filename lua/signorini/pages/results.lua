@@ -63,8 +63,8 @@ on the slave. Reading any other field is an error.]],
     arguments = {
       { "body", t.either(t.object "body", t.name(function(model) return model:body_names() end)),
         "a body or its name" },
-      { "field", t.choice(core.fields), [[as in sg.picture; contact_pressure is interpolated between the contact points
-of a slave face, on which xi must be]] },
+      { "field", t.choice(core.fields), [[as in sg.picture; contact_pressure and damage are interpolated between the
+contact points of a slave face, on which xi must be]] },
       { "xi", t.worded(t.point, "a list of 2 numbers {xi1, xi2}, in 3D of 3"), "parametric coordinates" },
     },
     returns = t.number,

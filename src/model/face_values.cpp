@@ -1,4 +1,4 @@
-#include "model/contact_pressure.hpp"
+#include "model/face_values.hpp"
 
 #include "base/error.hpp"
 #include "base/index.hpp"
@@ -9,14 +9,26 @@
 
 namespace signorini::model {
 
-template <int D> MatrixX contact_point_pressures(const Model<D>& model, int contact, std::size_t face) {
+std::optional<FaceField> face_field(const std::string& name) {
+  for (const FaceField field : {FaceField::pressure, FaceField::damage})
+    if (name == name_of(field)) return field;
+  return {};
+}
+
+const char* name_of(FaceField field) {
+  return field == FaceField::pressure ? "contact_pressure" : "damage";
+}
+
+template <int D> MatrixX contact_point_values(const Model<D>& model, FaceField field, int contact, std::size_t face) {
   const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
   const Contact<D>& named = model.system.scene.contacts[at(contact)];
   const int points = named.points;
+  const contact::History<D>& history = model.present.contacts[at(contact)];
+  const std::vector<double> damage = field == FaceField::damage ? formulation.damage(history) : std::vector<double>();
   MatrixX all = MatrixX::Zero(D == 3 ? points * points : points, formulation.slave().elements());
   for (std::size_t i = 0; i < formulation.points().size(); ++i) {
     const contact::ContactPoint& point = formulation.points().list[i];
-    all(point.number, point.element) = model.present.contacts[at(contact)].results[i].pressure;
+    all(point.number, point.element) = field == FaceField::damage ? damage[i] : history.results[i].pressure;
   }
   if (named.slave.size() == 1) return all;
   const contact::FacePlace& place = formulation.slave().places()[face];
@@ -27,12 +39,12 @@ template <int D> MatrixX contact_point_pressures(const Model<D>& model, int cont
 }
 
 template <int D>
-FacePressure<D>::FacePressure(const Model<D>& model, int contact, std::size_t face)
+FaceValues<D>::FaceValues(const Model<D>& model, FaceField field, int contact, std::size_t face)
     : side_(model.system.scene.contacts[at(contact)].slave[face].side),
       points_(model.system.scene.contacts[at(contact)].points), places_(solid::gauss_legendre(points_, 0, 1).points),
-      values_(contact_point_pressures(model, contact, face)) {}
+      values_(contact_point_values(model, field, contact, face)) {}
 
-template <int D> double FacePressure<D>::at_place(int e, const contact::FaceCoordinates<D>& fraction) const {
+template <int D> double FaceValues<D>::at_place(int e, const contact::FaceCoordinates<D>& fraction) const {
   double sum = 0;
   std::array<int, D - 1> first;
   std::array<double, D - 1> weight; // of the point after the first
@@ -64,28 +76,29 @@ double end_of(const nurbs::Discretization& space, nurbs::Side side) {
   return side.at_end ? space.interval(space.elements() - 1, side.direction)[1] : space.interval(0, side.direction)[0];
 }
 
-/// Throws the Error that lists the faces of a body with a contact pressure.
-template <int D> [[noreturn]] void throw_without_pressure(const Model<D>& model, int body) {
+/// Throws the Error that lists the faces of a body with the field.
+template <int D> [[noreturn]] void throw_without(const Model<D>& model, FaceField field, int body) {
   std::vector<Message> places;
   for (const auto& contact : model.system.scene.contacts)
     for (const auto& [on, side] : contact.slave) {
-      if (on != body) continue;
+      if (on != body || !has(contact, field)) continue;
       const double end = end_of(model.system.scene.bodies[at(body)].body->space(), side);
-      places.push_back(Message("model.field.pressure_place",
-                               {{"direction", side.direction}, {"xi", end}, {"contact", contact.name}}));
+      places.push_back(
+          Message("model.field.face_place", {{"direction", side.direction}, {"xi", end}, {"contact", contact.name}}));
     }
-  if (places.empty()) fail("model.field.pressure_nowhere");
-  fail("model.field.pressure_known", {{"places", places}});
+  if (places.empty()) fail("model.field.face_nowhere", {{"field", name_of(field)}});
+  fail("model.field.face_known", {{"field", name_of(field)}, {"places", places}});
 }
 
 } // namespace
 
-template <int D> double sample_contact_pressure(const Model<D>& model, int body, const VectorX& xi) {
+template <int D> double sample_face(const Model<D>& model, FaceField field, int body, const VectorX& xi) {
   const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
   const int e = space.find_element(xi); // throws Error outside
   double sum = 0;
   bool found = false;
   for (std::size_t c = 0; c < model.system.scene.contacts.size(); ++c) {
+    if (!has(model.system.scene.contacts[c], field)) continue;
     const Faces& faces = model.system.scene.contacts[c].slave;
     for (std::size_t k = 0; k < faces.size(); ++k) {
       const int across = faces[k].side.direction;
@@ -101,18 +114,18 @@ template <int D> double sample_contact_pressure(const Model<D>& model, int body,
         on_face += stride * space.element_index(e, d);
         stride *= space.elements(d);
       }
-      sum += FacePressure<D>(model, static_cast<int>(c), k).at_place(on_face, fraction);
+      sum += FaceValues<D>(model, field, static_cast<int>(c), k).at_place(on_face, fraction);
     }
   }
-  if (!found) throw_without_pressure(model, body);
+  if (!found) throw_without(model, field, body);
   return sum;
 }
 
-template MatrixX contact_point_pressures(const Model<2>&, int, std::size_t);
-template MatrixX contact_point_pressures(const Model<3>&, int, std::size_t);
-template class FacePressure<2>;
-template class FacePressure<3>;
-template double sample_contact_pressure<2>(const Model<2>&, int, const VectorX&);
-template double sample_contact_pressure<3>(const Model<3>&, int, const VectorX&);
+template MatrixX contact_point_values(const Model<2>&, FaceField, int, std::size_t);
+template MatrixX contact_point_values(const Model<3>&, FaceField, int, std::size_t);
+template class FaceValues<2>;
+template class FaceValues<3>;
+template double sample_face<2>(const Model<2>&, FaceField, int, const VectorX&);
+template double sample_face<3>(const Model<3>&, FaceField, int, const VectorX&);
 
 } // namespace signorini::model

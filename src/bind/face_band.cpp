@@ -1,6 +1,6 @@
 #include "base/error.hpp"
 #include "bind/frame.hpp"
-#include "model/contact_pressure.hpp"
+#include "model/face_values.hpp"
 #include "model/sample.hpp"
 
 #include <algorithm>
@@ -30,12 +30,12 @@ BandPoint band_point(const model::Model<2>& model, const model::FaceReference& s
 
 } // namespace
 
-view::Body pressure_band(const model::Model<2>& model, int contact, std::size_t face, const Showing& showing,
-                         double size) {
+view::Body face_band(const model::Model<2>& model, model::FaceField field, int contact, std::size_t face,
+                     const Showing& showing, double size) {
   const model::FaceReference& reference = model.system.scene.contacts[static_cast<std::size_t>(contact)].slave[face];
   const contact::Surface<2> slave(model.system.scene.bodies[static_cast<std::size_t>(reference.body)].body->space(),
                                   reference.side);
-  const model::FacePressure<2> pressure(model, contact, face);
+  const model::FaceValues<2> values(model, field, contact, face);
   const int divisions = std::clamp(400 / slave.elements(), 8, 40), count = slave.elements() * (divisions + 1);
   std::vector<BandPoint> places;
   view::Body band;
@@ -47,7 +47,7 @@ view::Body pressure_band(const model::Model<2>& model, int contact, std::size_t 
       const auto i = static_cast<Eigen::Index>(places.size());
       places.push_back(band_point(model, reference, from + (to - from) * fraction, showing.deformed));
       band.skin.values(i) = band.skin.values(count + i) =
-          showing.factor * pressure.at_place(e, contact::FaceCoordinates<2>(fraction));
+          showing.factor * values.at_place(e, contact::FaceCoordinates<2>(fraction));
     }
   // Half of the thickness of the elements at the face, within visible limits.
   double depth = 0;
