@@ -40,6 +40,51 @@ check.case("a block is pulled off along the law; work = stored + contact + debon
   end
 end)
 
+check.case("an axisymmetric disc is pulled off along the law", function()
+  local disc = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 4 }, elements = {2, 1}, order = "N2",
+                        contact = "south", material = sg.linear_elastic{ E = 1000, nu = 0 } }
+  local model = sg.model{
+    kind = "axisymmetric", bodies = { disc = disc },
+    supports = { axis = { on = disc:face "west", symmetry = true },
+                 lid = { on = disc:face "north", fix = "x", drive = "y" } },
+    contacts = { glue = { slave = disc:face "south", penalty = 1000, cohesive = smooth,
+                          master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } } }
+  local run, area = model:run{ { steps = 20, lid = {0.4} } }, math.pi * 4
+  for i, u in ipairs(run:column "lid.uy") do
+    local force = run:column "lid.fy"[i] / area
+    check.near(force, traction(smooth, u - force * 4 / 1000), 1e-7)
+  end
+  check.near(model:contact_resultant "glue".debonded, model:energy().debonding / smooth.energy, 1e-12)
+end)
+
+--- A film peeled upright, as a plane model or as a solid of width 0.5 in plane strain; forces per width, and balance.
+local function peel(dimension)
+  local is_solid, patch = dimension == 3, sg.shapes.rectangle{ width = 6, height = 0.1 }
+  if is_solid then patch = sg.nurbs.extrude{ patch = patch, along = {0, 0, 0.5} } end
+  local film = sg.body{ patch = patch, elements = is_solid and {30, 1, 1} or {30, 1}, order = "N2", contact = "south",
+                        thickness_degree = 2, material = sg.neo_hookean{ E = 2000, nu = 0.3 } }
+  local plane = is_solid and sg.rigid.plane{ point = {0, 0, 0}, normal = {0, 1, 0} }
+    or sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }
+  local model = sg.model{
+    bodies = { film = film },
+    supports = { clamp = { on = film:face "east", fix = "xy" },
+                 grip = { on = is_solid and film:edge "south-west" or film:corner "south-west", drive = "y" },
+                 sides = is_solid and { on = { film:face "front", film:face "back" }, fix = "z" } or nil },
+    contacts = { glue = { slave = film:face "south", master = plane, penalty = 2000, points = 6,
+      cohesive = { strength = 1, energy = 0.1, where = function(X) return X[1] >= 1.5 end } } } }
+  local run, forces = model:run{ { steps = 24, grip = 3 } }, {}
+  for i, force in ipairs(run:column "grip.fy") do forces[i] = force / (is_solid and 0.5 or 1) end
+  local e = model:energy()
+  return forces, (e.stored + e.contact + e.debonding) / e.work
+end
+
+check.case("a solid film in plane strain peels with the force of the plane model", function()
+  local plane, balance = peel(2)
+  local solid, solid_balance = peel(3)
+  check.near(solid, plane, 1e-8)
+  check.near({ balance, solid_balance }, { 1, 1 }, 1e-3)
+end)
+
 check.case("arc length follows the snap-back of an elastic block", function()
   -- E/h below the law's slope: u = d + T(d) h/E goes back.
   local model, E, first, last = debond.block(smooth, { E = 20 }), 20, 0, 1
