@@ -8,14 +8,15 @@
 -- Units: mm, N, MPa; moments per mm of width.
 -- Expected: with three elements in the cohesive zone the mean of the steady moment is M, and work the sum of the
 --           energies, within 0.1 %, and moments oscillate by less than 3 % of M; with nine by less than 0.2 %.
--- Run: signorini scripts/debonding.lua [elements=16,24,32,48,64] [laws=exponential,bilinear] [strength=20] [steps=150]
---      [out=out/debonding]
+-- Run: signorini scripts/debonding.lua [elements=16,24,32,48,64] [laws=exponential,bilinear] [strength=20]
+--      [penalty=1e5] [steps=150] [out=out/debonding]
 
 local sg = require "signorini"
 
 local options = sg.arguments{ elements = { { 16, 24, 32, 48, 64 }, at_least = 8 },
                               laws = { { "exponential", "bilinear" }, choices = { "exponential", "bilinear" } },
-                              strength = { 20, above = 0 }, steps = { 150, at_least = 10 }, out = "out/debonding" }
+                              strength = { 20, above = 0 }, penalty = { 1e5, above = 0 },
+                              steps = { 150, at_least = 10 }, out = "out/debonding" }
 local files = sg.files(options.out)
 local E, nu, h, length, crack, G, turn = 70000, 0.3, 2, 32, 8, 0.3, 2.4
 local plane = E / (1 - nu^2)
@@ -35,7 +36,7 @@ local function solve(law, n)
     bodies   = { upper = upper, lower = lower },
     supports = { up = { on = upper:face "west", rotate = true }, down = { on = lower:face "west", rotate = true },
                  wall = { on = { upper:face "east", lower:face "east" }, fix = "xy" } },
-    contacts = { glue = { slave = upper:face "south", master = lower:face "north", penalty = 1e5,
+    contacts = { glue = { slave = upper:face "south", master = lower:face "north", penalty = options.penalty,
                           cohesive = { strength = options.strength, energy = G, law = law,
                                        where = function(X) return X[1] >= crack end } } } }
   local run = model:run{ { name = "open", steps = options.steps, up = {-turn}, down = {turn} } }
