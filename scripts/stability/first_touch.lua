@@ -17,8 +17,8 @@
 -- Units: any consistent units; lengths relative to the outer radius, loads to Young's modulus times outer radius.
 -- Expected: plain Newton converges in no cell without overlap: the tangent is singular. With overlap it converges in
 --           all cells on the plane without friction and under the tool, otherwise in all but those of the highest load:
---           8 and 6 of 24 cells. All controls converge in all 144: damping moves the body to its first contact. The contact force
---           equals the load.
+--           8 and 6 of 24 cells. All controls converge in all 144: damping moves the body to its first contact. The
+--           contact force equals the load.
 -- Run: signorini scripts/stability/first_touch.lua [under=plane,slab,tool] [friction=0,0.3] [order=N2]
 --      [gaps=-1e-2,-1e-3,0,1e-3,1e-2,1e-1] [loads=1e-4,1e-3,1e-2,0.05] [steps=5] [jobs=2] [limit=600] [keep=no]
 --      [with=robust] [formulation=gpts] [out=out/stability/first_touch]; one map for each of under and friction;

@@ -8,7 +8,8 @@
 --          gap
 --         _______________   slab 3 × 1, neo-Hooke, E = 1, nu = 0.3, 24 × 6 elements, plane strain, bottom clamped
 --
---          Gaps below 0 are an initial overlap, with which plain Newton can start. Both penalties 100. Pressing takes 0.2 over the length of a step, the slide 1 over it.
+--          Gaps below 0 are an initial overlap, with which plain Newton can start. Both penalties 100. Pressing takes
+--          0.2 over the length of a step, the slide 1 over it.
 -- Source: objects/pressed_tool.lua; the forces and steps are chosen here.
 -- Units: any consistent units; lengths relative to twice the radius, forces to Young's modulus times that length.
 -- Expected: plain Newton converges in 5 (mu = 0.2) and 8 (mu = 0.5) of 20 cells, and with a gap of 0.05 in none, since
