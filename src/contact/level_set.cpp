@@ -2,7 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
-#include "contact/constants.hpp"
+#include "contact/chord.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -187,18 +187,9 @@ template <int D>
 MasterPoint<D> advance_slip(const LevelSet<D>& level_set, const MasterPoint<D>& slip, const FacePoint<D>& foot,
                             double length) {
   const Vec<D> from = place_of<D>(foot.xi, foot.last), chord = place_of<D>(slip.xi, slip.last) - from;
-  const double present = chord.norm();
-  if (!(present > length)) return slip;
-  FacePoint<D> point;
-  // The closest point to y = x̄ + c (x_sl − x̄)/|x_sl − x̄|; c is slightly less than |x − x̄| on a curved surface.
-  double on_chord = length;
-  for (int iteration = 0; iteration < 30; ++iteration) {
-    find_closest(level_set, Vec<D>(from + (on_chord / present) * chord), point);
-    const double distance = (place_of<D>(point.xi, point.last) - from).norm();
-    if (!(distance > 0) || std::abs(distance - length) <= slip_rounding * present) break;
-    on_chord = std::min(on_chord * length / distance, present);
-  }
-  return {point.xi, point.last};
+  if (!(chord.norm() > length)) return slip;
+  // Where the chord leads too far from the surface the slip point stays, which counts as unsettled.
+  return point_on_chord(level_set, from, Vec<D>(from + chord), length).value_or(slip);
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \

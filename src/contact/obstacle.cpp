@@ -1,6 +1,7 @@
 #include "contact/obstacle.hpp"
 
 #include "base/error.hpp"
+#include "contact/chord.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -239,18 +240,21 @@ FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<
 
 FaceCoordinates<3> advance_slip(const Torus& torus, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
                                 double length) {
-  // Along the path that is straight in both angles, on the shorter way around
-  const FaceCoordinates<3> way(std::remainder(slip(0) - foot.xi(0), 2 * std::numbers::pi),
-                               std::remainder(slip(1) - foot.xi(1), 2 * std::numbers::pi));
   FacePoint<3> from, to; // without the obstacle's translation
   from.xi = foot.xi;
+  to.xi = slip;
   locate(torus, from);
+  locate(torus, to);
+  if (!((to.position - from.position).norm() > length)) return slip;
+  if (const auto found = point_on_chord(torus, from.position, to.position, length)) return found->xi;
+  // Across the tube: along the path that is straight in both angles, on the shorter way around
+  const FaceCoordinates<3> way(std::remainder(slip(0) - foot.xi(0), 2 * std::numbers::pi),
+                               std::remainder(slip(1) - foot.xi(1), 2 * std::numbers::pi));
   const auto chord = [&](double t) {
     to.xi = foot.xi + t * way;
     locate(torus, to);
     return (to.position - from.position).norm();
   };
-  if (!(chord(1) > length)) return slip;
   return foot.xi + fraction_at(chord, length) * way;
 }
 

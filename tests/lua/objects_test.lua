@@ -83,6 +83,16 @@ check.case("roller: no drag in the mean, and an advance by the radius per radian
   end
 end)
 
+check.case("rolling tire: the rolling radius, no resistance, and friction that limits the traction", function()
+  local tire = results("rolling_tire", "elements=48", "steps=30", "angle=60")
+  assert(tire.loaded < tire.rolling and tire.rolling < tire.free)
+  check.within("rolling radius", tire.rolling / 292.8, 1, 0.005) -- of 120 × 4 elements, N3
+  check.within("moment", tire.moment, 0, 1e-3)
+  for _, traction in ipairs(tire.traction) do check.at_most("traction", math.abs(traction), tire.mu + 1e-6) end
+  check.within("braked", tire.traction[1], -tire.mu, 0.01 * tire.mu)
+  check.within("driven", tire.traction[#tire.traction], tire.mu, 0.01 * tire.mu)
+end)
+
 check.case("wrong arguments are errors", function()
   check.refused(script "roller", { ["mu=0"] = "mu", ["travel=2"] = "travel", ["steps=4"] = "steps" })
   check.refused(script "belt", { ["h=0"] = "h", ["mu=1"] = "mu", ["elements=2"] = "elements", ["turn=0"] = "turn" })
@@ -94,6 +104,10 @@ check.case("wrong arguments are errors", function()
   check.refused(script "o_ring", { ["most=0.5"] = "most", ["elements=2"] = "elements", ["most=-1"] = "most" })
   check.refused(script "peel_film", { ["energy=0"] = "energy", ["strength=-1"] = "strength", ["law=linear"] = "law",
                                       ["steps=2"] = "steps" })
+end)
+
+  check.refused(script "rolling_tire", { ["nu=0.5"] = "nu", ["mu=0"] = "mu", ["angle=10"] = "angle",
+                                         ["elements=4"] = "elements" })
   check.refused(script "shrink_fit", { ["interference=0"] = "interference", ["mu=-1"] = "mu", ["steps=1"] = "steps" })
   check.refused(script "snap_fit", { ["mu=-1"] = "mu", ["steps=1"] = "steps", ["penalty=0"] = "penalty",
                                      ["elements=3"] = "elements" })
