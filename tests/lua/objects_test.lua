@@ -104,8 +104,6 @@ check.case("wrong arguments are errors", function()
   check.refused(script "o_ring", { ["most=0.5"] = "most", ["elements=2"] = "elements", ["most=-1"] = "most" })
   check.refused(script "peel_film", { ["energy=0"] = "energy", ["strength=-1"] = "strength", ["law=linear"] = "law",
                                       ["steps=2"] = "steps" })
-end)
-
   check.refused(script "rolling_tire", { ["nu=0.5"] = "nu", ["mu=0"] = "mu", ["angle=10"] = "angle",
                                          ["elements=4"] = "elements" })
   check.refused(script "shrink_fit", { ["interference=0"] = "interference", ["mu=-1"] = "mu", ["steps=1"] = "steps" })
