@@ -27,10 +27,11 @@ double distance(const Torus& torus, const Vec<3>& x) {
   return std::hypot((x - torus.center - height * torus.axis).norm() - torus.ring, height) - torus.radius;
 }
 
-/// A random shape and its closed-form signed distance.
+/// A random shape, its closed-form signed distance, and the radius of the tube of a torus.
 struct Shape {
   Obstacle<3> shape;
   std::function<double(const Vec<3>&)> gap;
+  double tube = 1;
 };
 
 std::vector<Shape> shapes(Random& random) {
@@ -49,10 +50,10 @@ std::vector<Shape> shapes(Random& random) {
       {cylinder, [=](const Vec<3>& x) { return (x - cylinder.point).cross(cylinder.axis).norm() - cylinder.radius; }},
       {hollow_ball, [=](const Vec<3>& x) { return hollow_ball.radius - (x - hollow_ball.center).norm(); }},
       {bore, [=](const Vec<3>& x) { return bore.radius - (x - bore.point).cross(bore.axis).norm(); }},
-      {torus, [=](const Vec<3>& x) { return distance(torus, x); }},
-      {groove, [=](const Vec<3>& x) { return -distance(groove, x); }},
+      {torus, [=](const Vec<3>& x) { return distance(torus, x); }, torus.radius},
+      {groove, [=](const Vec<3>& x) { return -distance(groove, x); }, groove.radius},
       {level_set_of(ball, 4), [=](const Vec<3>& x) { return (x - ball.center).norm() - ball.radius; }},
-      {level_set_of(torus, 5), [=](const Vec<3>& x) { return distance(torus, x); }}};
+      {level_set_of(torus, 5), [=](const Vec<3>& x) { return distance(torus, x); }, torus.radius}};
 }
 
 TEST(ObstacleIn3D, GapIsTheSignedDistance) {
@@ -118,8 +119,10 @@ TEST(ObstacleIn3D, SlipPointFollowsOnTheShortestPath) {
       const MasterPoint<3> moved = master.advance(old.point(), foot, length);
       master.locate(moved, after);
       EXPECT_NEAR((after.position - foot.position).norm(), length, 1e-12) << "trial " << trial;
-      // Between the two, up to the curvature
-      EXPECT_LE((after.position - slip.position).norm(), before - length + 0.05 * before);
+      // Between the two, up to the curvature; not across a tube, from one side to the other
+      if (before < shape.tube) {
+        EXPECT_LE((after.position - slip.position).norm(), before - length + 0.05 * before);
+      }
       EXPECT_EQ((master.advance(old.point(), foot, 1.001 * before).xi - old.xi).norm(), 0);
       EXPECT_TRUE(at.xi.allFinite());
     }
