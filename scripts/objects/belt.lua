@@ -62,7 +62,7 @@ local thick, thin = math.exp(mu * math.pi * R / (R + h / 2)), math.exp(mu * math
 local moment, balance = -last(turned, "pulley.moment"), (ratio - 1) * T1 * (R + h / 2)
 print(sg.table{ columns = { "", "computed", "closed form" }, formats = { "%s", "%.4f", "%.4f" },
                 rows = { { "T2/T1, driven pulley", ratio, thick }, { "T2/T1, fixed cylinder", ratio_over, thick },
-                         { "T2/T1, Euler and Eytelwein", ratio, thin },
+                         { "T2/T1, Euler and Eytelwein", nil, thin },
                          { "moment of the pulley (N mm/mm)", moment, balance } } })
 
 -- The contact pressure times R is the tension, which grows from the slack end at 180° on.

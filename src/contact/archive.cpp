@@ -84,8 +84,8 @@ template <int D> auto members(PointHistory<D>& point) {
 }
 
 template <int D> auto members(PointBond<D>& bond) {
-  auto& [opening, largest, shear] = bond;
-  return std::tie(opening, largest, shear);
+  auto& [opening, largest, pressure, shear] = bond;
+  return std::tie(opening, largest, pressure, shear);
 }
 
 template <int D> auto members(MultiplierResult<D>& result) {

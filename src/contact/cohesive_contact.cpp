@@ -109,8 +109,9 @@ void CohesiveContact<D>::record_bond(std::size_t i, const Trial<D>& trial, const
   const Vec<D> normal = foot ? bond.normal : this->master().normal(bonded);
   // Of the spring and, at a closed point, of its relief: −k (Δ − g n̄)
   const Vec<D> traction = -separation.stiffness * (bond.apart - bond.gap * bond.normal) / stretch;
-  own.shear = normal.dot(traction) * normal - traction;
-  result.pressure += normal.dot(traction);
+  own.pressure = normal.dot(traction);
+  own.shear = own.pressure * normal - traction;
+  result.pressure += own.pressure;
   result.friction += own.shear;
   result.law_area = point.weight * point.reference_area;
   result.area = result.law_area * stretch;
@@ -144,6 +145,10 @@ template <int D> double CohesiveContact<D>::rubbing(const History<D>& history, s
 
 template <int D> Vec<D> CohesiveContact<D>::friction_of(const History<D>& history, std::size_t i) const {
   return history.results[i].friction - history.bonds[i].shear;
+}
+
+template <int D> double CohesiveContact<D>::pressure_of(const History<D>& history, std::size_t i) const {
+  return history.results[i].pressure - history.bonds[i].pressure;
 }
 
 template <int D> double CohesiveContact<D>::stiffness(const History<D>& history, double penalty_factor) const {

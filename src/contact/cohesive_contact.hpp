@@ -30,6 +30,7 @@ private:
   void commit_points(History<D>& present, const History<D>& accepted, double penalty_factor) override;
   double rubbing(const History<D>& history, std::size_t i) const override;
   Vec<D> friction_of(const History<D>& history, std::size_t i) const override;
+  double pressure_of(const History<D>& history, std::size_t i) const override;
   bool is_bonded(std::size_t i) const { return bonds_[i].foot != Foot::none; }
   void record_bond(std::size_t i, const Trial<D>& trial, const Bond<D>& bond, const Separation& separation,
                    const FacePoint<D>& bonded, Part& part, const FacePoint<D>* foot = nullptr) const;

@@ -43,6 +43,7 @@ template <int D> struct PointHistory {
 template <int D> struct PointBond {
   double opening = 0;            ///< δ
   double largest = 0;            ///< of all accepted states and this one
+  double pressure = 0;           ///< its share of PointResult::pressure, negative where it pulls
   Vec<D> shear = Vec<D>::Zero(); ///< its share of PointResult::friction
 };
 

@@ -106,7 +106,7 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
   PointHistory<D>& point = history.points[i];
   PointResult<D>& result = history.results[i];
   const PointResult<D>& last = accepted.results[i];
-  const double limit = rubbing(history, i) * law.friction * result.pressure * result.area;
+  const double limit = rubbing(history, i) * law.friction * pressure_of(history, i) * result.area;
   const double before_slip =
       limit_before(point.limit, this->friction(accepted), law.friction, friction_of(accepted, i).norm() * last.area);
   point.limit = limit;
@@ -121,7 +121,7 @@ void PenaltyContact<D>::advance_slip_point(std::size_t i, History<D>& history, c
     master.locate(point.projection.point(), foot);
     master.locate(point.slip, slip_point);
     // |x̄ᵐ − xᵐ(ξ_sl)| decreases to μ t_N/ε_T; the difference is the slip Δγ.
-    const double length = law.friction * result.pressure * stretch(result) / law.tangential;
+    const double length = law.friction * pressure_of(history, i) * stretch(result) / law.tangential;
     const double before = (slip_point.position - foot.position).norm(), slipped = std::max(before - length, 0.0);
     history.dissipated += this->share() * 0.5 * (before_slip + limit) * slipped;
     point.slip = master.advance(point.slip, foot, length);

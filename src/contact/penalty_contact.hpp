@@ -37,9 +37,10 @@ protected:
   /// The geometry of a closed point, with the slip point in at.slip_point if there is friction.
   LocalGeometry<D> closed_geometry(std::size_t i, const Trial<D>& trial, const PenaltyLaw& law, FixedContactState fixed,
                                    Feet& at) const;
-  /// Fraction of a point's area on which friction acts, and the friction there.
+  /// Fraction of a point's area on which friction acts, and the friction and the pressure of the penalties there.
   virtual double rubbing(const History<D>& /*history*/, std::size_t /*i*/) const { return 1; }
   virtual Vec<D> friction_of(const History<D>& history, std::size_t i) const { return history.results[i].friction; }
+  virtual double pressure_of(const History<D>& history, std::size_t i) const { return history.results[i].pressure; }
 
 private:
   void remember_touch(std::size_t i, const Trial<D>& trial) const;

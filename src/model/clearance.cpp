@@ -137,7 +137,13 @@ template <int D> Message cure(const contact::Obstacle<D>& obstacle) {
   if (std::holds_alternative<nurbs::Patch>(obstacle)) return Message("model.clearance.reverse_patch");
   if (std::holds_alternative<contact::Plane<D>>(obstacle)) return Message("model.clearance.reverse_plane");
   if (std::holds_alternative<contact::LevelSet<D>>(obstacle)) return Message("model.clearance.change_sign");
-  return Message("model.clearance.hollow");
+  const bool hollow = std::visit(
+      [](const auto& shape) {
+        if constexpr (requires { shape.hollow; }) return shape.hollow;
+        return false;
+      },
+      obstacle);
+  return Message(hollow ? "model.clearance.full" : "model.clearance.hollow");
 }
 
 } // namespace

@@ -71,9 +71,31 @@ template <int D> std::string holders(const System<D>& system, const std::vector<
       return support.constraint[at(dof % D)] != Constraint::free &&
              std::ranges::binary_search(system.unknowns.of_support(static_cast<int>(s), dof % D), dof);
     };
-    if (std::ranges::any_of(dofs, holds)) names += (names.empty() ? "supports." : ", supports.") + support.name;
+    const auto holds_obstacle = [&](int obstacle) {
+      return std::ranges::any_of(dofs, [&](int dof) {
+        const int component = dof - system.unknowns.obstacle_offset(obstacle);
+        return component >= 0 && component < D && holder_of(system.scene, obstacle, component) == &support;
+      });
+    };
+    if (std::ranges::any_of(dofs, holds) || std::ranges::any_of(support.obstacles, holds_obstacle))
+      names += (names.empty() ? "supports." : ", supports.") + support.name;
   }
   return names;
+}
+
+/// Whether f does not change in a rotation: ∇f·(a × r) = 0 at all points of its mesh.
+template <int D> bool is_round(const contact::LevelSet<D>& level_set, const Vec<D>& center, const Vec<D>& axis) {
+  const auto& points = level_set.compiled->mesh.points;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Vec<D> arm = points.col(i) - center, gradient = (*level_set.compiled)(points.col(i)).gradient;
+    Vec<D> way;
+    if constexpr (D == 2)
+      way = Vec<2>(-arm(1), arm(0));
+    else
+      way = axis.cross(arm);
+    if (std::abs(gradient.dot(way)) > 1e-9 * gradient.norm() * arm.norm()) return false;
+  }
+  return true;
 }
 
 /// Whether an obstacle is round about the axis of its free angle, so that only friction turns it.
@@ -86,10 +108,17 @@ template <int D> bool is_round(const Scene<D>& scene, const FreeAngle<D>& angle)
     if constexpr (D == 3) arm -= angle.axis * angle.axis.dot(arm);
     return arm.norm() <= tolerance;
   }
-  if constexpr (D == 3)
-    if (const auto* cylinder = std::get_if<contact::Cylinder>(&shape))
-      return cylinder->axis.cross(angle.axis).norm() <= negligible &&
-             (cylinder->point - center).cross(angle.axis).norm() <= tolerance;
+  if (const auto* level_set = std::get_if<contact::LevelSet<D>>(&shape))
+    return is_round<D>(*level_set, center, angle.axis);
+  if constexpr (D == 3) {
+    const auto coaxial = [&](const Vec<3>& point, const Vec<3>& axis) {
+      return axis.cross(angle.axis).norm() <= negligible && (point - center).cross(angle.axis).norm() <= tolerance;
+    };
+    if (const auto* cylinder = std::get_if<contact::Cylinder>(&shape)) return coaxial(cylinder->point, cylinder->axis);
+    if (const auto* torus = std::get_if<contact::Torus>(&shape)) return coaxial(torus->center, torus->axis);
+    if (const auto* plane = std::get_if<contact::Plane<3>>(&shape))
+      return plane->normal.cross(angle.axis).norm() <= negligible;
+  }
   return false;
 }
 
@@ -99,7 +128,8 @@ template <int D> void warn_of_idle_angles(const System<D>& system, std::vector<M
     const auto rubs = [&](const Contact<D>& contact) {
       const auto* master = std::get_if<ObstacleReference>(&contact.master);
       const contact::PenaltyLaw* law = contact::penalty_law(contact.method);
-      return master && master->obstacle == angle.obstacle && (!law || may_rub(*law));
+      return master && master->obstacle == angle.obstacle &&
+             (!law || may_rub(*law) || std::holds_alternative<contact::CohesiveLaw>(contact.method));
     };
     if (is_round(system.scene, angle) && std::ranges::none_of(system.scene.contacts, rubs))
       warnings.push_back(

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "model/turning.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -16,11 +17,18 @@ Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> body_displacement(con
 
 template <int D> Vec<D> reaction(const Model<D>& model, int index) {
   // In equilibrium f_int + f_c − f_ext is the reaction of the supports.
-  const Support<D>& support = model.system.scene.supports[at(index)];
+  const Scene<D>& scene = model.system.scene;
+  const Unknowns<D>& unknowns = model.system.unknowns;
+  const Support<D>& support = scene.supports[at(index)];
+  const int bodies = scene.obstacles.empty() ? unknowns.dofs() : unknowns.obstacle_offset(0);
   Vec<D> sum = Vec<D>::Zero();
-  for (int c = 0; c < D; ++c)
+  for (int c = 0; c < D; ++c) {
     if (support.constraint[at(c)] != Constraint::free || support.rotates)
-      for (int dof : model.system.unknowns.of_support(index, c)) sum(c) += model.residual(dof);
+      for (int dof : unknowns.of_support(index, c))
+        if (dof < bodies) sum(c) += model.residual(dof);
+    for (const int obstacle : support.obstacles)
+      if (holder_of(scene, obstacle, c) == &support) sum(c) += model.residual(unknowns.obstacle_offset(obstacle) + c);
+  }
   VectorX held = VectorX::Zero(model.system.unknowns.dofs());
   model.system.springs.multiply(model.present.displacement, held, index);
   return sum - model.system.unknowns.resultant(held);

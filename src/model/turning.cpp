@@ -55,6 +55,17 @@ template <int D> std::optional<ObstacleTurn<D>> turn_of(const Scene<D>& scene, i
   return std::nullopt;
 }
 
+template <int D> const Support<D>* holder_of(const Scene<D>& scene, int obstacle, int component) {
+  const auto names = [&](const Support<D>& support) {
+    return acts_on(support, obstacle) &&
+           (support.constraint[at(component)] != Constraint::free || support.freed[at(component)]);
+  };
+  const auto acts = [&](const Support<D>& support) { return acts_on(support, obstacle); };
+  auto found = std::ranges::find_if(scene.supports, names);
+  if (found == scene.supports.end()) found = std::ranges::find_if(scene.supports, acts);
+  return found == scene.supports.end() ? nullptr : &*found;
+}
+
 template <int D> const std::string& support_of(const Scene<D>& scene, int obstacle, const std::string& component) {
   const auto frees = [&](const Support<D>& support) {
     return acts_on(support, obstacle) &&
@@ -85,6 +96,7 @@ template <int D> void check_obstacles(const Scene<D>& scene) {
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template std::optional<ObstacleTurn<D>> turn_of(const Scene<D>&, int);                                               \
+  template const Support<D>* holder_of(const Scene<D>&, int, int);                                                     \
   template const std::string& support_of(const Scene<D>&, int, const std::string&);                                    \
   template void check_obstacles(const Scene<D>&);
 SIGNORINI_INSTANTIATE(2)

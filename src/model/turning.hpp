@@ -20,6 +20,10 @@ template <int D> struct ObstacleTurn {
 /// without end that of the bodies.
 template <int D> std::optional<ObstacleTurn<D>> turn_of(const Scene<D>& scene, int obstacle);
 
+/// The support that holds or frees a component of an obstacle's translation: the one that names it or, since obstacles
+/// are fixed where nothing moves them, the first of the obstacle. Null if it has none.
+template <int D> const Support<D>* holder_of(const Scene<D>& scene, int obstacle, int component);
+
 /// Name of the support that frees a component of an obstacle, or its "angle".
 template <int D> const std::string& support_of(const Scene<D>& scene, int obstacle, const std::string& component);
 

@@ -257,6 +257,46 @@ for _, case in ipairs(wrong) do
   end)
 end
 
+check.case("bonded bodies with friction turn rigidly without energy", function()
+  for _, steps in ipairs { 1, 4 } do
+    local function block(y, n)
+      return sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = { 0, y } }, elements = { n, 2 },
+                      order = "N2", contact = y < 0 and "north" or "south",
+                      material = sg.neo_hookean{ E = 20, nu = 0.3 } }
+    end
+    local upper, lower = block(0, 8), block(-1, 6)
+    local model = sg.model{ bodies = { upper = upper, lower = lower },
+      supports = { s = { on = lower:face "south", drive = "xy", rotate = true } },
+      contacts = { g = { slave = upper:face "south", master = lower:face "north", penalty = 200,
+                         friction = { mu = 0.3, penalty = 100 }, cohesive = { strength = 1, energy = 0.2 } } } }
+    local run = model:run{ { steps = steps, s = { 0, 0, 90 } } }
+    check.equal(run.failed, false)
+    local e = model:energy()
+    check.near({ e.stored, e.contact, e.friction, e.debonding }, { 0, 0, 0, 0 }, 1e-9)
+  end
+end)
+
+check.case("a turned tool breaks its bonds and rubs: disc and level set agree, and work balances", function()
+  local function turned(tool)
+    local ring = sg.body{ patch = sg.shapes.half_annulus{ inner = 1, outer = 2 }, elements = { 16, 3 }, order = "N2",
+                          contact = "north", material = sg.neo_hookean{ E = 20, nu = 0.3 } }
+    local model = sg.model{ bodies = { ring = ring },
+      supports = { tool = { on = tool, fix = "xy", rotate = true, center = { 0, 0 } },
+                   outer = { on = ring:face "south", fix = "xy" } },
+      contacts = { g = { slave = ring:face "north", master = tool, penalty = 200,
+                         friction = { mu = 0.3, penalty = 100 }, cohesive = { strength = 1, energy = 0.2 } } } }
+    check.equal(model:run{ { steps = 40, tool = { 20 } }, { steps = 20, tool = { 60 } } }.failed, false)
+    return model:energy()
+  end
+  local disc = turned(sg.rigid.cylinder{ center = { 0, 0 }, radius = 1 })
+  local set = turned(sg.rigid.level_set{ f = function(x, y) return x ^ 2 + y ^ 2 - 1 end,
+                                         box = { { -1.1, -1.1 }, { 1.1, 1.1 } } })
+  for _, name in ipairs { "work", "friction", "debonding" } do check.within_share(name, set[name], disc[name], 1e-3) end
+  assert(disc.friction >= 0)
+  local kept = disc.stored + disc.contact + disc.friction + disc.debonding
+  check.within_share("balance", kept, disc.work, 5e-3)
+end)
+
 check.case("points that are slightly too far away for a bond are a warning", function()
   local output, status = check.script(start
     .. "with(bond, { master = sg.rigid.plane{ point = {0, 0}, normal = {1e-3, 1} } })")

@@ -49,6 +49,32 @@ check.case("a free tool under a force is where a prescribed one needs that force
   end
 end)
 
+check.case("reactions are in equilibrium if supports share the tool, also of components that none names", function()
+  local friction = { friction = { mu = 0.3, penalty = 200 } }
+  local function balanced(extra, support, stage)
+    local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = {24, 3}, contact = "north",
+                          order = "N2", material = soft }
+    local tool = sg.rigid.cylinder{ center = {3.8, 1.5}, radius = 0.5 } -- over the end: forces have both components
+    support.on, extra.on = tool, tool
+    local model = sg.model{ bodies = { slab = slab },
+      supports = { bed = { on = slab:face "south", fix = "xy" }, a = support, b = extra },
+      contacts = { press = { slave = slab:face "north", master = tool, penalty = 200, friction = friction.friction } } }
+    completed(model:run{ stage })
+    local bed, a, b = model:reaction "bed", model:reaction "a", model:reaction "b"
+    local force = model:contact_resultant "press"
+    for c, f in ipairs { force.fx, force.fy } do
+      assert(math.abs(f) > 1e-3)
+      check.within("bed", bed[c], -f, 1e-9)
+      check.within("tool", a[c] + b[c], f, 1e-9)
+    end
+    return a, b
+  end
+  local a, b = balanced({ rotate = true }, { drive = "y", fix = "x" }, { steps = 4, a = {-0.05}, b = {20} })
+  check.near({ b[1], b[2] }, { 0, 0 }, 1e-12)
+  a, b = balanced({ rotate = true }, { drive = "y" }, { steps = 4, a = {-0.05}, b = {20} })
+  assert(a[1] ~= 0 and b[2] == 0) -- the first support holds what none names
+end)
+
 --- A cube under a free or driven sphere in 3D, or a quarter of its section, a cylinder of the same height.
 local function below_sphere(kind, support, loads)
   local solid = kind == "solid"
