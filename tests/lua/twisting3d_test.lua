@@ -64,7 +64,7 @@ end)
 check.case("wrong arguments", function()
   check.refused(script, { ["order=N2"] = "unknown argument 'order=N2'; did you mean 'orders'? known: angle=",
                                ["parts=turn"] = "parts must be values among 'twist', 'punch' and 'balance', got 'turn'",
-                               ["meshes=m4"] = "meshes must be values among 'm1', 'm2' and 'm3', got 'm4'",
+                               ["meshes=m5"] = "meshes must be values among 'm1', 'm2', 'm3' and 'm4', got 'm5'",
                                ["slave=die"] = "slave must be 'hemisphere' or 'cube', got 'die'",
                                ["poles=top"] = "poles must be 'ends' or 'bottom', got 'top'",
                                ["friction=never"] = "friction must be 'turn' or 'always', got 'never'",
