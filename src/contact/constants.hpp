@@ -69,7 +69,7 @@ inline constexpr double bond_distance = 1e-3;
 /// Opening of an exponential bond, as a multiple of that at the largest traction, beyond which it transmits nothing:
 /// the traction is below 1e-15 of the strength.
 inline constexpr double broken_opening = 40;
-/// Fraction of its energy at which a bond is no longer counted, although the tail of an exponential law remains.
+/// Fraction of its energy of separation beyond which a bond counts as broken: an exponential law never reaches all.
 inline constexpr double broken_energy = 0.99;
 
 // ── Multipliers that are unknowns ────────────────────────────────────────────────────────────────────────────────────

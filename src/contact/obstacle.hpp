@@ -71,8 +71,8 @@ void locate(const Ball<3>& ball, FacePoint<3>& point);
 void locate(const Cylinder& cylinder, FacePoint<3>& point);
 void locate(const Torus& torus, FacePoint<3>& point);
 /// The coordinate on the shortest path from `foot` to `slip` whose point is at distance `length` from that of `foot`,
-/// of which only xi is used. On a torus the path is the projection of the chord,
-/// or, across the tube, straight in both angles.
+/// of which only xi is used. On a torus the path is the projection of the chord or, across the tube, straight in both
+/// angles.
 FaceCoordinates<2> advance_slip(const Plane<2>&, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
                                 double length);
 FaceCoordinates<2> advance_slip(const Ball<2>&, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,

@@ -99,7 +99,7 @@ inline constexpr double default_penalty_ratio = 10;
 inline constexpr double stiff_slave = 3, coarse_slave = 1.5;
 
 /// Least number of elements in the cohesive zone, below which a warning is given (A. Turon et al., Eng. Fract. Mech.
-/// 74, 2007). In share/doc/problems/debonding.md forces oscillate by 2 % with 3.4, by 6 % with 2.3.
+/// 74, 2007). In share/doc/problems/debonding.md forces of the bilinear law oscillate by 2 % with 3.4, by 6 % with 2.3.
 inline constexpr int zone_elements = 3;
 /// Traction relative to the strength above which the report of a failed step counts a bond.
 inline constexpr double high_traction = 0.5;

@@ -2,6 +2,9 @@
 
 local sg = require "signorini"
 local check = require "check"
+local runs = require "runs"
+
+local completed, last = runs.completed, runs.last
 
 local soft = sg.neo_hookean{ E = 10, nu = 0.3 }
 
@@ -16,17 +19,6 @@ local function rolled(contact, support, loads, height)
   support.on = tool
   for _, load in pairs(loads or {}) do load.on = tool end
   return sg.model(model)
-end
-
---- A run that has reached its end.
-local function completed(run)
-  if run.failed then error(run.failure, 2) end
-  return run
-end
-
-local function last(run, name)
-  local column = run:column(name)
-  return column[#column]
 end
 
 local methods = { penalty = {}, augmented = { method = "mortar", enforcement = "augmented" },

@@ -2,18 +2,11 @@
 
 local sg = require "signorini"
 local check = require "check"
+local runs = require "runs"
+
+local completed, last = runs.completed, runs.last
 
 local soft = sg.neo_hookean{ E = 10, nu = 0.3 }
-
-local function completed(run)
-  if run.failed then error(run.failure, 2) end
-  return run
-end
-
-local function last(run, name)
-  local column = run:column(name)
-  return column[#column]
-end
 
 --- A slab of width 4 and height 1 below an obstacle, in 3D extruded to a depth of 0.5 in plane strain.
 local function slab_under(tool, support, loads, contact, keys)
