@@ -113,8 +113,7 @@ TEST(ObstacleIn3D, SlipPointFollowsOnTheShortestPath) {
       const Master<3> master(shape.shape);
       FacePoint<3> foot, slip, after;
       const Projection<3> at = master.project(anywhere(random, 3), {}, foot);
-      // Slips are short compared with the radii, of which the least is 0.24: through a tube no path is the shortest.
-      const Projection<3> old = master.project(foot.position + anywhere(random, 0.15), {}, slip);
+      const Projection<3> old = master.project(foot.position + anywhere(random, 0.3), {}, slip);
       const double before = (slip.position - foot.position).norm(), length = uniform(random, 0, 1) * before;
       const MasterPoint<3> moved = master.advance(old.point(), foot, length);
       master.locate(moved, after);
