@@ -56,20 +56,22 @@ template <int D> void Assembly<D>::build_bulk() {
   int trash = bulk_pattern_.entries(), first_trash = trash;
   std::size_t positions = 0;
   for (const Nodes& group : groups) positions += group.size() * group.size();
-  bulk_positions_.reserve(positions);
+  bulk_positions_.resize(positions);
+  std::size_t next_position = 0;
   std::vector<int> found; // of an element, column by column
   const auto find = [&](const Nodes& group) {
-    found.clear();
+    found.resize(group.size() * group.size());
+    int* entry = found.data();
     for (const int column : group) {
       int before = -2, next = 0; // the last unknown, and the position after it
       for (const int row : group) {
         if (row < 0 || column < 0) {
-          found.push_back(trash);
+          *entry++ = trash;
           continue;
         }
         // Unknowns with consecutive numbers, such as a node's free components, follow each other in every column.
         const int position = row == before + 1 ? next : bulk_pattern_.find(row, column);
-        found.push_back(position);
+        *entry++ = position;
         before = row, next = position + 1;
       }
     }
@@ -83,8 +85,8 @@ template <int D> void Assembly<D>::build_bulk() {
       const Nodes& group = groups[g];
       find(group);
       const auto n = static_cast<int>(scene_.bodies[body].body->functions_of_macro(e).size());
-      const auto add = [&](int row, int column) { bulk_positions_.push_back(found[at(column * D * n + row)]); };
-      first_position_.back().push_back(bulk_positions_.size());
+      const auto add = [&](int row, int column) { bulk_positions_[next_position++] = found[at(column * D * n + row)]; };
+      first_position_.back().push_back(next_position);
       for (int i = 0; i < D; ++i)
         for (int j = i; j < D; ++j) {
           for (int a = 0; a < n; ++a)

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "nurbs/basis_grid.hpp"
 #include "nurbs/constants.hpp"
 #include "solid/projected.hpp"
 
@@ -11,16 +12,16 @@
 
 namespace signorini::solid {
 
-ElementQuadrature element_quadrature(const nurbs::Discretization& space, int e) {
+namespace {
+
+std::vector<QuadratureRule> element_rules(const nurbs::Discretization& space, int e) {
   std::vector<QuadratureRule> rules;
   for (int d = 0; d < space.parametric_dimension(); ++d) {
     const auto [a, b] = space.interval(e, d);
     rules.push_back(gauss_legendre(space.degree(e, d) + 1, a, b));
   }
-  return tensor_product(rules);
+  return rules;
 }
-
-namespace {
 
 void require_radius(double least, const VectorX& point) {
   require(point(0) > least, "solid.body.beyond_axis", {{"point", point}});
@@ -47,6 +48,17 @@ void check_radii(const nurbs::Discretization& space) {
 
 } // namespace
 
+ElementQuadrature element_quadrature(const nurbs::Discretization& space, int e) {
+  return tensor_product(element_rules(space, e));
+}
+
+/// What the elements of a body are built from, one after the other.
+template <int D> struct Body<D>::Construction {
+  const MatrixX points;
+  nurbs::BasisGrid grid;
+  nurbs::ElementBasis basis;
+};
+
 template <int D>
 Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material material, Kind kind, Volumetric volumetric)
     : space_(std::move(space)), material_(std::move(material)), kind_(kind), volumetric_(volumetric),
@@ -55,12 +67,11 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material mater
   require(D == 2 || kind_ == Kind::plane_strain, "solid.body.axisymmetric", {{"dimension", D}});
   require(kind_ != Kind::plane_stress || volumetric_ == Volumetric::pointwise, "solid.body.projected_plane_stress");
   if (kind_ == Kind::axisymmetric) check_radii(*space_);
-  const MatrixX points = space_->points();
   volumes_ = VectorX::Zero(functions());
-  nurbs::ElementBasis basis;
+  Construction construction{space_->points(), nurbs::BasisGrid(*space_), {}};
   for (int e = 0; e < space_->elements(); ++e) {
     require(!interrupted(), "solid.body.interrupted");
-    add_element(e, points, basis);
+    add_element(e, construction);
     if (e > 0) continue;
     // Most bodies have the same number of values in every element.
     for (auto* table : {&weights_, &gradients_, &hoops_, &constants_})
@@ -147,12 +158,29 @@ template <int D> KernelArguments Body<D>::arguments(int e) const {
   return arguments;
 }
 
-template <int D> void Body<D>::add_element(int e, const MatrixX& points, nurbs::ElementBasis& basis) {
-  const ElementQuadrature rule = element_quadrature(*space_, e);
-  const int count = static_cast<int>(rule.weights.size());
+template <int D> void Body<D>::add_element(int e, Construction& construction) {
+  const auto& points = construction.points;
+  nurbs::ElementBasis& basis = construction.basis;
+  std::vector<std::vector<double>> places;
+  std::vector<std::vector<double>> weights;
+  for (QuadratureRule& rule : element_rules(*space_, e)) {
+    places.push_back(std::move(rule.points));
+    weights.push_back(std::move(rule.weights));
+  }
+  construction.grid.choose(e, places);
+  int count = 1;
+  for (const auto& along : weights) count *= static_cast<int>(along.size());
   ElementTable table{0, count, functions_.size(), weights_.size(), gradients_.size(), constants_.size(), {}};
   for (int q = 0; q < table.points; ++q) {
-    space_->basis(e, rule.points.col(q), basis);
+    std::array<int, 3> point{};
+    double weight = 1;
+    for (int d = 0, rest = q; d < D; ++d) {
+      const int along = static_cast<int>(weights[at(d)].size());
+      point[at(d)] = rest % along;
+      weight *= weights[at(d)][at(rest % along)];
+      rest /= along;
+    }
+    construction.grid.evaluate(point, basis);
     if (q == 0) {
       table.functions = static_cast<int>(basis.functions.size());
       functions_.insert(functions_.end(), basis.functions.begin(), basis.functions.end());
@@ -169,7 +197,7 @@ template <int D> void Body<D>::add_element(int e, const MatrixX& points, nurbs::
     }
     const double determinant = jacobian.determinant();
     check_jacobian(jacobian, determinant, place);
-    double weight = rule.weights(q) * determinant;
+    weight *= determinant;
     const Mat<D> inverse = jacobian.inverse();
     const std::size_t first = gradients_.size();
     gradients_.resize(first + at(D * table.functions));

@@ -92,7 +92,8 @@ public:
   VectorX reference_point(int e, int q) const;
 
 private:
-  void add_element(int e, const MatrixX& points, nurbs::ElementBasis& basis);
+  struct Construction;
+  void add_element(int e, Construction& construction);
   void add_macro_elements();
   void add_constant(const ElementTable& table, KernelArguments arguments);
 

@@ -110,6 +110,23 @@ template <int D> std::optional<Inversion> worst_inversion(const Body<D>& body, c
   return worst;
 }
 
+namespace {
+
+/// Σ_e ½ u·f_e of a body whose forces are linear in displacements.
+template <int D> double quadratic_energy(const Body<D>& body, const double* displacement) {
+  ElementArrays<D> arrays(body);
+  double sum = 0;
+  for (int e = 0; e < body.elements(); ++e) {
+    internal_force(body, e, displacement, arrays, false);
+    const auto size = static_cast<Eigen::Index>(D * body.functions_of(e).size());
+    sum +=
+        Eigen::Map<const VectorX>(arrays.local.data(), size).dot(Eigen::Map<const VectorX>(arrays.force.data(), size));
+  }
+  return 0.5 * sum;
+}
+
+} // namespace
+
 template <int D>
 double stored_energy(const Body<D>& body, const double* displacement, std::span<const double> committed) {
   double sum = 0;
@@ -117,6 +134,7 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
     for (int m = 0; m < body.macro_elements(); ++m) sum += projected_energy(body, m, displacement, committed);
     return sum;
   }
+  if (body.linear() && !body.internal_variables()) return quadratic_energy(body, displacement);
   const std::size_t variables = committed.empty() ? 0 : at(body.internal_variables());
   each_deformation(body, displacement, [&](int e, int q, const Mat<D>& f, const auto& u) {
     double across = 1;
@@ -128,7 +146,7 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
     if constexpr (D == 2)
       if (body.kind() == Kind::plane_stress) across = body.material().thickness_stretch(f);
     const std::size_t point = body.element(e).point + at(q);
-    const bool inverted = !body.linear() && !(f.determinant() > 0 && across > 0);
+    const bool inverted = !(f.determinant() > 0 && across > 0);
     sum += body.weights_of(e)[q] *
            (inverted ? std::numeric_limits<double>::infinity()
                      : body.material().energy(in_space<D>(f, across), committed.subspan(point * variables, variables)));

@@ -69,32 +69,52 @@ KernelResult stiffness_of_revolution(const KernelArguments& in) {
   return {-1, 1};
 }
 
-/// f = K u, and K, which is `constant`. States cannot be inverted.
-template <int D> KernelResult apply_stiffness(const KernelArguments& in) {
+/// f = K u, and K, which is `constant`. States cannot be inverted. For N functions, if known when compiled.
+template <int D, int N> KernelResult apply_stiffness(const KernelArguments& in) {
+  using Block = Eigen::Matrix<double, N, N, Eigen::RowMajor>;
+  using Column = Eigen::Matrix<double, N, 1>;
   const int n = in.functions;
   std::fill_n(in.force, D * n, 0.0);
   const double* k = in.constant;
+  const auto displacement = [&](int i) { return Eigen::Map<const Column>(in.local + i * n, n); };
+  const auto force = [&](int i) { return Eigen::Map<Column>(in.force + i * n, n); };
   for (int i = 0; i < D; ++i)
-    for (int j = i; j < D; ++j)
-      for (int a = 0; a < n; ++a, k += n) {
-        // K^{ji} = (K^{ij})ᵀ
-        double sum = 0;
-        for (int b = 0; b < n; ++b) sum += k[b] * in.local[j * n + b];
-        in.force[i * n + a] += sum;
-        if (i != j)
-          for (int b = 0; b < n; ++b) in.force[j * n + b] += k[b] * in.local[i * n + a];
+    for (int j = i; j < D; ++j, k += n * n) {
+      // K^{ji} = (K^{ij})ᵀ; diagonal blocks are symmetric, and columns need no sums across a vector
+      const Eigen::Map<const Block> block(k, n, n);
+      if (i == j) {
+        force(i) += block.transpose().lazyProduct(displacement(i));
+      } else {
+        force(i) += block.lazyProduct(displacement(j));
+        force(j) += block.transpose().lazyProduct(displacement(i));
       }
+    }
   if (in.blocks) std::copy(in.constant, k, in.blocks);
   return {-1, 1};
 }
 
+/// The kernel for elements of degree 1 to 3 in every direction, or of degree 1 across.
+template <int D> Kernel apply_stiffness_of(int functions) {
+  if constexpr (D == 2) {
+    if (functions == 4) return apply_stiffness<2, 4>;
+    if (functions == 6) return apply_stiffness<2, 6>;
+    if (functions == 9) return apply_stiffness<2, 9>;
+    if (functions == 16) return apply_stiffness<2, 16>;
+  } else {
+    if (functions == 8) return apply_stiffness<3, 8>;
+    if (functions == 18) return apply_stiffness<3, 18>;
+    if (functions == 27) return apply_stiffness<3, 27>;
+  }
+  return apply_stiffness<D, Eigen::Dynamic>;
+}
+
 } // namespace
 
-template <int D> Kernels LinearElastic::kernels(Kind kind, int) {
+template <int D> Kernels LinearElastic::kernels(Kind kind, int functions) {
   const Kernel constant = kind == Kind::axisymmetric   ? stiffness_of_revolution
                           : kind == Kind::plane_stress ? stiffness_in_plane_stress
                                                        : stiffness<D>;
-  return {apply_stiffness<D>, constant, D * (D + 1) / 2};
+  return {apply_stiffness_of<D>(functions), constant, D * (D + 1) / 2};
 }
 
 template Kernels LinearElastic::kernels<2>(Kind, int);

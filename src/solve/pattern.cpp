@@ -18,6 +18,14 @@ struct Membership {
   std::vector<std::size_t> starts, groups;
 };
 
+/// Whether columns j and j − 1 are in the same groups, as those of one node: then their rows are the same.
+bool same_groups(const Membership& member, std::size_t j) {
+  const auto at = [&](std::size_t column) {
+    return member.groups.begin() + static_cast<std::ptrdiff_t>(member.starts[column]);
+  };
+  return j > 0 && std::equal(at(j - 1), at(j), at(j), at(j + 1));
+}
+
 Membership membership(int size, const std::vector<std::vector<int>>& groups) {
   Membership result;
   result.starts.assign(at(size) + 1, 0);
@@ -64,11 +72,13 @@ Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups,
   std::vector<int> list, listed_for(at(base.size), -1);
   for (int column = 0; column < base.size; ++column) {
     const std::size_t j = at(column);
-    list.clear();
-    for (std::size_t k = member.starts[j]; k < member.starts[j + 1]; ++k)
-      for (int i : groups[member.groups[k]])
-        if (i >= 0 && std::exchange(listed_for[at(i)], column) != column) list.push_back(i);
-    std::sort(list.begin(), list.end());
+    if (!same_groups(member, j)) {
+      list.clear();
+      for (std::size_t k = member.starts[j]; k < member.starts[j + 1]; ++k)
+        for (int i : groups[member.groups[k]])
+          if (i >= 0 && std::exchange(listed_for[at(i)], column) != column) list.push_back(i);
+      std::sort(list.begin(), list.end());
+    }
     const auto from = base.rows.begin() + base.starts[j], to = base.rows.begin() + base.starts[j + 1];
     std::set_union(from, to, list.begin(), list.end(), std::back_inserter(result.rows));
     if (result.rows.size() > std::numeric_limits<int>::max()) fail("solve.pattern.entries", {{"size", base.size}});

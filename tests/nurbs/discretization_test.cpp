@@ -1,6 +1,7 @@
 // Rows with different spaces: exact geometry, partition of unity, gradients, continuity, faces, errors.
 #include "nurbs/discretization.hpp"
 
+#include "nurbs/basis_grid.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 
@@ -49,6 +50,41 @@ VectorX position(const Discretization& space, const ElementBasis& basis) {
   for (std::size_t a = 0; a < basis.functions.size(); ++a)
     x += basis.values(static_cast<int>(a)) * points.col(basis.functions[a]);
   return x;
+}
+
+TEST(BasisGrid, ReturnsTheFunctionsOfTheDiscretizationBitByBit) {
+  test::Random random(8);
+  for (int trial = 0; trial < 40; ++trial) {
+    const int dimensions = trial % 3 == 2 ? 3 : 2;
+    const Patch patch = test::random_patch(random, dimensions, dimensions, 2);
+    const Discretization space(patch, random_plan(random, patch));
+    BasisGrid grid(space);
+    ElementBasis found;
+    for (int e = 0; e < space.elements(); ++e) {
+      // Rows of a layer have more points along the face, so that tables of several numbers of points are needed.
+      std::vector<std::vector<double>> points;
+      for (int d = 0; d < dimensions; ++d) {
+        const auto [from, to] = space.interval(e, d);
+        const int count = space.degree(e, d) + 1;
+        points.emplace_back();
+        for (int q = 0; q < count; ++q) points.back().push_back(from + (to - from) * (q + 0.3) / count);
+      }
+      grid.choose(e, points);
+      for (int n = 0; n < 4; ++n) {
+        std::array<int, 3> point{};
+        VectorX xi(dimensions);
+        for (int d = 0; d < dimensions; ++d) {
+          point[at(d)] = test::integer(random, 0, static_cast<int>(points[at(d)].size()) - 1);
+          xi(d) = points[at(d)][at(point[at(d)])];
+        }
+        const ElementBasis expected = space.basis(e, xi);
+        grid.evaluate(point, found);
+        ASSERT_EQ(found.functions, expected.functions);
+        EXPECT_EQ(found.values, expected.values);
+        EXPECT_EQ(found.gradients, expected.gradients);
+      }
+    }
+  }
 }
 
 TEST(Discretization, RandomLayersPreserveGeometryPartitionAndSign) {
