@@ -4,6 +4,7 @@
 local counted = require "signorini.counted"
 local controls = require "signorini.controls"
 local lists = require "signorini.lists"
+local rows = require "signorini.pages.step_rows"
 
 local path_controls = {}
 
@@ -68,7 +69,7 @@ end
 --- Controls that differ from the defaults, fallbacks and cuts, in one line; nil if there are none.
 local function solver_text(run)
   local used, texts, counts = run.used, {}, {}
-  if used.predictor ~= "linear" then texts[1] = used.predictor .. " predictor" end
+  if used.predictor ~= rows.robust.predictor then texts[1] = used.predictor .. " predictor" end
   for name, count in pairs(run.fallbacks) do counts[#counts + 1] = ("%s %d"):format(name, count) end
   table.sort(counts)
   if #counts > 0 then texts[#texts + 1] = "fallbacks " .. table.concat(counts, ", ") end

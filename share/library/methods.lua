@@ -146,11 +146,11 @@ function model:target(name) end
 ---              0: never
 ---```
 ---@field active_set_changes? integer
----predictor: predictor, the first guess of a step; "linear" extrapolates the last step ('tangent', 'constant' or
+---predictor: predictor, the first guess of a step; "linear" extrapolates the last step, "quadratic" the last two
 ---```text
----           'linear'; default "tangent")
+---           ('tangent', 'constant', 'linear' or 'quadratic'; default "tangent")
 ---```
----@field predictor? "tangent"|"constant"|"linear"
+---@field predictor? "tangent"|"constant"|"linear"|"quadratic"
 ---linear: 'auto', 'klu', 'umfpack', 'condensed', 'reuse' or 'mumps'; default "auto". Linear solver. "klu", "umfpack":
 ---```text
 ---        direct; "reuse": a reused (lagged) factorization preconditions GMRES while that is cheaper than a new one;

@@ -69,7 +69,8 @@ model::Predictor read_predictor(const Arguments& a) {
   const auto name = a.get<std::string>("predictor");
   return name == "tangent"    ? model::Predictor::tangent
          : name == "constant" ? model::Predictor::constant
-                              : model::Predictor::linear;
+         : name == "linear"   ? model::Predictor::linear
+                              : model::Predictor::quadratic;
 }
 
 template <int D> model::StepOptions read_step_options(const model::Model<D>& model, const Arguments& a, lua_State* L) {

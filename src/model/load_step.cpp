@@ -4,6 +4,7 @@
 #include "base/timer.hpp"
 #include "model/constants.hpp"
 #include "model/equilibrium.hpp"
+#include "model/first_guess.hpp"
 #include "model/pseudo_transient.hpp"
 
 #include <algorithm>
@@ -38,21 +39,6 @@ template <int D> bool advance(Model<D>& model, const StepOptions& options, doubl
   return true;
 }
 
-/// Linear predictor; returns false without a change if the path is not straight or the rates of the last two steps
-/// differ too much.
-template <int D> bool predict(Model<D>& model, const VectorX& increment) {
-  const PathHistory& path = model.path;
-  const VectorX& accepted = model.accepted.targets;
-  if (path.bend > most_bent || model.present.targets != accepted) return false;
-  const std::optional<double> ratio = straight_ratio(model, model.targets);
-  if (!ratio) return false;
-  // Free displacements by extrapolation of the last step, prescribed ones exactly
-  const Drives<D>& drives = model.system.drives;
-  const VectorX prescribed = drives.displacement(accepted) - drives.displacement(path.previous_targets);
-  model.present.displacement += *ratio * (path.increment - prescribed) + increment;
-  return true;
-}
-
 /// Whether an unconstrained body has come into contact, near the state with all points sticking.
 template <int D> bool has_landed(Model<D>& model) {
   const auto& contacts = model.present.contacts;
@@ -74,25 +60,12 @@ template <int D> Step begin_step(Model<D>& model, const StepOptions& options) {
   Step step{drives.displacement(model.targets) - drives.displacement(model.present.targets)};
   step.landing = begin_contacts(model, options.active_set, options.damping);
   set_loads(model, model.targets);
-  const bool constant = options.predictor == Predictor::constant;
-  if (constant) model.present.displacement += step.increment;
-  if (constant || (options.predictor == Predictor::linear && predict(model, step.increment))) {
+  if (guess_first(model, options.predictor, step.increment)) {
     step.increment.setZero();
     model.present.targets = model.targets;
   }
   step.pending = (step.increment.array() != 0).any();
   return step;
-}
-
-/// Sets the contact tolerance for the first guess of a step to other targets, where otherwise rounding error would
-/// decide the states of points.
-template <int D> void guess(Model<D>& model, bool wanted) {
-  const double distance = wanted ? gap_rounding * largest_position(model) : 0;
-  const bool onward = wanted && straight_ratio(model, model.targets).value_or(-1) > 0;
-  for (auto& control : model.controls) {
-    control.guessed = distance;
-    control.onward = onward;
-  }
 }
 
 template <int D> solve::Outcome assemble_step(Model<D>& model, bool tangent, Message& why) {
@@ -103,9 +76,9 @@ template <int D> solve::Outcome assemble_step(Model<D>& model, bool tangent, Mes
   if (!report.energies.empty()) set.thaw(report.energies.back() / report.energies.front(), model.controls);
   if (step.landing && !report.energies.empty() && has_landed(model)) end_landing(model);
   set.let_go(model.controls);
-  guess(model, report.iterations == 0 && model.targets != model.accepted.targets);
+  expect_guess(model, report.iterations == 0 && model.targets != model.accepted.targets);
   solve::Outcome outcome = evaluate(model, first ? &step.increment : nullptr, tangent, why);
-  guess(model, false);
+  expect_guess(model, false);
   if (first) model.unbalanced += model.system.unknowns.gather(model.system.assembly.product());
   if (outcome != solve::Outcome::converged || !std::exchange(step.moved, false)) return outcome;
   set.note(model.present.contacts, model.unbalanced.norm(), model.controls);

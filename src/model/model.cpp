@@ -6,6 +6,7 @@
 #include "model/clearance.hpp"
 #include "model/constants.hpp"
 #include "model/equilibrium.hpp"
+#include "model/first_guess.hpp"
 #include "model/idle_actions.hpp"
 #include "model/scene_warnings.hpp"
 #include "model/ties.hpp"
@@ -19,7 +20,7 @@ namespace signorini::model {
 template <int D>
 Model<D>::Model(Scene<D> scene)
     : system(std::move(scene)), accepted(system.start()), present(accepted),
-      targets(accepted.targets), path{accepted.displacement, targets}, acting(targets),
+      targets(accepted.targets), path{accepted.displacement, targets, accepted.displacement, targets}, acting(targets),
       dead(system.drives.force(targets)), external(dead), controls(system.contacts.size()),
       linear(linear_facts(system)), projected_volumes(system.scene.bodies.size()) {
   // Friction at points that close later starts from their foot points in the initial state.
@@ -98,15 +99,9 @@ template <int D> void accept(Model<D>& model) {
   State<D>&accepted = model.accepted, &present = model.present;
   PathHistory& path = model.path;
   model.system.commit(present, accepted);
-  // Relative difference of the rates of displacement, Δu for the same Δtargets, of this step and the last one
   const auto displacements = model.system.unknowns.displacements();
   const VectorX increment = present.displacement - accepted.displacement;
-  const std::optional<double> ratio = straight_ratio(model, model.targets);
-  path.bend =
-      ratio ? (increment - *ratio * path.increment).head(displacements).norm() / increment.head(displacements).norm()
-            : 1;
-  path.increment = increment;
-  path.previous_targets = accepted.targets;
+  note_increment(model, increment);
   path.work += 0.5 * (balanced_force(model) + present.force.head(displacements)).dot(increment.head(displacements));
   present.targets = model.targets;
   accepted = present;

@@ -12,8 +12,10 @@ namespace signorini::model {
 enum class Predictor {
   tangent,  ///< the accepted state; the first solution includes the prescribed displacements, by its tangent
   constant, ///< the accepted state with prescribed displacements imposed
-  linear ///< extrapolation of the last step with prescribed displacements imposed, if the path is straight and the last
-         ///< two steps have similar rates; otherwise as `tangent`
+  linear,   ///< extrapolation of the last step with prescribed displacements imposed, if the path is straight and the
+            ///< last two steps have similar rates; otherwise as `tangent`
+  quadratic ///< the same of the last two steps, where the last step was close to that; otherwise as `linear`, but as
+            ///< `tangent` where the path turns back
 };
 
 /// Treatment of points whose state (open, stick, slip) changes repeatedly (set cycling).

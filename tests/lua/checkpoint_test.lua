@@ -203,8 +203,8 @@ check.case("invalid files are errors at the user's line, with a hint", function(
     write(good:sub(1, at - 1) .. string.char(good:byte(at) ~ 16) .. good:sub(at + 1))
     refused "is damaged: its checksum is wrong"
   end
-  write(good:gsub("^(SIGNORINI checkpoint\n)\6", "%1\7"))
-  refused "was written in format 7, but this program reads format 6"
+  write(good:gsub("^(SIGNORINI checkpoint\n)\7", "%1\8"))
+  refused "was written in format 8, but this program reads format 7"
   os.remove(file)
   refused("cannot read", "No such file")
   check.fails(function() sg.load(3) end, "path must be a string")

@@ -263,7 +263,7 @@ end)
 
 check.case("sg.robust turns on controls that cost nothing in easy runs", function()
   local robust = sg.robust()
-  check.equal({ robust.predictor, robust.fallback, robust.step.adaptive }, { "linear", true, true })
+  check.equal({ robust.predictor, robust.fallback, robust.step.adaptive }, { "quadratic", true, true })
   robust = sg.robust { step = { adaptive = true, min = 1 / 256 }, predictor = "tangent", linear = "klu" }
   check.equal({ robust.predictor, robust.fallback, robust.step.min, robust.linear },
     { "tangent", true, 1 / 256, "klu" })
@@ -335,9 +335,9 @@ end)
 check.case("invalid options are rejected before the first step, at the user's line", function()
   local model = spring_model(function() return true end)
   local wrong = {
-    { { predictor = "linaer" }, "predictor must be 'tangent', 'constant' or 'linear', got the string 'linaer'",
+    { { predictor = "linaer" }, "predictor must be 'tangent', 'constant', 'linear' or 'quadratic', got the string 'linaer'",
       "did you mean 'linear'?" },
-    { { predictor = true }, "predictor must be 'tangent', 'constant' or 'linear', got true" },
+    { { predictor = true }, "predictor must be 'tangent', 'constant', 'linear' or 'quadratic', got true" },
     { { predicter = "linear" }, "options: unknown argument 'predicter'", "did you mean 'predictor'?" },
     { { newton = { line_search = "enrgy" } }, "newton.line_search must be 'none', 'residual' or 'energy'",
       "did you mean 'energy'?" },

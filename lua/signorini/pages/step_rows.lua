@@ -56,8 +56,9 @@ state is in equilibrium without damping]], default = false }
 local pseudo_transient = { "pseudo_transient", t.flag, [[pseudo-transient continuation: follows a damped motion, past a
 limit point, to a distant equilibrium, in up to 40 times as many iterations; not with line_search]], default = false }
 
-local predictors = t.choice { "tangent", "constant", "linear" }
-local first_guess = [[predictor, the first guess of a step; "linear" extrapolates the last step]]
+local predictors = t.choice { "tangent", "constant", "linear", "quadratic" }
+local first_guess = [[predictor, the first guess of a step; "linear" extrapolates the last step, "quadratic" the
+last two]]
 
 local function conflict_of_solver(values)
   if values.mumps and values.linear ~= "mumps" then
@@ -93,7 +94,7 @@ rows.arc.conflict = conflict_of_solver
 -- ── Load paths ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Default controls: `robust`, or `plain` with arc length, since cut steps and fallbacks may leave the path.
-rows.robust = { predictor = "linear", fallback = true, step = { adaptive = true } }
+rows.robust = { predictor = "quadratic", fallback = true, step = { adaptive = true } }
 rows.plain = { predictor = "tangent", fallback = false, step = { adaptive = false } }
 
 --- A row whose default depends on arc_length, a previous row.
