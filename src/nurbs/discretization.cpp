@@ -4,67 +4,12 @@
 #include "base/index.hpp"
 #include "nurbs/basis.hpp"
 #include "nurbs/constants.hpp"
-#include "nurbs/lagrange.hpp"
 
 #include <algorithm>
 
 namespace signorini::nurbs {
 
 namespace {
-
-/// The label that defines the layer's depth: the first that has a layer.
-const Label& layer_label(const Plan& plan) {
-  const auto layered = std::find_if(plan.labels.begin(), plan.labels.end(), [](auto& label) { return label.layer; });
-  return layered == plan.labels.end() ? plan.labels.front() : *layered;
-}
-
-void check(const Patch& patch, const Plan& plan) {
-  const int dimensions = patch.parametric_dimension();
-  require(dimensions == patch.dimension(), patch.dimension() == 2 ? "nurbs.body.surface" : "nurbs.body.volume",
-          {{"directions", dimensions}});
-  require(static_cast<int>(plan.elements.size()) == dimensions, "nurbs.body.elements",
-          {{"expected", dimensions}, {"count", plan.elements.size()}});
-  require(plan.grading.empty() || static_cast<int>(plan.grading.size()) == dimensions, "nurbs.body.grading",
-          {{"expected", dimensions}, {"count", plan.grading.size()}});
-  require(plan.contact.size() <= 2, "nurbs.body.contact_count", {{"count", plan.contact.size()}});
-  for (const Side& side : plan.contact)
-    require(side.direction == plan.contact.front().direction, "nurbs.body.contact_meets",
-            {{"first", name_of(plan.contact.front())}, {"second", name_of(side)}});
-  if (plan.contact.size() == 2)
-    require(plan.contact[0].at_end != plan.contact[1].at_end, "nurbs.body.contact_twice",
-            {{"face", name_of(plan.contact[0])}});
-  const int along = plan.contact.empty() ? dimensions : dimensions - 1;
-  require(static_cast<int>(plan.labels.size()) == along, "nurbs.body.labels",
-          {{"expected", along}, {"count", plan.labels.size()}});
-  for (const Label& label : plan.labels) {
-    require(label.lagrange == plan.labels.front().lagrange, "nurbs.body.mixed_labels",
-            {{"first", plan.labels.front().text}, {"second", label.text}});
-    require(!label.layer || !plan.contact.empty(), "nurbs.body.layer_nowhere", {{"label", label.text}});
-    require(!label.layer || label.rows == layer_label(plan).rows, "nurbs.body.layer_depths",
-            {{"label", label.text}, {"other", layer_label(plan).text}});
-  }
-}
-
-/// k-refines direction d to the space Np.s. `label` is needed for errors only.
-Patch refine_to(const Patch& patch, int d, const Space& space, const std::vector<double>& knots,
-                const std::string& label) {
-  const int own = patch.direction(d).degree();
-  require(space.degree >= own, "nurbs.body.degree", {{"label", label}, {"degree", space.degree}, {"lowest", own}});
-  return elevate(k_refine(patch, d, space.degree, knots), d, space.elevations);
-}
-
-/// The space in the thickness direction: of the plan's degree, or of the bulk's, but at least of the geometry's degree.
-Space through_space(const Patch& patch, const Plan& plan, int through) {
-  const int own = patch.direction(through).degree();
-  if (plan.thickness_degree) {
-    require(*plan.thickness_degree >= own, "nurbs.body.thickness_degree",
-            {{"degree", *plan.thickness_degree}, {"lowest", own}});
-    return {*plan.thickness_degree};
-  }
-  if (plan.contact.empty()) return plan.labels.back().bulk;
-  const Space bulk = bulk_space(plan.labels);
-  return {std::max(own, bulk.degree), bulk.elevations};
-}
 
 /// Throws Error unless the space is interpolatory: only the first function is nonzero at the start, only the last at
 /// the end.
@@ -79,57 +24,6 @@ void check_ends(const Space1D& space) {
           "nurbs.space.ends");
 }
 
-/// All rows of C⁰ Lagrange elements: one patch, sliced along `through`.
-Patch lagrange_patch(const Patch& patch, const Plan& plan, int through,
-                     const std::vector<std::vector<double>>& inserted) {
-  std::vector<int> degrees;
-  std::vector<std::vector<double>> breaks;
-  for (int d = 0, along = 0; d < patch.parametric_dimension(); ++d) {
-    const bool labeled = plan.contact.empty() || d != through;
-    degrees.push_back(labeled ? plan.labels[at(along++)].bulk.degree : through_space(patch, plan, through).degree);
-    breaks.push_back(insert_knots(patch, d, inserted[at(d)]).direction(d).breaks());
-  }
-  return interpolate_lagrange(patch, degrees, breaks);
-}
-
-/// The rows of a patch by a plan.
-Discretization discretized(const Patch& patch, const Plan& plan) {
-  check(patch, plan);
-  const int dimensions = patch.parametric_dimension();
-  const int through = plan.contact.empty() ? dimensions - 1 : plan.contact.front().direction;
-  std::vector<std::vector<double>> inserted;
-  inserted.reserve(at(dimensions));
-  for (int d = 0; d < dimensions; ++d)
-    inserted.push_back(element_knots(patch.direction(d), plan.elements[at(d)],
-                                     plan.grading.empty() ? std::nullopt : plan.grading[at(d)]));
-
-  const bool lagrange = plan.labels.front().lagrange;
-  const Patch whole = lagrange ? lagrange_patch(patch, plan, through, inserted)
-                               : refine_to(patch, through, through_space(patch, plan, through), inserted[at(through)],
-                                           plan.labels.back().text);
-
-  const int count = whole.direction(through).functions();
-  const Label& deep = layer_label(plan);
-  require(deep.rows <= count, "nurbs.body.layer_too_deep",
-          {{"label", deep.text}, {"rows", deep.rows}, {"available", count}});
-  const auto in_layer = [&](int row) {
-    return std::any_of(plan.contact.begin(), plan.contact.end(),
-                       [&](const Side& side) { return (side.at_end ? count - 1 - row : row) < deep.rows; });
-  };
-  std::vector<Row> rows;
-  for (int j = 0; j < count; ++j) {
-    Patch row = control_row(whole, through, j);
-    for (int a = 0; a < dimensions - 1 && !lagrange; ++a) {
-      const int d = a < through ? a : a + 1; // direction of the patch
-      const Label& label = plan.labels[at(a)];
-      const Space space = label.layer && in_layer(j) ? *label.layer : label.bulk;
-      row = refine_to(row, a, space, inserted[at(d)], label.text);
-    }
-    rows.push_back(make_row(row));
-  }
-  return {through, spline_space(whole.direction(through)), std::move(rows), plan.contact};
-}
-
 } // namespace
 
 VectorX ElementBasis::combine(const MatrixX& at_points) const {
@@ -138,8 +32,6 @@ VectorX ElementBasis::combine(const MatrixX& at_points) const {
     sum += values(static_cast<Eigen::Index>(a)) * at_points.col(functions[a]);
   return sum;
 }
-
-Discretization::Discretization(const Patch& patch, const Plan& plan) : Discretization(discretized(patch, plan)) {}
 
 Discretization::Discretization(int through, Space1D stack, std::vector<Row> rows, std::vector<Side> contact)
     : through_(through), stack_(std::move(stack)), rows_(std::move(rows)), contact_(std::move(contact)) {

@@ -18,7 +18,17 @@ struct Plan {
   std::vector<Label> labels; ///< per direction along the contact face; without one, per direction of the patch
   std::vector<Side> contact; ///< none, one, or two opposite faces
   std::optional<int> thickness_degree; ///< degree in the thickness direction; by default that of the bulk
+  /// Where the layer is local: per contact face, then per direction along it, which of `elements` have the layer's
+  /// degree (an empty list: all). In a solid a row is the product of its two spaces, so that its degree is raised in
+  /// the strips of both directions. Empty: everywhere.
+  std::vector<std::vector<std::vector<bool>>> raised{};
+  /// Further knots of the layer's rows, per direction along the contact face; may be empty. The other rows are cut
+  /// there into elements without loss of continuity.
+  std::vector<std::vector<double>> layer_knots{};
 };
+
+/// Breakpoints of direction d before `layer_knots` are added: the borders of plan.elements.
+std::vector<double> element_breaks(const Patch& patch, const Plan& plan, int d);
 
 /// The functions that do not vanish on one element, evaluated at a point.
 struct ElementBasis {
@@ -32,9 +42,10 @@ struct ElementBasis {
 
 /// A patch as a stack of rows of control points along the thickness direction,
 ///   x(ξ) = Σ_j N_j(ξᵗ) C_j(ξ along the face) in homogeneous coordinates,
-/// where every row C_j is a NURBS with one parametric dimension less and its own spaces, refined exactly from the patch
-/// or given. The geometry and the common weight function do not change, so partition of unity and the exact shape hold
-/// for any choice of rows (thesis 5.1, 5.2 generalized from one row to any number). All rows share the same elements.
+/// where every row C_j is a NURBS with one parametric dimension less and its own spaces (also of several degrees),
+/// refined exactly from the patch or given. The geometry and the common weight function do not change, so partition of
+/// unity and the exact shape hold for any choice of rows (thesis 5.1, 5.2 generalized from one row to any number). All
+/// rows share the same elements.
 class Discretization {
 public:
   Discretization(const Patch& patch, const Plan& plan);
