@@ -61,7 +61,8 @@ local function part_values(values, patches, i, contact)
   local own = lists.merged(values, { patch = patches[i], contact = contact[i] })
   if type(values.elements) == "table" and type(values.elements[1]) == "table" then own.elements = values.elements[i] end
   if values.contact and not contact[i] then
-    own.order, own.thickness_degree, own.contact = bulk(values.order), nil, nil
+    own.order = bulk(values.order)
+    for _, key in ipairs { "thickness_degree", "contact", "layer", "layer_knots" } do own[key] = nil end
   end
   return own
 end
@@ -104,6 +105,11 @@ function compound.new(make, values)
   end
   local named = values.contact and check.value(contact_names, values.contact, "sg.body", "contact")
   local contact = named and contact_faces(named, patches) or {}
+  local first = next(contact)
+  if type(values.layer) == "table" and first and next(contact, first) then
+    check.reject("sg.body", "layer", "a function of the undeformed position X, as several parts have contact faces",
+      values.layer)
+  end
   local parts = {}
   for i = 1, #patches do parts[i] = make(part_values(values, patches, i, contact)) end
   return setmetatable({ parts = parts, pairs = pairs_of(patches, parts), boundaries = boundaries_of(patches, parts) },

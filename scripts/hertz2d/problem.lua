@@ -10,10 +10,10 @@ local problem = {
 }
 
 --- The ring on its plane. `o`: order, mesh, load; for the study of the size also size, the multiple of R/a (the load
---- falls with its square; there are as many elements per half-width near the contact and beyond), stiffer, the multiple
---- of the penalty, and thickness_degree; penalty and poisson (Poisson's ratio), if not the published ones; volumetric
---- as in sg.body; formulation, a row of formulations/rows.lua. Returns the model, the stage (without steps) that
---- presses it, and the ring.
+--- falls with its square; there are as many elements per half-width near the contact and beyond), stiffer, the
+--- multiple of the penalty, and thickness_degree; penalty and poisson (Poisson's ratio), if not the published ones;
+--- volumetric, layer and layer_knots as in sg.body; formulation, a row of formulations/rows.lua. Returns the model,
+--- the stage (without steps) that presses it, and the ring.
 function problem.scene(o)
   local refined, size = 1 << (math.tointeger(o.mesh:sub(2)) - 1), o.size or 1
   -- 0.8 N elements in the part 0.1/size of the length, 0.2 N size in the rest: twice the size, twice the elements there
@@ -23,7 +23,7 @@ function problem.scene(o)
     patch    = sg.shapes.quarter_annulus{ inner = problem.inner, outer = problem.outer, start = 270 },
     elements = { math.floor(9 * refined * growth + 0.5), math.floor(48 * growth + 0.5) }, grading = { graded, graded },
     order = o.order, contact = "south", thickness_degree = o.thickness_degree or 1,
-    volumetric = o.volumetric,
+    volumetric = o.volumetric, layer = o.layer, layer_knots = o.layer_knots,
     material = sg.linear_elastic{ E = problem.young, nu = o.poisson or problem.poisson },
   }
   local force, cut = o.load == "force", ring:face "east"

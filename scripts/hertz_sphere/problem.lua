@@ -7,8 +7,8 @@ local problem = { inner = 0.2, outer = 1, young = 1, poisson = 0.3, load = math.
 
 --- The sphere on its plane. `o`: order, mesh; for the study of the size also size, the multiple of R/a (the load falls
 --- with its cube; there are as many elements per half-width near the contact and beyond), stiffer, the multiple of the
---- penalty, and thickness_degree; penalty, if not the usual one; formulation, a row of formulations/rows.lua. Returns
---- the model, the stage (without steps) that presses it, and the sphere.
+--- penalty, and thickness_degree; layer and layer_knots as in sg.body; penalty, if not the usual one; formulation, a
+--- row of formulations/rows.lua. Returns the model, the stage (without steps) that presses it, and the sphere.
 function problem.scene(o)
   local size = o.size or 1
   -- 0.75 n elements in the part 0.1/size of the length, 0.25 n size in the rest: twice the size, twice as many there
@@ -18,7 +18,7 @@ function problem.scene(o)
   local ball = sg.body{
     patch    = sg.shapes.quarter_annulus{ inner = problem.inner, outer = problem.outer, start = 270 },
     elements = { count, count }, grading = { graded, graded }, order = o.order, contact = "south",
-    thickness_degree = o.thickness_degree or 1,
+    thickness_degree = o.thickness_degree or 1, layer = o.layer, layer_knots = o.layer_knots,
     material = sg.linear_elastic{ E = problem.young, nu = problem.poisson },
   }
   -- Under a given force the body is unconstrained until it is in contact. The height of the plane does not affect the

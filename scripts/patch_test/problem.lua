@@ -40,14 +40,16 @@ local function block(o, side, young)
   return sg.body{
     patch    = patch, elements = flat and { count, 2 } or { count, count, 2 }, order = o.order,
     contact  = flat and (lower and "north" or "south") or (lower and "back" or "front"), thickness_degree = 1,
+    layer    = o.layer and o.layer[side], layer_knots = o.layer_knots and o.layer_knots[side],
     material = problem.materials[o.material or "linear"]{ E = young, nu = o.sides == "free" and 0 or 0.3 },
   }
 end
 
 --- The two blocks. `o`: dimension, order, lower and upper (elements along the face of each block), slave ("lower" or
---- "upper"); also material ("linear"), sides ("guided" or "free"), penalty, points, skew (0), formulation (a row of
---- formulations/rows.lua). Under a given force the upper block is unconstrained until it is in contact. Its initial
---- height does not affect the result, so it is slightly lower and the first iteration finds points in contact.
+--- "upper"); also layer and layer_knots (by block, as in sg.body), material ("linear"), sides ("guided" or "free"),
+--- penalty, points, skew (0), formulation (a row of formulations/rows.lua). Under a given force the upper block is
+--- unconstrained until it is in contact. Its initial height does not affect the result, so it is slightly lower and
+--- the first iteration finds points in contact.
 function problem.scene(o)
   local flat = o.dimension == 2
   local lower, upper = block(o, "lower", 1), block(o, "upper", 2)

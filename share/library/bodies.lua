@@ -266,6 +266,19 @@ local material = {}
 ---         opposite ones; required for orders with a layer. Any face can be slave or master of a contact
 ---```
 ---@field contact? sg.body.arguments.contact.choice|sg.body.arguments.contact.choice[]
+---layer: a list of 2 increasing numbers {low, high}, a list of 2 ranges {{low, high}, {low, high}} or a function; by
+---```text
+---       default the whole face. Where the layer is, with elements that overlap it: parameters along the contact face;
+---       in space a range per direction, whose strips both have the layer's degree along them; or a function of the
+---       undeformed position X. With the degree the continuity changes: that of the bulk at the borders
+---```
+---@field layer? [number, number]|[[number, number], [number, number]]|(fun(X: [number, number]|[number, number, number]): boolean)
+---layer_knots: a whole number from 1 to 1000 or a list of entries: each a number or a list of numbers; optional. Knots
+---```text
+---             of the contact rows only: the number of equal parts of each element of the layer, or a list of knots; in
+---             space also a list with one of these per direction
+---```
+---@field layer_knots? integer|(number|number[])[]
 ---material: the material (a material)
 ---@field material sg.material
 ---thickness_degree: a whole number from 1 to 15; by default that of the label's bulk. Degree in the thickness
@@ -295,7 +308,7 @@ local material = {}
 ---Returns a solid body: a patch with a discretization and a material.
 ---
 ---```text
----sg.body{ patch, elements, order, contact, material, thickness_degree, volumetric, grading }
+---sg.body{ patch, elements, order, contact, layer, layer_knots, material, thickness_degree, volumetric, grading }
 ---```
 ---
 ---Where two opposite faces of the patch coincide, as in a full ring, the body is joined at this seam. print(body) shows

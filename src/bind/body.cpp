@@ -1,6 +1,7 @@
 #include "base/machine.hpp"
 #include "base/words.hpp"
 #include "bind/functions.hpp"
+#include "bind/layer.hpp"
 #include "bind/material.hpp"
 #include "bind/open.hpp"
 #include "bind/patch.hpp"
@@ -153,7 +154,11 @@ int dimension_of(const Arguments& a, const nurbs::Patch& patch) {
 void check_size(const nurbs::Plan& plan, int dimensions) {
   constexpr double most_unknowns = 20e6;
   double elements = 1, points = 1; // totals; `points`: unknowns per displacement component
-  for (int count : plan.elements) elements *= count, points *= count + 1.0;
+  for (int d = 0, along = 0; d < dimensions; ++d) {
+    elements *= plan.elements[at(d)], points *= plan.elements[at(d)] + 1.0;
+    const bool cut = !plan.layer_knots.empty() && d != plan.contact.front().direction;
+    if (cut) elements *= 1 + static_cast<double>(plan.layer_knots[at(along++)].size()) / plan.elements[at(d)];
+  }
   const int thickness_degree = plan.thickness_degree.value_or(nurbs::bulk_space(plan.labels).full_degree());
   double functions = plan.contact.empty() ? 1 : thickness_degree + 1; // of an element, then times its Gauss points
   for (const nurbs::Label& label : plan.labels) functions *= label.bulk.full_degree() + 1;
@@ -195,6 +200,8 @@ int body(const Arguments& a, lua_State* L) {
   plan.labels = labels_of(a, static_cast<std::size_t>(plan.contact.empty() ? dimensions : dimensions - 1));
   if (a.has("thickness_degree")) plan.thickness_degree = a.get<int>("thickness_degree");
   check_size(plan, dimensions);
+  read_layer(a, patch, plan);
+  if (!plan.layer_knots.empty()) check_size(plan, dimensions);
   return dimensions == 2 ? push_body<2>(L, patch, plan, a) : push_body<3>(L, patch, plan, a);
 }
 
@@ -210,12 +217,19 @@ template <int D> int dofs(const solid::Body<D>& body, lua_State* L) {
   return 1;
 }
 
+/// "2", or "2..4" if elements differ.
+std::string degrees_of(const nurbs::Space1D& space) {
+  int lowest = space.degree();
+  for (int e = 0; e < space.elements(); ++e) lowest = std::min(lowest, space.degree(e));
+  return lowest == space.degree() ? text(lowest) : text(lowest, "..", space.degree());
+}
+
 /// "2 x 1": the degrees of a row, with that of the thickness direction in its place.
 std::string degrees_in_words(const nurbs::Discretization& space, const nurbs::Row& row) {
   std::string words;
   for (int d = 0; d < space.parametric_dimension(); ++d)
     words +=
-        text(d == 0 ? "" : " x ", (d == space.through() ? space.stack() : row.direction(space.in_row(d))).degree());
+        text(d == 0 ? "" : " x ", degrees_of(d == space.through() ? space.stack() : row.direction(space.in_row(d))));
   return words;
 }
 

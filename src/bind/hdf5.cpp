@@ -120,7 +120,8 @@ template <class T> int index_in(std::vector<T>& list, const T& value) {
   return static_cast<int>(list.size()) - 1;
 }
 
-/// Pushes the spaces of a body: `spaces`, each { degree, knots }; `row_spaces`, per row of control points and direction
+/// Pushes the spaces of a body: `spaces`, each { degree, knots } or { breaks, degrees, first, extraction };
+/// `row_spaces`, per row of control points and direction
 /// of the row the index of its space; `row_start`, the first control point of each row, and their number.
 void push_spaces(lua_State* L, const nurbs::Discretization& space) {
   std::vector<nurbs::Space1D> spaces = {space.stack()};
@@ -132,8 +133,17 @@ void push_spaces(lua_State* L, const nurbs::Discretization& space) {
   row_start.push_back(space.functions());
   set_fields(L, "through", space.through(), "row_spaces", row_spaces, "row_start", row_start);
   push_list(L, spaces, [&](const nurbs::Space1D& one) {
-    const nurbs::KnotVector& knots = one.knots().value(); // all spaces of bodies have knots
-    push_fields(L, "degree", knots.degree(), "knots", knots.knots());
+    if (one.knots()) return push_fields(L, "degree", one.degree(), "knots", one.knots()->knots());
+    // Several degrees: per element degree, first function and Bézier extraction, row by row
+    std::vector<int> degrees, first;
+    std::vector<double> extraction;
+    for (int e = 0; e < one.elements(); ++e) {
+      degrees.push_back(one.degree(e));
+      first.push_back(one.functions_on(e).front());
+      const auto matrix = one.extraction(e);
+      extraction.insert(extraction.end(), matrix.data(), matrix.data() + matrix.size());
+    }
+    push_fields(L, "breaks", one.breaks(), "degrees", degrees, "first", first, "extraction", extraction);
   });
   lua_setfield(L, -2, "spaces");
 }

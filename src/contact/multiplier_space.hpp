@@ -12,7 +12,7 @@ enum class MultiplierSpace { equal, reduced };
 
 /// The multipliers' space for a face's `trace`: non-negative functions that sum to 1. Elements of `reduced` have their
 /// own degree less two and are discontinuous where the trace is at most C¹. Throws Error for `reduced` if an element
-/// has a degree below 2, or if elements of different degrees join with C² or more.
+/// has a degree below 2.
 nurbs::Space1D multiplier_space(const nurbs::Space1D& trace, MultiplierSpace kind);
 
 } // namespace signorini::contact

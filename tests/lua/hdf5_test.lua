@@ -132,7 +132,7 @@ end)
 
 --- Compares points from the file, by the page's functions, with those of the model.
 local function evaluated(model, file, points)
-  local code = page:match "```python\n(import numpy.-)```"
+  local code = page:match "```python\n(from math import comb.-)```"
   local lines = { code, "import h5py", ('f = h5py.File("%s", "r")'):format(file) }
   for _, point in ipairs(points) do
     local xi = table.concat(point.xi, ", ")
@@ -172,6 +172,7 @@ end
 check.case("solids with layers of different degrees and a tie", function()
   local lower = sg.body { patch = sg.shapes.block { size = { 2, 2, 1 } }, elements = { 2, 2, 2 },
                           order = { "N2-N2.2", "N3-N4" }, thickness_degree = 2, contact = "back",
+                          layer = { { 0, 0.5 }, { 0.5, 1 } }, layer_knots = { 2, 1 },
                           material = sg.neo_hookean { E = 1, nu = 0.3 } }
   local base = sg.body { patch = sg.shapes.block { size = { 2, 2, 1 }, corner = { 0, 0, -1 } }, elements = { 1, 1, 1 },
                          order = "N2", material = sg.linear_elastic { E = 1, nu = 0.3 } }

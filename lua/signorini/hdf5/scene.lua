@@ -27,8 +27,15 @@ local function write_body(file, model, name, set_about)
   file:write(path .. "/row_spaces", "integer", { #data.row_start - 1, dimension - 1 }, data.row_spaces)
   for i, space in ipairs(data.spaces) do
     local place = ("%s/spaces/%d"):format(path, i - 1)
-    file:write(place, "number", { #space.knots }, space.knots)
-    file:set(place, "degree", "integer", space.degree)
+    if space.knots then
+      file:write(place, "number", { #space.knots }, space.knots)
+      file:set(place, "degree", "integer", space.degree)
+    else
+      file:write(place .. "/breaks", "number", { #space.breaks }, space.breaks)
+      file:write(place .. "/degrees", "integer", { #space.degrees }, space.degrees)
+      file:write(place .. "/first", "integer", { #space.first }, space.first)
+      file:write(place .. "/extraction", "number", { #space.extraction }, space.extraction)
+    end
   end
   file:set(path, "name", "text", name)
   file:set(path, "kind", "text", data.kind)

@@ -18,6 +18,25 @@ local order = t.by({ kind = "list", of = label, single = true,
            ending = ", one per direction" .. along }
 end)
 
+--- One type for bodies in the plane, one in space.
+local function by_dimension(general, plane, space)
+  return t.by(general, function(_, given)
+    local directions, dimension = core.patch_sizes(given.patch)
+    if directions ~= dimension then return nil end -- not a body's shape, which is the better message
+    return dimension == 2 and plane or space
+  end)
+end
+
+local is_layer = t.callback_of({ { "X", t.point } }, t.flag)
+local per_direction = t.worded(t.list(t.interval, 2), "a list of 2 ranges {{low, high}, {low, high}}")
+local layer = by_dimension(t.either(t.interval, per_direction, is_layer), t.either(t.interval, is_layer),
+  t.either(per_direction, is_layer))
+
+local parts = t.integer(1, 1000)
+local knots = t.either(parts, t.numbers())
+local layer_knots = by_dimension(t.either(parts, t.list(t.either(t.number, t.numbers()))), knots,
+  t.either(parts, t.list(knots, 2)))
+
 --- A place of a part of a body of several patches.
 local function part_place(count, noun)
   return t.name(function(body) return require("signorini.compound").place_names(body, count) end, noun)
@@ -44,6 +63,11 @@ return {
       { "contact", t.one_or_more(patch_types.any_face), [[face that carries the layer, or two opposite ones; required
 for orders with a layer. Any face can be slave or master of a contact]],
         otherwise = "none" },
+      { "layer", layer, [[where the layer is, with elements that overlap it: parameters along the contact face; in
+space a range per direction, whose strips both have the layer's degree along them; or a function of the undeformed
+position X. With the degree the continuity changes: that of the bulk at the borders]], otherwise = "the whole face" },
+      { "layer_knots", layer_knots, [[knots of the contact rows only: the number of equal parts of each element of the
+layer, or a list of knots; in space also a list with one of these per direction]], optional = true },
       { "material", { kind = "object", name = "material",
                       cure = "for example material = sg.neo_hookean{ E = 1, nu = 0.3 }" }, "the material" },
       { "thickness_degree", patch_types.degree, [[Degree in the thickness direction, from the contact face to the
