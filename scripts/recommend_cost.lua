@@ -7,19 +7,20 @@
 -- Source: H. Hertz, J. reine angew. Math. 92, 1882, for the problem.
 -- Units: seconds of wall time.
 -- Expected: the search takes about 0.75 times as long as the uniform run, for all three tolerances.
--- Run: signorini scripts/recommend_cost.lua [at_most=0.05,0.02,0.005] [repeats=5] [out=out/recommend_cost]; times are
---      medians of repeats, with search and uniform run in turn.
+-- Run: signorini scripts/recommend_cost.lua [at_most=0.05,0.02,0.005] [local_layers=yes] [repeats=5]
+--      [out=out/recommend_cost]; local_layers: also tries a layer where the cylinder touches only; times are medians of
+--      repeats, with search and uniform run in turn.
 
 local sg = require "signorini"
 local hertz = require "hertz2d.problem"
 
 local options = sg.arguments{
-  at_most = { { 0.05, 0.02, 0.005 }, above = 0 }, repeats = 5, out = "out/recommend_cost",
+  at_most = { { 0.05, 0.02, 0.005 }, above = 0 }, local_layers = true, repeats = 5, out = "out/recommend_cost",
 }
 local meshes = { "m1", "m2", "m3", "m4", "m5", "m6", "m7" }
 
-local function scene(order, mesh)
-  local model, stage = hertz.scene{ order = order, mesh = mesh, load = "force" }
+local function scene(order, mesh, _, layers)
+  local model, stage = hertz.scene{ order = order, mesh = mesh, load = "force", layer = layers and layers.ground }
   stage.steps = 5
   return model, { stage }
 end
@@ -36,7 +37,8 @@ for i, at_most in ipairs(options.at_most) do
   local searches, runs, found, finest = {}, {}, nil, 0
   for k = 1, options.repeats do
     searches[k], found = timed(function()
-      return sg.recommend{ scene = scene, quantity = "ground.max_pressure", at_most = at_most, meshes = meshes }
+      return sg.recommend{ scene = scene, quantity = "ground.max_pressure", at_most = at_most, meshes = meshes,
+                           local_layers = options.local_layers }
     end)
     for _, case in ipairs(found.tries) do finest = math.max(finest, case.level) end
     if not meshes[finest + 1] then

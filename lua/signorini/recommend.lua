@@ -3,6 +3,7 @@
 -- from the next level, and the search ends as soon as one estimate is within the tolerance.
 
 local check = require "signorini.check"
+local contact_zone = require "signorini.contact_zone"
 local core = require "signorini.core"
 local counted = require "signorini.counted"
 local format_table = require "signorini.table"
@@ -60,18 +61,33 @@ local function check_finer(search, candidate, level, unknowns)
   end
 end
 
+--- Solves a case with layers where contacts have touched in the cases before, if that is wanted; again with larger ones
+--- if contacts have touched elsewhere. Returns the model, its run and the layers by contact.
+local function solve(search, candidate, level)
+  local layered = search.local_layers and candidate.order:find("-", 1, true)
+  while true do
+    local layers = layered and next(search.touched) and contact_zone.layers(search.touched) or nil
+    local model, stages, options = search.scene(candidate.order, search.meshes[level], candidate.keys, layers)
+    if type(model) ~= "userdata" then
+      core.fail(("%s: scene must return a model and its stages, got %s"):format(where, core.describe(model)))
+    end
+    check_finer(search, candidate, level, #model:unknowns())
+    if not search.local_layers then return model, model:run(stages, options) end
+    local own = {}
+    local run = model:run(stages, contact_zone.watched(options, model, own))
+    local inside = contact_zone.contains(search.touched, own)
+    search.touched = contact_zone.union(search.touched, own)
+    if not layers or inside or run.failed then return model, run, layers end
+  end
+end
+
 --- Solves a case; adds it to the list of tries.
 local function try(search, candidate, level)
   local mesh, began = search.meshes[level], core.now()
-  local model, stages, options = search.scene(candidate.order, mesh, candidate.keys)
-  if type(model) ~= "userdata" then
-    core.fail(("%s: scene must return a model and its stages, got %s"):format(where, core.describe(model)))
-  end
-  local unknowns = #model:unknowns()
-  check_finer(search, candidate, level, unknowns)
-  local run = model:run(stages, options)
+  local model, run, layers = solve(search, candidate, level)
   local case = { candidate = candidate, order = candidate.order, formulation = candidate.keys, mesh = mesh,
-                 level = level, wall = core.now() - began, unknowns = unknowns }
+                 name = candidate.name .. (layers and ", local" or ""), level = level, wall = core.now() - began,
+                 unknowns = #model:unknowns(), layers = layers, touched = layers and search.touched }
   -- Unlike seconds it is the same in every search, so that the result is reproducible.
   case.work = case.unknowns * run.iterations
   if run.failed then case.failed = run.reason else case.value = measure(search, model, run) end
@@ -79,7 +95,7 @@ local function try(search, candidate, level)
   search.tries[#search.tries + 1] = case
   search.by_level[level][candidate] = case
   search.spent = search.spent + case.wall
-  search.display:line(("recommend: %s, mesh %s: %s, %.2f s%s"):format(candidate.name, values.text(mesh),
+  search.display:line(("recommend: %s, mesh %s: %s, %.2f s%s"):format(case.name, values.text(mesh),
     counted(case.unknowns, "unknown"), case.wall, case.failed and ", " .. case.failed or ""))
   return case
 end
@@ -190,13 +206,14 @@ local function verdict(search, best)
   local total = ("%s, %.2f s in all"):format(counted(#search.tries, "run"), search.spent)
   if search.interrupted then return ("Stopped by Ctrl-C without a result. %s."):format(total) end
   if best then
+    local extent = best.layers and (" Contacts touch in %s."):format(contact_zone.text(best.touched)) or ""
     return ("%s on mesh %s meets the tolerance: its error is about %.3g, estimated from the next level; allowed %.3g. "
-      .. "%s.")
-      :format(best.candidate.name, values.text(best.mesh), best.error, search.at_most, total)
+      .. "%s.%s")
+      :format(best.name, values.text(best.mesh), best.error, search.at_most, total, extent)
   end
   local nearest = lists.least(search.tries, function(case) return case.error end)
   return ("None of these is known to be within %.3g%s. %s. Hint: try finer meshes.")
-    :format(search.at_most, nearest and ("; %s on mesh %s comes nearest with %.3g"):format(nearest.candidate.name,
+    :format(search.at_most, nearest and ("; %s on mesh %s comes nearest with %.3g"):format(nearest.name,
       values.text(nearest.mesh), nearest.error) or "", total)
 end
 
@@ -204,7 +221,7 @@ end
 function Recommendation:__tostring()
   local rows = lists.map(self.tries, function(case)
     local value = case.value and (#case.value == 1 and case.value[1] or ("%d numbers"):format(#case.value))
-    return { case.candidate.name, values.text(case.mesh), case.unknowns, case.wall, case.failed or value, case.error,
+    return { case.name, values.text(case.mesh), case.unknowns, case.wall, case.failed or value, case.error,
              case == self.best and "chosen" or "" }
   end)
   return format_table{ columns = { "order", "mesh", "unknowns", "wall", "value", "estimated error", "" },
@@ -214,12 +231,13 @@ end
 return function(search)
   search.candidates = candidates(search)
   search.tries, search.by_level, search.spent, search.display = {}, { [0] = {} }, 0, progress(1)
+  search.touched = {}
   for level = 1, #search.meshes do search.by_level[level] = {} end
   local best = explore(search)
   local found = best or {}
   local result = setmetatable({ order = found.order, formulation = found.formulation, mesh = found.mesh,
     error = found.error, wall = found.wall, unknowns = found.unknowns, best = best, tries = search.tries,
-    spent = search.spent, report = verdict(search, best) }, Recommendation)
+    layers = found.layers, spent = search.spent, report = verdict(search, best) }, Recommendation)
   print(result)
   return result
 end

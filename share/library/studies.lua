@@ -576,11 +576,11 @@ function comparison:table() end
 function sg.cheapest(study, options) end
 
 ---@class (exact) sg.recommend.arguments
----scene: a function. Function of order and mesh, and with formulations of keys for its contacts, that returns a model,
+---scene: a function. Function of order and mesh, with formulations of keys for its contacts, and with local_layers of
 ---```text
----       and what model:run takes
+---       layers, that returns a model, and what model:run takes
 ---```
----@field scene fun(order: string, mesh: any, keys: table<string, any>): sg.model, any, (any|nil)
+---@field scene fun(order: string, mesh: any, keys: table<string, any>, layers: table<string, any>): sg.model, any, (any|nil)
 ---quantity: a string or a function. What is computed, whose error is estimated: a column of the run such as
 ---```text
 ---          "ground.max_pressure" (its last value), or a function of model and run that returns a number, or a list of
@@ -603,6 +603,12 @@ function sg.cheapest(study, options) end
 ---              its contacts, such as { { penalty = 100 }, { method = "mortar", enforcement = "multipliers" } }
 ---```
 ---@field formulations? (number|string|boolean|table)[]
+---local_layers: true or false; default false. Solves orders with a layer with this only where contacts have touched in
+---```text
+---              the cases before, and again if they touch elsewhere: the fourth argument of scene, nil until then, has
+---              for each contact what `layer` of sg.body takes for its slave
+---```
+---@field local_layers? boolean
 ---limit: time after which no further level is started (a positive number; seconds; by default none)
 ---@field limit? number
 ---@field [string] sg.unknown_argument
@@ -612,6 +618,7 @@ function sg.cheapest(study, options) end
 ---@field formulation? any
 ---@field mesh? any
 ---@field best? any
+---@field layers? any
 ---@field error? number
 ---@field wall? number
 ---@field unknowns? number
@@ -625,16 +632,17 @@ function sg.cheapest(study, options) end
 ---
 ---```text
 ---sg.recommend{ scene, quantity, at_most, orders = {"N2", "N2-N2.2"}, meshes = {1, 2, 4, 8, 16, 32}, formulations,
----  limit }
+---  local_layers = false, limit }
 ---```
 ---
----The result has order, formulation (its keys), mesh, error (the estimate), wall (s) and unknowns of the case of least
----work within the tolerance (nil if there is none), tries, spent (s) and report. Work is unknowns times iterations,
----which is reproducible. With d the relative difference of the quantity on two levels, both with the order that comes
----last in the list among those solved on both, and r the fraction of the error that remains after one level (1/2; from
----three levels on as observed, if larger), the error of the finer level is about d r/(1 - r); that of coarser cases is
----larger by their difference from it. This is the discretization error only; errors of penalty, steps or the scene are
----not included. Orders that take about the work of another one and have twice its error are not tried again.
+---The result has order, formulation (its keys), mesh, error (the estimate), wall (s), unknowns and layers (by contact,
+---nil if they cover whole faces) of the case of least work within the tolerance (nil if there is none), tries, spent
+---(s) and report. Work is unknowns times iterations, which is reproducible. With d the relative difference of the
+---quantity on two levels, both with the order that comes last in the list among those solved on both, and r the
+---fraction of the error that remains after one level (1/2; from three levels on as observed, if larger), the error of
+---the finer level is about d r/(1 - r); that of coarser cases is larger by their difference from it. This is the
+---discretization error only; errors of penalty, steps or the scene are not included. Orders that take about the work of
+---another one and have twice its error are not tried again.
 ---
 ---Example:
 ---```lua

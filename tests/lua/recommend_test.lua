@@ -46,6 +46,21 @@ check.case("estimates are reliable: each case is as close to the finest mesh as 
   check.holds(tostring(found), "estimated error", "chosen", "estimated from the next level; allowed 0.001")
 end)
 
+check.case("local layers: fewer unknowns, within the tolerance, and where the ring has touched", function()
+  local function local_scene(order, mesh, _, layers)
+    local model, stage = problem.scene{ order = order, mesh = mesh, load = "force", layer = layers and layers.ground }
+    stage.steps = steps
+    return model, { stage }
+  end
+  local whole, part = recommend{ at_most = 2e-3 }, recommend{ at_most = 2e-3, scene = local_scene, local_layers = true }
+  check.equal({ part.order, part.mesh, #part.tries }, { whole.order, whole.mesh, #whole.tries })
+  assert(part.unknowns < whole.unknowns and part.error <= 2e-3)
+  local a = problem.hertz(2 * problem.half_load * problem.outer)
+  assert(part.layers.ground{ 0.98 * a, -1 } and not part.layers.ground{ 1.25 * a, -1 })
+  check.holds(part.report, "N2-N2.2, local on mesh", "Contacts touch in ground: X from ")
+  check.equal(recommend{ orders = { "N2" }, local_layers = true }.layers, nil)
+end)
+
 check.case("lists of numbers; no case within the tolerance; dominated orders; a limit", function()
   local function pressures(model)
     local profile, list = model:profile "ground", {}

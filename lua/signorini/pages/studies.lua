@@ -270,10 +270,10 @@ there is none, nil and a text about the closest case. Failed rows and rows witho
 tolerance: solves with discretizations and meshes from coarse to fine, estimates the error of each from the next level,
 and stops as soon as an estimate is within the tolerance. Prints the attempts and their times.]],
     named = {
-      { "scene", t.callback_of({ { "order", t.text }, { "mesh", t.any }, { "keys", t.map(t.any) } }, t.object "model",
-        t.any, t.or_nil(t.any)),
-        [[function of order and mesh, and with formulations of keys for its contacts, that returns
-a model, and what model:run takes]] },
+      { "scene", t.callback_of({ { "order", t.text }, { "mesh", t.any }, { "keys", t.map(t.any) },
+        { "layers", t.map(t.any) } }, t.object "model", t.any, t.or_nil(t.any)),
+        [[function of order and mesh, with formulations of keys for its contacts, and with local_layers of layers, that
+returns a model, and what model:run takes]] },
       { "quantity", t.either(t.text, t.callback_of(model_and_run, t.either(t.number, t.numbers()))),
         [[what is computed, whose error is estimated: a column of the run such
 as "ground.max_pressure" (its last value), or a function of model and run that returns a number, or a list of numbers at
@@ -285,16 +285,20 @@ before, in any form that scene accepts]], default = { 1, 2, 4, 8, 16, 32 } },
       { "formulations", t.list(t.data, nil, 1), [[contact formulations to compare, cheapest first: tables of keys that
 scene gives to its contacts, such as { { penalty = 100 }, { method = "mortar", enforcement = "multipliers" } }]],
         otherwise = "that of the scene" },
+      { "local_layers", t.flag, [[solves orders with a layer with this only where contacts have touched in the cases
+before, and again if they touch elsewhere: the fourth argument of scene, nil until then, has for each contact what
+`layer` of sg.body takes for its slave]], default = false },
       { "limit", t.positive, "time after which no further level is started", unit = "seconds", otherwise = "none" } },
     more = [[
-The result has order, formulation (its keys), mesh, error (the estimate), wall (s) and unknowns of the case of least
-work within the tolerance (nil if there is none), tries, spent (s) and report. Work is unknowns times iterations, which
-is reproducible. With d the relative difference of the quantity on two levels, both with the order that comes last in
-the list among those solved on both, and r the fraction of the error that remains after one level (1/2; from three
-levels on as observed, if larger), the error of the finer level is about d r/(1 - r); that of coarser cases is larger by
-their difference from it. This is the discretization error only; errors of penalty, steps or the scene are not included.
+The result has order, formulation (its keys), mesh, error (the estimate), wall (s), unknowns and layers (by contact,
+nil if they cover whole faces) of the case of least work within the tolerance (nil if there is none), tries, spent (s)
+and report. Work is unknowns times iterations, which is reproducible. With d the relative difference of the quantity
+on two levels, both with the order that comes last in the list among those solved on both, and r the fraction of the
+error that remains after one level (1/2; from three levels on as observed, if larger), the error of the finer level is
+about d r/(1 - r); that of coarser cases is larger by their difference from it. This is the discretization error only;
+errors of penalty, steps or the scene are not included.
 Orders that take about the work of another one and have twice its error are not tried again.]],
-    returns = t.record("order?", t.text, "formulation? mesh? best?", t.any, "error? wall? unknowns?", t.number,
+    returns = t.record("order?", t.text, "formulation? mesh? best? layers?", t.any, "error? wall? unknowns?", t.number,
       "tries", t.list(t.any), "spent", t.number, "report", t.text),
     example = [[sg.recommend{ scene = press, quantity = "grip.fy", at_most = 0.1, meshes = {1, 2, 4} }]] },
   { "sg.convergence_map", [[Returns a convergence map: where the solve converges over two parameters, and where and why
