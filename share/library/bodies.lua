@@ -322,6 +322,9 @@ local material = {}
 ---         contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
 ---sg.body{ patch = sg.shapes.block{ size = {4, 4, 2} }, elements = {4, 4, 2}, order = {"N2-N4", "N2"},
 ---         contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+---sg.body{ patch = sg.shapes.block{ size = {9, 6, 2} }, elements = {9, 6, 2}, order = "N2-N2.2", contact = "back",
+---         layer = function(X) return (X[1] - 4) ^ 2 + (X[2] - 3) ^ 2 < 1 end,
+---         material = sg.neo_hookean{ E = 1, nu = 0.3 } }
 ---```
 ---@param arguments sg.body.arguments
 ---@return sg.body|sg.compound
@@ -342,7 +345,8 @@ local body = {}
 ---shows which of the two happened. If the list has `interfaces`, only the faces in it are: { { "1.east", "2.west" }, …
 ---}. `boundaries` of the list names faces: { outer = { "1.south", "2.south" } }; compound:face "outer" then returns
 ---these. Arguments of sg.body: order is one label for all; contact lists faces such as "1.south", or boundaries; parts
----without such a face have the label's bulk, N2 of N2-N4. Methods: face, edge, corner, part.
+---without such a face have the label's bulk, N2 of N2-N4; layer is a function if several parts have contact faces.
+---Methods: face, edge, corner, part.
 ---
 ---Example:
 ---```lua

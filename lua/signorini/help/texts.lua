@@ -64,6 +64,7 @@ Order labels of discretizations, values of `order` in sg.body{ … }, for the di
   Nb-Nc.sxr   the same for the first r rows from the contact face, such as N2-N2.2x2 (default: x1)
 The face of a solid has two directions: one label applies to both; order = {"N2-N2.2", "N2"} gives one for each, the
 direction of the lower xi first. Without a contact face, a list has one label per parametric direction.
+`layer` of sg.body limits the layer to a part of the face, `layer_knots` adds knots to the contact rows only.
 Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method (thesis, IIT Guwahati).]],
   geometry = [[
 A patch is a NURBS curve, surface or volume, an immutable value.

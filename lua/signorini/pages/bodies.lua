@@ -87,7 +87,10 @@ Source: k-refinement 2.3.3, varying-order layers (5.1) to (5.6) of ]] .. thesis 
 sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2-N2.2",
          contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }]], [[
 sg.body{ patch = sg.shapes.block{ size = {4, 4, 2} }, elements = {4, 4, 2}, order = {"N2-N4", "N2"},
-         contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 } }]] } },
+         contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 } }]], [[
+sg.body{ patch = sg.shapes.block{ size = {9, 6, 2} }, elements = {9, 6, 2}, order = "N2-N2.2", contact = "back",
+         layer = function(X) return (X[1] - 4) ^ 2 + (X[2] - 3) ^ 2 < 1 end,
+         material = sg.neo_hookean{ E = 1, nu = 0.3 } }]] } },
   { "body", [[The result of sg.body, an immutable value. print(body) shows elements and degrees per direction (per row
 of control points where these differ) and the size; tostring(body) shows the first line only.]],
     more = "Methods: face, edge, corner, dofs, points." },
@@ -99,7 +102,8 @@ Faces of two parts that lie on each other are joined; where their meshes do not 
 which of the two happened. If the list has `interfaces`, only the faces in it are: { { "1.east", "2.west" }, … }.
 `boundaries` of the list names faces: { outer = { "1.south", "2.south" } }; compound:face "outer" then returns these.
 Arguments of sg.body: order is one label for all; contact lists faces such as "1.south", or boundaries; parts without
-such a face have the label's bulk, N2 of N2-N4. Methods: face, edge, corner, part.]],
+such a face have the label's bulk, N2 of N2-N4; layer is a function if several parts have contact faces. Methods: face,
+edge, corner, part.]],
     example = [[
 square = sg.shapes.rectangle
 pair = sg.body{ patch = { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = {1, 0} },
