@@ -7,7 +7,8 @@ namespace signorini::contact {
 template <int D>
 bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& from, const Vec<D>& to,
                  const Vec<D>& outward, const Projection<D>& seed, double allowed) {
-  FacePoint<D> foot, foot_before, point;
+  FaceGeometry<D> foot, point;
+  FacePoint<D> foot_before;
   Projection<D> found = now.project(to, seed, foot);
   if (found.foot != Foot::regular || found.gap <= 0 || now.normal(foot).dot(outward) <= back_to_back) return false;
   before.locate(found.point(), foot_before);

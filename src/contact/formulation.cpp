@@ -4,6 +4,7 @@
 #include "contact/crossing.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace signorini::contact {
@@ -75,27 +76,38 @@ void Formulation<D>::append_dofs(const Block& block, const Offsets& offsets, std
 
 template <int D> void Formulation<D>::commit(History<D>& present, const History<D>& accepted, double penalty_factor) {
   commit_points(present, accepted, penalty_factor);
+  const double master_moved = master_moved_since_accepted();
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const PointResult<D>&before = accepted.results[i], &after = present.results[i];
     present.growth += growth(before, after);
     present.offset_work += share() * 0.5 * (before.pressure * before.area + after.pressure * after.area) *
                            (offset(i, present) - offset(i, accepted));
     if (!present.results[i].settled) unsettled_ = {unsettled_.count + 1, points_.reference[i]};
-    if (has_crossed(i, present, accepted)) crossed_ = {crossed_.count + 1, points_.reference[i]};
+    if (has_crossed(i, present, accepted, master_moved)) crossed_ = {crossed_.count + 1, points_.reference[i]};
   }
   for (std::size_t a = 0; a < present.multipliers.size(); ++a)
     present.growth += growth(accepted.multiplier_results[a], present.multiplier_results[a]);
   return_to_accepted();
 }
 
+/// Bound on the distance by which a point of the master has moved since the accepted state; infinite if it is rigid,
+/// where travel_ has a bound.
+template <int D> double Formulation<D>::master_moved_since_accepted() const {
+  if (master_.rigid()) return std::numeric_limits<double>::infinity();
+  return std::sqrt(
+      (master_.surface()->points() - accepted_master_.surface()->points()).colwise().squaredNorm().maxCoeff());
+}
+
 /// Whether a point of an active contact has passed through the master since the accepted state. Points whose distance
 /// exceeds the approach of slave and master need no test.
 template <int D>
-bool Formulation<D>::has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted) const {
+bool Formulation<D>::has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted,
+                                 double master_moved) const {
   const PointHistory<D>& point = present.points[i];
   const PointResult<D>& result = present.results[i];
   if (!active(present) || !active(accepted)) return false;
-  const double moved = travel_ - accepted_travel_;
+  const double moved = std::min(travel_ - accepted_travel_,
+                                (result.position - accepted.results[i].position).norm() + master_moved);
   const double touching = offset(i, present);
   const double least = point.cleared > 0 ? point.cleared - travel_ + touching : point.projection.gap; // distance
   if (moved <= 0 || least > moved || result.beyond) return false;

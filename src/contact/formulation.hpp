@@ -168,7 +168,8 @@ protected:
   double search_seconds_ = 0;
 
 private:
-  bool has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted) const;
+  double master_moved_since_accepted() const;
+  bool has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted, double master_moved) const;
 
   Eigen::Matrix<double, D, Eigen::Dynamic> previous_slave_; ///< control points before the last move
   Tally unsettled_, crossed_;

@@ -37,7 +37,7 @@ template <int D> Vec<D> place_of(const FaceCoordinates<D>& xi, double last) {
   return place;
 }
 
-template <int D> void set_place(FacePoint<D>& point, const Vec<D>& place) {
+template <int D> void set_place(FaceGeometry<D>& point, const Vec<D>& place) {
   point.xi = place.template head<D - 1>();
   point.last = place(D - 1);
 }
@@ -130,7 +130,7 @@ template <int D> LevelSet<D> make_level_set(symbolic::Formula given, const Vec<D
 
 /// Newton's method for the least |x − p|²/2 on the surface, with steps in the tangent plane that are dropped onto the
 /// surface, and Armijo's rule.
-template <int D> void find_closest(const LevelSet<D>& level_set, const Vec<D>& x, FacePoint<D>& point) {
+template <int D> void find_closest(const LevelSet<D>& level_set, const Vec<D>& x, FaceGeometry<D>& point) {
   const CompiledLevelSet<D>& f = *level_set.compiled;
   const double spacing = f.mesh.spacing;
   Vec<D> p = nearest_point(f, x);
@@ -169,7 +169,7 @@ template <int D> void find_closest(const LevelSet<D>& level_set, const Vec<D>& x
   set_place(point, p);
 }
 
-template <int D> void locate(const LevelSet<D>& level_set, FacePoint<D>& point) {
+template <int D> void locate(const LevelSet<D>& level_set, FaceGeometry<D>& point) {
   point.position = place_of<D>(point.xi, point.last);
   const LevelValue<D> at = (*level_set.compiled)(point.position);
   const double slope = at.gradient.norm();
@@ -184,7 +184,7 @@ template <int D> void locate(const LevelSet<D>& level_set, FacePoint<D>& point) 
 }
 
 template <int D>
-MasterPoint<D> advance_slip(const LevelSet<D>& level_set, const MasterPoint<D>& slip, const FacePoint<D>& foot,
+MasterPoint<D> advance_slip(const LevelSet<D>& level_set, const MasterPoint<D>& slip, const FaceGeometry<D>& foot,
                             double length) {
   const Vec<D> from = place_of<D>(foot.xi, foot.last), chord = place_of<D>(slip.xi, slip.last) - from;
   if (!(chord.norm() > length)) return slip;
@@ -195,9 +195,9 @@ MasterPoint<D> advance_slip(const LevelSet<D>& level_set, const MasterPoint<D>& 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template struct CompiledLevelSet<D>;                                                                                 \
   template LevelSet<D> make_level_set(symbolic::Formula, const Vec<D>&, const Vec<D>&);                                \
-  template void find_closest(const LevelSet<D>&, const Vec<D>&, FacePoint<D>&);                                        \
-  template void locate(const LevelSet<D>&, FacePoint<D>&);                                                             \
-  template MasterPoint<D> advance_slip(const LevelSet<D>&, const MasterPoint<D>&, const FacePoint<D>&, double);
+  template void find_closest(const LevelSet<D>&, const Vec<D>&, FaceGeometry<D>&);                                     \
+  template void locate(const LevelSet<D>&, FaceGeometry<D>&);                                                          \
+  template MasterPoint<D> advance_slip(const LevelSet<D>&, const MasterPoint<D>&, const FaceGeometry<D>&, double);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -50,13 +50,13 @@ template <int D> LevelMesh<D> march(const CompiledLevelSet<D>& f);
 
 /// Coordinates of the closest point to x, without the obstacle's translation, in point.xi, point.last; point.settled
 /// tells whether the search converged. It starts at the nearest point of the mesh.
-template <int D> void find_closest(const LevelSet<D>& level_set, const Vec<D>& x, FacePoint<D>& point);
+template <int D> void find_closest(const LevelSet<D>& level_set, const Vec<D>& x, FaceGeometry<D>& point);
 /// Position, tangents of unit length and second derivatives at these coordinates, those of the surface over its tangent
 /// plane, see obstacle.hpp.
-template <int D> void locate(const LevelSet<D>& level_set, FacePoint<D>& point);
+template <int D> void locate(const LevelSet<D>& level_set, FaceGeometry<D>& point);
 /// See obstacle.hpp: on the projection of the chord.
 template <int D>
-MasterPoint<D> advance_slip(const LevelSet<D>& level_set, const MasterPoint<D>& slip, const FacePoint<D>& foot,
+MasterPoint<D> advance_slip(const LevelSet<D>& level_set, const MasterPoint<D>& slip, const FaceGeometry<D>& foot,
                             double length);
 
 } // namespace signorini::contact

@@ -85,7 +85,7 @@ double Master<D>::move(const double* displacement, const Eigen::Matrix<double, D
 }
 
 /// Geometry of order 2 of a closed-form shape at point.xi.
-template <int D> void Master<D>::place(FacePoint<D>& point) const {
+template <int D> void Master<D>::place(FaceGeometry<D>& point) const {
   point.element = 0;
   with_shape<D>(*shape_, [&](const auto& shape) { contact::locate(shape, point); });
   if (turning_) {
@@ -97,14 +97,14 @@ template <int D> void Master<D>::place(FacePoint<D>& point) const {
 }
 
 template <int D>
-Projection<D> Master<D>::project(const Vec<D>& x, const Projection<D>& seed, FacePoint<D>& point) const {
+Projection<D> Master<D>::project(const Vec<D>& x, const Projection<D>& seed, FaceGeometry<D>& point) const {
   if (!shape_) return contact::project(*surface_, boxes_, x, seed, point);
   with_shape<D>(*shape_, [&](const auto& shape) { find_closest(shape, pulled_back(x), point); });
   place(point);
   return {Foot::regular, 0, 0, point.xi, (x - point.position).dot(normal(point)), point.last};
 }
 
-template <int D> Vec<D> Master<D>::normal(const FacePoint<D>& point) const {
+template <int D> Vec<D> Master<D>::normal(const FaceGeometry<D>& point) const {
   return (shape_ ? normal_of<D>(point.tangent) : surface_->outward(point.tangent)).normalized();
 }
 
@@ -140,7 +140,7 @@ template <int D> void Master<D>::locate(const MasterPoint<D>& at, FacePoint<D>& 
   functions(point, 0);
 }
 
-template <int D> void Master<D>::locate(const Projection<D>& projection, FacePoint<D>& point) const {
+template <int D> void Master<D>::locate(const Projection<D>& projection, FaceGeometry<D>& point) const {
   if (!shape_) return surface_->locate(projection.element, projection.xi, 2, point);
   point.xi = projection.xi;
   point.last = projection.last;
@@ -148,7 +148,7 @@ template <int D> void Master<D>::locate(const Projection<D>& projection, FacePoi
 }
 
 template <int D>
-MasterPoint<D> Master<D>::advance(const MasterPoint<D>& slip, const FacePoint<D>& foot, double length) const {
+MasterPoint<D> Master<D>::advance(const MasterPoint<D>& slip, const FaceGeometry<D>& foot, double length) const {
   if (!shape_) return advance_slip(*surface_, slip.xi, foot, length);
   return with_shape<D>(*shape_, [&]<class Shape>(const Shape& shape) -> MasterPoint<D> {
     if constexpr (std::is_same_v<Shape, LevelSet<D>>)

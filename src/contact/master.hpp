@@ -43,9 +43,9 @@ public:
 
   /// The closest point to x, see projection.hpp; `point` receives the geometry there (order 2) without functions.
   /// Closed-form shapes have no ends.
-  Projection<D> project(const Vec<D>& x, const Projection<D>& seed, FacePoint<D>& point) const;
+  Projection<D> project(const Vec<D>& x, const Projection<D>& seed, FaceGeometry<D>& point) const;
   /// Outward unit normal at a closest point other than a corner.
-  Vec<D> normal(const FacePoint<D>& point) const;
+  Vec<D> normal(const FaceGeometry<D>& point) const;
   /// Factor on the traction at a closest point, below 1 beyond an open end; `rate` receives its derivatives.
   double fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const;
   /// Evaluates the functions at point.element, point.xi, with first derivatives if `order` is 1.
@@ -53,13 +53,13 @@ public:
   /// Sets the element that contains a point, the position and the functions there, without derivatives.
   void locate(const MasterPoint<D>& at, FacePoint<D>& point) const;
   /// The geometry (order 2) at a closest point found before, without functions.
-  void locate(const Projection<D>& projection, FacePoint<D>& point) const;
+  void locate(const Projection<D>& projection, FaceGeometry<D>& point) const;
   /// The slip point after a step (slip.hpp); `foot` is the projected point.
-  MasterPoint<D> advance(const MasterPoint<D>& slip, const FacePoint<D>& foot, double length) const;
+  MasterPoint<D> advance(const MasterPoint<D>& slip, const FaceGeometry<D>& foot, double length) const;
 
 private:
   int nodes() const { return turning_ ? 1 + D : 1; }
-  void place(FacePoint<D>& point) const;
+  void place(FaceGeometry<D>& point) const;
   double turn(const double* markers, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite);
   Vec<D> pulled_back(const Vec<D>& x) const;
 

@@ -45,7 +45,7 @@ template <class Chord> double fraction_at(const Chord& chord, double length) {
 }
 
 /// Turns the outward normal of a hollow shape around.
-void turn_if(bool hollow, FacePoint<3>& point) {
+void turn_if(bool hollow, FaceGeometry<3>& point) {
   if (!hollow) return;
   std::swap(point.tangent[0], point.tangent[1]);
   std::swap(point.second[0], point.second[2]);
@@ -106,7 +106,7 @@ template <int D> FaceCoordinates<D> closest(const Plane<D>& plane, const Vec<D>&
   return xi;
 }
 
-template <int D> void locate(const Plane<D>& plane, FacePoint<D>& point) {
+template <int D> void locate(const Plane<D>& plane, FaceGeometry<D>& point) {
   point.tangent = across(plane.normal);
   point.position = plane.point;
   for (int a = 0; a < D - 1; ++a) point.position += point.xi(a) * point.tangent[at(a)];
@@ -118,7 +118,7 @@ template <int D> void locate(const Plane<D>& plane, FacePoint<D>& point) {
   template Ball<D> make_ball(const Vec<D>&, double, bool);                                                             \
   template double largest_coordinate<D>(const Obstacle<D>&);                                                           \
   template FaceCoordinates<D> closest(const Plane<D>&, const Vec<D>&);                                                 \
-  template void locate(const Plane<D>&, FacePoint<D>&);
+  template void locate(const Plane<D>&, FaceGeometry<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE
@@ -129,7 +129,7 @@ FaceCoordinates<2> closest(const Ball<2>& ball, const Vec<2>& x) {
   return FaceCoordinates<2>(ball.hollow ? -angle : angle);
 }
 
-void locate(const Ball<2>& ball, FacePoint<2>& point) {
+void locate(const Ball<2>& ball, FaceGeometry<2>& point) {
   const double sign = ball.hollow ? -1 : 1;
   const Vec<2> out = ball.radius * Vec<2>(std::cos(point.xi(0)), sign * std::sin(point.xi(0)));
   point.position = ball.center + out;
@@ -137,13 +137,13 @@ void locate(const Ball<2>& ball, FacePoint<2>& point) {
   point.second[0] = -out;
 }
 
-FaceCoordinates<2> advance_slip(const Plane<2>&, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
+FaceCoordinates<2> advance_slip(const Plane<2>&, const FaceCoordinates<2>& slip, const FaceGeometry<2>& foot,
                                 double length) {
   const double way = slip(0) - foot.xi(0);
   return std::abs(way) > length ? FaceCoordinates<2>(foot.xi(0) + std::copysign(length, way)) : slip;
 }
 
-FaceCoordinates<2> advance_slip(const Ball<2>& ball, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
+FaceCoordinates<2> advance_slip(const Ball<2>& ball, const FaceCoordinates<2>& slip, const FaceGeometry<2>& foot,
                                 double length) {
   // Along the shorter arc; a chord of length L spans the angle 2 asin(L/2R).
   const double angle = std::remainder(slip(0) - foot.xi(0), 2 * std::numbers::pi);
@@ -171,7 +171,7 @@ FaceCoordinates<3> closest(const Torus& torus, const Vec<3>& x) {
   return {std::atan2(second, first), std::atan2(torus.axis.dot(out), std::hypot(first, second) - torus.ring)};
 }
 
-void locate(const Ball<3>& ball, FacePoint<3>& point) {
+void locate(const Ball<3>& ball, FaceGeometry<3>& point) {
   const double azimuth = point.xi(0), polar = point.xi(1);
   const Vec<3> around(-std::sin(azimuth), std::cos(azimuth), 0);
   const Vec<3> down(std::cos(polar) * std::cos(azimuth), std::cos(polar) * std::sin(azimuth), -std::sin(polar));
@@ -183,7 +183,7 @@ void locate(const Ball<3>& ball, FacePoint<3>& point) {
   turn_if(ball.hollow, point);
 }
 
-void locate(const Cylinder& cylinder, FacePoint<3>& point) {
+void locate(const Cylinder& cylinder, FaceGeometry<3>& point) {
   const auto [a, b] = across(cylinder.axis);
   const double c = std::cos(point.xi(0)), s = std::sin(point.xi(0));
   const Vec<3> out = c * a + s * b;
@@ -193,7 +193,7 @@ void locate(const Cylinder& cylinder, FacePoint<3>& point) {
   turn_if(cylinder.hollow, point);
 }
 
-void locate(const Torus& torus, FacePoint<3>& point) {
+void locate(const Torus& torus, FaceGeometry<3>& point) {
   const auto [a, b] = across(torus.axis);
   const double c = std::cos(point.xi(0)), s = std::sin(point.xi(0));
   const double along = torus.radius * std::cos(point.xi(1)), up = torus.radius * std::sin(point.xi(1));
@@ -205,16 +205,16 @@ void locate(const Torus& torus, FacePoint<3>& point) {
   turn_if(torus.hollow, point);
 }
 
-FaceCoordinates<3> advance_slip(const Plane<3>&, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+FaceCoordinates<3> advance_slip(const Plane<3>&, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
                                 double length) {
   const FaceCoordinates<3> way = slip - foot.xi;
   const double distance = way.norm();
   return distance > length ? FaceCoordinates<3>(foot.xi + (length / distance) * way) : slip;
 }
 
-FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
                                 double length) {
-  FacePoint<3> from, to; // without the obstacle's translation
+  FaceGeometry<3> from, to; // without the obstacle's translation
   from.xi = foot.xi;
   to.xi = slip;
   locate(ball, from);
@@ -228,7 +228,7 @@ FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& s
   return closest(ball, ball.center + ball.radius * (std::cos(limit) * a + std::sin(limit) * across_a));
 }
 
-FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
                                 double length) {
   // Along the shorter helix; its fraction t has the chord √((2R sin(tα/2))² + (tz)²), which increases with t.
   const double angle = std::remainder(slip(0) - foot.xi(0), 2 * std::numbers::pi), height = slip(1) - foot.xi(1);
@@ -238,9 +238,9 @@ FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<
   return {foot.xi(0) + t * angle, foot.xi(1) + t * height};
 }
 
-FaceCoordinates<3> advance_slip(const Torus& torus, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+FaceCoordinates<3> advance_slip(const Torus& torus, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
                                 double length) {
-  FacePoint<3> from, to; // without the obstacle's translation
+  FaceGeometry<3> from, to; // without the obstacle's translation
   from.xi = foot.xi;
   to.xi = slip;
   locate(torus, from);

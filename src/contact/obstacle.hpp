@@ -59,30 +59,31 @@ FaceCoordinates<3> closest(const Ball<3>& ball, const Vec<3>& x);
 FaceCoordinates<3> closest(const Cylinder& cylinder, const Vec<3>& x);
 FaceCoordinates<3> closest(const Torus& torus, const Vec<3>& x);
 /// The same coordinates in `point`, as for level sets.
-template <class Shape, int D> void find_closest(const Shape& shape, const Vec<D>& x, FacePoint<D>& point) {
+template <class Shape, int D> void find_closest(const Shape& shape, const Vec<D>& x, FaceGeometry<D>& point) {
   point.xi = closest(shape, x);
 }
 /// Position, tangents and second derivatives at point.xi. The outward direction is the tangent rotated by −90° (2D) or
 /// τ₁×τ₂ (3D). On a ball in 3D they refer to local angles at the point, so that poles are regular. Hollow shapes in 3D
 /// exchange the two tangents.
-template <int D> void locate(const Plane<D>& plane, FacePoint<D>& point);
-void locate(const Ball<2>& ball, FacePoint<2>& point);
-void locate(const Ball<3>& ball, FacePoint<3>& point);
-void locate(const Cylinder& cylinder, FacePoint<3>& point);
-void locate(const Torus& torus, FacePoint<3>& point);
+template <int D> void locate(const Plane<D>& plane, FaceGeometry<D>& point);
+void locate(const Ball<2>& ball, FaceGeometry<2>& point);
+void locate(const Ball<3>& ball, FaceGeometry<3>& point);
+void locate(const Cylinder& cylinder, FaceGeometry<3>& point);
+void locate(const Torus& torus, FaceGeometry<3>& point);
 /// The coordinate on the shortest path from `foot` to `slip` whose point is at distance `length` from that of `foot`,
 /// of which only xi is used. On a torus the path is the projection of the chord or, across the tube, straight in both
 /// angles.
-FaceCoordinates<2> advance_slip(const Plane<2>&, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
+FaceCoordinates<2> advance_slip(const Plane<2>&, const FaceCoordinates<2>& slip, const FaceGeometry<2>& foot,
                                 double length);
-FaceCoordinates<2> advance_slip(const Ball<2>&, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
+FaceCoordinates<2> advance_slip(const Ball<2>&, const FaceCoordinates<2>& slip, const FaceGeometry<2>& foot,
                                 double length);
-FaceCoordinates<3> advance_slip(const Plane<3>&, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+FaceCoordinates<3> advance_slip(const Plane<3>&, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
                                 double length);
-FaceCoordinates<3> advance_slip(const Ball<3>&, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+FaceCoordinates<3> advance_slip(const Ball<3>&, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
                                 double length);
-FaceCoordinates<3> advance_slip(const Cylinder&, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+FaceCoordinates<3> advance_slip(const Cylinder&, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
                                 double length);
-FaceCoordinates<3> advance_slip(const Torus&, const FaceCoordinates<3>& slip, const FacePoint<3>& foot, double length);
+FaceCoordinates<3> advance_slip(const Torus&, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
+                                double length);
 
 } // namespace signorini::contact

@@ -14,14 +14,14 @@ using CurveCoordinates = FaceCoordinates<2>;
 enum class Stop { inside, start, end };
 
 /// Half the derivative of the squared distance, −(x − x(ξ))·τ.
-double slope(const Vec<2>& x, const FacePoint<2>& point) {
+double slope(const Vec<2>& x, const FaceGeometry<2>& point) {
   return (point.position - x).dot(point.tangent[0]);
 }
 
 /// Minimizes the distance within one element by Newton's method, safeguarded by Gauss–Newton, the element's ends and,
 /// once both signs of the slope have occurred, bisection. Leaves the face's geometry at the minimum in `point` (order
 /// 2).
-Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double start, FacePoint<2>& point) {
+Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double start, FaceGeometry<2>& point) {
   const auto [a, b] = surface.interval(element, 0);
   double xi = std::clamp(start, a, b), low = a, high = b;
   bool falls = false, rises = false; // at low, at high
@@ -64,14 +64,14 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
 }
 
 /// Descends along the curve from one element to the next until the distance increases in both directions.
-Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start, FacePoint<2>& point) {
+Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start, FaceGeometry<2>& point) {
   Stop stop = descend(surface, x, element, start, point);
   for (int moves = 0; stop != Stop::inside && moves < surface.elements(); ++moves) {
     const bool forward = stop == Stop::end;
     const int next = surface.neighbor(element, 0, forward);
     if (next < 0) return Foot::none;
     const double border = point.xi(0);
-    FacePoint<2> beyond;
+    FaceGeometry<2> beyond;
     const Stop other = descend(surface, x, next, border, beyond);
     if (other == (forward ? Stop::start : Stop::end)) {
       // The distance increases on both sides of the border: a kink, or on a smooth curve a minimum at the border up to
@@ -93,25 +93,20 @@ Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start,
 /// because the squared distance to one polynomial piece can have several minima.
 template <class Search> void each_dip(const Surface<2>& surface, const Vec<2>& x, int element, Search search) {
   const auto [a, b] = surface.interval(element, 0);
-  constexpr double far = std::numeric_limits<double>::infinity();
-  double before = far, here = far, xi = a;
-  FacePoint<2> sample;
-  for (int k = 0, last = 3 * surface.degree(element, 0) + 2; k <= last + 1; ++k) {
-    const double next = a + (b - a) * std::min(k, last) / last;
-    double there = far;
-    if (k <= last) {
-      surface.locate(element, CurveCoordinates(next), 0, sample);
-      there = (x - sample.position).squaredNorm();
-    }
-    if (here <= before && here < there) search(xi);
-    before = here;
-    here = there;
-    xi = next;
+  const int count = 3 * surface.degree(element, 0) + 3;
+  double positions[2 * Surface<2>::grid_points], distances[Surface<2>::grid_points];
+  surface.sample(element, positions);
+  for (int k = 0; k < count; ++k) {
+    const double u = positions[k] - x(0), v = positions[count + k] - x(1);
+    distances[k] = u * u + v * v;
   }
+  for (int k = 0; k < count; ++k)
+    if ((k == 0 || distances[k] <= distances[k - 1]) && (k == count - 1 || distances[k] < distances[k + 1]))
+      search(a + (b - a) * k / (count - 1));
 }
 
 /// Signed gap at the closest point. At a corner the sum of the two one-sided normals determines the side of x.
-double signed_gap(const Surface<2>& surface, const Vec<2>& x, Foot foot, const FacePoint<2>& point) {
+double signed_gap(const Surface<2>& surface, const Vec<2>& x, Foot foot, const FaceGeometry<2>& point) {
   const Vec<2> difference = x - point.position;
   Vec<2> normal = surface.outward(point.tangent).normalized();
   if (foot == Foot::regular) return difference.dot(normal);
@@ -119,7 +114,7 @@ double signed_gap(const Surface<2>& surface, const Vec<2>& x, Foot foot, const F
     const bool at_end = point.xi(0) >= surface.interval(point.element, 0)[1];
     const int other = surface.neighbor(point.element, 0, at_end);
     if (other >= 0) {
-      FacePoint<2> beyond;
+      FaceGeometry<2> beyond;
       surface.locate(other, point.xi, 1, beyond);
       normal += surface.outward(beyond.tangent).normalized();
     }
@@ -130,7 +125,7 @@ double signed_gap(const Surface<2>& surface, const Vec<2>& x, Foot foot, const F
 } // namespace
 
 Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, const Vec<2>& x,
-                      const Projection<2>& seed, FacePoint<2>& point) {
+                      const Projection<2>& seed, FaceGeometry<2>& point) {
   Projection<2> best;
   double nearest = std::numeric_limits<double>::infinity();
   int settled = -1; // element that needs no further search
@@ -142,7 +137,7 @@ Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, c
     if (nearest < boxes.diagonal2(point.element) * near_foot) settled = point.element;
   }
 
-  FacePoint<2> candidate;
+  FaceGeometry<2> candidate;
   // A minimum on a border is reached from both sides; the factor keeps rounding error from choosing one.
   boxes.near(
       x, [&] { return nearest * (1 - same_distance); },

@@ -18,7 +18,7 @@ using EdgeStop = std::array<int, 2>;
 
 /// Newton step for the squared distance in the directions without an active bound. Gauss–Newton step where the distance
 /// has negative curvature, or small curvature and the step exceeds a hundredth of the element's length `size`.
-Coordinates newton_step(const Vec<3>& difference, const FacePoint<3>& point, const Coordinates& gradient,
+Coordinates newton_step(const Vec<3>& difference, const FaceGeometry<3>& point, const Coordinates& gradient,
                         const EdgeStop& active, const Coordinates& size) {
   // f = |x(ξ) − x|²/2,  f_,α = (x(ξ) − x)·τ_α,  f_,αβ = τ_α·τ_β + (x(ξ) − x)·x_,αβ
   Mat<2> metric, hessian;
@@ -63,7 +63,7 @@ double allowed(const Coordinates& xi, const Coordinates& step, const std::array<
 /// Minimizes the distance within one element by Newton's method with active bounds and step halving. Returns the bounds
 /// active at the minimum and leaves the face's geometry there in `point` (order 2).
 EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start,
-                 FacePoint<3>& point) {
+                 FaceGeometry<3>& point) {
   const std::array<Interval, 2> box = {surface.interval(element, 0), surface.interval(element, 1)};
   const Coordinates length(box[0][1] - box[0][0], box[1][1] - box[1][0]);
   Coordinates xi;
@@ -128,7 +128,7 @@ bool collapsed(const Surface<3>& surface, int element, int alpha, bool at_end) {
   const auto along = surface.interval(element, 1 - alpha);
   Coordinates xi;
   xi(alpha) = surface.interval(element, alpha)[at_end ? 1 : 0];
-  FacePoint<3> first, other;
+  FaceGeometry<3> first, other;
   xi(1 - alpha) = along[0];
   surface.locate(element, xi, 0, first);
   for (double t : border_probes) {
@@ -141,7 +141,7 @@ bool collapsed(const Surface<3>& surface, int element, int alpha, bool at_end) {
 
 /// Unit normal at a point of an element, or slightly inward where the tangents do not span a plane.
 Vec<3> normal_near(const Surface<3>& surface, int element, Coordinates xi) {
-  FacePoint<3> point;
+  FaceGeometry<3> point;
   for (double t : {0.0, 1e-6, 1e-3}) {
     Coordinates inward = xi;
     for (int a = 0; a < 2; ++a) {
@@ -158,7 +158,7 @@ Vec<3> normal_near(const Surface<3>& surface, int element, Coordinates xi) {
 
 /// Signed gap at a closest point. If the line to the closest point is not normal to the face, the normals of the
 /// adjacent elements determine the side of x.
-double signed_gap(const Surface<3>& surface, const Vec<3>& x, Foot foot, const FacePoint<3>& point) {
+double signed_gap(const Surface<3>& surface, const Vec<3>& x, Foot foot, const FaceGeometry<3>& point) {
   const Vec<3> difference = x - point.position;
   if (foot == Foot::regular) return difference.dot(surface.outward(point.tangent).normalized());
   Vec<3> normal = normal_near(surface, point.element, point.xi);
@@ -175,32 +175,45 @@ double signed_gap(const Surface<3>& surface, const Vec<3>& x, Foot foot, const F
 
 /// Calls search(ξ) at the points of a grid on an element that are nearer to x than their neighbors, because the squared
 /// distance to one polynomial piece can have several minima. Points from which all neighbors are too near to find a
-/// distance below √distance2() between them are left out.
+/// distance below √distance2() between them are left out, and those next to `found`, to which they lead.
 template <class Distance2, class Search>
-void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, const Distance2& distance2,
-              const Search& search) {
+void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, const FaceGeometry<3>* found,
+              const Distance2& distance2, const Search& search) {
   constexpr int most = Surface<3>::grid_points;
   const int n0 = 3 * surface.degree(element, 0) + 3, n1 = 3 * surface.degree(element, 1) + 3, size = n0 * n1;
   const auto [a, b] = surface.interval(element, 0);
   const auto [c, d] = surface.interval(element, 1);
-  double coordinates[3 * most * most], distances[most * most];
-  surface.sample(element, {n0, n1}, coordinates);
-  const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 3>> positions(coordinates, size, 3);
-  Eigen::Map<VectorX>(distances, size) = (positions.rowwise() - x.transpose()).rowwise().squaredNorm();
+  double positions[3 * most * most], distances[most * most];
+  surface.sample(element, positions);
+  const double *px = positions, *py = positions + size, *pz = positions + 2 * size;
+  const auto distance = [&](int k, double from_x, double from_y, double from_z) {
+    const double u = px[k] - from_x, v = py[k] - from_y, w = pz[k] - from_z;
+    return u * u + v * v + w * w;
+  };
+  for (int k = 0; k < size; ++k) distances[k] = distance(k, x(0), x(1), x(2));
+  const bool here_found = found && found->element == element;
   for (int j = 0; j < n1; ++j)
     for (int i = 0; i < n0; ++i) {
       const int here = i + n0 * j;
+      const int left = std::max(i - 1, 0), right = std::min(i + 1, n0 - 1);
+      const int below = std::max(j - 1, 0), above = std::min(j + 1, n1 - 1);
       bool least = true;
-      double reach2 = 0; // squared distance to the farthest neighbor
-      for (int k = std::max(j - 1, 0); least && k <= std::min(j + 1, n1 - 1); ++k)
-        for (int l = std::max(i - 1, 0); least && l <= std::min(i + 1, n0 - 1); ++l) {
+      for (int k = below; least && k <= above; ++k)
+        for (int l = left; least && l <= right; ++l) {
           const int there = l + n0 * k;
           // Of equal distances the first is taken.
           least = distances[here] < distances[there] || (distances[here] == distances[there] && here <= there);
-          reach2 = std::max(reach2, (positions.row(here) - positions.row(there)).squaredNorm());
         }
-      if (!least || std::sqrt(distances[here]) - std::sqrt(reach2) > std::sqrt(distance2())) continue;
-      search(Coordinates(a + (b - a) * i / (n0 - 1), c + (d - c) * j / (n1 - 1)));
+      if (!least) continue;
+      double reach2 = 0; // squared distance to the farthest neighbor
+      for (int k = below; k <= above; ++k)
+        for (int l = left; l <= right; ++l)
+          reach2 = std::max(reach2, distance(l + n0 * k, px[here], py[here], pz[here]));
+      if (std::sqrt(distances[here]) - std::sqrt(reach2) > std::sqrt(distance2())) continue;
+      const double du = (b - a) / (n0 - 1), dv = (d - c) / (n1 - 1);
+      const Coordinates xi(a + du * i, c + dv * j);
+      if (here_found && std::abs(found->xi(0) - xi(0)) <= du && std::abs(found->xi(1) - xi(1)) <= dv) continue;
+      search(xi);
     }
 }
 
@@ -215,7 +228,7 @@ bool smoothly_adjacent(const Surface<3>& surface, int a, int b) {
 }
 
 /// Whether the tangents do not span a plane, as at the pole of a sphere.
-bool degenerate(const Surface<3>& surface, const FacePoint<3>& point) {
+bool degenerate(const Surface<3>& surface, const FaceGeometry<3>& point) {
   Vec<3> lower, upper;
   surface.bounds(point.element, lower, upper);
   double area = point.tangent[0].cross(point.tangent[1]).norm();
@@ -228,10 +241,10 @@ bool degenerate(const Surface<3>& surface, const FacePoint<3>& point) {
 
 } // namespace
 
-Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start, FacePoint<3>& point,
+Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start, FaceGeometry<3>& point,
           int& along) {
   EdgeStop active = descend(surface, x, element, start, point);
-  FacePoint<3> beyond;
+  FaceGeometry<3> beyond;
   bool moved = true;
   for (int moves = 0; moved && moves < 2 * surface.elements() + 8; ++moves) {
     moved = false;
@@ -269,7 +282,7 @@ Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordin
 }
 
 Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, const Vec<3>& x,
-                      const Projection<3>& seed, FacePoint<3>& point) {
+                      const Projection<3>& seed, FaceGeometry<3>& point) {
   Projection<3> best;
   double nearest = std::numeric_limits<double>::infinity();
   bool settled = false; // the foot point's element and its neighbors need no further search
@@ -282,7 +295,7 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
   }
   const int home = settled ? point.element : -1;
 
-  FacePoint<3> candidate;
+  FaceGeometry<3> candidate;
   // A minimum on a border is reached from both sides; the factor keeps rounding error from choosing one.
   const auto within = [&] { return nearest * (1 - same_distance); };
   boxes.near(x, within, [&](int e) {
@@ -290,7 +303,7 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
     // The plane through the point found, normal to the line to it, separates x from an element that lies behind it.
     const Vec<3> line = point.position - x;
     if (surface.least_along(e, line) - line.dot(x) >= std::sqrt(nearest * within())) return;
-    each_dip(surface, x, e, within, [&](const Coordinates& start) {
+    each_dip(surface, x, e, best.foot == Foot::regular ? &point : nullptr, within, [&](const Coordinates& start) {
       int along = 0;
       const Foot foot = walk(surface, x, e, start, candidate, along);
       const double distance2 = (x - candidate.position).squaredNorm();

@@ -27,7 +27,7 @@ template <int D> struct Projection {
 
 /// The closest point of `surface` to x. Starts at the element and parameter of `seed` (if any), descends across element
 /// borders, then searches every element whose box is nearer than the point found. `point` receives the face's geometry
-/// at the closest point (order 2); its functions are unchanged.
+/// at the closest point (order 2).
 ///
 /// Rules if the line to the closest point is not normal to the face: at an open border there is no contact
 /// (Foot::none); at a kink the foot point is on the kink, with gap −distance if x lies inside (Foot::edge, corner). A
@@ -37,12 +37,12 @@ template <int D> struct Projection {
 /// point.settled is true if the last step was below `foot_tolerance`, false if the search reached its limit of
 /// iterations or of moves between elements.
 Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, const Vec<2>& x,
-                      const Projection<2>& seed, FacePoint<2>& point);
+                      const Projection<2>& seed, FaceGeometry<2>& point);
 Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, const Vec<3>& x,
-                      const Projection<3>& seed, FacePoint<3>& point);
+                      const Projection<3>& seed, FaceGeometry<3>& point);
 
 /// The local minimum of the distance reached by descent from an element and parameter; geometry in `point` (order 2).
-Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const FaceCoordinates<3>& start, FacePoint<3>& point,
-          int& along);
+Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const FaceCoordinates<3>& start,
+          FaceGeometry<3>& point, int& along);
 
 } // namespace signorini::contact

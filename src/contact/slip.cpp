@@ -5,7 +5,7 @@
 
 namespace signorini::contact {
 
-FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates<2>& slip, const FacePoint<2>& foot,
+FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates<2>& slip, const FaceGeometry<2>& foot,
                                 double length) {
   const nurbs::Space1D& space = surface.direction(0);
   // h(ξ) = |x(ξ) − x̄| − L is positive at the old slip point and −L at the foot point: Newton's method with bisection as
@@ -21,10 +21,10 @@ FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates
            : xi < space.first() ? std::min(xi + period, space.last())
                                 : xi;
   };
-  const auto locate = [&](double xi, int order, FacePoint<2>& point) {
+  const auto locate = [&](double xi, int order, FaceGeometry<2>& point) {
     surface.locate(space.find_element(wrapped(xi)), FaceCoordinates<2>(wrapped(xi)), order, point);
   };
-  FacePoint<2> point;
+  FaceGeometry<2> point;
   locate(slip(0), 0, point);
   const double present = (point.position - foot.position).norm();
   if (!(present > length)) return slip;
@@ -45,9 +45,9 @@ FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates
   return FaceCoordinates<2>(wrapped(xi));
 }
 
-FaceCoordinates<3> advance_slip(const Surface<3>& surface, const FaceCoordinates<3>& slip, const FacePoint<3>& foot,
+FaceCoordinates<3> advance_slip(const Surface<3>& surface, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
                                 double length) {
-  FacePoint<3> point;
+  FaceGeometry<3> point;
   surface.locate(surface.find_element(slip), slip, 0, point);
   const Vec<3> chord = point.position - foot.position;
   const double present = chord.norm();

@@ -29,8 +29,8 @@ template <int D> struct MasterPoint {
 };
 
 /// The face at one parametric point: position, tangents τ_α, second derivatives x_,αβ (2D: x_,11; 3D: x_,11 x_,12
-/// x_,22), and on request the rational functions with first derivatives.
-template <int D> struct FacePoint {
+/// x_,22).
+template <int D> struct FaceGeometry {
   static constexpr int tangents = D - 1;
   static constexpr int seconds = (D - 1) * D / 2;
   int element;
@@ -40,8 +40,12 @@ template <int D> struct FacePoint {
   std::array<Vec<D>, tangents> tangent;
   std::array<Vec<D>, seconds> second;
   bool settled = true; ///< whether the search for this point converged, see projection.hpp
+};
+
+/// With the rational functions and their first derivatives, which are evaluated on request.
+template <int D> struct FacePoint : FaceGeometry<D> {
   std::array<double, most_face_functions<D>> value;
-  std::array<std::array<double, most_face_functions<D>>, tangents> derivative;
+  std::array<std::array<double, most_face_functions<D>>, D - 1> derivative;
 };
 
 /// Normal times the surface measure: the tangent rotated by −90° (2D), τ₁×τ₂ (3D).
@@ -108,11 +112,11 @@ public:
   double least_along(int element, const Vec<D>& direction) const;
 
   /// Evaluates the face's geometry at xi with the polynomial pieces of an element. `order` 0: position, 1: also
-  /// tangents, 2: also second derivatives. The functions of `point` are unchanged.
-  void locate(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
-  /// Positions on a grid of an element, `counts` points per direction, evenly spaced from border to border: coordinate
-  /// i of all points from positions[i · product of counts] on, ξ¹ fastest. At most grid_points per direction.
-  void sample(int element, const std::array<int, D - 1>& counts, double* positions) const;
+  /// tangents, 2: also second derivatives.
+  void locate(int element, const FaceCoordinates<D>& xi, int order, FaceGeometry<D>& point) const;
+  /// Positions on a grid of an element, 3(p + 1) points per direction, evenly spaced from border to border: coordinate
+  /// i of all points from positions[i · number of points] on, ξ¹ fastest. At most grid_points per direction.
+  void sample(int element, double* positions) const;
   static constexpr int grid_points = 3 * (nurbs::max_degree + 1);
   /// Evaluates the functions at point.element, point.xi, with first derivatives if `order` is 1.
   void functions(FacePoint<D>& point, int order) const;
@@ -125,7 +129,7 @@ private:
   struct Element {
     std::array<int, D - 1> index;
     int functions, points;
-    std::size_t nodes, extraction, bezier;
+    std::size_t nodes, bezier;
   };
   /// Bernstein polynomials of each direction, ∂^k in row k.
   using Bernsteins = std::array<std::array<double, 3 * (nurbs::max_degree + 1)>, D - 1>;
@@ -134,9 +138,16 @@ private:
   int index(int element, int alpha) const { return elements_[at(element)].index[at(alpha)]; }
   void tabulate();
   std::array<bool, 2> open_ends(int alpha) const;
-  template <int P> void bernsteins(int element, const FaceCoordinates<D>& xi, int order, Bernsteins& out) const;
-  template <int P> void locate_with(int element, const FaceCoordinates<D>& xi, int order, FacePoint<D>& point) const;
+  template <int P, int Order> void bernsteins(int element, const FaceCoordinates<D>& xi, Bernsteins& out) const;
+  /// Values per Bézier point.
+  int width() const { return D == 2 && polynomial_ ? 2 : 4; }
+  template <int W> void update_bezier();
+  template <int W> void bounds_with(int element, Vec<D>& lower, Vec<D>& upper) const;
+  template <int P, int Order, int W>
+  void locate_with(int element, const FaceCoordinates<D>& xi, FaceGeometry<D>& point) const;
+  template <int P> void sample_with(int element, double* positions) const;
   template <class Run> void with_degree(int element, const Run& run) const;
+  template <class Run> void with_width(const Run& run) const;
   template <int P> void weighted_functions(FacePoint<D>& point, int order) const;
 
   std::vector<nurbs::Space1D> spaces_;                ///< one per direction
@@ -150,11 +161,8 @@ private:
   Eigen::Matrix<double, D, Eigen::Dynamic> reference_, points_;
   std::vector<Element> elements_;
   int most_functions_ = 0;
-  /// Bézier extraction of each element, functions × points: products over the directions (nurbs/space1d.hpp).
-  std::vector<double> extraction_;
-  /// Bézier points of each element: D rows of w x and, unless polynomial_, one row of w.
+  /// Bézier points of each element, ξ¹ fastest: x if polynomial_, otherwise (w x, w), filled up to width() values.
   std::vector<double> bezier_;
-  int rows_; ///< D or D+1
 };
 
 } // namespace signorini::contact

@@ -13,9 +13,9 @@ namespace signorini::nurbs {
 MatrixX bezier_extraction(const KnotVector& knots, int element);
 
 /// The degree+1 Bernstein polynomials at t ∈ [0, 1] and their derivatives up to `order` (0, 1 or 2) with respect to ξ =
-/// start + length·t. `out` holds order+1 rows of degree+1 values. P: the degree if known at compile time, otherwise 0.
-template <int P = 0> void bernstein(int degree, double t, double length, int order, double* out) {
-  const int p = P > 0 ? P : degree;
+/// start + length·t. `out` holds order+1 rows of degree+1 values.
+inline void bernstein(int degree, double t, double length, int order, double* out) {
+  const int p = degree;
   const double s = 1 - t;
   double* value = out;
   double *slope = value + p + 1, *curvature = slope + p + 1;
@@ -46,6 +46,30 @@ template <int P = 0> void bernstein(int degree, double t, double length, int ord
       left = own;
     }
   }
+}
+
+/// The same with degree and order known at compile time; `scale` is 1/length.
+template <int P, int Order> void bernstein(double t, double scale, double* __restrict out) {
+  const double s = 1 - t;
+  double b[P + 1] = {1};
+#pragma GCC unroll 16
+  for (int q = 1; q <= P; ++q) {
+    if (Order > 1 && q == P - 1)
+#pragma GCC unroll 16
+      for (int k = 0; k <= P; ++k) {
+        const double before = k > 1 ? b[k - 2] : 0, middle = k > 0 && k < P ? b[k - 1] : 0,
+                     after = k < P - 1 ? b[k] : 0;
+        out[2 * (P + 1) + k] = P * (P - 1) * scale * scale * (before - 2 * middle + after);
+      }
+    if (Order > 0 && q == P)
+#pragma GCC unroll 16
+      for (int k = 0; k <= P; ++k) out[P + 1 + k] = P * scale * ((k > 0 ? b[k - 1] : 0) - (k < P ? b[k] : 0));
+#pragma GCC unroll 16
+    for (int k = q; k > 0; --k) b[k] = s * b[k] + t * b[k - 1];
+    b[0] *= s;
+  }
+  for (int k = 0; k <= P; ++k) out[k] = b[k];
+  if (Order > 1 && P == 1) out[4] = out[5] = 0;
 }
 
 } // namespace signorini::nurbs

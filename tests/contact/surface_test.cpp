@@ -144,5 +144,46 @@ TEST(Surface, NeighborsShareTheirBorder) {
       }
 }
 
+template <int D> void samples_its_grid(Random& random, const nurbs::Discretization& body, nurbs::Side side) {
+  Surface<D> surface(body, side);
+  VectorX u(D * body.functions());
+  for (int i = 0; i < u.size(); ++i) u(i) = uniform(random, -0.05, 0.05);
+  surface.move(u.data());
+  FaceGeometry<D> point;
+  for (int e = 0; e < surface.elements(); ++e) {
+    const int n = 3 * surface.degree(e, 0) + 3, m = D == 2 ? 1 : 3 * surface.degree(e, D - 2) + 3;
+    std::vector<double> positions(at(D * n * m));
+    surface.sample(e, positions.data());
+    Vec<D> lower, upper, direction;
+    surface.bounds(e, lower, upper);
+    for (int d = 0; d < D; ++d) direction(d) = uniform(random, -1, 1);
+    const double least = surface.least_along(e, direction);
+    for (int k = 0; k < n * m; ++k) {
+      FaceCoordinates<D> xi;
+      for (int d = 0; d < D - 1; ++d) {
+        const auto [from, to] = surface.interval(e, d);
+        xi(d) = from + (to - from) * (d == 0 ? k % n : k / n) / ((d == 0 ? n : m) - 1);
+      }
+      surface.locate(e, xi, 0, point);
+      for (int d = 0; d < D; ++d) EXPECT_NEAR(positions[at(d * n * m + k)], point.position(d), 1e-13);
+      EXPECT_TRUE((point.position.array() >= lower.array() - 1e-13).all());
+      EXPECT_TRUE((point.position.array() <= upper.array() + 1e-13).all());
+      EXPECT_GE(direction.dot(point.position), least - 1e-13);
+    }
+  }
+}
+
+TEST(Surface, SamplesItsGridWithinItsBounds) {
+  Random random(7);
+  for (const char* label : {"N2", "N3", "N2-N4", "N7"}) {
+    samples_its_grid<2>(random, wavy(random, 3, 0.3, integer(random, 1, 4), 3), nurbs::side_of("north", 2));
+    samples_its_grid<2>(random, discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {4, 2}, label, "north"),
+                        nurbs::side_of("north", 2));
+    for (const nurbs::Patch& patch : {nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0)),
+                                      nurbs::spherical_indenter(10, 10, 11, 7.5, 1, Eigen::Vector3d(0, 0, 0))})
+      samples_its_grid<3>(random, discretize(patch, {3, 2, 1}, label, "front"), nurbs::side_of("front", 3));
+  }
+}
+
 } // namespace surface_test
 } // namespace signorini::contact
