@@ -165,7 +165,7 @@ std::optional<BodyInversion> Assembly<D>::assemble(const States<D>& states, cons
   const std::optional<BodyInversion> inverted = add_bulk(request, timings);
   if (inverted) return inverted;
   ScopedTimer timer(timings.contact);
-  if (linear_ || D == 3 || !border_.empty()) watch_contacts();
+  watch_contacts();
   add_contacts(request);
   ties_.multiply(states.present.displacement, states.present.force);
   springs_.multiply(states.present.displacement, states.present.force);

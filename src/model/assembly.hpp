@@ -63,8 +63,7 @@ public:
   /// The constant tangent of bodies, springs and ties if all bodies are linear elastic; otherwise empty.
   const std::vector<double>& constant_values() const { return constant_; }
   /// The unknowns on which contacts act or may soon act, sorted. The list is extended in large pieces, each with a new
-  /// contact_version(). Maintained for linear bodies, in 3D and with ties, whose tie_border() it contains, and of
-  /// obstacles with unknowns, which it contains, too.
+  /// contact_version(). It contains tie_border() and the unknowns of obstacles.
   const std::vector<int>& contact_unknowns() const { return contact_unknowns_; }
   int contact_version() const { return contact_version_; }
   /// 2-norm of the last tangent's diagonal; 0 before the first.

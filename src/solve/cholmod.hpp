@@ -47,32 +47,4 @@ inline cholmod_sparse lower_triangle(const Pattern& pattern, const double* value
   return matrix;
 }
 
-/// The right-hand sides and workspace of triangular solves, allocated by the first solve and reused.
-class CholmodSolve {
-public:
-  explicit CholmodSolve(cholmod_common& common) : common_(common) {}
-  ~CholmodSolve() {
-    for (cholmod_dense** matrix : {&result_, &first_, &second_}) cholmod_free_dense(matrix, &common_);
-  }
-  CholmodSolve(const CholmodSolve&) = delete;
-  CholmodSolve& operator=(const CholmodSolve&) = delete;
-
-  /// The solution of the `system` (CHOLMOD_A, CHOLMOD_L, …) for the right-hand side b; nullptr if it failed. Valid
-  /// until the next call.
-  double* operator()(int system, cholmod_factor* factor, double* b) {
-    cholmod_dense right{};
-    right.nrow = right.nzmax = right.d = factor->n;
-    right.ncol = 1;
-    right.x = b;
-    right.xtype = CHOLMOD_REAL;
-    right.dtype = CHOLMOD_DOUBLE;
-    const bool solved = cholmod_solve2(system, factor, &right, nullptr, &result_, nullptr, &first_, &second_, &common_);
-    return solved ? static_cast<double*>(result_->x) : nullptr;
-  }
-
-private:
-  cholmod_common& common_;
-  cholmod_dense *result_ = nullptr, *first_ = nullptr, *second_ = nullptr;
-};
-
 } // namespace signorini::solve

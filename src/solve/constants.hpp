@@ -36,11 +36,16 @@ inline constexpr double operations_per_entry = 10;
 inline constexpr double loosest_tolerance = 1e-3, loosest_for_multipliers = 1e-4;
 /// Smallest tolerance: a smaller one costs iterations of GMRES without benefit.
 inline constexpr double tightest_tolerance = 1e-10;
-/// Cost of reading an entry of K, which has an index, relative to an entry of the factors, which are stored in blocks.
-inline constexpr double indexed_entry = 1.5;
 /// Weight of the last solution in the running mean of their cost: a step needs few digits at first and many at the end,
 /// so single solutions are not representative.
 inline constexpr double latest_weight = 0.25;
+
+// ── Threads ──────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Entries of a matrix or factor per task: reading them takes ten times as long as starting a thread.
+inline constexpr int entries_per_share = 200000;
+/// Most tasks of equal size: enough for a few threads, one of which may be slower.
+inline constexpr int most_shares = 6;
 
 // ── Orderings with a border ──────────────────────────────────────────────────────────────────────────────────────────
 
@@ -62,10 +67,11 @@ inline constexpr double near_floor = 10, least_fall = 0.5;
 /// Growth of the residual, relative to forces and first residual, from which Newton's method does not recover.
 inline constexpr double divergence_growth = 1e12;
 
-// ── Schur complements with multipliers ───────────────────────────────────────────────────────────────────────────────
+// ── Schur complements with an indefinite border ──────────────────────────────────────────────────────────────────────
 
-/// Factors by which the shift of a row of multipliers is raised, relative to the largest entry of the matrix, until the
-/// shifted matrix is positive definite; soft bodies need large ones. The largest leaves half of the digits.
+/// Factors by which the shifts of the border's rows are raised until the shifted matrix is positive definite: relative
+/// to the diagonal, once, or to the largest entry of the matrix for multipliers, where soft bodies need large ones. The
+/// largest leaves half of the digits.
 inline constexpr double raise_step = 100, most_raise = 1e8;
 
 // ── Line search ──────────────────────────────────────────────────────────────────────────────────────────────────────

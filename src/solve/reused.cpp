@@ -1,7 +1,7 @@
 #include "solve/reused.hpp"
 
+#include "solve/columns.hpp"
 #include "solve/gmres.hpp"
-#include "solve/rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ private:
 
   LinearKind kind_;
   Pattern pattern_;
-  RowMatrix matrix_;
+  ColumnMatrix matrix_;
   std::unique_ptr<SymmetricPart> symmetric_part_;
   MakeDirect make_direct_;
   std::unique_ptr<DirectSolver> direct_; ///< only while it is needed
@@ -71,7 +71,7 @@ private:
 
 /// Costs are counted in matrix entries read.
 double Reused::iteration_cost() const {
-  return entries_ + indexed_entry * pattern_.entries();
+  return entries_ + pattern_.entries();
 }
 
 bool Reused::factor(const double* values) {
@@ -85,7 +85,7 @@ bool Reused::factor(const double* values) {
 
 bool Reused::adopt(const Pattern& pattern) {
   pattern_ = pattern;
-  matrix_ = RowMatrix(pattern);
+  matrix_ = ColumnMatrix(pattern);
   if (symmetric_part_) symmetric_part_->adopt(pattern);
   analyzed_ = false; // its factors may still be used
   if (used_ != Preconditioner::direct) direct_.reset();
@@ -103,8 +103,7 @@ void Reused::begin_cycle(Preconditioner used, const SolverStatistics& factors) {
 }
 
 bool Reused::renew() {
-  if (!symmetric_part_ || !symmetric_part_->factor(pattern_, matrix_.columns().data(), matrix_.values()))
-    return renew_direct();
+  if (!symmetric_part_ || !symmetric_part_->factor(pattern_, matrix_.values())) return renew_direct();
   direct_.reset();
   analyzed_ = false;
   begin_cycle(Preconditioner::symmetric_part, symmetric_part_->statistics());
@@ -117,7 +116,7 @@ bool Reused::renew_direct() {
   if (!analyzed_) direct_->analyze(pattern_);
   analyzed_ = true;
   ++statistics_.factorizations;
-  if (!direct_->factor(matrix_.columns().data())) return false;
+  if (!direct_->factor(matrix_.values().data())) return false;
   begin_cycle(Preconditioner::direct, direct_->statistics());
   return true;
 }

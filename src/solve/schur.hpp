@@ -30,12 +30,16 @@ public:
   virtual SolverStatistics statistics() const = 0;
 };
 
+/// Precision of the factors with which solutions are computed.
+enum class Precision { full, single };
+
 /// Using any direct solver of A_ii: one solution per unknown of the border, and two per system.
 std::unique_ptr<SchurSolver> make_schur(std::unique_ptr<DirectSolver> interior);
 
 /// Using CHOLMOD, which needs a positive definite A_ii: all of L is computed at once, the border's part in dense
 /// blocks. The interior is ordered by minimum degree, or by nested dissection (METIS) if that leaves more than
-/// `dissect_above` operations per entry of L.
-std::unique_ptr<SchurSolver> make_schur_cholesky(double dissect_above);
+/// `dissect_above` operations per entry of L. With single precision, S is as accurate, but solutions have about half of
+/// the digits, as is enough for a preconditioner, and take half of the time.
+std::unique_ptr<SchurSolver> make_schur_cholesky(double dissect_above, Precision precision = Precision::full);
 
 } // namespace signorini::solve

@@ -5,11 +5,14 @@
 #include "solve/cholmod.hpp"
 #include "solve/constants.hpp"
 #include "solve/lapack.hpp"
+#include "solve/supernodes.hpp"
 
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 
 namespace signorini::solve {
 
@@ -33,13 +36,15 @@ void factorize(cholmod_sparse& matrix, cholmod_factor* factor, cholmod_common& c
 
 /// With a shift D of the border's diagonal, so that A_cc need not be positive definite,
 ///     P (A + D) Pᵀ = L Lᵀ, S = L_cc L_ccᵀ − D,
-/// so that A x = b is solved by L z = P b, S x_c = L_cc z_c, Lᵀ x = (z_i, L_ccᵀ x_c).
-class SchurCholesky final : public SchurSolver {
+/// so that A x = b is solved by L_ii z_i = b_i, S x_c = b_c − L_ci z_i, L_iiᵀ x_i = z_i − L_ciᵀ x_c, with the values of
+/// L_ii and L_ci rounded to Real.
+template <class Real> class SchurCholesky final : public SchurSolver {
 public:
   explicit SchurCholesky(double dissect_above) : dissect_above_(dissect_above) {
     common_.nmethods = 1;
     common_.method[0].ordering = CHOLMOD_GIVEN;
     common_.final_ll = true;
+    common_.supernodal = CHOLMOD_SUPERNODAL;
   }
 
   void analyze(const Pattern& pattern, const std::vector<int>& border) override;
@@ -57,28 +62,30 @@ private:
   bool order_by_degree(cholmod_sparse& matrix);
   void dissect(cholmod_sparse& matrix);
   bool factor_shifted(const double* values);
-  void read_factor();
+  void read_factor(MatrixX& corner);
+  void round_values();
 
   double dissect_above_;
   CholmodCommon common_;
   CholmodFactor lower_{common_};
-  CholmodSolve triangular_{common_};
+  Supernodes<Real> triangular_;
   Pattern pattern_;
   std::vector<char> last_;      ///< marks the border
   std::vector<int> dissection_; ///< METIS' ordering of all unknowns
   double best_ = 0;             ///< operations with it, for the pattern it was made for
-  double raise_ = 1;            ///< factor on the shifts of rows without a positive diagonal
-  bool raises_ = false;         ///< whether the last matrix has such rows
+  double raise_ = 1;            ///< factor on the shifts
   std::vector<int> order_;      ///< unknown at each row of L
   std::vector<int> border_;     ///< its last part
-  MatrixX corner_, complement_; ///< L_cc, S
+  MatrixX complement_;          ///< S
   PivotRange pivots_;
-  VectorX right_, part_;
+  Supernodes<Real>::Vector right_;
+  VectorX part_;
   SolverStatistics statistics_;
 };
 
 /// Analyzes with an ordering in which the border is moved to the end.
-void SchurCholesky::analyze_in_order(cholmod_sparse& matrix, const std::vector<int>& order, bool postorder) {
+template <class Real>
+void SchurCholesky<Real>::analyze_in_order(cholmod_sparse& matrix, const std::vector<int>& order, bool postorder) {
   order_ = order;
   std::stable_partition(order_.begin(), order_.end(), [&](int unknown) { return !last_[at(unknown)]; });
   common_.postorder = postorder;
@@ -89,7 +96,7 @@ void SchurCholesky::analyze_in_order(cholmod_sparse& matrix, const std::vector<i
   order_.assign(found, found + size());
 }
 
-bool SchurCholesky::order_by_degree(cholmod_sparse& matrix) {
+template <class Real> bool SchurCholesky<Real>::order_by_degree(cholmod_sparse& matrix) {
   std::vector<int> order(at(size())), sets(at(size()), 0);
   // CAMD expects set numbers below the number of unknowns.
   if (interior() > 0) sets.assign(last_.begin(), last_.end());
@@ -98,7 +105,7 @@ bool SchurCholesky::order_by_degree(cholmod_sparse& matrix) {
   return true;
 }
 
-void SchurCholesky::dissect(cholmod_sparse& matrix) {
+template <class Real> void SchurCholesky<Real>::dissect(cholmod_sparse& matrix) {
   // Postordering forms supernodes but moves the border forward, so the order is corrected and analyzed again.
   const auto analyze_dissection = [&] {
     analyze_in_order(matrix, dissection_, true);
@@ -113,7 +120,7 @@ void SchurCholesky::dissect(cholmod_sparse& matrix) {
   best_ = common_.fl;
 }
 
-void SchurCholesky::analyze(const Pattern& pattern, const std::vector<int>& border) {
+template <class Real> void SchurCholesky<Real>::analyze(const Pattern& pattern, const std::vector<int>& border) {
   pattern_ = pattern;
   border_ = border;
   last_.assign(at(size()), 0);
@@ -134,14 +141,15 @@ void SchurCholesky::analyze(const Pattern& pattern, const std::vector<int>& bord
   }
   border_.assign(order_.begin() + interior(), order_.end());
   statistics_.operations = common_.fl;
+  triangular_.analyze(*lower_.factor, interior());
   right_.resize(size());
   part_.resize(border_.size());
 }
 
-bool SchurCholesky::factor(const double* values) {
+template <class Real> bool SchurCholesky<Real>::factor(const double* values) {
   bool factored = factor_shifted(values);
-  // If the factorization ends in the border, the shift of a row without a positive diagonal was too small.
-  while (!factored && raises_ && common_.status == CHOLMOD_NOT_POSDEF && raise_ < most_raise &&
+  // If the factorization ends in the border, the shifts were too small.
+  while (!factored && common_.status == CHOLMOD_NOT_POSDEF && raise_ < most_raise &&
          static_cast<int>(lower_.factor->minor) >= interior()) {
     raise_ *= raise_step;
     factored = factor_shifted(values);
@@ -151,88 +159,90 @@ bool SchurCholesky::factor(const double* values) {
 }
 
 /// Factors the matrix with shifts on the border's diagonal, which makes it positive definite, and removes them from the
-/// complement. The rows of multipliers have no positive entry to derive a shift from.
-bool SchurCholesky::factor_shifted(const double* values) {
+/// complement. The rows of multipliers have no positive entry to derive a shift from; contact far from equilibrium can
+/// make the block of others indefinite.
+template <class Real> bool SchurCholesky<Real>::factor_shifted(const double* values) {
   std::vector<double> shifted(values, values + pattern_.entries());
   VectorX shift = VectorX::Zero(border_.size());
   double largest = 0;
-  raises_ = false;
   for (double value : shifted) largest = std::max(largest, std::abs(value));
   for (int k = 0; k < shift.size(); ++k) {
     double& value = shifted[at(pattern_.find(border_[at(k)], border_[at(k)]))];
-    raises_ = raises_ || value <= 0;
-    shift(k) = value > 0 ? value : raise_ * largest;
+    shift(k) = value > 0 ? std::min(raise_, raise_step) * value : raise_ * largest;
     value += shift(k);
   }
   cholmod_sparse matrix = lower_triangle(pattern_, shifted.data());
   factorize(matrix, lower_.factor, common_);
   ++statistics_.factorizations;
   statistics_.operations = common_.fl;
-  statistics_.entries = 2 * common_.lnz; // forward and back substitution
-  statistics_.memory = lower_.factor->is_super
-                           ? sizeof(double) * static_cast<double>(lower_.factor->xsize)
-                           : (sizeof(double) + sizeof(int)) * static_cast<double>(lower_.factor->nzmax);
+  const double entries = static_cast<double>(lower_.factor->xsize);
+  statistics_.entries = 2 * entries * sizeof(Real) / sizeof(double); // forward and back substitution
+  statistics_.memory = sizeof(double) * entries;
   if (common_.status != CHOLMOD_OK || lower_.factor->minor < lower_.factor->n) return false;
-  read_factor();
+  MatrixX corner;
+  read_factor(corner);
+  round_values();
   const int rows = static_cast<int>(border_.size());
   const double one = 1, zero = 0;
   complement_.setZero(rows, rows);
-  if (rows > 0) dsyrk_("L", "N", &rows, &rows, &one, corner_.data(), &rows, &zero, complement_.data(), &rows);
+  if (rows > 0) dsyrk_("L", "N", &rows, &rows, &one, corner.data(), &rows, &zero, complement_.data(), &rows);
   complement_.diagonal() -= shift;
   complement_.triangularView<Eigen::StrictlyUpper>() = complement_.transpose();
   return true;
 }
 
 /// Reads L_cc and the pivots of A_ii from L.
-void SchurCholesky::read_factor() {
+template <class Real> void SchurCholesky<Real>::read_factor(MatrixX& corner) {
   const cholmod_factor& lower = *lower_.factor;
   const double* values = static_cast<double*>(lower.x);
-  const int *rows = static_cast<int*>(lower.is_super ? lower.s : lower.i), first_row = interior();
-  corner_.setZero(size() - first_row, size() - first_row);
+  const int *rows = static_cast<int*>(lower.s), *first = static_cast<int*>(lower.super),
+            *rows_from = static_cast<int*>(lower.pi), *values_from = static_cast<int*>(lower.px);
+  corner.setZero(size() - interior(), size() - interior());
   pivots_ = {};
-  // A column of L from its diagonal on: the values and their rows.
-  const auto read = [&](int column, int entries, const double* value, const int* row) {
-    if (column < first_row) return pivots_.add(*value * *value);
-    for (int k = 0; k < entries; ++k) corner_(row[k] - first_row, column - first_row) = value[k];
-  };
-  if (!lower.is_super) {
-    const int *starts = static_cast<int*>(lower.p), *entries = static_cast<int*>(lower.nz);
-    for (int j = 0; j < size(); ++j) read(j, entries[j], values + starts[j], rows + starts[j]);
-    return;
-  }
-  const int *first = static_cast<int*>(lower.super), *rows_from = static_cast<int*>(lower.pi),
-            *values_from = static_cast<int*>(lower.px);
   for (int s = 0; s < static_cast<int>(lower.nsuper); ++s) {
     const int height = rows_from[s + 1] - rows_from[s];
     for (int j = first[s]; j < first[s + 1]; ++j) {
-      const int above = j - first[s];
-      read(j, height - above, values + values_from[s] + above + static_cast<std::ptrdiff_t>(above) * height,
-           rows + rows_from[s] + above);
+      const int above = j - first[s]; // the column's values and rows from its diagonal on
+      const double* value = values + values_from[s] + above + static_cast<std::ptrdiff_t>(above) * height;
+      const int* row = rows + rows_from[s] + above;
+      if (j < interior())
+        pivots_.add(*value * *value);
+      else
+        for (int k = 0; k < height - above; ++k) corner(row[k] - interior(), j - interior()) = value[k];
     }
   }
 }
 
-bool SchurCholesky::solve(double* b, const std::function<bool(double*)>& middle) {
-  for (int k = 0; k < size(); ++k) right_(k) = b[order_[at(k)]];
-  double* z = triangular_(CHOLMOD_L, lower_.factor, right_.data());
-  if (!z) return false;
-  Eigen::Map<VectorX> tail(z + interior(), size() - interior());
-  if (tail.size() > 0) {
-    part_.noalias() = corner_.triangularView<Eigen::Lower>() * tail;
-    if (!middle(part_.data())) return false;
-    tail.noalias() = corner_.transpose().triangularView<Eigen::Upper>() * part_;
+/// Rounds the values of L in place: a triangular solve takes as long as reading them from memory.
+template <class Real> void SchurCholesky<Real>::round_values() {
+  if constexpr (!std::is_same_v<Real, double>) {
+    const double* values = static_cast<double*>(lower_.factor->x);
+    char* rounded = static_cast<char*>(lower_.factor->x);
+    for (std::size_t k = 0; k < lower_.factor->xsize; ++k) {
+      const Real value = static_cast<Real>(values[k]);
+      std::memcpy(rounded + k * sizeof(Real), &value, sizeof(Real));
+    }
   }
-  right_ = Eigen::Map<const VectorX>(z, size());
-  const double* x = triangular_(CHOLMOD_Lt, lower_.factor, right_.data());
-  if (!x) return false;
-  for (int k = 0; k < size(); ++k) b[order_[at(k)]] = x[k];
+}
+
+template <class Real> bool SchurCholesky<Real>::solve(double* b, const std::function<bool(double*)>& middle) {
+  for (int k = 0; k < size(); ++k) right_(k) = static_cast<Real>(b[order_[at(k)]]);
+  const Real* values = static_cast<Real*>(lower_.factor->x);
+  triangular_.solve_lower(values, right_);
+  auto tail = right_.tail(part_.size());
+  part_ = tail.template cast<double>();
+  if (!middle(part_.data())) return false;
+  tail = part_.template cast<Real>();
+  triangular_.solve_upper(values, right_);
+  for (int k = 0; k < size(); ++k) b[order_[at(k)]] = static_cast<double>(right_(k));
   return true;
 }
 
 } // namespace
 
-std::unique_ptr<SchurSolver> make_schur_cholesky(double dissect_above) {
-  return std::make_unique<SchurCholesky>(dissect_above);
+std::unique_ptr<SchurSolver> make_schur_cholesky(double dissect_above, Precision precision) {
+  if (precision == Precision::single) return std::make_unique<SchurCholesky<float>>(dissect_above);
+  return std::make_unique<SchurCholesky<double>>(dissect_above);
 }
 
 } // namespace signorini::solve

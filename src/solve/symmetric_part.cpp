@@ -36,10 +36,11 @@ void SymmetricPart::locate(const Pattern& pattern) {
       if (const int row = place[at(pattern.rows[at(k)])]; row >= 0) entries_.push_back({k, row, place[at(column)]});
 }
 
-bool SymmetricPart::factor(const Pattern& pattern, const double* values, const std::vector<double>& transposed) {
-  std::vector<double> mean(transposed.size());
-  for (std::size_t k = 0; k < mean.size(); ++k) mean[k] = 0.5 * (values[k] + transposed[k]);
-  return condense(pattern, mean) && update(values);
+bool SymmetricPart::factor(const Pattern& pattern, const std::vector<double>& values) {
+  std::vector<double> mean;
+  Symmetry(pattern).transpose(values.data(), mean);
+  for (std::size_t k = 0; k < mean.size(); ++k) mean[k] = 0.5 * (values[k] + mean[k]);
+  return condense(pattern, mean) && update(values.data());
 }
 
 bool SymmetricPart::condense(const Pattern& pattern, const std::vector<double>& values) {
@@ -83,7 +84,7 @@ PivotRange SymmetricPart::pivots() const {
 SolverStatistics SymmetricPart::statistics() const {
   SolverStatistics sum = solver_->statistics();
   const double square = static_cast<double>(border()) * border();
-  sum.entries += 3 * square; // factors of the block, and L_cc twice
+  sum.entries += square; // factors of the block
   sum.memory += 3 * sizeof(double) * square;
   return sum;
 }

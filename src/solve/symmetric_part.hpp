@@ -24,9 +24,9 @@ public:
   void watch(const std::vector<int>& unknowns);
   /// The following matrices have another pattern of the same unknowns; the factors are reused.
   void adopt(const Pattern& pattern);
-  /// Sets K⁰ from the current values; `transposed` is Kᵀ, both in the order of the pattern. Returns false if the solver
-  /// cannot factor K⁰_ii, or M is singular.
-  bool factor(const Pattern& pattern, const double* values, const std::vector<double>& transposed);
+  /// Sets K⁰ from the current values, in the order of the pattern. Returns false if the solver cannot factor K⁰_ii, or
+  /// M is singular.
+  bool factor(const Pattern& pattern, const std::vector<double>& values);
   /// Sets K⁰ to symmetric values in the order of the pattern; call update() next. Returns false if the solver cannot
   /// factor K⁰_ii.
   bool condense(const Pattern& pattern, const std::vector<double>& values);

@@ -1,8 +1,8 @@
 // GMRES compared with the dense least-squares problem that it solves, and its matrix products.
 #include "solve/gmres.hpp"
-#include "solve/rows.hpp"
 
 #include "base/parallel.hpp"
+#include "solve/columns.hpp"
 #include "solve/matrices.hpp"
 
 #include <gtest/gtest.h>
@@ -100,21 +100,21 @@ TEST(Gmres, ReportsSystemsWithoutSolution) {
   EXPECT_TRUE(std::isinf(gmres(copy, bad, b, 1e-10, size, x).reduction));
 }
 
-TEST(RowMatrix, ProductsAreBitwiseIdenticalForAnyNumberOfThreads) {
+TEST(ColumnMatrix, ProductsAreBitwiseIdenticalForAnyNumberOfThreads) {
   std::mt19937 random(33);
-  for (int size : {1, 2, 13, 120}) {
-    const Pattern pattern = chain(size);
+  for (const Pattern& pattern : {chain(1), chain(2), chain(13), chain(120), cube(5), cube(25)}) {
+    const int size = pattern.size;
     const Values values = random_values(random, pattern);
-    const Eigen::VectorXd x = random_matrix(random, size).col(0);
-    RowMatrix matrix(pattern);
+    const VectorXd x = VectorXd::LinSpaced(size, -1, 2);
+    ColumnMatrix matrix(pattern);
     matrix.set(values.data());
-    Eigen::VectorXd one(size), two(size);
+    VectorXd one(size), two(size);
     matrix.multiply(x.data(), one.data());
     set_worker_threads(2);
     matrix.multiply(x.data(), two.data());
     set_worker_threads(1);
     EXPECT_EQ(one, two);
-    EXPECT_LT((one - dense(pattern, values) * x).norm(), 1e-14 * (1 + x.norm()));
+    EXPECT_LT((one - product(pattern, values, x)).norm(), 1e-14 * (1 + one.norm()));
   }
 }
 

@@ -1,0 +1,137 @@
+#include "solve/supernodes.hpp"
+
+#include "base/index.hpp"
+#include "base/parallel.hpp"
+#include "solve/constants.hpp"
+
+#include <algorithm>
+
+namespace signorini::solve {
+
+namespace {
+
+template <class Real> using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+template <class Real> using Panel = Eigen::Map<const Matrix<Real>>;
+
+} // namespace
+
+template <class Real> void Supernodes<Real>::analyze(const cholmod_factor& factor, int interior) {
+  const int *first = static_cast<int*>(factor.super), *rows_from = static_cast<int*>(factor.pi),
+            *values_from = static_cast<int*>(factor.px), *rows = static_cast<int*>(factor.s);
+  supernodes_.clear();
+  rows_.clear();
+  int tallest = 0;
+  for (int s = 0; s < static_cast<int>(factor.nsuper) && first[s] < interior; ++s) {
+    const int columns = std::min(first[s + 1], interior) - first[s], height = rows_from[s + 1] - rows_from[s];
+    supernodes_.push_back({first[s], columns, height, values_from[s], static_cast<std::ptrdiff_t>(rows_.size())});
+    rows_.insert(rows_.end(), rows + rows_from[s] + columns, rows + rows_from[s + 1]);
+    tallest = std::max(tallest, height);
+  }
+  work_.resize(tallest);
+  build_subtrees(static_cast<int>(factor.n));
+}
+
+/// Cuts the elimination tree: the largest subtree is replaced by those below its root until all are small.
+template <class Real> void Supernodes<Real>::build_subtrees(int size) {
+  const int count = static_cast<int>(supernodes_.size());
+  std::vector<int> owner(at(size), -1), parent(at(count), -1);
+  std::vector<std::vector<int>> children(at(count));
+  std::vector<double> weight(at(count), 0); // entries of the subtree
+  for (int s = 0; s < count; ++s) std::fill_n(owner.begin() + supernodes_[at(s)].column, supernodes_[at(s)].columns, s);
+  double all = 0;
+  std::vector<int> roots;
+  for (int s = 0; s < count; ++s) {
+    const Supernode& node = supernodes_[at(s)];
+    const double own = static_cast<double>(node.columns) * node.height;
+    all += own;
+    weight[at(s)] += own;
+    if (node.columns < node.height) parent[at(s)] = owner[at(rows_[at(node.rows)])];
+    if (parent[at(s)] < 0) {
+      roots.push_back(s);
+    } else {
+      children[at(parent[at(s)])].push_back(s);
+      weight[at(parent[at(s)])] += weight[at(s)];
+    }
+  }
+  std::vector<int> tree(at(count), -1); // the subtree that a supernode belongs to
+  subtrees_.clear();
+  top_.clear();
+  if (all >= 2 * entries_per_share) {
+    const auto lighter = [&](int left, int right) { return weight[at(left)] < weight[at(right)]; };
+    std::make_heap(roots.begin(), roots.end(), lighter);
+    while (!roots.empty() && weight[at(roots.front())] > all / most_shares) {
+      std::pop_heap(roots.begin(), roots.end(), lighter);
+      const int root = roots.back();
+      roots.pop_back();
+      for (int child : children[at(root)]) {
+        roots.push_back(child);
+        std::push_heap(roots.begin(), roots.end(), lighter);
+      }
+    }
+    std::sort(roots.begin(), roots.end(), [&](int left, int right) { return lighter(right, left); });
+    for (int root : roots)
+      if (weight[at(root)] * 4 * most_shares > all) {
+        tree[at(root)] = static_cast<int>(subtrees_.size());
+        const Supernode& node = supernodes_[at(root)];
+        subtrees_.push_back({{}, node.column + node.columns, Vector::Zero(size), Vector(work_.size())});
+      }
+  }
+  for (int s = count - 1; s >= 0; --s) {
+    int& own = tree[at(s)];
+    if (own < 0 && parent[at(s)] >= 0) own = tree[at(parent[at(s)])];
+    (own < 0 ? top_ : subtrees_[at(own)].supernodes).push_back(s);
+  }
+  std::reverse(top_.begin(), top_.end());
+  for (Subtree& subtree : subtrees_) std::reverse(subtree.supernodes.begin(), subtree.supernodes.end());
+}
+
+template <class Real>
+void Supernodes<Real>::solve_lower(const Real* values, const Supernode& node, Vector& x, int end, Vector& above,
+                                   Vector& work) const {
+  const Panel<Real> panel(values + node.values, node.height, node.columns);
+  auto own = x.segment(node.column, node.columns);
+  panel.topRows(node.columns).template triangularView<Eigen::Lower>().solveInPlace(own);
+  const int below = node.height - node.columns;
+  const int* const rows = rows_.data() + node.rows;
+  auto update = work.head(below);
+  update.noalias() = panel.bottomRows(below) * own;
+  int k = 0;
+  for (; k < below && rows[k] < end; ++k) x(rows[k]) -= update(k);
+  for (; k < below; ++k) above(rows[k]) -= update(k);
+}
+
+template <class Real>
+void Supernodes<Real>::solve_upper(const Real* values, const Supernode& node, Vector& x, Vector& work) const {
+  const Panel<Real> panel(values + node.values, node.height, node.columns);
+  auto own = x.segment(node.column, node.columns);
+  const int below = node.height - node.columns;
+  const int* const rows = rows_.data() + node.rows;
+  for (int k = 0; k < below; ++k) work(k) = x(rows[k]);
+  own.noalias() -= panel.bottomRows(below).transpose() * work.head(below);
+  panel.topRows(node.columns).transpose().template triangularView<Eigen::Upper>().solveInPlace(own);
+}
+
+template <class Real> void Supernodes<Real>::solve_lower(const Real* values, Vector& x) {
+  parallel(static_cast<int>(subtrees_.size()), [&](int t) {
+    Subtree& subtree = subtrees_[at(t)];
+    subtree.above.setZero();
+    for (int s : subtree.supernodes)
+      solve_lower(values, supernodes_[at(s)], x, subtree.end, subtree.above, subtree.work);
+  });
+  for (const Subtree& subtree : subtrees_) x += subtree.above;
+  for (int s : top_) solve_lower(values, supernodes_[at(s)], x, static_cast<int>(x.size()), x, work_);
+}
+
+template <class Real> void Supernodes<Real>::solve_upper(const Real* values, Vector& x) {
+  for (auto s = top_.rbegin(); s != top_.rend(); ++s) solve_upper(values, supernodes_[at(*s)], x, work_);
+  parallel(static_cast<int>(subtrees_.size()), [&](int t) {
+    Subtree& subtree = subtrees_[at(t)];
+    const std::vector<int>& list = subtree.supernodes;
+    for (auto s = list.rbegin(); s != list.rend(); ++s) solve_upper(values, supernodes_[at(*s)], x, subtree.work);
+  });
+}
+
+template class Supernodes<float>;
+template class Supernodes<double>;
+
+} // namespace signorini::solve
