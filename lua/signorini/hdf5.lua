@@ -231,6 +231,10 @@ end
 --- Writes what a run has recorded and the states that it has stored.
 function hdf5.write(run, file, options)
   local where = "run:hdf5"
+  if #run.adaptations > 0 then
+    core.fail(where .. ": a file of HDF5 holds control points once for all steps, and adapt has changed those of this "
+      .. "run. Hint: export run:csv or pictures, or run without adapt")
+  end
   quantities.check(where, options.units or {}, run.names)
   local record = make(where, run.model, run, options)
   record.path = file

@@ -2,6 +2,7 @@
 -- their present values to their targets; each step is solved, then accepted. A run is the record of this.
 
 local core = require "signorini.core"
+local adapt = require "signorini.adapt"
 local arc_length = require "signorini.arc_length"
 local check = require "signorini.check"
 local checkpoint = require "signorini.checkpoint"
@@ -60,6 +61,7 @@ local function read_options(model, options, path, total)
     options.solver[key] = options[key]
   end
   options.on, options.checkpoints = controls_on(options), checkpoint(options)
+  options.following = adapt(model, options)
   options.policy = options.step.adaptive and steps.halving(options.step) or steps.plain()
   if options.arc_length then options.policy = arc_length.policy(options.policy) end
   options.tries = options.fallback and controls.fallbacks(model, options.solver) or {}
@@ -354,6 +356,7 @@ return function(model, stages, options)
     begin_stage(model, stage)
     if place.number == 0 then run:begin_stage(model, stage) end
     for number = place.number + 1, stage.steps do
+      options.following:step(model, run)
       local step = begin_step(model, run, stage, number, options, display)
       local result, answer = take(step, run, options)
       if answer == "stop" or result.reason == "stopped" then

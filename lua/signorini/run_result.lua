@@ -114,7 +114,7 @@ function Run.new(model, path)
     wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, stored_states = {}, before = model:timings(),
     warnings = {}, unsettled = {}, crossed = {}, unstable = { steps = 0, most = 0 }, unstable_law = false,
-    jumps = jumps.record(), overlaps = {},
+    jumps = jumps.record(), overlaps = {}, adaptations = {}, contact_zones = {},
   }, Run)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
   run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")

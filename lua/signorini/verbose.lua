@@ -55,6 +55,15 @@ function verbose.attempt(step, to, fallback)
     fallback and (", fallback: %s"):format(fallback) or "", targets == "" and "" or ": " .. targets))
 end
 
+--- Prints where layers have followed the contact (adapt.lua).
+function verbose.adaptation(now)
+  local names = {}
+  for name in pairs(now.elements) do names[#names + 1] = name end
+  table.sort(names)
+  for i, name in ipairs(names) do names[i] = ("%d elements of %s"):format(now.elements[name], name) end
+  say(("after step %d the layer is in %s: %d unknowns"):format(now.step, table.concat(names, ", "), now.unknowns))
+end
+
 --- Prints the title of an arc-length increment. `follows`: of the path, otherwise of the search for a turning point.
 function verbose.arc(step, length, follows)
   say(("%s, from %.4g, %sarc length %.4g"):format(place(step), step.done,

@@ -14,12 +14,12 @@ namespace signorini::bind {
 
 namespace {
 
-/// Calls visit(model) for the model at stack index 1.
+/// Calls visit(model) for the shared pointer to the model at stack index 1.
 template <class Visit> int with_model(lua_State* L, Visit visit) {
   if (auto* model = test_object<Model<3>>(L, 1))
-    visit(**model);
+    visit(*model);
   else
-    visit(*read_object<Model<2>>(L, 1));
+    visit(*test_object<Model<2>>(L, 1));
   return 0;
 }
 
@@ -27,7 +27,7 @@ template <class Visit> int with_model(lua_State* L, Visit visit) {
 /// run. durable: flushed to disk on return.
 int core_save(lua_State* L) {
   return with_model(
-      L, [&](auto& model) { model::save(model, to<std::string>(L, 2), to<std::string>(L, 3), to<bool>(L, 4)); });
+      L, [&](auto& model) { model::save(*model, to<std::string>(L, 2), to<std::string>(L, 3), to<bool>(L, 4)); });
 }
 
 /// core.restore(model, path): restores the state from a file saved from the same scene.

@@ -118,7 +118,10 @@ template <int D> Snapshot<D> snapshot(const Model<D>& model) {
 }
 
 template <int D> void restore(const Model<D>& model, const Snapshot<D>& snapshot, lua_State* L) {
-  if (snapshot.model != model) reject(L, 2, {"snapshot"}, "a snapshot of this model", "it belongs to another model");
+  if (snapshot.model != model)
+    reject(L, 2, {"snapshot"}, "a snapshot of this model",
+           model->origin ? "its layers have moved since (adapt), or it belongs to another model"
+                         : "it belongs to another model");
   model::restore(*model, snapshot.state);
 }
 

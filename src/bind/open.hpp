@@ -16,6 +16,7 @@ void open_rigid(lua_State* L);      ///< sg.rigid.*
 void open_scene(lua_State* L);      ///< sg.model
 void open_model(lua_State* L);      ///< the methods of a model
 void open_checkpoint(lua_State* L); ///< sg.load, core.save, core.content and others
+void open_adaptation(lua_State* L); ///< core.follow and others: layers that follow the contact
 void open_chart(lua_State* L);      ///< sg.chart
 void open_picture(lua_State* L);    ///< sg.picture
 void open_screen(lua_State* L);     ///< core.show_picture and others: pictures on the terminal

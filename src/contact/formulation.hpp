@@ -138,6 +138,13 @@ public:
   const Tally& unsettled() const { return unsettled_; }
   /// Points that passed through the master since the previous state (crossing.hpp).
   const Tally& crossed() const { return crossed_; }
+  /// Continues the counts and times of a formulation of the same faces.
+  void continue_from(const Formulation& other) {
+    unsettled_ = other.unsettled_;
+    crossed_ = other.crossed_;
+    times_search_ = other.times_search_;
+    search_seconds_ = other.search_seconds_;
+  }
   /// Whether to time the search, which reads a clock twice per projected point.
   void time_search(bool wanted) { times_search_ = wanted; }
   /// Seconds for updates of the search tree and projections while timing was on, summed over threads.

@@ -2,6 +2,7 @@
 
 #include "base/whole_file.hpp"
 #include "contact/archive.hpp"
+#include "model/following.hpp"
 #include "model/scene_archive.hpp"
 
 #include <algorithm>
@@ -55,22 +56,36 @@ template <int D> void take_state(Model<D>& model, std::string_view bytes) {
 struct Content {
   std::string bytes;
   int dimension;
-  std::string_view text, scene, state; ///< of bytes
+  std::string_view text, scene, layers, state; ///< of bytes
 };
 
+using Layers = std::vector<nurbs::RaisedElements>;
+
 Content open(const std::string& file) {
-  Content content{read_archive(file, kind), 0, {}, {}, {}};
+  Content content{read_archive(file, kind), 0, {}, {}, {}, {}};
   ArchiveReader from(content.bytes);
   content.dimension = from.get<int>();
   content.text = from.section("text");
   content.scene = from.section("scene");
+  content.layers = from.section("layers");
   content.state = from.section("state");
   return content;
 }
 
+/// Brings a model of the file's scene into the state of the file; it is replaced if the layers are elsewhere.
+template <int D> void take(std::shared_ptr<Model<D>>& model, const Content& content) {
+  if (const auto places = ArchiveReader(content.layers).get<Layers>(); places != layers(*model)) {
+    rollback(*model);
+    auto other = with_layers(*model, places);
+    require(other != nullptr, "model.checkpoint.layers");
+    model = std::move(other);
+  }
+  take_state(*model, content.state);
+}
+
 template <int D> std::shared_ptr<Model<D>> load_model(const Content& content) {
   auto model = std::make_shared<Model<D>>(read_scene<D>(ArchiveReader(content.scene).get<Parts>()));
-  take_state(*model, content.state);
+  take(model, content);
   return model;
 }
 
@@ -96,13 +111,14 @@ template <int D> void save(Model<D>& model, const std::string& file, const std::
   archive.put(D);
   archive.section("text", [&](ArchiveWriter& to) { to.append(text.data(), text.size()); });
   archive.section("scene", [&](ArchiveWriter& to) { to.put(scene_parts(model)); });
+  archive.section("layers", [&](ArchiveWriter& to) { to.put(layers(model)); });
   archive.section("state", [&](ArchiveWriter& to) { write_state(to, snapshot(model)); });
   write_archive(file, kind, archive, durable);
 }
 
 template <int D> std::string content(const Model<D>& model, const Snapshot<D>& state) {
   ArchiveWriter archive;
-  archive.put(scene_parts(model));
+  archive.put(scene_parts(model), layers(model));
   write_state(archive, state);
   return archive.bytes();
 }
@@ -117,13 +133,13 @@ std::string load_text(const std::string& file) {
   return std::string(open(file).text);
 }
 
-template <int D> void restore(Model<D>& model, const std::string& file) {
+template <int D> void restore(std::shared_ptr<Model<D>>& model, const std::string& file) {
   const Content content = open(file);
   require(content.dimension == D, "model.checkpoint.dimension",
           {{"file", file}, {"dimension", content.dimension}, {"expected", D}});
-  const auto differ = differences(scene_parts(model), ArchiveReader(content.scene).get<Parts>());
+  const auto differ = differences(scene_parts(*model), ArchiveReader(content.scene).get<Parts>());
   require(differ.empty(), "model.checkpoint.scene", {{"file", file}, {"differences", differ}});
-  take_state(model, content.state);
+  take(model, content);
   remove_leftovers(file); // of a run that was interrupted while writing
 }
 
@@ -131,7 +147,7 @@ template void save(Model<2>&, const std::string&, const std::string&, bool);
 template void save(Model<3>&, const std::string&, const std::string&, bool);
 template std::string content(const Model<2>&, const Snapshot<2>&);
 template std::string content(const Model<3>&, const Snapshot<3>&);
-template void restore(Model<2>&, const std::string&);
-template void restore(Model<3>&, const std::string&);
+template void restore(std::shared_ptr<Model<2>>&, const std::string&);
+template void restore(std::shared_ptr<Model<3>>&, const std::string&);
 
 } // namespace signorini::model

@@ -23,8 +23,9 @@ using AnyModel = std::variant<std::shared_ptr<Model<2>>, std::shared_ptr<Model<3
 AnyModel load(const std::string& file);
 /// The text of a file. Throws like load().
 std::string load_text(const std::string& file);
-/// Restores a model to the state of a file. Throws Error like load(), and if the file's scene differs, with the names
-/// of the parts that differ; the model is then unchanged.
-template <int D> void restore(Model<D>& model, const std::string& file);
+/// Restores a model to the state of a file; where layers have followed the contact, it becomes another model of the
+/// same scene. Throws Error like load(), and if the file's scene differs, with the names of the parts that differ; the
+/// model is then unchanged.
+template <int D> void restore(std::shared_ptr<Model<D>>& model, const std::string& file);
 
 } // namespace signorini::model

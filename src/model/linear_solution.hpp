@@ -46,6 +46,12 @@ public:
   /// Kind with which an automatic choice starts: a reused factorization if it had been chosen before.
   solve::LinearKind beginning() const { return beginning_; }
   void begin_with(solve::LinearKind kind) { beginning_ = kind; }
+  /// Continues the statistics and the choice of another path's solver, for other unknowns.
+  void continue_from(const LinearSolution& other) {
+    past_ = other.statistics();
+    past_kind_ = other.kind();
+    beginning_ = other.beginning_;
+  }
 
 private:
   solve::LinearSolver& solver(const Tangent& tangent, const LinearRequest& request);

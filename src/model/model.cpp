@@ -18,11 +18,13 @@
 namespace signorini::model {
 
 template <int D>
-Model<D>::Model(Scene<D> scene)
+Model<D>::Model(Scene<D> scene, NotStarted)
     : system(std::move(scene)), accepted(system.start()), present(accepted),
       targets(accepted.targets), path{accepted.displacement, targets, accepted.displacement, targets}, acting(targets),
       dead(system.drives.force(targets)), external(dead), controls(system.contacts.size()),
-      linear(linear_facts(system)), projected_volumes(system.scene.bodies.size()) {
+      linear(linear_facts(system)), projected_volumes(system.scene.bodies.size()) {}
+
+template <int D> Model<D>::Model(Scene<D> scene) : Model(std::move(scene), NotStarted{}) {
   // Friction at points that close later starts from their foot points in the initial state.
   Message why;
   evaluate(*this, nullptr, false, why);

@@ -9,10 +9,21 @@
 
 namespace signorini::model {
 
+/// The scene of a model before its layers followed the contacts, and its parts in files.
+template <int D> struct Origin {
+  Scene<D> scene;
+  std::vector<ScenePart> parts;
+};
+
+/// Tag of a constructor that leaves the initial state to its caller.
+struct NotStarted {};
+
 /// Members are public for the steppers: load_step.hpp (to the targets, and user-defined loops) and arc.hpp (arc
 /// length). Before a step and after a roll-back the present state equals the accepted one.
 template <int D> struct Model {
   explicit Model(Scene<D> scene);
+  /// Without an evaluation and warnings.
+  Model(Scene<D> scene, NotStarted);
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
@@ -34,7 +45,8 @@ template <int D> struct Model {
   Timings timings;
   /// By body, for the stress at points; what they keep does not affect results.
   mutable std::vector<solid::ProjectedVolume<D>> projected_volumes;
-  std::vector<Message> scene_warnings; ///< possible mistakes in the scene
+  std::vector<Message> scene_warnings;     ///< possible mistakes in the scene
+  std::shared_ptr<const Origin<D>> origin; ///< of a model with other rows than at first, see adaptation.hpp
 };
 
 /// Sets the target of a component of a drive (index into Drives::all()) for the next step.

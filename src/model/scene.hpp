@@ -151,6 +151,11 @@ template <int D> struct Scene {
   solid::Kind kind = solid::Kind::plane_strain; ///< of all bodies
 };
 
+/// A part of a scene: its name for users ("body 'slab'", "the kind of scene") and its bytes.
+struct ScenePart {
+  std::string name, bytes;
+};
+
 /// Whether a face of a body acts in a contact, as slave or master.
 template <int D> bool acts_on(const Contact<D>& contact, int body) {
   const auto* master = std::get_if<Faces>(&contact.master);

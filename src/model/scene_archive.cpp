@@ -2,10 +2,9 @@
 
 #include "base/index.hpp"
 #include "contact/archive.hpp"
+#include "model/region.hpp"
 #include "nurbs/archive.hpp"
 #include "solid/archive.hpp"
-
-#include <algorithm>
 
 namespace signorini::model {
 
@@ -68,41 +67,6 @@ template <int D> NamedBody<D> read(ArchiveReader& from, std::type_identity<Named
 
 namespace {
 
-template <int D> using Places = Eigen::Matrix<double, D, Eigen::Dynamic>;
-
-/// Reference positions of the contact points in the region; no columns if it contains all.
-template <int D> Places<D> points_of_region(const Contact<D>& contact, const contact::Formulation<D>& formulation) {
-  std::size_t all = at(formulation.slave().elements());
-  for (int d = 0; d < D - 1; ++d) all *= at(contact.points);
-  const auto& positions = formulation.points().reference;
-  Places<D> points(D, positions.size() == all ? 0 : static_cast<Eigen::Index>(positions.size()));
-  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = positions[static_cast<std::size_t>(i)];
-  return points;
-}
-
-/// Those of the bonded points of a cohesive contact; no columns if all are bonded.
-template <int D> Places<D> bonded_points(const contact::Formulation<D>& formulation) {
-  std::vector<Vec<D>> bonded;
-  const auto bonds = formulation.bonds();
-  for (std::size_t i = 0; i < bonds.size(); ++i)
-    if (bonds[i].foot != contact::Foot::none) bonded.push_back(formulation.points().reference[i]);
-  Places<D> points(D, bonded.size() == bonds.size() ? 0 : static_cast<Eigen::Index>(bonded.size()));
-  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = bonded[static_cast<std::size_t>(i)];
-  return points;
-}
-
-/// The region of exactly these points, whose coordinates are bitwise reproducible.
-template <int D> contact::Region<D> region_of(const Places<D>& points) {
-  if (points.cols() == 0) return {};
-  const auto before = [](const Vec<D>& a, const Vec<D>& b) {
-    return std::lexicographical_compare(a.data(), a.data() + D, b.data(), b.data() + D);
-  };
-  std::vector<Vec<D>> sorted;
-  for (Eigen::Index i = 0; i < points.cols(); ++i) sorted.push_back(points.col(i));
-  std::sort(sorted.begin(), sorted.end(), before);
-  return [sorted, before](const Vec<D>& x) { return std::binary_search(sorted.begin(), sorted.end(), x, before); };
-}
-
 template <int D>
 void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Formulation<D>& formulation) {
   const auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty] = contact;
@@ -124,9 +88,9 @@ template <int D> Contact<D> read_contact(ArchiveReader& from) {
     master = obstacle;
   method = contact::read_method<D>(from);
   points = from.get<int>();
-  where = region_of<D>(from.get<Places<D>>());
+  where = region_of<D>(from.get<RegionPoints<D>>());
   from.into(start);
-  bonded = region_of<D>(from.get<Places<D>>());
+  bonded = region_of<D>(from.get<RegionPoints<D>>());
   from.into(other_pass, default_penalty);
   return contact;
 }
@@ -151,6 +115,7 @@ template <class Part> ScenePart named(const char* kind, const std::string& name,
 } // namespace
 
 template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
+  if (model.origin) return model.origin->parts;
   const Scene<D>& scene = model.system.scene;
   const auto& [bodies, obstacles, supports, loads, contacts, ties, joins, kind] = scene;
   const auto size = [](const auto& list) { return static_cast<int>(list.size()); };

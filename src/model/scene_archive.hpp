@@ -6,16 +6,12 @@
 
 namespace signorini::model {
 
-/// A part of a scene: its name for users ("body 'slab'", "the kind of scene") and its bytes.
-struct ScenePart {
-  std::string name, bytes;
-};
 inline auto members(ScenePart& part) {
   auto& [name, bytes] = part;
   return std::tie(name, bytes);
 }
 
-/// All parts of a model's scene. A region of a contact is stored as the list of its contact points.
+/// All parts of a model's scene, as it was before layers followed the contact. A region of a contact is stored as the list of its contact points.
 template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model);
 /// The scene of these parts; a model of it gives bitwise equal results.
 template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts);

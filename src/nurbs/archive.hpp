@@ -27,6 +27,7 @@ inline auto members(Side& side) {
   return std::tie(direction, at_end);
 }
 
+/// Writes the patch and the plan if it has its recipe, otherwise its parts.
 void write(ArchiveWriter& to, const Discretization& space);
 Discretization read(ArchiveReader& from, std::type_identity<Discretization>);
 

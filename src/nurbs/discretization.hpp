@@ -6,10 +6,16 @@
 #include "nurbs/tensor.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace signorini::nurbs {
+
+/// Per contact face, then per direction along it: which elements have the layer's degree (an empty list: all). In a
+/// solid a row is the product of its two spaces, so that its degree is raised in the strips of both directions. Empty:
+/// everywhere.
+using RaisedElements = std::vector<std::vector<std::vector<bool>>>;
 
 /// How a patch is discretized. Lists have one entry per parametric direction unless stated otherwise.
 struct Plan {
@@ -18,13 +24,16 @@ struct Plan {
   std::vector<Label> labels; ///< per direction along the contact face; without one, per direction of the patch
   std::vector<Side> contact; ///< none, one, or two opposite faces
   std::optional<int> thickness_degree; ///< degree in the thickness direction; by default that of the bulk
-  /// Where the layer is local: per contact face, then per direction along it, which of `elements` have the layer's
-  /// degree (an empty list: all). In a solid a row is the product of its two spaces, so that its degree is raised in
-  /// the strips of both directions. Empty: everywhere.
-  std::vector<std::vector<std::vector<bool>>> raised{};
+  RaisedElements raised{};             ///< of `elements`: where the layer is local
   /// Further knots of the layer's rows, per direction along the contact face; may be empty. The other rows are cut
   /// there into elements without loss of continuity.
   std::vector<std::vector<double>> layer_knots{};
+};
+
+/// What a discretization with a layer was made from.
+struct Recipe {
+  Patch patch;
+  Plan plan;
 };
 
 /// Breakpoints of direction d before `layer_knots` are added: the borders of plan.elements.
@@ -52,6 +61,9 @@ public:
   /// From its parts, as returned by through(), stack(), rows() and contact(), bit by bit. Throws Error if they are
   /// inconsistent, or if a space is not interpolatory at an end.
   Discretization(int through, Space1D stack, std::vector<Row> rows, std::vector<Side> contact);
+
+  /// Null for a discretization without a layer, or from its parts.
+  const std::shared_ptr<const Recipe>& recipe() const { return recipe_; }
 
   int parametric_dimension() const { return rows_.front().parametric_dimension() + 1; }
   int dimension() const { return static_cast<int>(homogeneous_.rows()) - 1; }
@@ -117,6 +129,10 @@ private:
   std::vector<int> first_;
   std::vector<Side> contact_;
   MatrixX homogeneous_;
+  std::shared_ptr<const Recipe> recipe_;
 };
+
+/// The discretization with its layer in other elements. Throws Error if it has no recipe.
+Discretization with_layer(const Discretization& space, RaisedElements raised);
 
 } // namespace signorini::nurbs

@@ -7,6 +7,7 @@
 #include "nurbs/multi_degree.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace signorini::nurbs {
 
@@ -235,6 +236,16 @@ std::vector<double> element_breaks(const Patch& patch, const Plan& plan, int d) 
   return merged(patch.direction(d).breaks(), inserted_knots(patch, plan, d));
 }
 
-Discretization::Discretization(const Patch& patch, const Plan& plan) : Discretization(discretized(patch, plan)) {}
+Discretization::Discretization(const Patch& patch, const Plan& plan) : Discretization(discretized(patch, plan)) {
+  const bool layered = std::any_of(plan.labels.begin(), plan.labels.end(), [](auto& label) { return label.layer; });
+  if (layered) recipe_ = std::make_shared<const Recipe>(Recipe{patch, plan});
+}
+
+Discretization with_layer(const Discretization& space, RaisedElements raised) {
+  require(space.recipe() != nullptr, "nurbs.body.no_layer");
+  Plan plan = space.recipe()->plan;
+  plan.raised = std::move(raised);
+  return {space.recipe()->patch, plan};
+}
 
 } // namespace signorini::nurbs

@@ -121,7 +121,7 @@ TEST(DefaultPenalty, FilesKeepTheEnforcementAndTheDefault) {
     EXPECT_EQ(law->normal, model.system.contacts[0]->penalty(model.accepted.contacts[0]));
     EXPECT_TRUE(loaded->system.scene.contacts[0].default_penalty);
   }
-  Model<2> other(two_blocks({1}, region));
+  auto other = std::make_shared<Model<2>>(two_blocks({1}, region));
   EXPECT_ERROR(restore(other, folder.file("a.sgn")), "contact 'joint'");
 }
 

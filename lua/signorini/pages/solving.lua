@@ -142,6 +142,9 @@ run:column, run:columns, run:csv, run:hdf5, run:states, run:attempts, run:residu
       { "iterations", t.integer(0), "Newton iterations, also of failed attempts" },
       { "cutbacks", t.integer(0), "increments cut in half" },
       { "fallback_steps", t.integer(0), "steps solved by fallbacks" },
+      { "adaptations", t.list(t.any), [[where layers have followed the contact (adapt): { step (the last one before it),
+unknowns, elements (by line "slab.north.1": body, face, direction), energy_before, energy_after (of bodies and
+contacts), wall } each]] },
       { "fallbacks", t.map(t.integer(0)), "successes of each fallback" },
       { "wall", t.number, "wall time", unit = "s" },
       { "timings", t.map(t.number), "bulk, contact, linear, rest", unit = "s" },

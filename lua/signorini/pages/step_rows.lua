@@ -159,6 +159,15 @@ successes; run.warnings names steps solved by fallbacks that may lead to another
   control("predictor", predictors, first_guess),
   { "newton", t.named(loop), "Newton's method in each attempt", default = {} },
   linear, mumps, augmentation, damping, pseudo_transient, verbose,
+  { "adapt", t.named {
+    { "every", t.count, "steps between two looks at the contact", default = 1 },
+    { "margin", t.integer(0), [[elements of the face next to those in contact that have the layer, too; ahead of a
+moving contact up to twice as many]], default = 1 },
+    { "tolerance", t.positive, [[only elements have the layer where the traction of the contact differs by more than
+this from that of the body's stress, relative to the largest traction]], optional = true },
+  }, [[layers follow the contact: bodies with a layer in their order (N2-N2.2) have it only in the elements of the
+contact face that touch, and a margin around them. It grows ahead of the contact and shrinks behind it; run.adaptations
+lists the changes]], optional = true },
   { "penalty", t.named {
     { "start", t.share, "initial factor of all penalties" },
     { "steps", t.count, "steps until it is 1" },
@@ -202,6 +211,10 @@ step), iteration, residual, energy, reason; returns nothing, "stop", or "cut" to
 rows.run.conflict = function(values)
   if values.resume and not values.checkpoint then
     return "resume = true needs a checkpoint file: add checkpoint = \"run.sgn\""
+  end
+  if values.adapt and values.hdf5 then
+    return "adapt changes the control points, which a file of HDF5 holds once for all steps: remove adapt or hdf5, and "
+      .. "export run:csv or pictures instead"
   end
   return conflict_of_moves(values.newton, values) or conflict_of_solver(values)
 end

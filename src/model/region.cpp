@@ -1,0 +1,50 @@
+#include "model/region.hpp"
+
+#include "base/index.hpp"
+
+#include <algorithm>
+
+namespace signorini::model {
+
+template <int D>
+RegionPoints<D> points_of_region(const Contact<D>& contact, const contact::Formulation<D>& formulation) {
+  std::size_t all = at(formulation.slave().elements());
+  for (int d = 0; d < D - 1; ++d) all *= at(contact.points);
+  const auto& positions = formulation.points().reference;
+  RegionPoints<D> points(D, positions.size() == all ? 0 : static_cast<Eigen::Index>(positions.size()));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = positions[static_cast<std::size_t>(i)];
+  return points;
+}
+
+template <int D> RegionPoints<D> bonded_points(const contact::Formulation<D>& formulation) {
+  std::vector<Vec<D>> bonded;
+  const auto bonds = formulation.bonds();
+  for (std::size_t i = 0; i < bonds.size(); ++i)
+    if (bonds[i].foot != contact::Foot::none) bonded.push_back(formulation.points().reference[i]);
+  RegionPoints<D> points(D, bonded.size() == bonds.size() ? 0 : static_cast<Eigen::Index>(bonded.size()));
+  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = bonded[static_cast<std::size_t>(i)];
+  return points;
+}
+
+template <int D> contact::Region<D> region_of(const RegionPoints<D>& points, double tolerance) {
+  if (points.cols() == 0) return {};
+  std::vector<Vec<D>> sorted;
+  for (Eigen::Index i = 0; i < points.cols(); ++i) sorted.push_back(points.col(i));
+  std::ranges::sort(sorted, {}, [](const Vec<D>& x) { return x(0); });
+  return [sorted, tolerance](const Vec<D>& x) {
+    auto place = std::ranges::lower_bound(sorted, x(0) - tolerance, {}, [](const Vec<D>& y) { return y(0); });
+    for (; place != sorted.end() && (*place)(0) <= x(0) + tolerance; ++place)
+      if ((*place - x).cwiseAbs().maxCoeff() <= tolerance) return true;
+    return false;
+  };
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template RegionPoints<D> points_of_region(const Contact<D>&, const contact::Formulation<D>&);                        \
+  template RegionPoints<D> bonded_points(const contact::Formulation<D>&);                                              \
+  template contact::Region<D> region_of(const RegionPoints<D>&, double);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::model
