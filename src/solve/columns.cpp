@@ -14,11 +14,13 @@ constexpr int widest_group = 3;
 
 /// y ← y + A x for columns of A with the rows of these runs; `height` is the distance of its columns in memory.
 template <int Width, class Run>
-void add_columns(const Run* run, const Run* end, const double* a, int height, const double* x, double* y) {
+void add_columns(const Run* run, const Run* end, const double* a, std::ptrdiff_t height, const double* x, double* y) {
+  double factors[Width];
+  std::copy_n(x, Width, factors);
   for (; run < end; a += run->length, ++run) {
-    double* const sum = y + run->row;
-    for (int i = 0; i < run->length; ++i)
-      for (int c = 0; c < Width; ++c) sum[i] += a[i + static_cast<std::ptrdiff_t>(c) * height] * x[c];
+    double* __restrict const sum = y + run->row; // y is not part of A
+    for (int i = 0, length = run->length; i < length; ++i)
+      for (int c = 0; c < Width; ++c) sum[i] += a[i + c * height] * factors[c];
   }
 }
 

@@ -13,6 +13,18 @@ namespace {
 template <class Real> using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 template <class Real> using Panel = Eigen::Map<const Matrix<Real>>;
 
+/// Calls body(first, count) for equal shares of `size` rows or columns of a supernode's panel; for a large one, if
+/// `shared`, as tasks.
+template <class Supernode, class Body> void in_shares(const Supernode& node, int size, bool shared, const Body& body) {
+  const double entries = static_cast<double>(node.columns) * node.height;
+  const int shares = shared ? std::clamp(static_cast<int>(entries / entries_per_share), 1, most_shares) : 1;
+  if (shares == 1) return body(0, size);
+  parallel(shares, [&](int k) {
+    const int first = size * k / shares;
+    body(first, size * (k + 1) / shares - first);
+  });
+}
+
 } // namespace
 
 template <class Real> void Supernodes<Real>::analyze(const cholmod_factor& factor, int interior) {
@@ -86,28 +98,33 @@ template <class Real> void Supernodes<Real>::build_subtrees(int size) {
 }
 
 template <class Real>
-void Supernodes<Real>::solve_lower(const Real* values, const Supernode& node, Vector& x, int end, Vector& above,
-                                   Vector& work) const {
+void Supernodes<Real>::solve_lower(const Real* values, const Supernode& node, Vector& x, int end, bool shared,
+                                   Vector& above, Vector& work) const {
   const Panel<Real> panel(values + node.values, node.height, node.columns);
   auto own = x.segment(node.column, node.columns);
   panel.topRows(node.columns).template triangularView<Eigen::Lower>().solveInPlace(own);
-  const int below = node.height - node.columns;
-  const int* const rows = rows_.data() + node.rows;
-  auto update = work.head(below);
-  update.noalias() = panel.bottomRows(below) * own;
-  int k = 0;
-  for (; k < below && rows[k] < end; ++k) x(rows[k]) -= update(k);
-  for (; k < below; ++k) above(rows[k]) -= update(k);
+  in_shares(node, node.height - node.columns, shared, [&](int first, int count) {
+    auto update = work.segment(first, count);
+    update.noalias() = panel.middleRows(node.columns + first, count) * own;
+    const int* const rows = rows_.data() + node.rows + first;
+    int k = 0;
+    for (; k < count && rows[k] < end; ++k) x(rows[k]) -= update(k);
+    for (; k < count; ++k) above(rows[k]) -= update(k);
+  });
 }
 
 template <class Real>
-void Supernodes<Real>::solve_upper(const Real* values, const Supernode& node, Vector& x, Vector& work) const {
+void Supernodes<Real>::solve_upper(const Real* values, const Supernode& node, Vector& x, bool shared,
+                                   Vector& work) const {
   const Panel<Real> panel(values + node.values, node.height, node.columns);
   auto own = x.segment(node.column, node.columns);
   const int below = node.height - node.columns;
   const int* const rows = rows_.data() + node.rows;
   for (int k = 0; k < below; ++k) work(k) = x(rows[k]);
-  own.noalias() -= panel.bottomRows(below).transpose() * work.head(below);
+  in_shares(node, node.columns, shared, [&](int first, int count) {
+    own.segment(first, count).noalias() -=
+        panel.block(node.columns, first, below, count).transpose() * work.head(below);
+  });
   panel.topRows(node.columns).transpose().template triangularView<Eigen::Upper>().solveInPlace(own);
 }
 
@@ -116,18 +133,19 @@ template <class Real> void Supernodes<Real>::solve_lower(const Real* values, Vec
     Subtree& subtree = subtrees_[at(t)];
     subtree.above.setZero();
     for (int s : subtree.supernodes)
-      solve_lower(values, supernodes_[at(s)], x, subtree.end, subtree.above, subtree.work);
+      solve_lower(values, supernodes_[at(s)], x, subtree.end, false, subtree.above, subtree.work);
   });
   for (const Subtree& subtree : subtrees_) x += subtree.above;
-  for (int s : top_) solve_lower(values, supernodes_[at(s)], x, static_cast<int>(x.size()), x, work_);
+  for (int s : top_) solve_lower(values, supernodes_[at(s)], x, static_cast<int>(x.size()), true, x, work_);
 }
 
 template <class Real> void Supernodes<Real>::solve_upper(const Real* values, Vector& x) {
-  for (auto s = top_.rbegin(); s != top_.rend(); ++s) solve_upper(values, supernodes_[at(*s)], x, work_);
+  for (auto s = top_.rbegin(); s != top_.rend(); ++s) solve_upper(values, supernodes_[at(*s)], x, true, work_);
   parallel(static_cast<int>(subtrees_.size()), [&](int t) {
     Subtree& subtree = subtrees_[at(t)];
     const std::vector<int>& list = subtree.supernodes;
-    for (auto s = list.rbegin(); s != list.rend(); ++s) solve_upper(values, supernodes_[at(*s)], x, subtree.work);
+    for (auto s = list.rbegin(); s != list.rend(); ++s)
+      solve_upper(values, supernodes_[at(*s)], x, false, subtree.work);
   });
 }
 

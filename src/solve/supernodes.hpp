@@ -9,8 +9,8 @@
 namespace signorini::solve {
 
 /// The columns of a lower triangular factor L that belong to the interior, stored by supernodes (groups of columns with
-/// the same rows, as dense panels). Subtrees of the elimination tree are solved in parallel, then what is above them;
-/// the partition depends on L alone, so results are bitwise identical for any number of threads.
+/// the same rows, as dense panels). Subtrees of the elimination tree are solved in parallel, and large panels above
+/// them by shares; the partition depends on L alone, so results are bitwise identical for any number of threads.
 template <class Real> class Supernodes {
 public:
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
@@ -36,9 +36,9 @@ private:
     Vector above = {}, work = {};
   };
   void build_subtrees(int size);
-  void solve_lower(const Real* values, const Supernode& supernode, Vector& x, int end, Vector& above,
+  void solve_lower(const Real* values, const Supernode& supernode, Vector& x, int end, bool shared, Vector& above,
                    Vector& work) const;
-  void solve_upper(const Real* values, const Supernode& supernode, Vector& x, Vector& work) const;
+  void solve_upper(const Real* values, const Supernode& supernode, Vector& x, bool shared, Vector& work) const;
 
   std::vector<Supernode> supernodes_;
   std::vector<int> rows_;
