@@ -17,11 +17,11 @@ namespace {
 using Strips = std::vector<std::vector<bool>>;
 
 /// The directions of the patch along its contact faces, with the borders of their elements.
-struct Along {
+struct FaceElements {
   std::vector<int> directions;
   std::vector<std::vector<double>> breaks;
 
-  Along(const nurbs::Patch& patch, const nurbs::Plan& plan) {
+  FaceElements(const nurbs::Patch& patch, const nurbs::Plan& plan) {
     for (int d = 0; d < patch.parametric_dimension(); ++d)
       if (d != plan.contact.front().direction) {
         directions.push_back(d);
@@ -50,7 +50,7 @@ std::vector<bool> elements_in(const Arguments& a, const std::string& name, const
 }
 
 /// Whether the user's function on top of the stack is true at a place.
-bool holds(const Arguments& a, const VectorX& place) {
+bool is_true_at(const Arguments& a, const VectorX& place) {
   lua_State* L = a.state();
   lua_pushvalue(L, -1);
   push(L, place);
@@ -64,7 +64,7 @@ bool holds(const Arguments& a, const VectorX& place) {
 
 /// The smallest strips with all elements of a face in which the user's function is true at a Gauss point, five per
 /// direction.
-Strips strips_where(const Arguments& a, const nurbs::Patch& patch, const Along& along, nurbs::Side side) {
+Strips strips_where(const Arguments& a, const nurbs::Patch& patch, const FaceElements& along, nurbs::Side side) {
   constexpr int points = 5;
   const std::size_t count = along.directions.size();
   Strips result = along.none();
@@ -87,7 +87,7 @@ Strips strips_where(const Arguments& a, const nurbs::Patch& patch, const Along& 
         const VectorX place = nurbs::evaluate(patch, xi);
         low = low.size() == 0 ? place : VectorX(low.cwiseMin(place));
         high = high.size() == 0 ? place : VectorX(high.cwiseMax(place));
-        if (!holds(a, place)) continue;
+        if (!is_true_at(a, place)) continue;
         for (std::size_t k = 0; k < count; ++k) result[k][e[k]] = true;
         any = true;
         break;
@@ -103,7 +103,7 @@ Strips strips_where(const Arguments& a, const nurbs::Patch& patch, const Along& 
 
 /// The layer's strips on each contact face; all elements without the argument.
 std::vector<Strips> strips_of(const Arguments& a, const nurbs::Patch& patch, const nurbs::Plan& plan,
-                              const Along& along) {
+                              const FaceElements& along) {
   std::vector<Strips> result;
   if (!a.has("layer")) {
     Strips all = along.none();
@@ -128,7 +128,7 @@ std::vector<Strips> strips_of(const Arguments& a, const nurbs::Patch& patch, con
 }
 
 /// The borders of `parts` equal parts of the elements of direction k that are in the layer of any face.
-std::vector<double> subdivided(const std::vector<Strips>& faces, const Along& along, std::size_t k, int parts) {
+std::vector<double> subdivided(const std::vector<Strips>& faces, const FaceElements& along, std::size_t k, int parts) {
   std::vector<double> result;
   const std::vector<double>& breaks = along.breaks[k];
   for (std::size_t e = 0; e + 1 < breaks.size(); ++e)
@@ -138,7 +138,7 @@ std::vector<double> subdivided(const std::vector<Strips>& faces, const Along& al
 }
 
 /// One entry of layer_knots at a stack index: a number of parts, or the knots.
-std::vector<double> knots_at(lua_State* L, int index, const std::vector<Strips>& faces, const Along& along,
+std::vector<double> knots_at(lua_State* L, int index, const std::vector<Strips>& faces, const FaceElements& along,
                              std::size_t k) {
   return lua_istable(L, index) ? to<std::vector<double>>(L, index) : subdivided(faces, along, k, to<int>(L, index));
 }
@@ -156,7 +156,7 @@ void read_layer(const Arguments& a, const nurbs::Patch& patch, nurbs::Plan& plan
   if (ranges && !layered && !knots)
     a.fail("layer is where the degree is raised, but order '", plan.labels.front().text,
            "' has no layer: give a label with one, such as N2-N2.2, or layer_knots");
-  const Along along(patch, plan);
+  const FaceElements along(patch, plan);
   const std::vector<Strips> faces = strips_of(a, patch, plan, along);
   if (ranges && layered) plan.raised = faces;
   if (!knots) return;

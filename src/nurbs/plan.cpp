@@ -14,7 +14,7 @@ namespace signorini::nurbs {
 namespace {
 
 /// The parametric direction of the patch that is direction a of a row.
-int direction_along(const Plan& plan, int a) {
+int patch_direction(const Plan& plan, int a) {
   return plan.contact.empty() || a < plan.contact.front().direction ? a : a + 1;
 }
 
@@ -41,7 +41,7 @@ void check_extent(const Plan& plan, int along) {
     require(static_cast<int>(face.size()) == along, "nurbs.body.raised_directions",
             {{"expected", along}, {"count", face.size()}});
     for (int a = 0; a < along; ++a) {
-      const int d = direction_along(plan, a);
+      const int d = patch_direction(plan, a);
       require(face[at(a)].empty() || static_cast<int>(face[at(a)].size()) == plan.elements[at(d)],
               "nurbs.body.raised_elements",
               {{"direction", d}, {"expected", plan.elements[at(d)]}, {"count", face[at(a)].size()}});
@@ -83,14 +83,14 @@ void check(const Patch& patch, const Plan& plan) {
 }
 
 /// Throws Error unless a label's space contains the geometry, of degree `own`.
-void check_degree(const Space& space, int own, const std::string& label) {
+void check_contains(const Space& space, int own, const std::string& label) {
   require(space.degree >= own, "nurbs.body.degree", {{"label", label}, {"degree", space.degree}, {"lowest", own}});
 }
 
 /// k-refines direction d to the space Np.s. `label` is needed for errors only.
 Patch refine_to(const Patch& patch, int d, const Space& space, const std::vector<double>& knots,
                 const std::string& label) {
-  check_degree(space, patch.direction(d).degree(), label);
+  check_contains(space, patch.direction(d).degree(), label);
   return elevate(k_refine(patch, d, space.degree, knots), d, space.elevations);
 }
 
@@ -121,7 +121,7 @@ Patch lagrange_patch(const Patch& patch, const Plan& plan, int through,
 }
 
 /// One direction along the contact face, as all rows share it.
-struct Along {
+struct RowDirection {
   const KnotVector& geometry;
   const Label& label;
   std::vector<double> inserted; ///< knots of the bulk's elements
@@ -152,12 +152,12 @@ std::vector<double> cuts_of(const Patch& patch, const Plan& plan, int a, int d) 
 
 /// The space of a row whose degree is the layer's in some elements (`raised`, of those without cuts) and the bulk's in
 /// the others, with the bulk's continuity at the borders; smooth at cuts unless they are its knots (`cut`).
-Space1D local_space(const Along& along, const std::vector<bool>& raised, bool cut) {
+Space1D local_space(const RowDirection& along, const std::vector<bool>& raised, bool cut) {
   const KnotVector& geometry = along.geometry;
   const std::vector<double> whole = merged(geometry.breaks(), along.inserted);
   std::vector<double> breaks = merged(whole, along.cuts);
   const auto space_of = [&](bool high) { return high ? *along.label.layer : along.label.bulk; };
-  check_degree(along.label.bulk, geometry.degree(), along.label.text);
+  check_contains(along.label.bulk, geometry.degree(), along.label.text);
   std::vector<int> degrees, smoothness{-1};
   for (std::size_t i = 0, element = 0; i + 1 < breaks.size(); ++i) {
     const bool border = i > 0 && breaks[i] == whole[element + 1];
@@ -193,7 +193,7 @@ Discretization discretized(const Patch& patch, const Plan& plan) {
   const Label& deep = layer_label(plan);
   require(deep.rows <= count, "nurbs.body.layer_too_deep",
           {{"label", deep.text}, {"rows", deep.rows}, {"available", count}});
-  std::vector<Along> along;
+  std::vector<RowDirection> along;
   for (int a = 0; a < dimensions - 1; ++a) {
     const int d = a < through ? a : a + 1;
     along.push_back({patch.direction(d), plan.labels[at(a)], inserted[at(d)], cuts_of(patch, plan, a, d)});
@@ -207,7 +207,7 @@ Discretization discretized(const Patch& patch, const Plan& plan) {
     }
     std::vector<std::pair<int, Space1D>> local;
     for (int a = 0; a < dimensions - 1; ++a) {
-      const Along& one = along[at(a)];
+      const RowDirection& one = along[at(a)];
       bool in_layer = false;
       std::vector<bool> raised(one.inserted.size() + one.geometry.breaks().size() - 1, false);
       for (std::size_t f = 0; f < plan.contact.size(); ++f) {

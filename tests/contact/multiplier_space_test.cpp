@@ -4,6 +4,7 @@
 
 #include "nurbs/bezier.hpp"
 #include "nurbs/joins.hpp"
+#include "nurbs/multi_degree.hpp"
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,20 @@ TEST(MultiplierSpace, FollowsElementsOfSeveralDegrees) {
   const nurbs::Space1D space = multiplier_space(trace, MultiplierSpace::reduced);
   EXPECT_EQ(space.functions(), 1 + 3 + 2 + 1);
   for (int e = 0; e < 4; ++e) EXPECT_EQ(space.degree(e), trace.degree(e) - 2);
+}
+
+/// Degrees that join with C² or more: the multipliers are continuous, and the second derivatives of the trace are among
+/// them.
+TEST(MultiplierSpace, FollowsSmoothJoinsOfSeveralDegrees) {
+  const nurbs::Space1D trace = nurbs::multi_degree_space({0, 1, 2, 4, 5}, {3, 5, 5, 3}, {-1, 2, 3, 2, -1});
+  const nurbs::Space1D space = multiplier_space(trace, MultiplierSpace::reduced);
+  EXPECT_EQ(space.functions(), trace.functions() - 2);
+  EXPECT_EQ(space.smoothness(), (std::vector{-1, 0, 1, 0, -1}));
+  EXPECT_LT(largest_jump(space), 1e-14);
+  for (int e = 0; e < 4; ++e) {
+    EXPECT_EQ(space.degree(e), trace.degree(e) - 2);
+    EXPECT_GE(space.extraction(e).minCoeff(), 0);
+  }
 }
 
 TEST(MultiplierSpace, ErrorsNameTheDegree) {
