@@ -18,6 +18,7 @@
 --          through this window only.
 --          variant=friction: mu = 0.3, tangential penalty 100: ratio of drag to pressing force, energy balance.
 --          variant=depth: maximum depth of the indenter before the path turns (limit point), by R and discretization.
+--          variant=layers: N2-N2.2 on whole faces, along the path of the indenter, and on the rest of its cap's center.
 --          variant=cost: time per Newton iteration on four meshes, and of N2-N2.2.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, section 7.5, Tables 7.10 and 7.11, Figures 7.28 to 7.32;
@@ -39,6 +40,9 @@
 --      signorini scripts/ironing3d.lua variant=depth [orders=N2] [radius=7.5,12,25.5] [from=50,47.3]; from: x of the
 --      center of the indenter.
 --      signorini scripts/ironing3d.lua variant=cost [orders=N2] [mesh=sparse,coarse,middle,fine] [layered=N2-N2.2]
+--      signorini scripts/ironing3d.lua variant=layers [orders=N2-N2.1,N2-N2.2] [radius=7.5] [gap=5] [mu=0.3]
+--      [from=41.7] [down=0.2] [reach=5] [mesh=coarse]; from: x of the center of the indenter where it is pressed;
+--      reach: half-width of the slab's layer.
 --      Threads: signorini --threads 2 scripts/ironing3d.lua …
 
 local sg = require "signorini"
@@ -46,7 +50,7 @@ local formulations = require "formulations.rows"
 local problem = require "ironing3d.problem"
 local variants = {
   standard = require "ironing3d.oscillation", friction = require "ironing3d.friction",
-  depth = require "ironing3d.depth", cost = require "ironing3d.cost",
+  depth = require "ironing3d.depth", cost = require "ironing3d.cost", layers = require "ironing3d.layers",
 }
 
 -- ── The study ────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -67,6 +71,9 @@ local options = sg.arguments{
                  penalty = { 100.0, above = 0 }, out = "out/ironing3d_friction" },
     depth = { radius = radii{ 7.5, 12, 25.5 }, from = { { 50, 47.3 }, at_least = 5, below = 95 }, cap = 1, down = down,
               out = "out/ironing3d_depth" },
+    layers = { radius = { 7.5, at_least = 7.1 }, gap = { 5.0, at_least = 0, below = problem.published_depth }, mu = 0.3,
+               from = { 41.7, at_least = 5, below = 47.3 }, down = down, reach = { 5.0, above = 0 },
+               mesh = { "coarse", choices = problem.mesh_names }, out = "out/ironing3d_layers" },
     cost = { mesh = { problem.mesh_names, choices = problem.mesh_names }, layered = { { "N2-N2.2" }, none = true },
              out = "out/ironing3d_cost" },
   } },

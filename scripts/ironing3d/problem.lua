@@ -29,9 +29,9 @@ local function finer(mesh, fineness)
 end
 
 --- Indenter and slab of a case { order, mesh, radius }, the indenter's lowest point touching the slab at x = `center`,
---- y = 15. `fineness` multiplies the elements of the mesh in each direction (1). `cap` is the number of biquadratic
---- spans per direction that the sphere consists of: one, as published, has no inner knots, so that DOFs are those of a
---- block; with more, their knots remain C¹ for any order.
+--- y = 15. `fineness` multiplies the elements of the mesh in each direction (1); `layer`: by body, as in sg.body.
+--- `cap` is the number of biquadratic spans per direction that the sphere consists of: one, as published, has no inner
+--- knots, so that DOFs are those of a block; with more, their knots remain C¹ for any order.
 function problem.bodies(case, center)
   local elements = finer(problem.meshes[case.mesh], case.fineness or 1)
   local material = sg.neo_hookean{ E = 1, nu = 0.3 }
@@ -39,10 +39,12 @@ function problem.bodies(case, center)
     patch    = sg.shapes.spherical_indenter{ width = 10, depth = 10, height = 11, radius = case.radius,
                                              elements = case.cap or 1, corner = { center - 5, 10, 22 } },
     elements = elements.indenter, order = case.order, contact = "front", thickness_degree = 1, material = material,
+    layer    = case.layer and case.layer.indenter,
   }
   local slab = sg.body{
     patch    = sg.shapes.block{ size = { 100, 30, 22 } },
     elements = elements.slab, order = case.order, contact = "back", thickness_degree = 1, material = material,
+    layer    = case.layer and case.layer.slab,
   }
   return indenter, slab
 end

@@ -83,13 +83,23 @@ check.case("cost: a row per mesh and order, parts that add up", function()
   check.within("time", case.bulk + case.contact + case.linear + case.rest, case.iteration, 1e-12)
 end)
 
+check.case("a layer on the strip that the indenter touches: fewer unknowns, the same oscillation to 5 %", function()
+  local whole, strip, path = table.unpack(run_study("variant=layers", "orders=N2-N2.1", "mesh=sparse", "mu=0",
+    "from=47.2", "down=2.7", "out=" .. folder).cases)
+  -- 9 + 2 + 9 functions along the slab's row, 3 + 2 + 3 across it; one element across is raised, three along
+  check.equal({ whole.dofs.slab.total - strip.dofs.slab.total, strip.dofs.slab.total - path.dofs.slab.total },
+    { 3 * 20 * 2, 3 * 6 * 6 })
+  check.within("dPz", strip.dPz.raw, whole.dPz.raw, 0.05 * whole.dPz.raw)
+  check.within("dPx", strip.dPx.raw, whole.dPx.raw, 0.05 * whole.dPx.raw)
+end)
+
 check.case("wrong arguments", function()
   local script = core.home .. "/scripts/ironing3d.lua"
   check.refused(script, {
     ["ordrs=N2"] = "unknown argument 'ordrs=N2'; did you mean 'orders'? known with variant=standard: cap=1",
     ["N2"] = "unknown argument 'N2'", ["radius=5"] = "radius must be numbers, 7.1 or more, got '5'",
     ["gap=11"] = "gap must be numbers, 0 or more and below 10.4, got '11'",
-    ["variant=steep"] = "variant must be 'standard', 'cost', 'depth' or 'friction', got 'steep'",
+    ["variant=steep"] = "variant must be 'standard', 'cost', 'depth', 'friction' or 'layers', got 'steep'",
     ["slide=half"] = "slide must be 'window' or 'full', got 'half'",
     ["cap=0"] = "cap must be a whole number, 1 or more",
     ["variant=cost mesh=m1"] = "mesh must be values among 'sparse', 'coarse', 'middle' and 'fine', got 'm1'",
