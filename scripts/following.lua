@@ -53,6 +53,17 @@ local function mean(values)
   return sum / #values
 end
 
+--- The largest relative jump of the energy of bodies and contacts at a move after the first stage.
+local function jump(case)
+  local most, first = nil, #case.stages > 1 and case.stages[1].steps or 0
+  for _, move in ipairs(case.run.adaptations) do
+    if move.step > first then
+      most = math.max(most or 0, math.abs(move.energy_after / move.energy_before - 1))
+    end
+  end
+  return most
+end
+
 local adapt = { margin = options.margin, every = options.every,
                 tolerance = options.tolerance > 0 and options.tolerance or nil }
 local sets = {}
@@ -77,13 +88,14 @@ for _, set in ipairs(sets) do
     local raw, reference = case.oscillation.raw, whole.oscillation.raw
     rows[#rows + 1] = { set.name, case.order, case.way, mean(case.run:column "unknowns"), #case.run.adaptations,
                         case.run.iterations, case.run.wall, case.run.wall / whole.run.wall, raw,
-                        raw and reference and 100 * (raw / reference - 1) }
+                        raw and reference and 100 * (raw / reference - 1), jump(case) }
   end
 end
 print(sg.table{
-  columns = { "problem", "order", "layer", "unknowns", "moves", "iterations", "time", "time", "oscillation", "change" },
-  units = { "", "", "", "mean", "", "", "s", "of whole", "", "%" }, rows = rows,
-  formats = { "%s", "%s", "%s", "%.0f", "%d", "%d", "%.2f", "%.2f", "%.4g", "%+.1f" },
+  columns = { "problem", "order", "layer", "unknowns", "moves", "iterations", "time", "time", "oscillation", "change",
+              "energy jump" },
+  units = { "", "", "", "mean", "", "", "s", "of whole", "", "%", "" }, rows = rows,
+  formats = { "%s", "%s", "%s", "%.0f", "%d", "%d", "%.2f", "%.2f", "%.4g", "%+.1f", "%.1e" },
 })
 
 --- Values over the steps, of the last stage; marks at moves.
