@@ -42,7 +42,7 @@ local function solve(name, order, adapt, label)
     end,
   })
   case.values = case.run:column(case.force)
-  case.oscillation = measure.oscillation(case.values, case.first, case.last)
+  case.oscillation = measure.oscillation(case.values, case.first, case.last)[case.kind]
   case.model = nil
   return case
 end
@@ -85,10 +85,10 @@ local rows = {}
 for _, set in ipairs(sets) do
   local whole = set[2]
   for _, case in ipairs(set) do
-    local raw, reference = case.oscillation.raw, whole.oscillation.raw
+    local own, reference = case.oscillation, whole.oscillation
     rows[#rows + 1] = { set.name, case.order, case.way, mean(case.run:column "unknowns"), #case.run.adaptations,
-                        case.run.iterations, case.run.wall, case.run.wall / whole.run.wall, raw,
-                        raw and reference and 100 * (raw / reference - 1), jump(case) }
+                        case.run.iterations, case.run.wall, case.run.wall / whole.run.wall, own,
+                        own and reference and 100 * (own / reference - 1), jump(case) }
   end
 end
 print(sg.table{
