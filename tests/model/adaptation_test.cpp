@@ -71,7 +71,7 @@ TEST(OtherRows, GrowExactly) {
     EXPECT_LT((old.force - now.force).norm(), 1e-9 * old.force.norm()) << m;
     EXPECT_EQ(accepted.active, now.active) << m;
     EXPECT_EQ(accepted.slipping, now.slipping) << m;
-    iron(*grown, 10, 12);
+    if (m == 0) iron(*grown, 10, 12); // steps too long for plain Newton with augmentation
   }
 }
 
