@@ -31,14 +31,15 @@ inline constexpr int most_iterations = 40;
 inline constexpr int usual_iterations = 6;
 /// Floating-point operations of dense kernels in the time in which one entry of the factors is read from memory.
 inline constexpr double operations_per_entry = 10;
+/// Cost of ordering and permuting an entry of the matrix, relative to reading one.
+inline constexpr double preparation = 50;
 /// Largest tolerance of Newton's corrections, relative to the residual. Larger ones cost Newton iterations. An error of
 /// a multiplier may change a contact state: at 1e-3 two of seven cases of ironing fail that converge at 1e-4 and below.
 inline constexpr double loosest_tolerance = 1e-3, loosest_for_multipliers = 1e-4;
 /// Smallest tolerance: a smaller one costs iterations of GMRES without benefit.
 inline constexpr double tightest_tolerance = 1e-10;
-/// Weight of the last solution in the running mean of their cost: a step needs few digits at first and many at the end,
-/// so single solutions are not representative.
-inline constexpr double latest_weight = 0.25;
+/// Fewest and most digits gained by a solution when its iterations are compared with those of another.
+inline constexpr double least_digits = 0.1, most_digits = 16;
 
 // ── Threads ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 

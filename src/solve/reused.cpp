@@ -46,7 +46,7 @@ private:
   bool apply(double* z);
   double iteration_cost() const;
   int budget() const;
-  void record_cost(double cost);
+  void record(const KrylovReport& report);
 
   LinearKind kind_;
   Pattern pattern_;
@@ -63,9 +63,8 @@ private:
   VectorX right_, rest_, part_, sum_;
   double entries_ = 0; ///< of the current preconditioner
   double factor_cost_ = 0;
-  double cost_ = 0;        ///< since the preconditioner was made, including its factorization
-  int solutions_ = 0;      ///< since then
-  double recent_cost_ = 0; ///< running mean of the cost of a solution
+  double rate_ = 0;   ///< iterations per digit with the preconditioner of the same matrix
+  double excess_ = 0; ///< iterations since the last renewal beyond those that a new preconditioner would have needed
   SolverStatistics statistics_;
 };
 
@@ -98,8 +97,7 @@ void Reused::begin_cycle(Preconditioner used, const SolverStatistics& factors) {
   entries_ = factors.entries;
   factor_cost_ =
       factors.operations > 0 ? factors.operations / operations_per_entry : most_iterations * iteration_cost();
-  cost_ = factor_cost_;
-  solutions_ = 0;
+  excess_ = 0;
 }
 
 bool Reused::renew() {
@@ -131,10 +129,11 @@ int Reused::budget() const {
   return static_cast<int>(std::min<double>(most_iterations, usual_iterations + factor_cost_ / iteration_cost()));
 }
 
-void Reused::record_cost(double cost) {
-  recent_cost_ = solutions_ == 0 ? cost : recent_cost_ + latest_weight * (cost - recent_cost_);
-  cost_ += cost;
-  ++solutions_;
+void Reused::record(const KrylovReport& report) {
+  statistics_.iterations += report.iterations;
+  const double digits = std::clamp(-std::log10(report.reduction), least_digits, most_digits);
+  if (present_) rate_ = report.iterations / digits;
+  excess_ += report.iterations - std::max(1.0, rate_ * digits);
 }
 
 bool Reused::solve(double* b) {
@@ -144,15 +143,15 @@ bool Reused::solve(double* b) {
   const double norm = right_.norm();
   if (norm == 0) return true;
   const double tolerance = first ? forcing_.next(norm) : tightest_tolerance;
-  if (first && recent_cost_ * solutions_ > cost_ && !renew()) return false;
+  const double renewal_cost = factor_cost_ + preparation * pattern_.entries();
+  if (first && !present_ && excess_ * iteration_cost() > renewal_cost && !renew()) return false;
 
   const auto multiply = [this](const double* x, double* y) { matrix_.multiply(x, y); };
   const auto precondition = [this](double* z) { return apply(z); };
   sum_.setZero(pattern_.size);
   for (double left = 1;;) {
     const KrylovReport report = gmres_(multiply, precondition, rest_, tolerance / left, budget(), part_);
-    statistics_.iterations += report.iterations;
-    record_cost(report.iterations * iteration_cost());
+    record(report);
     if (std::isfinite(report.reduction)) {
       sum_ += part_;
       left *= report.reduction;

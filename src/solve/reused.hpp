@@ -10,10 +10,10 @@ namespace signorini::solve {
 /// GMRES on the current matrix, preconditioned by a factorization of an earlier one: of its symmetric part, in which
 /// the block of the watched unknowns is updated, if `symmetric_part` is given and can be factored; otherwise by
 /// `direct`, any direct solver. A factorization can cost as much as hundreds of solutions, while the tangents of one
-/// step differ little. It is renewed when a solution costs more than the average since the last renewal, including the
-/// cost of that renewal: this is optimal in time if the cost keeps rising. Costs are counted, not measured, so results
-/// are bitwise reproducible; a solver that does not report its operations is assumed to cost as much as the maximum
-/// number of GMRES iterations.
+/// step differ little. It is renewed when the iterations since the last renewal, beyond those that a new factorization
+/// would have needed for the same digits, cost as much as a renewal: at most twice the least total cost, and the least
+/// if the cost rises steadily. Costs are counted, not measured, so results are bitwise reproducible; a solver that does
+/// not report its operations is assumed to cost as much as the maximum number of GMRES iterations.
 ///
 /// Accuracy: see Forcing for the first right-hand side after factor(), which is assumed to be Newton's; others are
 /// solved to tightest_tolerance. A matrix that is singular to working precision is reported if the system with this
