@@ -192,9 +192,20 @@ void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, const Fac
   };
   for (int k = 0; k < size; ++k) distances[k] = distance(k, x(0), x(1), x(2));
   const bool here_found = found && found->element == element;
+  // No neighbor is farther from a point than the longest step of the grid in one direction plus that in the other.
+  double step[2] = {0, 0};
+  for (int j = 0; j < n1; ++j)
+    for (int i = 0; i + 1 < n0; ++i) {
+      const int k = i + n0 * j;
+      step[0] = std::max(step[0], distance(k, px[k + 1], py[k + 1], pz[k + 1]));
+    }
+  for (int k = 0; k + n0 < size; ++k) step[1] = std::max(step[1], distance(k, px[k + n0], py[k + n0], pz[k + n0]));
+  const double reach = std::sqrt(step[0]) + std::sqrt(step[1]) + std::sqrt(distance2());
+  const double farthest = reach * reach;
   for (int j = 0; j < n1; ++j)
     for (int i = 0; i < n0; ++i) {
       const int here = i + n0 * j;
+      if (distances[here] > farthest) continue;
       const int left = std::max(i - 1, 0), right = std::min(i + 1, n0 - 1);
       const int below = std::max(j - 1, 0), above = std::min(j + 1, n1 - 1);
       bool least = true;
