@@ -21,11 +21,11 @@
 -- Run: signorini scripts/stability/deep_ironing.lua [points=p+1,2(p+1),3(p+1)]
 --      [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [coarser=1,2,4,8,16] [mesh=m1] [places=N6] [jobs=2]
 --      [limit=600] [keep=no] [with=robust] [formulation=gpts] [out=out/stability/deep_ironing]; points: contact points
---      per element, p the degree on the contact face, one map for each; coarser: factors on the step size; places: a
---      discretization whose failures of plain Newton are shown in a picture, at the first of points and of coarser, or
---      none; keep=yes reuses the cells that an earlier call left in the folder; with=cutting, fallback or prediction
---      turns on only one of the controls; formulation: a row of formulations/rows.lua, such as equal, reduced or
---      half-passes.
+--      per element, p the degree on the contact face, also auto, one map for each; coarser: factors on the step size;
+--      places: a discretization whose failures of plain Newton are shown in a picture, at the first of points and of
+--      coarser, or none; keep=yes reuses the cells that an earlier call left in the folder; with=cutting, fallback or
+--      prediction turns on only one of the controls; formulation: a row of formulations/rows.lua, such as equal,
+--      reduced or half-passes.
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
@@ -35,7 +35,7 @@ local study = require "stability.study"
 local multiples = { ["p+1"] = 1, ["2(p+1)"] = 2, ["3(p+1)"] = 3 }
 local all_points = { "p+1", "2(p+1)", "3(p+1)" }
 local options = study.arguments{
-  points = { all_points, choices = all_points },
+  points = { all_points, choices = { "p+1", "2(p+1)", "3(p+1)", "auto" } },
   orders = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" },
   coarser = { { 1.0, 2.0, 4.0, 8.0, 16.0 }, above = 0 }, mesh = ironing.meshes "m1", places = "N6",
   formulation = formulations.argument "gpts",
@@ -44,9 +44,10 @@ local options = study.arguments{
 local set_up, elements = ironing.variants.deep, ironing.elements(options.mesh)
 local formulation = formulations[options.formulation]
 
+--- `multiple` of p + 1 points per element; nil: "auto".
 local function scene(order, multiple)
-  return (ironing.scene(set_up, order, elements, multiple * (ironing.layer_degree(order) + 1), nil,
-    { formulation = formulation }))
+  local points = multiple and multiple * (ironing.layer_degree(order) + 1) or "auto"
+  return (ironing.scene(set_up, order, elements, points, nil, { formulation = formulation }))
 end
 
 --- The forces on the die at the end of the path.
@@ -59,7 +60,7 @@ local files, results = sg.files(options.out), {}
 for _, name in ipairs(points) do
   local multiple = multiples[name]
   results[name] = study.solve({
-    name = ("Deep ironing with %s contact points"):format(name), key = ("points%d"):format(multiple),
+    name = ("Deep ironing with %s contact points"):format(name), key = ("points%s"):format(multiple or "_auto"),
     x = { name = "order", values = options.orders },
     y = { name = "length of a step (published: 1)", values = coarser },
     scene = function(order) return scene(order, multiple) end,

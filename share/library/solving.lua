@@ -351,12 +351,14 @@ function sg.model(arguments) end
 ---     with multipliers
 ---```
 ---@field per? "current"|"reference"
----points: Gauss points per slave element and direction (a whole number from 1 to 100; by default 3 (p + 1), p the
----degree
+---points: a whole number from 1 to 100 or "auto"; by default 3 (p + 1), p the degree along the slave face, that of its
 ---```text
----        along the slave face, that of its layer if it has one, in 3D the higher one)
+---        layer if it has one, in 3D the higher one. Gauss points per slave element and direction. "auto": 2 (p + 1) in
+---        elements that are wholly closed or open and away from the border of the contact, 3 (p + 1) elsewhere, chosen
+---        after each step; for penalty contact at contact points and for half passes. In 2D it saves little, because
+---        contact takes a small part of the time
 ---```
----@field points? integer
+---@field points? integer|"auto"
 ---adhesion: a table of named arguments; optional. Van der Waals forces in place of penalty and friction; the force is
 ---```text
 ---          zero at the distance 15^(-1/6) r0

@@ -179,6 +179,13 @@ template <int D> int energy(const model::Model<D>& model, lua_State* L) {
 
 // ── Sizes of a model, which lua/signorini/cost.lua prints ────────────────────────────────────────────────────────────
 
+/// Number of contact points that act.
+template <int D> int acting_points(const contact::ContactPoints<D>& points, const contact::History<D>& history) {
+  int count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) count += acts(points, history, i);
+  return count;
+}
+
 /// Unknowns shared by control points count once; those of the contact layer belong to the rows of the contact faces.
 template <int D> void push_body_cost(lua_State* L, const model::Model<D>& model, int index) {
   const auto& unknowns = model.system.unknowns;
@@ -236,7 +243,7 @@ template <int D> int cost(const model::Model<D>& model, lua_State* L) {
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     contacts += model.system.contacts[k]->memory();
     for (const auto* state : {&model.accepted, &model.present}) contacts += contact::memory(state->contacts[k]);
-    push_fields(L, "points", static_cast<int>(model.present.contacts[k].results.size()), "rigid",
+    push_fields(L, "points", acting_points(model.system.contacts[k]->points(), model.present.contacts[k]), "rigid",
                 std::holds_alternative<model::ObstacleReference>(scene.contacts[k].master));
     lua_setfield(L, -2, scene.contacts[k].name.c_str());
   }

@@ -122,7 +122,9 @@ template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const 
     require(!master || !master->contains(face), a.name("master"), " is the same face as ", a.name("slave"),
             "; self-contact is not available: use a face of the other body");
   contact.method = read_method<D>(a);
-  contact.points = a.has("points") ? a.get<int>("points") : default_points(builder.scene, contact.slave);
+  contact.adaptive_points = lua_type(a.state(), a.push("points")) == LUA_TSTRING;
+  contact.points =
+      a.has("points") && !contact.adaptive_points ? a.get<int>("points") : default_points(builder.scene, contact.slave);
   contact.where = read_region<D>(a, {"contacts", name});
   if (a.has("cohesive")) contact.bonded = read_region<D>(a.table("cohesive"), {"contacts", name, "cohesive"});
   contact.start = {a.get<bool>("active"), a.get<double>("offset"), a.get<std::string>("overlap") == "interference"};
@@ -134,7 +136,7 @@ template <int D> model::Contact<D> swapped(const SceneBuilder<D>& builder, const
   const model::Faces slave = std::get<model::Faces>(pass.master);
   pass.master = pass.slave;
   pass.slave = slave;
-  if (!a.has("points")) pass.points = default_points(builder.scene, slave);
+  if (!a.has("points") || pass.adaptive_points) pass.points = default_points(builder.scene, slave);
   pass.name += ".master";
   return pass;
 }

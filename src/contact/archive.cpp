@@ -160,9 +160,10 @@ template <int D> Method<D> read_method(ArchiveReader& from) {
 }
 
 template <int D> void write_history(ArchiveWriter& to, const History<D>& history) {
-  const auto& [points, results, multipliers, multiplier_results, bonds, changes, dissipated, growth, offset_work,
-               debonding] = history;
+  const auto& [points, results, multipliers, multiplier_results, bonds, sparse, changes, dissipated, growth,
+               offset_work, debonding] = history;
   to.put(changes, dissipated, growth, offset_work, debonding, static_cast<std::uint64_t>(points.size()));
+  for (const char element : sparse) to.put(element != 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool acts = results[i].area != 0;
     to.put(points[i], acts);
@@ -173,11 +174,12 @@ template <int D> void write_history(ArchiveWriter& to, const History<D>& history
 }
 
 template <int D> void read_history(ArchiveReader& from, History<D>& history) {
-  auto& [points, results, multipliers, multiplier_results, bonds, changes, dissipated, growth, offset_work, debonding] =
-      history;
+  auto& [points, results, multipliers, multiplier_results, bonds, sparse, changes, dissipated, growth, offset_work,
+         debonding] = history;
   from.into(changes, dissipated, growth, offset_work, debonding);
   const auto count = from.get<std::uint64_t>();
   require(count == points.size(), "contact.archive.points", {{"saved", count}, {"count", points.size()}});
+  for (char& element : sparse) element = from.get<bool>();
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::apply([&](auto&... parts) { from.into(parts...); }, members(points[i]));
     results[i] = from.get<bool>() ? from.get<PointResult<D>>() : PointResult<D>{};

@@ -46,6 +46,17 @@ inline constexpr double same_weights = 1e-6;
 /// share/doc/stability.md compares values from 0.2 to 0.4.
 inline constexpr double end_extension = 0.3;
 
+// ── Points per element ───────────────────────────────────────────────────────────────────────────────────────────────
+
+/// A closed element has its full rule while its least pressure is below this fraction of its largest: the border of the
+/// contact, where the pressure is zero, is then about an element away.
+inline constexpr double border_pressure = 0.2;
+/// An open element has its full rule while its distance from contact is below this multiple of the last step's motion,
+/// or below this fraction of its diagonal: the next step may be longer, and points far from contact cost little.
+inline constexpr double border_motion = 2, border_distance = 0.5;
+/// Factor on both limits for elements that have their full rule.
+inline constexpr double rule_hysteresis = 2;
+
 // ── Slip points ──────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Largest distance of a slip point from Coulomb's cone, relative to its trial distance.

@@ -7,31 +7,39 @@
 namespace signorini::contact {
 
 template <int D>
-ContactPoints<D>::ContactPoints(const Surface<D>& slave, int per_direction, bool is_revolved, const Region<D>& where)
-    : revolved(is_revolved) {
+ContactPoints<D>::ContactPoints(const Surface<D>& slave, int per_direction, bool is_revolved, const Region<D>& where,
+                                int few)
+    : revolved(is_revolved), full(per_direction), sparse(few) {
   FacePoint<D> face;
   LocalGeometry<D> geometry;
   LocalRow<D> derivative;
   geometry.revolved = revolved;
-  for (int e = 0; e < slave.elements(); ++e) {
+  const auto add = [&](int e, int count, bool of_sparse) {
     std::vector<solid::QuadratureRule> rules;
     for (int a = 0; a < D - 1; ++a) {
       const auto [from, to] = slave.interval(e, a);
-      rules.push_back(solid::gauss_legendre(per_direction, from, to));
+      rules.push_back(solid::gauss_legendre(count, from, to));
     }
     const solid::ElementQuadrature rule = solid::tensor_product(rules);
     for (int q = 0; q < rule.weights.size(); ++q) {
       slave.locate(e, rule.points.col(q), 1, face);
-      if (where && !where(face.position)) continue;
+      if (where && !where(face.position)) {
+        whole = false;
+        continue;
+      }
       slave.functions(face, 1);
       geometry.slave = face.position;
       geometry.slave_tangent = face.tangent;
-      list.push_back({e, q, rule.weights(q), slave_measure(geometry, derivative), values.size()});
+      list.push_back({e, q, rule.weights(q), slave_measure(geometry, derivative), values.size(), of_sparse});
       reference.push_back(face.position);
       const int n = slave.functions_on(e);
       values.insert(values.end(), face.value.begin(), face.value.begin() + n);
       for (const auto& rates : face.derivative) values.insert(values.end(), rates.begin(), rates.begin() + n);
     }
+  };
+  for (int e = 0; e < slave.elements(); ++e) {
+    add(e, full, false);
+    if (sparse > 0) add(e, sparse, true);
   }
   require(!list.empty(), "contact.points.none");
 }

@@ -2,6 +2,8 @@
 
 #include "base/timer.hpp"
 #include "contact/crossing.hpp"
+#include "contact/history_transfer.hpp"
+#include "contact/point_choice.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -12,8 +14,9 @@ namespace signorini::contact {
 template <int D>
 Formulation<D>::Formulation(ContactSetting<D> setting)
     : slave_(std::move(setting.slave)), master_(std::move(setting.master)), accepted_master_(master_),
-      points_(slave_, setting.points, setting.revolved, setting.where), start_(setting.start),
-      previous_slave_(slave_.points()) {
+      points_(slave_, setting.points, setting.revolved, setting.where,
+              setting.adaptive ? (2 * setting.points + 2) / 3 : 0),
+      start_(setting.start), previous_slave_(slave_.points()) {
   if (!start_.interference) return;
   for (const double gap : gaps(History<D>(points_))) overlap_.push_back(std::max(0.0, -gap));
 }
@@ -77,17 +80,48 @@ void Formulation<D>::append_dofs(const Block& block, const Offsets& offsets, std
 template <int D> void Formulation<D>::commit(History<D>& present, const History<D>& accepted, double penalty_factor) {
   commit_points(present, accepted, penalty_factor);
   const double master_moved = master_moved_since_accepted();
+  double moved = 0; // by which a point of the slave has approached the master
   for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (!acts(points_, present, i)) continue;
     const PointResult<D>&before = accepted.results[i], &after = present.results[i];
     present.growth += growth(before, after);
     present.offset_work += share() * 0.5 * (before.pressure * before.area + after.pressure * after.area) *
                            (offset(i, present) - offset(i, accepted));
     if (!present.results[i].settled) unsettled_ = {unsettled_.count + 1, points_.reference[i]};
+    if (points_.sparse > 0) moved = std::max(moved, approach(i, present, accepted, master_moved));
     if (has_crossed(i, present, accepted, master_moved)) crossed_ = {crossed_.count + 1, points_.reference[i]};
   }
   for (std::size_t a = 0; a < present.multipliers.size(); ++a)
     present.growth += growth(accepted.multiplier_results[a], present.multiplier_results[a]);
   return_to_accepted();
+  if (points_.sparse > 0) choose_points(present, moved, penalty_factor);
+}
+
+/// Changes the rules of elements for the next step. Points that begin to act take over histories and are evaluated;
+/// the energy of springs changes by the error of quadrature, which counts as growth.
+template <int D> void Formulation<D>::choose_points(History<D>& present, double moved, double penalty_factor) {
+  std::vector<double> clearance(points_.size(), 0.0);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (present.points[i].cleared > 0) clearance[i] = present.points[i].cleared - travel_;
+  const std::vector<char> sparse = choose_sparse(points_, slave_, present, clearance, moved);
+  std::vector<std::size_t> all;
+  for (std::size_t first = 0, last; first < points_.size(); first = last) {
+    const int e = points_.list[first].element;
+    std::vector<std::size_t> before, after;
+    for (last = first; last < points_.size() && points_.list[last].element == e; ++last)
+      (acts(points_, present, last) ? before : after).push_back(last);
+    if (sparse[at(e)] == present.sparse[at(e)]) continue;
+    recall(memories<D>(*this, present, before), *this, true, after, present);
+    for (const std::size_t i : before) {
+      present.growth -= present.results[i].potential;
+      present.points[i] = {};
+      present.results[i] = {};
+    }
+    all.insert(all.end(), after.begin(), after.end());
+  }
+  present.sparse = sparse;
+  evaluate_points(present, all, penalty_factor);
+  for (const std::size_t i : all) present.growth += present.results[i].potential;
 }
 
 /// Bound on the distance by which a point of the master has moved since the accepted state; infinite if it is rigid,
@@ -98,6 +132,14 @@ template <int D> double Formulation<D>::master_moved_since_accepted() const {
       (master_.surface()->points() - accepted_master_.surface()->points()).colwise().squaredNorm().maxCoeff());
 }
 
+/// Bound on the distance by which point i has come closer to the master since the accepted state.
+template <int D>
+double Formulation<D>::approach(std::size_t i, const History<D>& present, const History<D>& accepted,
+                                double master_moved) const {
+  return std::min(travel_ - accepted_travel_,
+                  (present.results[i].position - accepted.results[i].position).norm() + master_moved);
+}
+
 /// Whether a point of an active contact has passed through the master since the accepted state. Points whose distance
 /// exceeds the approach of slave and master need no test.
 template <int D>
@@ -106,8 +148,7 @@ bool Formulation<D>::has_crossed(std::size_t i, const History<D>& present, const
   const PointHistory<D>& point = present.points[i];
   const PointResult<D>& result = present.results[i];
   if (!active(present) || !active(accepted)) return false;
-  const double moved = std::min(travel_ - accepted_travel_,
-                                (result.position - accepted.results[i].position).norm() + master_moved);
+  const double moved = approach(i, present, accepted, master_moved);
   const double touching = offset(i, present);
   const double least = point.cleared > 0 ? point.cleared - travel_ + touching : point.projection.gap; // distance
   if (moved <= 0 || least > moved || result.beyond) return false;

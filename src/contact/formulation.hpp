@@ -21,6 +21,7 @@ template <int D> struct ContactSetting {
   Region<D> where = {};
   Start start = {};
   Region<D> bonded = {}; ///< of a cohesive contact
+  bool adaptive = false; ///< elements away from the border of the contact have 2/3 of the points, see point_choice.hpp
 };
 
 /// Rules of a step that take precedence over the gap and friction of contact points.
@@ -157,6 +158,9 @@ protected:
   virtual const PenaltyLaw* law() const { return nullptr; }
   /// Its share of the energies, since the energies of two half passes are added.
   virtual double share() const { return 1; }
+  /// Evaluates the results of points at the displacements evaluated last, where the accepted state equals `present`.
+  virtual void evaluate_points(History<D>& /*present*/, const std::vector<std::size_t>& /*points*/,
+                               double /*penalty_factor*/) {}
   /// Called by commit() before points are counted.
   virtual void commit_points(History<D>& /*present*/, const History<D>& /*accepted*/, double /*penalty_factor*/) {}
   /// Returns the last evaluation's blocks to their source, to reuse their memory.
@@ -176,6 +180,8 @@ protected:
 
 private:
   double master_moved_since_accepted() const;
+  double approach(std::size_t i, const History<D>& present, const History<D>& accepted, double master_moved) const;
+  void choose_points(History<D>& present, double moved, double penalty_factor);
   bool has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted, double master_moved) const;
 
   Eigen::Matrix<double, D, Eigen::Dynamic> previous_slave_; ///< control points before the last move

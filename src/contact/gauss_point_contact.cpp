@@ -2,6 +2,7 @@
 
 #include "base/timer.hpp"
 
+#include <optional>
 #include <utility>
 
 namespace signorini::contact {
@@ -20,12 +21,31 @@ template <int D> void GaussPointContact<D>::evaluate_part(int index, const Trial
   for (std::size_t i = part.first; i < part.last; ++i) {
     const auto& list = this->points_.list;
     if (i > part.first && list[i].element != list[i - 1].element) part.sums.close_element(tangent);
+    if (!acts(this->points_, trial.present, i)) continue;
     PointResult<D>& result = trial.present.results[i];
     result = {};
     result.position = position(this->points_, this->slave(), i);
     evaluate_point(i, trial, part, feet);
   }
   part.sums.close_element(tangent);
+}
+
+template <int D>
+void GaussPointContact<D>::evaluate_points(History<D>& present, const std::vector<std::size_t>& points,
+                                           double penalty_factor) {
+  const Controls controls;
+  const Trial<D> trial{present, present, controls, penalty_factor};
+  Feet feet;
+  std::optional<Part> part; // of one element; its forces are not used
+  int element = -1;
+  for (const std::size_t i : points) {
+    if (this->points_.list[i].element != element)
+      part.emplace(Part{0, 0, BlockSums<D>(this->slave(), this->master(), pass_)});
+    element = this->points_.list[i].element;
+    present.results[i] = {};
+    present.results[i].position = position(this->points_, this->slave(), i);
+    evaluate_point(i, trial, *part, feet);
+  }
 }
 
 template <int D>

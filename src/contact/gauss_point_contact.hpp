@@ -46,6 +46,7 @@ protected:
               Part& part, const Feet& at) const;
 
 private:
+  void evaluate_points(History<D>& present, const std::vector<std::size_t>& points, double penalty_factor) final;
   void take_back(std::vector<Block>& blocks) final;
 
   Pass pass_;

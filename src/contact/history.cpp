@@ -9,6 +9,7 @@ History<D>::History(const ContactPoints<D>& of, int count, bool bonded)
     : points(of.size()), results(of.size()), multipliers(at(count)), multiplier_results(at(count)),
       bonds(bonded ? of.size() : 0) {
   for (std::size_t i = 0; i < of.size(); ++i) results[i].position = of.reference[i];
+  if (of.sparse > 0) sparse.resize(at(of.list.back().element + 1), 0);
 }
 
 template <int D> Resultant<D> resultant(const History<D>& history) {

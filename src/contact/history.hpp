@@ -79,6 +79,7 @@ template <int D> struct History {
   std::vector<MultiplierHistory<D>> multipliers;
   std::vector<MultiplierResult<D>> multiplier_results;
   std::vector<PointBond<D>> bonds = {}; ///< one per point of a cohesive contact, otherwise none
+  std::vector<char> sparse = {};        ///< per slave element, whether its sparse rule acts; empty if there are none
   Changes changes = {};
   /// Sums over all accepted steps, by the trapezoidal rule over each: work of friction, ∫ μ t_N dγ da; ∫∫ φ dA, the
   /// law's energy φ per area times the growth of the area A on which its tractions act, which no force does; and the
@@ -86,6 +87,11 @@ template <int D> struct History {
   double dissipated = 0, growth = 0, offset_work = 0;
   double debonding = 0; ///< energy that bonds have dissipated
 };
+
+/// Whether point i acts: it belongs to the rule of its element.
+template <int D> bool acts(const ContactPoints<D>& points, const History<D>& history, std::size_t i) {
+  return history.sparse.empty() || (history.sparse[at(points.list[i].element)] != 0) == points.list[i].sparse;
+}
 
 /// ½ (φ₀ + φ₁) (A₁ − A₀) of a point or a multiplier over a step, zero if it is open before or after.
 template <int D> double growth(const PointResult<D>& before, const PointResult<D>& after);

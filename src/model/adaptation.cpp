@@ -23,7 +23,7 @@ template <int D> std::shared_ptr<const Origin<D>> origin_of(const Model<D>& mode
   for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
     const contact::Formulation<D>& formulation = *model.system.contacts[k];
     Contact<D>& contact = origin->scene.contacts[k];
-    contact.where = region_of<D>(points_of_region(contact, formulation), tolerance);
+    contact.where = region_of<D>(points_of_region(formulation), tolerance);
     contact.bonded = region_of<D>(bonded_points(formulation), tolerance);
   }
   return origin;

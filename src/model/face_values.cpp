@@ -19,6 +19,22 @@ const char* name_of(FaceField field) {
   return field == FaceField::pressure ? "contact_pressure" : "damage";
 }
 
+namespace {
+
+/// Values at the points of the full rule from those of the sparse one: T_ij, the Lagrange polynomial of point j at i.
+MatrixX interpolation(int sparse, int full) {
+  const std::vector<double> a = solid::gauss_legendre(sparse, 0, 1).points,
+                            b = solid::gauss_legendre(full, 0, 1).points;
+  const Eigen::Map<const VectorX> from(a.data(), sparse), to(b.data(), full);
+  MatrixX result = MatrixX::Ones(full, sparse);
+  for (int j = 0; j < sparse; ++j)
+    for (int k = 0; k < sparse; ++k)
+      if (k != j) result.col(j).array() *= (to.array() - from(k)) / (from(j) - from(k));
+  return result;
+}
+
+} // namespace
+
 template <int D> MatrixX contact_point_values(const Model<D>& model, FaceField field, int contact, std::size_t face) {
   const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
   const Contact<D>& named = model.system.scene.contacts[at(contact)];
@@ -27,8 +43,19 @@ template <int D> MatrixX contact_point_values(const Model<D>& model, FaceField f
   const std::vector<double> damage = field == FaceField::damage ? formulation.damage(history) : std::vector<double>();
   MatrixX all = MatrixX::Zero(D == 3 ? points * points : points, formulation.slave().elements());
   for (std::size_t i = 0; i < formulation.points().size(); ++i) {
+    if (!acts(formulation.points(), history, i)) continue;
     const contact::ContactPoint& point = formulation.points().list[i];
     all(point.number, point.element) = field == FaceField::damage ? damage[i] : history.results[i].pressure;
+  }
+  if (const int sparse = formulation.points().sparse; sparse > 0) {
+    const MatrixX along = interpolation(sparse, points);
+    for (int e = 0; e < static_cast<int>(history.sparse.size()); ++e) {
+      if (!history.sparse[at(e)]) continue;
+      if constexpr (D == 2)
+        all.col(e) = (along * all.col(e).head(sparse)).eval();
+      else
+        all.col(e) = (along * all.col(e).head(sparse * sparse).reshaped(sparse, sparse) * along.transpose()).reshaped();
+    }
   }
   if (named.slave.size() == 1) return all;
   const contact::FacePlace& place = formulation.slave().places()[face];

@@ -254,6 +254,8 @@ template <int D> void check_following(const Model<D>& model) {
   const auto& bodies = model.system.scene.bodies;
   require(std::ranges::any_of(bodies, [](const auto& named) { return named.body->space().recipe() != nullptr; }),
           "model.adapt.no_layer");
+  for (const Contact<D>& contact : model.system.scene.contacts)
+    require(!contact.adaptive_points, "model.adapt.auto_points", {{"contact", contact.name}});
   check_replaceable<D>(model.system.scene, [&](int b, int row) {
     const auto& recipe = bodies[at(b)].body->space().recipe();
     if (!recipe) return false;

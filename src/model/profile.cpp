@@ -17,10 +17,13 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
   const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
   const contact::History<D>& history = model.present.contacts[at(contact)];
   Profile result;
-  result.gap = formulation.gaps(history);
-  for (const Vec<D>& place : formulation.points().reference)
-    append<D>(place, {&result.reference_x, &result.reference_y, &result.reference_z});
-  for (const auto& point : history.results) {
+  const std::vector<double> gaps = formulation.gaps(history), damage = formulation.damage(history);
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (!acts(formulation.points(), history, i)) continue;
+    const auto& point = history.results[i];
+    append<D>(formulation.points().reference[i], {&result.reference_x, &result.reference_y, &result.reference_z});
+    result.gap.push_back(gaps[i]);
+    if (!damage.empty()) result.damage.push_back(damage[i]);
     const bool is_held = touches(point.state) || point.state == contact::ContactState::bonded;
     append<D>(point.position, {&result.x, &result.y, &result.z});
     result.area.push_back(point.area);
@@ -35,7 +38,6 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
     }
     result.state.push_back(contact::name_of(point.state));
   }
-  result.damage = formulation.damage(history);
   return result;
 }
 

@@ -1,17 +1,12 @@
 #include "model/region.hpp"
 
-#include "base/index.hpp"
-
 #include <algorithm>
 
 namespace signorini::model {
 
-template <int D>
-RegionPoints<D> points_of_region(const Contact<D>& contact, const contact::Formulation<D>& formulation) {
-  std::size_t all = at(formulation.slave().elements());
-  for (int d = 0; d < D - 1; ++d) all *= at(contact.points);
+template <int D> RegionPoints<D> points_of_region(const contact::Formulation<D>& formulation) {
   const auto& positions = formulation.points().reference;
-  RegionPoints<D> points(D, positions.size() == all ? 0 : static_cast<Eigen::Index>(positions.size()));
+  RegionPoints<D> points(D, formulation.points().whole ? 0 : static_cast<Eigen::Index>(positions.size()));
   for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = positions[static_cast<std::size_t>(i)];
   return points;
 }
@@ -40,7 +35,7 @@ template <int D> contact::Region<D> region_of(const RegionPoints<D>& points, dou
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template RegionPoints<D> points_of_region(const Contact<D>&, const contact::Formulation<D>&);                        \
+  template RegionPoints<D> points_of_region(const contact::Formulation<D>&);                                           \
   template RegionPoints<D> bonded_points(const contact::Formulation<D>&);                                              \
   template contact::Region<D> region_of(const RegionPoints<D>&, double);
 SIGNORINI_INSTANTIATE(2)

@@ -123,6 +123,7 @@ template <int D> struct Contact {
   contact::Region<D> bonded = {}; ///< of a cohesive contact
   int other_pass = -1;            ///< of a half pass: index of the contact with slave and master swapped
   bool default_penalty = false;   ///< its penalty is from material and mesh
+  bool adaptive_points = false;   ///< see contact::ContactSetting::adaptive
 };
 
 /// Two faces that move as one, see contact/tie.hpp.

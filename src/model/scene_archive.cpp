@@ -69,16 +69,18 @@ namespace {
 
 template <int D>
 void write_contact(ArchiveWriter& to, const Contact<D>& contact, const contact::Formulation<D>& formulation) {
-  const auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty] = contact;
+  const auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty,
+               adaptive_points] = contact;
   const auto* faces = std::get_if<Faces>(&master);
   to.put(name, slave, faces ? *faces : Faces{}, faces ? -1 : std::get<ObstacleReference>(master).obstacle, method,
-         points, points_of_region(contact, formulation), start, bonded_points(formulation), other_pass,
-         default_penalty);
+         points, points_of_region(formulation), start, bonded_points(formulation), other_pass, default_penalty,
+         adaptive_points);
 }
 
 template <int D> Contact<D> read_contact(ArchiveReader& from) {
   Contact<D> contact{};
-  auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty] = contact;
+  auto& [name, slave, master, method, points, where, start, bonded, other_pass, default_penalty, adaptive_points] =
+      contact;
   from.into(name, slave);
   const Faces faces = from.get<Faces>();
   const ObstacleReference obstacle{from.get<int>()};
@@ -91,7 +93,7 @@ template <int D> Contact<D> read_contact(ArchiveReader& from) {
   where = region_of<D>(from.get<RegionPoints<D>>());
   from.into(start);
   bonded = region_of<D>(from.get<RegionPoints<D>>());
-  from.into(other_pass, default_penalty);
+  from.into(other_pass, default_penalty, adaptive_points);
   return contact;
 }
 

@@ -56,8 +56,9 @@ template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
     contact::Master<D> master = faces ? contact::Master<D>(surface_of(scene, *faces))
                                       : obstacle_of(scene, std::get<1>(contact.master).obstacle);
     contacts.push_back(contact::make_formulation<D>(
-        contact.method, {surface_of(scene, contact.slave), std::move(master), contact.points,
-                         scene.kind == solid::Kind::axisymmetric, contact.where, contact.start, contact.bonded}));
+        contact.method,
+        {surface_of(scene, contact.slave), std::move(master), contact.points, scene.kind == solid::Kind::axisymmetric,
+         contact.where, contact.start, contact.bonded, contact.adaptive_points}));
   }
   return contacts;
 }

@@ -69,6 +69,12 @@ check.case("frictional ironing in the plane, KLU", function()
   check.equal(model:solver().linear, "klu")
 end)
 
+check.case("contact points that follow the border of the contact", function()
+  local model = ironing{ elements = { die = {24, 2}, slab = {24, 4} }, points = "auto" }
+  continues(model, { { steps = 8, grip = {0, -0.15} } }, "{ { steps = 10, grip = {0.2, -0.15} } }")
+  check.at_most("points that act", #model:profile("interface").pressure, 24 * 9 - 1)
+end)
+
 check.case("a larger one: UMFPACK, and a reused factorization", function()
   for linear, kind in pairs { umfpack = "umfpack", auto = "reuse" } do
     local model = ironing{ elements = { die = {24, 4}, slab = {72, 18} } }

@@ -65,7 +65,10 @@ and friction.penalty refer. "current" is that of the published studies; with "re
 derive from an energy, and the tangent is symmetric. method = "mortar", adhesion and cohesive act per reference area,
 half passes per current area, also with multipliers]],
     otherwise = '"current", with method = "mortar", adhesion or cohesive "reference"' },
-  { "points", t.integer(1, 100), "Gauss points per slave element and direction",
+  { "points", t.worded(t.either(t.integer(1, 100), t.choice { "auto" }), 'a whole number from 1 to 100 or "auto"'),
+    [[Gauss points per slave element and direction. "auto": 2 (p + 1) in elements that are wholly closed or open and
+away from the border of the contact, 3 (p + 1) elsewhere, chosen after each step; for penalty contact at contact points
+and for half passes. In 2D it saves little, because contact takes a small part of the time]],
     otherwise = "3 (p + 1), p the degree along the slave face, that of its layer if it has one, in 3D the higher one" },
   { "adhesion", t.named {
     { "hamaker", t.positive, "Hamaker's constant", unit = "force times length" },
@@ -138,6 +141,12 @@ contact.conflict = function(values)
   if values.adhesion and values.enforcement ~= "penalty" then
     return ('it has both adhesion and enforcement = "%s", but van der Waals forces need no enforcement: remove one of '
       .. "the two"):format(values.enforcement)
+  end
+  local fixed = values.points == "auto" and (values.adhesion and "adhesion" or values.cohesive and "cohesive"
+    or values.multipliers and "multipliers" or values.method == "mortar" and 'method = "mortar"')
+  if fixed then
+    return ('it has both points = "auto" and %s, whose points must stay the same in all steps: give points as a '
+      .. "number, or omit them for 3 (p + 1)"):format(fixed)
   end
   local unknown = conflict_of_enforcement(values.method, values.enforcement)
   if unknown then return unknown end

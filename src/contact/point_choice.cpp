@@ -1,0 +1,69 @@
+#include "contact/point_choice.hpp"
+
+#include "contact/constants.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace signorini::contact {
+
+namespace {
+
+/// What the acting points of an element have in common.
+struct ElementState {
+  int points = 0, listed = 0;        ///< that act; of both rules
+  std::optional<ContactState> state; ///< of the first
+  bool mixed = false;
+  double least = std::numeric_limits<double>::infinity(), most = 0; ///< pressure
+  double clearance = std::numeric_limits<double>::infinity();
+};
+
+} // namespace
+
+template <int D>
+std::vector<char> choose_sparse(const ContactPoints<D>& points, const Surface<D>& slave, const History<D>& history,
+                                const std::vector<double>& clearance, double moved) {
+  std::vector<ElementState> elements(at(slave.elements()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ElementState& element = elements[at(points.list[i].element)];
+    ++element.listed;
+    if (!acts(points, history, i)) continue;
+    const PointResult<D>& result = history.results[i];
+    ++element.points;
+    if (!element.state) element.state = result.state;
+    element.mixed = element.mixed || result.beyond || touches(result.state) != touches(*element.state);
+    element.least = std::min(element.least, result.pressure);
+    element.most = std::max(element.most, result.pressure);
+    element.clearance = std::min(element.clearance, clearance[i]);
+  }
+  const auto power = [](int n) { return D == 2 ? n : n * n; };
+  const int all = power(points.full) + power(points.sparse);
+  std::vector<char> sparse = history.sparse;
+  for (int e = 0; e < static_cast<int>(sparse.size()); ++e) {
+    const ElementState& element = elements[at(e)];
+    bool full = element.listed < all || element.mixed || !element.state;
+    for (int alpha = 0; alpha < D - 1 && !full; ++alpha)
+      for (const bool at_end : {false, true}) {
+        const int next = slave.neighbor(e, alpha, at_end);
+        if (next < 0 || !elements[at(next)].state) continue;
+        full = full || touches(*elements[at(next)].state) != touches(*element.state);
+      }
+    const double caution = sparse[at(e)] ? 1 : rule_hysteresis;
+    if (!full && touches(*element.state)) full = element.least < caution * border_pressure * element.most;
+    if (!full && !touches(*element.state)) {
+      Vec<D> lower, upper;
+      slave.bounds(e, lower, upper);
+      full = element.clearance < caution * std::max(border_motion * moved, border_distance * (upper - lower).norm());
+    }
+    sparse[at(e)] = !full;
+  }
+  return sparse;
+}
+
+template std::vector<char> choose_sparse(const ContactPoints<2>&, const Surface<2>&, const History<2>&,
+                                         const std::vector<double>&, double);
+template std::vector<char> choose_sparse(const ContactPoints<3>&, const Surface<3>&, const History<3>&,
+                                         const std::vector<double>&, double);
+
+} // namespace signorini::contact

@@ -1,0 +1,86 @@
+-- points = "auto": forces, energies and states next to 3 (p + 1) points everywhere, checkpoints, and what it refuses.
+
+local sg = require "signorini"
+local check = require "check"
+local ironing = require "ironing"
+
+local elements = { die = { 24, 2 }, slab = { 24, 4 } }
+local stages = { { name = "press", steps = 8, grip = { 0, -0.2 } },
+                 { name = "slide", steps = 12, grip = { 0.3, -0.2 } } }
+
+local function solve(points, enforcement)
+  local model = ironing{ elements = elements, points = points, mu = 0.3, enforcement = enforcement,
+                         penalty = enforcement == "penalty" and 100 or 20 }
+  local run = model:run(stages, sg.robust{
+    augmentation = enforcement == "augmented" and { penetration = 1e-3 } or nil })
+  check.equal(run.failed and run.failure, false)
+  return model, run
+end
+
+for _, enforcement in ipairs { "penalty", "augmented" } do
+  check.case(("ironing with friction, enforcement = %q"):format(enforcement), function()
+    local full, reference = solve(nil, enforcement)
+    local model, run = solve("auto", enforcement)
+    check.equal(#full:profile("interface").pressure, 24 * 9)
+    local acting = #model:profile("interface").pressure
+    check.at_most("points that act", acting, 24 * 9 - 3 * 6)
+    check.equal(model:cost().contacts.interface.points, acting)
+    for _, name in ipairs { "grip.fx", "grip.fy" } do
+      local largest = 0
+      for _, value in ipairs(reference:column(name)) do largest = math.max(largest, math.abs(value)) end
+      for step = 1, reference.steps do
+        check.within(name, run:column(name)[step], reference:column(name)[step], 0.003 * largest)
+      end
+    end
+    local energy, other = model:energy(), full:energy()
+    for _, name in ipairs { "stored", "friction", "work" } do
+      check.within_share(name, energy[name], other[name], 0.002)
+    end
+    -- Changes of rules do not disturb the balance.
+    local function rest(e) return math.abs(e.work + e.area_growth - e.stored - e.contact - e.friction) / e.work end
+    check.within("balance", rest(energy), rest(other), 2e-3)
+  end)
+end
+
+check.case("an obstacle, an augmented contact without friction, axisymmetric", function()
+  local forces = {}
+  for _, points in ipairs { false, "auto" } do
+    local punch = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 16, 4 }, order = "N2",
+                           contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    local ball = sg.rigid.sphere{ radius = 1, center = { 0, 2 } }
+    local model = sg.model{ kind = "axisymmetric", bodies = { punch = punch },
+      supports = { bed = { on = punch:face "south", fix = "xy" }, axis = { on = punch:face "west", fix = "x" },
+                   tool = { on = ball, drive = "xy" } },
+      contacts = { touch = { slave = punch:face "north", master = ball, enforcement = "augmented",
+                             points = points or nil } } }
+    local run = model:run({ { steps = 6, tool = { 0, -0.1 } } },
+      sg.robust{ augmentation = { penetration = 1e-4 } })
+    check.equal(run.failed and run.failure, false)
+    forces[#forces + 1] = run:column "tool.fy"[run.steps]
+  end
+  check.within_share("force", forces[2], forces[1], 1e-4)
+end)
+
+check.case("methods whose points must stay the same refuse it", function()
+  for message, keys in pairs {
+    ['points = "auto" and method = "mortar"'] = { method = "mortar", penalty = 1 },
+    ['points = "auto" and multipliers'] = { method = "half_passes", multipliers = "equal", penalty = 1 },
+    ['points = "auto" and adhesion'] = { adhesion = { hamaker = 1, r0 = 0.1 } },
+  } do
+    check.fails(function()
+      local lower = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 },
+                             order = "N2", contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+      local upper = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { 0, 1 } },
+                             elements = { 2, 2 }, order = "N2",
+                             contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+      local contact = { slave = upper:face "south", master = lower:face "north", points = "auto" }
+      for key, value in pairs(keys) do contact[key] = value end
+      sg.model{ bodies = { lower = lower, upper = upper }, contacts = { touch = contact } }
+    end, message, "give points as a number")
+  end
+  check.fails(function()
+    ironing{ points = "few" }
+  end, 'interface.points must be a whole number from 1 to 100 or "auto", got the string')
+end)
+
+check.done()
