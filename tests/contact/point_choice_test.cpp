@@ -46,7 +46,9 @@ TEST(PointChoice, BordersAreFullTheRestIsSparse) {
   int full = 0;
   for (int e = 0; e < elements; ++e) {
     const bool border = (e < 12.1 && e + 1 > 12.1) || (e < 28.5 && e + 1 > 28.5);
-    if (border) EXPECT_FALSE(strip.history.sparse[at(e)]) << e;
+    if (border) {
+      EXPECT_FALSE(strip.history.sparse[at(e)]) << e;
+    }
     full += !strip.history.sparse[at(e)];
   }
   EXPECT_LE(full, 8);
