@@ -25,7 +25,7 @@ struct Strip {
       const double s = (points.reference[i](0) - c) / a;
       history.results[i].state = std::abs(s) < 1 ? ContactState::slip : ContactState::open;
       history.results[i].pressure = std::max(0.0, 1 - s * s);
-      clearance[i] = std::max(0.0, 0.05 * (s * s - 1));
+      clearance[i] = std::max(0.0, 5 * (s * s - 1));
     }
     history.sparse = choose_sparse(points, face, history, clearance, moved);
   }
