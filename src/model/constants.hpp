@@ -15,8 +15,8 @@ inline constexpr double straight = 1e-6;
 /// Largest difference of the last two steps' rates for the linear predictor, see PathHistory::bend. In ironing and
 /// Hertz contact 0.1 to 0.5 give the same steps; with 1 steps after the first contact of bodies fail.
 inline constexpr double most_bent = 0.3;
-/// Deviation of the last step from its quadratic extrapolation up to which the quadratic one is used in any case; above,
-/// only if the linear one deviated more.
+/// Deviation of the last step from its quadratic extrapolation up to which the quadratic one is used in any case;
+/// above, only if the linear one deviated more.
 inline constexpr double hardly_curved = 0.1;
 
 // ── Unconstrained bodies ─────────────────────────────────────────────────────────────────────────────────────────────

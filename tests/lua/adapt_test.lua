@@ -15,7 +15,7 @@ local path = {
 --- A coarse ironing problem with a layer.
 local function make(o)
   o = o or {}
-  return ironing{ order = o.order or "N2-N2.2", elements = mesh, points = 9, mu = o.mu, enforcement = o.enforcement }
+  return ironing{ order = o.order or "N2-N2.2", elements = mesh, points = o.points or 9, mu = o.mu, enforcement = o.enforcement }
 end
 
 --- The largest difference of two columns, relative to the largest value of the second.
@@ -150,6 +150,7 @@ end)
 check.case("wrong options and scenes are errors", function()
   local function refused(model, options, part) check.fails(function() model:run(path, options) end, part) end
   refused(make{ order = "N2" }, { adapt = {} }, "no body has one")
+  refused(make{ points = "auto" }, { adapt = {} }, "needs the same contact points in all steps")
   refused(make(), { adapt = { margin = -1 } }, "margin")
   refused(make(), { adapt = { every = 0 } }, "every")
   refused(make(), { adapt = { tolerance = 0 } }, "tolerance")

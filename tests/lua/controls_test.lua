@@ -335,8 +335,8 @@ end)
 check.case("invalid options are rejected before the first step, at the user's line", function()
   local model = spring_model(function() return true end)
   local wrong = {
-    { { predictor = "linaer" }, "predictor must be 'tangent', 'constant', 'linear' or 'quadratic', got the string 'linaer'",
-      "did you mean 'linear'?" },
+    { { predictor = "linaer" }, "predictor must be 'tangent', 'constant', 'linear' or 'quadratic'",
+      "got the string 'linaer'", "did you mean 'linear'?" },
     { { predictor = true }, "predictor must be 'tangent', 'constant', 'linear' or 'quadratic', got true" },
     { { predicter = "linear" }, "options: unknown argument 'predicter'", "did you mean 'predictor'?" },
     { { newton = { line_search = "enrgy" } }, "newton.line_search must be 'none', 'residual' or 'energy'",

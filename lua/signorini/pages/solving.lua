@@ -117,8 +117,9 @@ model:run{ { name = "press", steps = 46,  grip = {0, -0.23} },
 model:run{ { name = "rub", steps = 8,
              grip = function(s) return {1.5 + 0.1 * math.sin(2 * math.pi * s), -0.23} end } }]] },
   { "sg.robust", [[Returns the default controls of model:run explicitly: each step starts from the state that the
-last two extrapolate to (predictor = "quadratic"), a failed step is tried again with the first fallbacks (fallback = true), then cut in half
-(step = { adaptive = true }), and at the smallest increment tried with the other fallbacks. Given options replace these.
+last two steps extrapolate to (predictor = "quadratic"), a failed step is tried again with the first fallbacks
+(fallback = true), then cut in half (step = { adaptive = true }), and at the smallest increment tried with the other
+fallbacks. Given options replace these.
 Use it to keep these controls with arc_length = true, which otherwise switches them off: they are then tried before arc
 length, and may leave the path that arc length would follow.]], named = "model:run", may_be_empty = true, as_given =
 true,
