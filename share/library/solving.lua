@@ -881,11 +881,11 @@ function model:run(stages, options) end
 ---@field contacts? table<string, sg.stage.contacts>
 ---@field [string] any
 
----Returns the default controls of model:run explicitly: each step starts from the state that the last two extrapolate
----to (predictor = "quadratic"), a failed step is tried again with the first fallbacks (fallback = true), then cut in
----half (step = { adaptive = true }), and at the smallest increment tried with the other fallbacks. Given options
----replace these. Use it to keep these controls with arc_length = true, which otherwise switches them off: they are then
----tried before arc length, and may leave the path that arc length would follow.
+---Returns the default controls of model:run explicitly: each step starts from the state that the last two steps
+---extrapolate to (predictor = "quadratic"), a failed step is tried again with the first fallbacks (fallback = true),
+---then cut in half (step = { adaptive = true }), and at the smallest increment tried with the other fallbacks. Given
+---options replace these. Use it to keep these controls with arc_length = true, which otherwise switches them off: they
+---are then tried before arc length, and may leave the path that arc length would follow.
 ---
 ---```text
 ---sg.robust{ … }
