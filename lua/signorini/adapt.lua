@@ -4,6 +4,7 @@
 -- Accepted states, which are stored, saved and shown, are thus always in equilibrium.
 
 local core = require "signorini.core"
+local layer_moves = require "signorini.layer_moves"
 local lists = require "signorini.lists"
 local on_behalf_of = require "signorini.on_behalf_of"
 
@@ -80,7 +81,11 @@ end
 --- Moves the layers and records this.
 function Adapt:follow(model, run, raised, lines)
   local began, before = core.now(), energy(model)
-  if not on_behalf_of("model:run", "core.follow", core.follow, model, raised) then return end
+  core.interrupted_run = run -- for the prompt, where Ctrl-C ends the construction of bodies
+  local moved = on_behalf_of("model:run", "core.follow", core.follow, model, raised)
+  core.interrupted_run = nil
+  if not moved then return end
+  layer_moves.count(model)
   local elements = {}
   for i, line in ipairs(lines) do elements[name_of(line)] = count_true(raised[i]) end
   run.adaptations[#run.adaptations + 1] = {

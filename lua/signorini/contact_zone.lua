@@ -6,11 +6,27 @@ local zone = {}
 
 local axes = { "X", "Y", "Z" }
 local margin = 0.1 -- of the largest side of a box
+local least = 3 -- distances between contact points, so that one that touches alone has a part of its element
 
---- Extends boxes, { low = {…}, high = {…} } by contact, to the points of a model that are not open.
+--- The distance of two points of a profile; infinite if there is no such point.
+local function apart(profile, i, j)
+  local sum = 0
+  for _, axis in ipairs(axes) do
+    local values = rawget(profile, axis)
+    if values and not values[j] then return math.huge end
+    sum = sum + (values and (values[i] - values[j]) ^ 2 or 0)
+  end
+  return math.sqrt(sum)
+end
+
+--- Extends boxes, { low = {…}, high = {…}, spacing } by contact, to the points of a model that are not open.
 function zone.extend(boxes, model)
   for _, name in ipairs(model:contact_names()) do
-    local profile, box = model:profile(name), boxes[name] or { low = {}, high = {} }
+    local profile, box = model:profile(name), boxes[name] or { low = {}, high = {}, spacing = 0 }
+    for i, state in ipairs(profile.state) do
+      local nearest = state ~= "open" and math.min(apart(profile, i, i - 1), apart(profile, i, i + 1)) or 0
+      if nearest < math.huge then box.spacing = math.max(box.spacing, nearest) end
+    end
     for d, axis in ipairs(axes) do
       for i, value in ipairs(rawget(profile, axis) or {}) do
         if profile.state[i] ~= "open" then
@@ -36,7 +52,7 @@ end
 local function reach(box)
   local size = 0
   for d, low in ipairs(box.low) do size = math.max(size, box.high[d] - low) end
-  return margin * size
+  return math.max(margin * size, least * box.spacing)
 end
 
 --- Whether `inner` boxes are within `boxes` with their margins.
@@ -56,7 +72,8 @@ function zone.union(boxes, others)
   local result = lists.merged(boxes, {})
   for name, box in pairs(others) do
     local own = boxes[name] or box
-    result[name] = { low = lists.map(box.low, function(low, d) return math.min(low, own.low[d]) end),
+    result[name] = { spacing = math.max(box.spacing, own.spacing),
+                     low = lists.map(box.low, function(low, d) return math.min(low, own.low[d]) end),
                      high = lists.map(box.high, function(high, d) return math.max(high, own.high[d]) end) }
   end
   return result

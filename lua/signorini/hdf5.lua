@@ -3,6 +3,7 @@
 -- in memory, and each write replaces that on the disk as a whole.
 
 local core = require "signorini.core"
+local layer_moves = require "signorini.layer_moves"
 local lists = require "signorini.lists"
 local on_behalf_of = require "signorini.on_behalf_of"
 local quantities = require "signorini.hdf5.quantities"
@@ -234,6 +235,10 @@ function hdf5.write(run, file, options)
   if #run.adaptations > 0 then
     core.fail(where .. ": a file of HDF5 holds control points once for all steps, and adapt has changed those of this "
       .. "run. Hint: export run:csv or pictures, or run without adapt")
+  end
+  if layer_moves.since(run, run.model) then
+    core.fail(where .. ": a later run with adapt has changed the control points since. Hint: write the file before that "
+      .. "run, or use the option hdf5 of model:run")
   end
   quantities.check(where, options.units or {}, run.names)
   local record = make(where, run.model, run, options)

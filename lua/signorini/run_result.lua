@@ -7,6 +7,7 @@ local drives = require "signorini.drives"
 local energy_balance = require "signorini.energy_balance"
 local on_behalf_of = require "signorini.on_behalf_of"
 local jumps = require "signorini.jumps"
+local layer_moves = require "signorini.layer_moves"
 local lists = require "signorini.lists"
 local format_table = require "signorini.table"
 local named = require "signorini.named"
@@ -116,6 +117,7 @@ function Run.new(model, path)
     warnings = {}, unsettled = {}, crossed = {}, unstable = { steps = 0, most = 0 }, unstable_law = false,
     jumps = jumps.record(), overlaps = {}, adaptations = {}, contact_zones = {},
   }, Run)
+  layer_moves.begin(run, model)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
   run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
   for _, support in ipairs(model:support_names()) do record_force(run, model, support) end

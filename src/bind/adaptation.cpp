@@ -55,7 +55,10 @@ int follow(lua_State* L) {
     }
     auto other = model::with_layers(*model, model::layers(*model, lines));
     const bool possible = other != nullptr;
-    if (possible) model = std::move(other);
+    if (possible) {
+      model->linear.forget(); // snapshots may keep the old model
+      model = std::move(other);
+    }
     push(L, possible);
     return 1;
   });

@@ -223,7 +223,10 @@ void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, const Fac
       if (std::sqrt(distances[here]) - std::sqrt(reach2) > std::sqrt(distance2())) continue;
       const double du = (b - a) / (n0 - 1), dv = (d - c) / (n1 - 1);
       const Coordinates xi(a + du * i, c + dv * j);
-      if (here_found && std::abs(found->xi(0) - xi(0)) <= du && std::abs(found->xi(1) - xi(1)) <= dv) continue;
+      // A point nearer than the one found leads to another.
+      if (here_found && distances[here] >= distance2() && std::abs(found->xi(0) - xi(0)) <= du &&
+          std::abs(found->xi(1) - xi(1)) <= dv)
+        continue;
       search(xi);
     }
 }

@@ -137,6 +137,9 @@ template <int D> void carry_reactions(const Model<D>& from, Model<D>& to) {
   VectorX& force = to.present.force;
   for (int dof = 0; dof < own.displacements(); ++dof)
     if (!own.constrained(dof)) force(dof) = to.external(dof);
+  // Obstacles, with their markers, are the same in both models.
+  const int behind = own.displacements() - own.obstacles();
+  force.segment(own.obstacles(), behind) = from.accepted.force.segment(old.obstacles(), behind);
   for (int s = 0; s < static_cast<int>(to.system.scene.supports.size()); ++s)
     for (int c = 0; c < D; ++c) {
       double missing = 0;
@@ -154,7 +157,7 @@ template <int D> void carry_reactions(const Model<D>& from, Model<D>& to) {
 } // namespace
 
 template <int D> std::shared_ptr<Model<D>> with_bodies(const Model<D>& model, const Bodies<D>& bodies) {
-  require(settled(model), "model.checkpoint.unsettled");
+  require(settled(model), "model.adapt.unsettled");
   const std::shared_ptr<const Origin<D>> origin = origin_of(model);
   auto result = std::make_shared<Model<D>>(with_bodies(origin->scene, bodies), NotStarted{});
   Model<D>& other = *result;

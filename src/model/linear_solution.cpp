@@ -22,9 +22,11 @@ solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const Linear
   const bool open = request.kind == solve::LinearKind::automatic;
   const bool condense = (open || request.kind == solve::LinearKind::condensed) && can_condense(facts_, request.damps);
   require(condense || request.kind != solve::LinearKind::condensed, "model.linear.condensed");
-  // A solver with constant factors of the bodies cannot take damping into account.
+  // A solver with constant factors of the bodies cannot take damping into account, and reused factors of a damped
+  // tangent would hide that the one without damping is singular.
   const bool same = solver_ && asked_ == request.kind && mumps_ == request.mumps &&
-                    condense == (solver_->kind() == solve::LinearKind::condensed);
+                    condense == (solver_->kind() == solve::LinearKind::condensed) &&
+                    (damped_ == request.damps || solver_->kind() != solve::LinearKind::reuse);
   const bool same_contacts = contact_version_ == tangent.contact_version;
   // A solver may survive a growing pattern.
   const bool fits =
@@ -46,6 +48,7 @@ solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const Linear
   pattern_version_ = tangent.pattern_version;
   contact_version_ = tangent.contact_version;
   asked_ = request.kind;
+  damped_ = request.damps;
   mumps_ = request.mumps;
   return *solver_;
 }

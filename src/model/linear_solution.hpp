@@ -63,6 +63,7 @@ private:
   solve::LinearKind beginning_ = solve::LinearKind::automatic;
   solve::LinearKind asked_ = solve::LinearKind::automatic;
   solve::MumpsOptions mumps_;
+  bool damped_ = false; ///< the last tangent
   int pattern_version_ = 0, contact_version_ = 0;
 };
 

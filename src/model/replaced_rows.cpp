@@ -48,12 +48,12 @@ std::vector<int> carried(const Discretization& from, const Discretization& to, c
     for (const int function : functions) {
       const int own = function - from.first_function(j);
       if (own < 0 || own >= old.functions()) continue;
-      if (old.functions() == row.functions())
+      if (old.directions() == row.directions())
         result.push_back(to.first_function(j) + own);
       else
         has[at(place_in(old, own))] = true;
     }
-    if (old.functions() == row.functions()) continue;
+    if (old.directions() == row.directions()) continue;
     for (int i = 0; i < row.functions(); ++i)
       if (has[at(place_in(row, i))]) result.push_back(to.first_function(j) + i);
   }

@@ -64,9 +64,12 @@ std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& patter
   }
   const double loosest = options.multipliers ? loosest_for_multipliers : loosest_tolerance;
   // Nested dissection from the start, as is best for solids
-  if (kind == LinearKind::reuse)
-    return make_reused(pattern, make_umfpack,
-                       std::make_unique<SymmetricPart>(make_schur_cholesky(0, Precision::single)), loosest);
+  if (kind == LinearKind::reuse) {
+    const bool rounds = !options.multipliers && pattern.entries() > single_above;
+    return make_reused(
+        pattern, make_umfpack,
+        std::make_unique<SymmetricPart>(make_schur_cholesky(0, rounds ? Precision::single : Precision::full)), loosest);
+  }
   const MumpsSettings& settings = options.mumps.settings;
   const bool approximate = settings.low_rank > 0 || settings.single;
   if (kind == LinearKind::mumps && (options.mumps.reuse || approximate)) {

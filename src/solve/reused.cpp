@@ -133,7 +133,7 @@ void Reused::record(const KrylovReport& report) {
   statistics_.iterations += report.iterations;
   const double digits = std::clamp(-std::log10(report.reduction), least_digits, most_digits);
   if (present_) rate_ = report.iterations / digits;
-  excess_ += report.iterations - std::max(1.0, rate_ * digits);
+  excess_ = std::max(0.0, excess_ + report.iterations - std::max(1.0, rate_ * digits));
 }
 
 bool Reused::solve(double* b) {

@@ -74,6 +74,7 @@ private:
   std::vector<int> dissection_; ///< METIS' ordering of all unknowns
   double best_ = 0;             ///< operations with it, for the pattern it was made for
   double raise_ = 1;            ///< factor on the shifts
+  bool raises_ = false;         ///< whether the last matrix has rows without a positive diagonal
   std::vector<int> order_;      ///< unknown at each row of L
   std::vector<int> border_;     ///< its last part
   MatrixX complement_;          ///< S
@@ -149,7 +150,7 @@ template <class Real> void SchurCholesky<Real>::analyze(const Pattern& pattern, 
 template <class Real> bool SchurCholesky<Real>::factor(const double* values) {
   bool factored = factor_shifted(values);
   // If the factorization ends in the border, the shifts were too small.
-  while (!factored && common_.status == CHOLMOD_NOT_POSDEF && raise_ < most_raise &&
+  while (!factored && common_.status == CHOLMOD_NOT_POSDEF && raise_ < (raises_ ? most_raise : raise_step) &&
          static_cast<int>(lower_.factor->minor) >= interior()) {
     raise_ *= raise_step;
     factored = factor_shifted(values);
@@ -164,10 +165,12 @@ template <class Real> bool SchurCholesky<Real>::factor(const double* values) {
 template <class Real> bool SchurCholesky<Real>::factor_shifted(const double* values) {
   std::vector<double> shifted(values, values + pattern_.entries());
   VectorX shift = VectorX::Zero(border_.size());
+  raises_ = false;
   double largest = 0;
   for (double value : shifted) largest = std::max(largest, std::abs(value));
   for (int k = 0; k < shift.size(); ++k) {
     double& value = shifted[at(pattern_.find(border_[at(k)], border_[at(k)]))];
+    raises_ = raises_ || value <= 0;
     shift(k) = value > 0 ? std::min(raise_, raise_step) * value : raise_ * largest;
     value += shift(k);
   }

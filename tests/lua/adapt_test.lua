@@ -15,7 +15,8 @@ local path = {
 --- A coarse ironing problem with a layer.
 local function make(o)
   o = o or {}
-  return ironing{ order = o.order or "N2-N2.2", elements = mesh, points = o.points or 9, mu = o.mu, enforcement = o.enforcement }
+  return ironing{ order = o.order or "N2-N2.2", elements = mesh, points = o.points or 9, mu = o.mu,
+                  enforcement = o.enforcement }
 end
 
 --- The largest difference of two columns, relative to the largest value of the second.
@@ -147,6 +148,39 @@ check.case("plane stress, axisymmetric bodies and solids", function()
   end
 end)
 
+check.case("supports keep their control points where strips of both directions change", function()
+  local function press(adapt)
+    local slab = sg.body{ patch = sg.shapes.block{ size = { 1, 1, 0.5 } }, elements = { 8, 8, 1 }, order = "N2-N3.1",
+                          contact = "back", thickness_degree = 2, layer = { { 0, 1 }, { 0, 0.12 } },
+                          material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    local tool = sg.rigid.cylinder{ center = { 0, 0, 0.7 }, radius = 0.2, axis = { 0, 1, 0 } }
+    local model = sg.model{ bodies = { slab = slab }, supports = {
+        bed = { on = slab:face "front", fix = "xyz" }, sx = { on = slab:face "west", fix = "x" },
+        sy = { on = slab:face "south", fix = "y" }, tool = { on = tool, drive = "z", fix = "xy" } },
+      contacts = { c = { slave = slab:face "back", master = tool, penalty = 30, points = 4 } } }
+    return model:run({ { name = "press", steps = 2, tool = { -0.03 } } }, { adapt = adapt })
+  end
+  local with, without = press { margin = 0 }, press()
+  check.equal(#with.adaptations > 0, true)
+  for _, name in ipairs { "tool.fz", "sx.fx", "sy.fy" } do
+    check.within_share(name, with:column(name)[2], without:column(name)[2], 0.03)
+  end
+end)
+
+check.case("a rolling disc: adaptations do no work on obstacles", function()
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 24, 4 },
+                        order = "N2-N2.2", contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local disc = sg.rigid.cylinder{ center = { 1, 1.4 }, radius = 0.4 }
+  local model = sg.model{ bodies = { slab = slab }, supports = {
+      bed = { on = slab:face "south", fix = "xy" }, hub = { on = disc, drive = "xy", rotate = true, angle = "free" } },
+    contacts = { c = { slave = slab:face "north", master = disc, penalty = 50, friction = { mu = 0.5, penalty = 50 } } } }
+  local run = model:run({ { name = "press", steps = 4, hub = { 0, -0.05 } },
+                          { name = "roll", steps = 20, hub = { 0.8, -0.05 } } }, { adapt = {} })
+  local energy = model:energy()
+  check.equal({ run.reason, #run.adaptations > 1 }, { "completed", true })
+  check.equal(math.abs(energy.work - energy.stored - energy.contact - energy.friction) < 0.05 * energy.work, true)
+end)
+
 check.case("wrong options and scenes are errors", function()
   local function refused(model, options, part) check.fails(function() model:run(path, options) end, part) end
   refused(make{ order = "N2" }, { adapt = {} }, "no body has one")
@@ -157,6 +191,14 @@ check.case("wrong options and scenes are errors", function()
   refused(make(), { adapt = true }, "adapt")
   refused(make(), { adapt = { elements = 3 } }, "elements")
   refused(make(), { adapt = {}, hdf5 = "x.h5" }, "remove adapt or hdf5")
+  local model = make()
+  local run = model:run({ { steps = 2, grip = { 0, -0.04 } } })
+  model:run({ { name = "on", steps = 2, grip = { 0, -0.08 } } }, { adapt = {} })
+  check.fails(function() run:hdf5 "x.h5" end, "a later run with adapt has changed the control points")
+  model = make()
+  model:run({ { steps = 1, grip = { 0, -0.04 } } })
+  model:set_contact("interface", { penalty = 50 })
+  refused(model, { adapt = {} }, "Hint: change them in stages")
 end)
 
 os.remove(file)

@@ -48,7 +48,7 @@ end)
 check.case("named arguments where they are possible, without those given", function()
   check.equal(all "sg.body{ m", { "material = " })
   check.equal(all "sg.body{ patch = sg.shapes.block{ size = {1, 2, 3} },\n  elements = {1, 1}, ",
-    { "order = ", "contact = ", "material = ", "thickness_degree = ", "volumetric = ",
+    { "order = ", "contact = ", "layer = ", "layer_knots = ", "material = ", "thickness_degree = ", "volumetric = ",
       "grading = " })
   check.equal(all "x = sg.body{ patch = sg.shapes.rectangle{ w", { "width = " })
   check.equal(all "sg.cheapest(study, { at", { "at_most = " })

@@ -52,12 +52,13 @@ check.case("peeling on a coarse mesh jumps over its snap-backs in completed step
     return (peeling.scene(order, "m0", 100, 85)):run({ { name = "rotate", steps = 150, edge = 30 } }, options)
   end
   local run = peel "N2"
-  check.equal({ run.reason, #run.warnings }, { "completed", 1 })
-  check.holds(run.warnings[1], "has probably jumped to another branch of solutions",
+  check.equal(run.reason, "completed")
+  check.holds(table.concat(run.warnings, "\n"), "has probably jumped to another branch of solutions",
     "times those of neighboring steps", "of its work was released",
     "Hint: follow the path with arc_length = true")
   run = peel("N2", { arc_length = true })
-  check.holds(run.warnings[1], "has probably jumped", "Hint: arc length is used only where a step fails")
+  check.holds(table.concat(run.warnings, "\n"), "has probably jumped",
+    "Hint: arc length is used only where a step fails")
   check.equal(#peel("N2-N2.2").warnings, 0)
 end)
 

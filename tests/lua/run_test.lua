@@ -349,7 +349,7 @@ check.case("a run and the argument of on_step are strict about names", function(
   local seen
   local run = model_of():run(two_stages, { on_step = function(info) seen = info end })
   check.fails(function() return run.faild end, "a run has no 'faild'; did you mean 'failed'?")
-  check.fails(function() return run.bogus end, "a run has no 'bogus': it has attempts", "timings")
+  check.fails(function() return run.bogus end, "a run has no 'bogus': it has adaptations, attempts", "timings")
   check.fails(function() run.x = 1 end, "a run cannot store 'x'")
   check.equal({ run.failure == nil, run.cause == nil, type(run.timings) }, { true, true, "table" })
   check.fails(function() return seen["grip.fu"] end, "has no 'grip.fu'; did you mean 'grip.f")
