@@ -237,8 +237,8 @@ function hdf5.write(run, file, options)
       .. "run. Hint: export run:csv or pictures, or run without adapt")
   end
   if layer_moves.since(run, run.model) then
-    core.fail(where .. ": a later run with adapt has changed the control points since. Hint: write the file before that "
-      .. "run, or use the option hdf5 of model:run")
+    core.fail(where .. ": a later run with adapt has changed the control points since. Hint: write the file before "
+      .. "that run, or use the option hdf5 of model:run")
   end
   quantities.check(where, options.units or {}, run.names)
   local record = make(where, run.model, run, options)

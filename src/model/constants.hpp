@@ -17,7 +17,7 @@ inline constexpr double straight = 1e-6;
 inline constexpr double most_bent = 0.3;
 /// Deviation of the last step from its quadratic extrapolation up to which the quadratic one is used in any case;
 /// above, only if the linear one deviated more.
-inline constexpr double hardly_curved = 0.03;
+inline constexpr double hardly_curved = 0.1;
 
 // ── Unconstrained bodies ─────────────────────────────────────────────────────────────────────────────────────────────
 

@@ -173,7 +173,8 @@ check.case("a rolling disc: adaptations do no work on obstacles", function()
   local disc = sg.rigid.cylinder{ center = { 1, 1.4 }, radius = 0.4 }
   local model = sg.model{ bodies = { slab = slab }, supports = {
       bed = { on = slab:face "south", fix = "xy" }, hub = { on = disc, drive = "xy", rotate = true, angle = "free" } },
-    contacts = { c = { slave = slab:face "north", master = disc, penalty = 50, friction = { mu = 0.5, penalty = 50 } } } }
+    contacts = { c = { slave = slab:face "north", master = disc, penalty = 50,
+                       friction = { mu = 0.5, penalty = 50 } } } }
   local run = model:run({ { name = "press", steps = 4, hub = { 0, -0.05 } },
                           { name = "roll", steps = 20, hub = { 0.8, -0.05 } } }, { adapt = {} })
   local energy = model:energy()
