@@ -52,8 +52,8 @@ end
 
 local function count_true(flags) return #lists.filter(flags, function(flag) return flag end) end
 
---- The elements that a line shall have, or nil where those that it has will do. It changes where elements are missing,
---- then ahead of the motion by twice the margin, and where it has half as many again as needed.
+--- The elements in which a line needs the layer, or nil if the present ones suffice. They change if elements are
+--- missing, then ahead of the motion by twice the margin, or if there are half as many again as needed.
 local function wanted(line, found, before, margin)
   if #found == 0 then return nil end
   local count = #line.jump

@@ -8,7 +8,7 @@ local axes = { "X", "Y", "Z" }
 local margin = 0.1 -- of the largest side of a box
 local least = 3 -- distances between contact points, so that one that touches alone has a part of its element
 
---- The distance of two points of a profile; infinite if there is no such point.
+--- The distance of points i and j of a profile; infinite without a point j.
 local function apart(profile, i, j)
   local sum = 0
   for _, axis in ipairs(axes) do

@@ -131,7 +131,7 @@ private:
 };
 
 /// Makes the forces of the present state those of the equilibrium that it comes from: on free control points those of
-/// the loads, on supports with the former resultants. New functions share them out differently, which is no work.
+/// the loads, on supports with the former resultants. Other functions distribute them differently, which does no work.
 template <int D> void carry_reactions(const Model<D>& from, Model<D>& to) {
   const Unknowns<D>&old = from.system.unknowns, &own = to.system.unknowns;
   VectorX& force = to.present.force;

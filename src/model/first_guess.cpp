@@ -72,7 +72,7 @@ template <int D> bool guess_first(Model<D>& model, Predictor predictor, const Ve
   if (predictor == Predictor::quadratic && path.curved <= std::min(most_bent, std::max(hardly_curved, path.bend)))
     by = second_order(model);
   if (!by && path.bend <= most_bent) by = first_order(model);
-  // A step back is no continuation: with friction points stick, where the last step slid.
+  // Where the path turns back, points with friction stick that slipped in the last step.
   if (!by || (predictor == Predictor::quadratic && by->last <= 0)) return false;
   move(model, *by, prescribed);
   return true;
