@@ -15,8 +15,8 @@ function problems.ironing2d(order, mesh)
   local set_up, coarser = ironing2d.variants.standard, 3
   local stages = ironing2d.path(set_up, coarser)
   return { model = (ironing2d.scene(set_up, order, ironing2d.elements(mesh or "m2"))), stages = stages,
-           title = "Ironing in the plane", force = "grip.fx", label = "drag", energy_unit = "",
-           first = math.ceil(110 / coarser), last = math.floor(165 / coarser), kind = "raw" }
+           title = "Ironing in the plane", force = "grip.fx", label = "drag (N/mm)",
+           energy_unit = " (N)", first = math.ceil(110 / coarser), last = math.floor(165 / coarser), kind = "raw" }
 end
 
 --- Ironing in space (section 7.5): R = 7.5, depth 5.4, mu = 0.3. The indenter slides for `before`, then through the

@@ -111,7 +111,7 @@ template <int D> void Formulation<D>::choose_points(History<D>& present, double 
     for (last = first; last < points_.size() && points_.list[last].element == e; ++last)
       (acts(points_, present, last) ? before : after).push_back(last);
     if (sparse[at(e)] == present.sparse[at(e)]) continue;
-    recall(memories<D>(*this, present, before), *this, true, after, present);
+    recall(memories<D>(*this, present, before), *this, after, present);
     for (const std::size_t i : before) {
       present.growth -= present.results[i].potential;
       present.points[i] = {};

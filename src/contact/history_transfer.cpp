@@ -9,6 +9,12 @@ namespace {
 
 /// Memories between which a history is interpolated: a linear field has D coefficients on a face.
 template <int D> constexpr std::size_t neighbors = D == 2 ? 3 : 8;
+/// (h over the distance of the farthest memory)²: a memory at the place itself has a thousand times the farthest's
+/// weight.
+constexpr double nearness = 1e-3;
+/// Weight of slopes that the memories do not determine, relative to that of the mean: across the face, and along it if
+/// they are in one line.
+constexpr double no_slope = 1e-10;
 
 /// The nearest of the memories `among`, at most neighbors<D>, nearest first.
 template <int D>
@@ -38,11 +44,10 @@ std::vector<double> weights(const std::vector<PointMemory<D>>& memories, const s
     b << 1, (memories[i].place - place) / std::sqrt(size2);
     return b;
   };
-  const auto weight = [&](std::size_t i) { return 1 / (1e-3 + (memories[i].place - place).squaredNorm() / size2); };
+  const auto weight = [&](std::size_t i) { return 1 / (nearness + (memories[i].place - place).squaredNorm() / size2); };
   Eigen::Matrix<double, D + 1, D + 1> normal = Eigen::Matrix<double, D + 1, D + 1>::Zero();
   for (const std::size_t i : points) normal += weight(i) * basis(i) * basis(i).transpose();
-  // Across the face, and along it if the points are in one line, the slope is not determined.
-  normal.template bottomRightCorner<D, D>() += 1e-10 * normal(0, 0) * Mat<D>::Identity();
+  normal.template bottomRightCorner<D, D>() += no_slope * normal(0, 0) * Mat<D>::Identity();
   const Basis constant = normal.ldlt().solve(Basis::Unit(0));
   for (std::size_t k = 0; k < points.size(); ++k) result[k] = weight(points[k]) * constant.dot(basis(points[k]));
   return result;
@@ -67,7 +72,6 @@ std::vector<PointMemory<D>> memories(const Formulation<D>& contact, const Histor
                           Vec<D>::Zero(),
                           point.limit / reference_area(contact, i),
                           point.multiplier,
-                          history.bonds.empty() ? PointBond<D>{} : history.bonds[i],
                           point.projection};
     if (point.slips) {
       FacePoint<D> slip, foot;
@@ -81,7 +85,7 @@ std::vector<PointMemory<D>> memories(const Formulation<D>& contact, const Histor
 }
 
 template <int D>
-void recall(const std::vector<PointMemory<D>>& memories, const Formulation<D>& contact, bool same_master,
+void recall(const std::vector<PointMemory<D>>& memories, const Formulation<D>& contact,
             std::span<const std::size_t> numbers, History<D>& history) {
   std::vector<std::size_t> all(memories.size()), touching;
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
@@ -95,21 +99,7 @@ void recall(const std::vector<PointMemory<D>>& memories, const Formulation<D>& c
     const Vec<D>& place = contact.points().reference[number];
     const PointMemory<D>& closest = memories[nearest<D>(memories, all, place).front()];
     FaceGeometry<D> foot;
-    if (same_master) point.projection = closest.projection;
-    if (!history.bonds.empty()) {
-      const std::vector<std::size_t> some = nearest<D>(memories, all, place);
-      const std::vector<double> w = weights<D>(memories, some, place);
-      PointBond<D>& bond = history.bonds[number] = {};
-      for (std::size_t k = 0; k < some.size(); ++k) {
-        const PointBond<D>& from = memories[some[k]].bond;
-        bond.opening += w[k] * from.opening;
-        bond.largest += w[k] * from.largest;
-        bond.pressure += w[k] * from.pressure;
-        bond.shear += w[k] * from.shear;
-      }
-      bond.opening = std::max(bond.opening, 0.0);
-      bond.largest = std::max(bond.largest, bond.opening);
-    }
+    point.projection = closest.projection;
     if (!closest.touches) continue;
     point.projection = contact.master().project(here, point.projection, foot);
     if (point.projection.foot == Foot::none) continue;
@@ -136,7 +126,7 @@ void recall(const std::vector<PointMemory<D>>& memories, const Formulation<D>& c
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template std::vector<PointMemory<D>> memories(const Formulation<D>&, const History<D>&,                              \
                                                 std::span<const std::size_t>);                                         \
-  template void recall(const std::vector<PointMemory<D>>&, const Formulation<D>&, bool, std::span<const std::size_t>,  \
+  template void recall(const std::vector<PointMemory<D>>&, const Formulation<D>&, std::span<const std::size_t>,        \
                        History<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

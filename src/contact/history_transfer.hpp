@@ -15,7 +15,6 @@ template <int D> struct PointMemory {
   Vec<D> stretch; ///< x(ξ_slip) − x̄, which friction t_T = ε_T (x̄ − x(ξ_slip)) remembers; zero without a slip point
   double limit;      ///< per reference area
   double multiplier; ///< λ_N
-  PointBond<D> bond;
   Projection<D> projection;
 };
 
@@ -25,13 +24,13 @@ std::vector<PointMemory<D>> memories(const Formulation<D>& contact, const Histor
                                      std::span<const std::size_t> numbers);
 
 /// Writes the histories of the points with the given numbers, interpolated between the nearest memories by least
-/// squares that are exact for linear fields. A point whose nearest memory does not touch starts anew, as does one
-/// without a closest point. Slip points follow from the interpolated stretch: tractions are carried, not coordinates on
-/// the master. Both faces must be in the state of the history, which must be that of the memories; elements and numbers
-/// of points may differ. `same_master`: the memories' projections refer to this master. Multipliers of mortar contact
-/// are left alone.
+/// squares that are exact for linear fields. A point whose nearest memory does not touch begins without a history, as
+/// does one without a closest point. Slip points follow from the interpolated stretch: tractions are carried, not
+/// coordinates on the master. Both faces must be in the state of the history, which must be that of the memories, and
+/// the master the same; elements and numbers of points may differ. Bonds and multipliers of mortar contact are left
+/// alone.
 template <int D>
-void recall(const std::vector<PointMemory<D>>& memories, const Formulation<D>& contact, bool same_master,
+void recall(const std::vector<PointMemory<D>>& memories, const Formulation<D>& contact,
             std::span<const std::size_t> numbers, History<D>& history);
 
 } // namespace signorini::contact

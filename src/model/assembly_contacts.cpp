@@ -17,12 +17,8 @@ template <int D> void Assembly<D>::list_contact_unknowns() {
   ++contact_version_;
 }
 
-/// Slave elements around a contact whose unknowns are watched in any case. A contact often grows from a point, and each
-/// extension costs a factorization; in the plane some more unknowns cost nothing.
-template <int D> constexpr int least_margin = D == 2 ? 8 : 2;
-
 /// Extends contact_unknowns() if a contact acts on others: to the unknowns of all current blocks and of the slave
-/// elements around them, a quarter of the contact's width and at least `least_margin`.
+/// elements around them, a quarter of the contact's width.
 template <int D> void Assembly<D>::watch_contacts() {
   const auto all_known = [&](std::size_t k, const contact::Block& block) {
     const Nodes& list = placements_[k].find(block.key())->second.columns;
@@ -40,7 +36,7 @@ template <int D> void Assembly<D>::watch_contacts() {
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const contact::Formulation<D>& contact = *contacts_[k];
     const double blocks = static_cast<double>(contact.blocks().size());
-    const int margin = least_margin<D> + static_cast<int>((D == 2 ? blocks : std::sqrt(blocks)) / 4);
+    const int margin = 2 + static_cast<int>((D == 2 ? blocks : std::sqrt(blocks)) / 4);
     Nodes dofs;
     for (const contact::Block& block : contact.blocks()) {
       const Nodes& own = placements_[k].find(block.key())->second.columns;

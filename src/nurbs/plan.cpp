@@ -175,6 +175,22 @@ Space1D local_space(const RowDirection& along, const std::vector<bool>& raised, 
   return multi_degree_space(std::move(breaks), degrees, std::move(smoothness));
 }
 
+/// Whether row j of `count` belongs to the layer of contact face f of the plan.
+bool in_layer(const Plan& plan, std::size_t f, int j, int count) {
+  return (plan.contact[f].at_end ? count - 1 - j : j) < layer_label(plan).rows;
+}
+
+/// Which of the plan's elements along direction a have the layer's degree in row j of `count`.
+std::vector<bool> raised_in_row(const Plan& plan, int a, std::size_t elements, int j, int count) {
+  std::vector<bool> raised(elements, false);
+  for (std::size_t f = 0; f < plan.contact.size(); ++f) {
+    if (!plan.labels[at(a)].layer || !in_layer(plan, f, j, count)) continue;
+    const bool all = plan.raised.empty() || plan.raised[f][at(a)].empty();
+    for (std::size_t e = 0; e < elements; ++e) raised[e] = raised[e] || all || plan.raised[f][at(a)][e];
+  }
+  return raised;
+}
+
 /// The rows of a patch by a plan.
 Discretization discretized(const Patch& patch, const Plan& plan) {
   check(patch, plan);
@@ -205,24 +221,20 @@ Discretization discretized(const Patch& patch, const Plan& plan) {
       rows.push_back(make_row(row));
       continue;
     }
+    bool cut = false; // layer knots are knots of this row
+    for (std::size_t f = 0; f < plan.contact.size(); ++f) cut = cut || in_layer(plan, f, j, count);
     std::vector<std::pair<int, Space1D>> local;
     for (int a = 0; a < dimensions - 1; ++a) {
       const RowDirection& one = along[at(a)];
-      bool in_layer = false;
-      std::vector<bool> raised(one.inserted.size() + one.geometry.breaks().size() - 1, false);
-      for (std::size_t f = 0; f < plan.contact.size(); ++f) {
-        if ((plan.contact[f].at_end ? count - 1 - j : j) >= deep.rows) continue;
-        in_layer = true;
-        for (std::size_t e = 0; e < raised.size() && one.label.layer; ++e)
-          if (plan.raised.empty() || plan.raised[f][at(a)].empty() || plan.raised[f][at(a)][e]) raised[e] = true;
-      }
+      const std::size_t elements = one.inserted.size() + one.geometry.breaks().size() - 1;
+      const std::vector<bool> raised = raised_in_row(plan, a, elements, j, count);
       const auto high = std::count(raised.begin(), raised.end(), true);
       const bool uniform = high == 0 || high == static_cast<std::ptrdiff_t>(raised.size());
-      if (uniform && (in_layer || one.cuts.empty()))
+      if (uniform && (cut || one.cuts.empty()))
         row = refine_to(row, a, high == 0 ? one.label.bulk : *one.label.layer, merged(one.inserted, one.cuts),
                         one.label.text);
       else
-        local.emplace_back(a, local_space(one, raised, in_layer));
+        local.emplace_back(a, local_space(one, raised, cut));
     }
     rows.push_back(make_row(row));
     for (const auto& [a, space] : local) rows.back() = with_space(rows.back(), a, space);

@@ -56,7 +56,7 @@ struct Blocks {
 };
 
 /// Friction of the points after the block was pressed, moved along by shift(x), and described by other points.
-template <class Shift> void carries(const Shift& shift, int points, int elements, bool same) {
+template <class Shift> void carries(const Shift& shift, int points, int elements) {
   Blocks old(9, 5);
   old.go([](double) { return 0.0; });
   old.evaluate();
@@ -66,7 +66,7 @@ template <class Shift> void carries(const Shift& shift, int points, int elements
   old.accept();
   Blocks now(points, elements);
   now.go(shift);
-  recall(memories<2>(*old.contact, old.present, old.all()), *now.contact, same, now.all(), now.accepted);
+  recall(memories<2>(*old.contact, old.present, old.all()), *now.contact, now.all(), now.accepted);
   now.present = now.accepted;
   now.evaluate();
   for (std::size_t i = 0; i < now.present.results.size(); ++i) {
@@ -80,21 +80,21 @@ template <class Shift> void carries(const Shift& shift, int points, int elements
 }
 
 TEST(HistoryTransfer, ConstantTractionStaysConstant) {
-  carries([](double) { return 0.004; }, 3, 5, true);
-  carries([](double) { return 0.004; }, 4, 8, false);
+  carries([](double) { return 0.004; }, 3, 5);
+  carries([](double) { return 0.004; }, 4, 8);
 }
 TEST(HistoryTransfer, LinearTractionStaysLinear) {
-  carries([](double x) { return 0.004 * (x - 0.5); }, 3, 5, true);
-  carries([](double x) { return 0.004 * (x - 0.5); }, 5, 3, false);
+  carries([](double x) { return 0.004 * (x - 0.5); }, 3, 5);
+  carries([](double x) { return 0.004 * (x - 0.5); }, 5, 3);
 }
 TEST(HistoryTransfer, SlidingTractionStaysOnTheCone) {
-  carries([](double) { return 0.1; }, 3, 5, true);
-  carries([](double) { return 0.1; }, 4, 8, false);
+  carries([](double) { return 0.1; }, 3, 5);
+  carries([](double) { return 0.1; }, 4, 8);
 }
 
-TEST(HistoryTransfer, OpenPointsStartAnew) {
+TEST(HistoryTransfer, OpenPointsBeginWithoutHistory) {
   Blocks old(9, 5), now(3, 5);
-  recall(memories<2>(*old.contact, old.accepted, old.all()), *now.contact, true, now.all(), now.accepted);
+  recall(memories<2>(*old.contact, old.accepted, old.all()), *now.contact, now.all(), now.accepted);
   for (const PointHistory<2>& point : now.accepted.points) EXPECT_FALSE(point.slips);
 }
 
