@@ -3,10 +3,13 @@
 
 // NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
-/// LU of a dense matrix with row pivoting, and the solution with it.
+/// LU of a dense matrix with row pivoting, and the solution with it; in single precision below.
 void dgetrf_(const int* rows, const int* columns, double* a, const int* leading, int* pivots, int* info);
 void dgetrs_(const char* transposed, const int* size, const int* right_sides, const double* a, const int* leading,
              const int* pivots, double* b, const int* leading_b, int* info);
+void sgetrf_(const int* rows, const int* columns, float* a, const int* leading, int* pivots, int* info);
+void sgetrs_(const char* transposed, const int* size, const int* right_sides, const float* a, const int* leading,
+             const int* pivots, float* b, const int* leading_b, int* info);
 /// C ← α A Aᵀ + β C on a triangle of C.
 void dsyrk_(const char* triangle, const char* transposed, const int* size, const int* columns, const double* alpha,
             const double* a, const int* leading, const double* beta, double* c, const int* leading_c);

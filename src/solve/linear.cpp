@@ -66,9 +66,11 @@ std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& patter
   // Nested dissection from the start, as is best for solids
   if (kind == LinearKind::reuse) {
     const bool rounds = !options.multipliers && pattern.entries() > single_above;
-    return make_reused(
-        pattern, make_umfpack,
-        std::make_unique<SymmetricPart>(make_schur_cholesky(0, rounds ? Precision::single : Precision::full)), loosest);
+    const Precision precision = rounds ? Precision::single : Precision::full;
+    return make_reused(pattern, make_umfpack,
+                       std::make_unique<SymmetricPart>(make_schur_cholesky(0, precision),
+                                                       SymmetricPart::Border::where_cheap, precision),
+                       loosest);
   }
   const MumpsSettings& settings = options.mumps.settings;
   const bool approximate = settings.low_rank > 0 || settings.single;

@@ -3,7 +3,47 @@
 #include "base/index.hpp"
 #include "solve/lapack.hpp"
 
+#include <algorithm>
+#include <type_traits>
+
 namespace signorini::solve {
+
+namespace {
+
+void factor_dense(MatrixX& a, int* exchanges, int& info) {
+  const int size = static_cast<int>(a.rows());
+  dgetrf_(&size, &size, a.data(), &size, exchanges, &info);
+}
+
+void factor_dense(Eigen::MatrixXf& a, int* exchanges, int& info) {
+  const int size = static_cast<int>(a.rows());
+  sgetrf_(&size, &size, a.data(), &size, exchanges, &info);
+}
+
+/// Overwrites b by A⁻¹ b.
+bool solve_dense(const MatrixX& factors, const int* exchanges, double* b) {
+  const int size = static_cast<int>(factors.rows()), one = 1;
+  int info = 0;
+  dgetrs_("N", &size, &one, factors.data(), &size, exchanges, b, &size, &info);
+  return info == 0;
+}
+
+bool solve_dense(const Eigen::MatrixXf& factors, const int* exchanges, double* b) {
+  const int size = static_cast<int>(factors.rows()), one = 1;
+  int info = 0;
+  Eigen::Map<VectorX> all(b, size);
+  Eigen::VectorXf rounded = all.cast<float>();
+  sgetrs_("N", &size, &one, factors.data(), &size, exchanges, rounded.data(), &size, &info);
+  all = rounded.cast<double>();
+  return info == 0;
+}
+
+} // namespace
+
+SymmetricPart::SymmetricPart(std::unique_ptr<SchurSolver> solver, Border policy, Precision precision)
+    : solver_(std::move(solver)), policy_(policy) {
+  if (precision == Precision::single) block_ = Eigen::MatrixXf();
+}
 
 void SymmetricPart::watch(const std::vector<int>& unknowns) {
   if (unknowns == watched_) return;
@@ -22,18 +62,33 @@ void SymmetricPart::analyze(const Pattern& pattern) {
   const double costs = 2.0 / 3.0 * size * size * size;
   if (policy_ == Border::where_cheap && saves > 0 && costs > saves) solver_->analyze(pattern, {});
   exchanges_.resize(at(border()));
+  right_.resize(border());
   analyzed_ = true;
 }
 
 /// Finds the entries between the watched unknowns.
 void SymmetricPart::locate(const Pattern& pattern) {
-  entries_.clear();
-  const std::vector<int>& watched = solver_->border();
-  std::vector<int> place(at(pattern.size), -1);
-  for (int k = 0; k < border(); ++k) place[at(watched[at(k)])] = k;
-  for (int column : watched)
-    for (int k = pattern.starts[at(column)]; k < pattern.starts[at(column) + 1]; ++k)
-      if (const int row = place[at(pattern.rows[at(k)])]; row >= 0) entries_.push_back({k, row, place[at(column)]});
+  std::vector<int> place(at(pattern.size), -1), unknowns = solver_->border();
+  std::sort(unknowns.begin(), unknowns.end());
+  for (int k = 0; k < border(); ++k) place[at(unknowns[at(k)])] = k;
+  places_.clear();
+  for (int unknown : solver_->border()) places_.push_back(place[at(unknown)]);
+  runs_.clear();
+  for (int column = 0; column < border(); ++column) {
+    const int end = pattern.starts[at(unknowns[at(column)]) + 1];
+    for (int k = pattern.starts[at(unknowns[at(column)])], next = -1; k < end; ++k) {
+      const int row = place[at(pattern.rows[at(k)])];
+      if (row < 0) {
+        next = -1;
+        continue;
+      }
+      if (row == next)
+        ++runs_.back().length;
+      else
+        runs_.push_back({k, row, column, 1});
+      next = row + 1;
+    }
+  }
 }
 
 bool SymmetricPart::factor(const Pattern& pattern, const std::vector<double>& values) {
@@ -49,29 +104,39 @@ bool SymmetricPart::condense(const Pattern& pattern, const std::vector<double>& 
     locate(pattern);
   }
   if (!solver_->factor(values.data())) return false;
-  constant_ = solver_->complement();
-  for (const Entry& entry : entries_) constant_(entry.row, entry.column) -= values[at(entry.position)];
+  constant_.resize(border(), border());
+  constant_(places_, places_) = solver_->complement();
+  for (const auto& [position, row, column, length] : runs_)
+    constant_.col(column).segment(row, length) -= Eigen::Map<const VectorX>(values.data() + position, length);
   return true;
 }
 
 bool SymmetricPart::update(const double* values) {
-  const int size = border();
-  if (size == 0) return true;
-  block_ = constant_;
-  for (const Entry& entry : entries_) block_(entry.row, entry.column) += values[entry.position];
+  if (border() == 0) return true;
   int info = 0;
-  dgetrf_(&size, &size, block_.data(), &size, exchanges_.data(), &info);
   block_pivots_ = {};
-  for (int k = 0; k < size; ++k) block_pivots_.add(block_(k, k));
+  std::visit(
+      [&](auto& block) {
+        using Real = std::decay_t<decltype(block)>::Scalar;
+        block = constant_.cast<Real>();
+        for (const auto& [position, row, column, length] : runs_)
+          for (int i = 0; i < length; ++i) block(row + i, column) += static_cast<Real>(values[position + i]);
+        factor_dense(block, exchanges_.data(), info);
+        for (int k = 0; k < border(); ++k) block_pivots_.add(static_cast<double>(block(k, k)));
+      },
+      block_);
   return info == 0 && block_pivots_.regular();
 }
 
 bool SymmetricPart::solve(double* b) {
   return solver_->solve(b, [this](double* border_part) {
-    const int size = border(), one = 1;
-    int info = 0;
-    if (size > 0) dgetrs_("N", &size, &one, block_.data(), &size, exchanges_.data(), border_part, &size, &info);
-    return info == 0;
+    if (border() == 0) return true;
+    const Eigen::Map<VectorX> right(border_part, border());
+    right_(places_) = right;
+    const bool solved =
+        std::visit([&](const auto& block) { return solve_dense(block, exchanges_.data(), right_.data()); }, block_);
+    Eigen::Map<VectorX>(border_part, border()) = right_(places_);
+    return solved;
   });
 }
 

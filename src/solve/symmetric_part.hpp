@@ -3,6 +3,8 @@
 
 #include "solve/schur.hpp"
 
+#include <variant>
+
 namespace signorini::solve {
 
 /// An approximation of the tangent K as preconditioner: with the watched unknowns c ordered after the others i, the
@@ -17,8 +19,9 @@ public:
   /// the factorization that it saves; otherwise c is empty.
   enum class Border { always, where_cheap };
 
-  explicit SymmetricPart(std::unique_ptr<SchurSolver> solver, Border policy = Border::where_cheap)
-      : solver_(std::move(solver)), policy_(policy) {}
+  /// `precision`: of the factors of the block of c.
+  explicit SymmetricPart(std::unique_ptr<SchurSolver> solver, Border policy = Border::where_cheap,
+                         Precision precision = Precision::full);
 
   /// Sets the unknowns c, increasing, from the next factor() on; without any, M is K⁰.
   void watch(const std::vector<int>& unknowns);
@@ -40,9 +43,10 @@ public:
   SolverStatistics statistics() const;
 
 private:
-  struct Entry {
-    int position;    ///< in the pattern
-    int row, column; ///< indices in c
+  /// Entries of a column of K_cc in consecutive rows.
+  struct Run {
+    int position;            ///< of the first in the pattern
+    int row, column, length; ///< indices in c
   };
 
   void analyze(const Pattern& pattern);
@@ -53,11 +57,13 @@ private:
   Border policy_;
   std::vector<int> watched_;
   bool analyzed_ = false;
-  std::vector<Entry> entries_; ///< the entries between unknowns of c
-  MatrixX constant_;           ///< S − K⁰_cc
-  MatrixX block_;              ///< the factors of S − K⁰_cc + K_cc
-  std::vector<int> exchanges_; ///< row exchanges in LAPACK's numbering
+  std::vector<int> places_; ///< per row of S: the index in c, which increases with the number of the unknown
+  std::vector<Run> runs_;   ///< the entries between unknowns of c
+  MatrixX constant_;        ///< S − K⁰_cc
+  std::variant<MatrixX, Eigen::MatrixXf> block_; ///< the factors of S − K⁰_cc + K_cc
+  std::vector<int> exchanges_;                   ///< row exchanges in LAPACK's numbering
   PivotRange block_pivots_;
+  VectorX right_; ///< of the block
 };
 
 } // namespace signorini::solve
