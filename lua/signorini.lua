@@ -3,30 +3,52 @@
 local core = require "signorini.core"
 local sg, types = core.sg, core.types
 
-sg.help = require("signorini.help").show
+--- A function of a module, or the module itself, which the first call loads: scripts that only run models need not wait
+--- for studies and reports.
+local function later(module, key)
+  return function(...)
+    local loaded = require(module)
+    return (key and loaded[key] or loaded)(...)
+  end
+end
+
+sg.help = later("signorini.help", "show")
 sg.csv = require "signorini.csv"
 sg.json = require "signorini.json"
 sg.table = require "signorini.table"
-sg.arguments = require "signorini.script_arguments"
+sg.arguments = later "signorini.script_arguments"
 sg.files = require "signorini.files"
 sg.median = require "signorini.median"
-sg.reference = require("signorini.reference").read
-sg.grid = require "signorini.study.grid"
-sg.study = require("signorini.study").new
-sg.recommend = require "signorini.recommend"
-sg.convergence_map = require "signorini.convergence_map"
-sg.work_precision = require "signorini.work_precision"
-sg.cheapest = require "signorini.cheapest"
-sg.pvd = require "signorini.pvd"
+sg.reference = later("signorini.reference", "read")
+sg.grid = later "signorini.study.grid"
+sg.study = later("signorini.study", "new")
+sg.recommend = later "signorini.recommend"
+sg.convergence_map = later "signorini.convergence_map"
+sg.work_precision = later "signorini.work_precision"
+sg.cheapest = later "signorini.cheapest"
+sg.pvd = later "signorini.pvd"
 sg.scenes = require "signorini.scenes"
-function sg.rigid.level_set(values) return require "signorini.level_set" (values) end
+sg.rigid.level_set = later "signorini.level_set"
 local profile = require "signorini.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
-function sg.hyperelastic(values) return require("signorini.hyperelastic").new(values) end
+sg.hyperelastic = later("signorini.hyperelastic", "new")
 for _, name in ipairs { "mooney_rivlin", "yeoh", "ogden", "saint_venant_kirchhoff" } do
-  sg[name] = function(values) return require("signorini.elastic_laws")[name](values) end
+  sg[name] = later("signorini.elastic_laws", name)
 end
 require "signorini.compound_type" (sg)
+
+-- Types that the modules of their objects define.
+local defined_in = { study = "signorini.study", comparison = "signorini.work_precision",
+                     map = "signorini.convergence_map", series = "signorini.pvd" }
+setmetatable(types, { __index = function(_, name)
+  if not defined_in[name] then return nil end
+  require(defined_in[name])
+  return rawget(types, name)
+end, __pairs = function()
+  for _, module in pairs(defined_in) do require(module) end
+  return next, types
+end })
+
 types.model.run = require "signorini.run"
 types.model.cost = require "signorini.cost"(types.model.cost)
 local energies, profiles, named = types.model.energy, types.model.profile, require "signorini.named"
@@ -49,12 +71,8 @@ methods.guard("patch", "show")
 methods.guard("picture", "show")
 methods.guard("compound", "corner edge face part")
 methods.guard("run", "attempts column columns csv hdf5 report residuals states")
-methods.guard("study", "by cancel chart column csv execute heatmap median read report row table watch where with")
-methods.guard("comparison", "front table")
-methods.guard("map", "cell compare converged csv heatmap picture report table")
 methods.guard("files", "draw report")
 methods.guard("data", "by column")
-methods.guard("series", "add")
 methods.offer(sg, "sg")
 
 -- A misspelled name is an error, not nil; print(sg) lists the names.

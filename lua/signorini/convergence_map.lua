@@ -230,6 +230,8 @@ local function check_place()
     :format(where, core.on))
 end
 
+require("signorini.methods").guard("map", "cell compare converged csv heatmap picture report table")
+
 return function(options)
   check_place()
   local map = new_map(options)

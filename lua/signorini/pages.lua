@@ -31,23 +31,43 @@ local pages = {}
 pages.subjects = { "patches", "curves", "patch", "materials", "bodies", "formulas", "scene", "solving", "results",
                    "methods", "scenes", "pictures", "charts", "studies", "reports", "scripts" }
 
-local all, groups -- pages by name; lists { title, word, page, … } in order
+local loaded, texts = {}, {} -- lists of pages, and texts of the files that are not loaded yet, by subject
+local all, groups -- all pages by name; lists { title, word, page, … } in order
+
+--- The pages of a subject, in order and by name.
+local function load_subject(subject)
+  if loaded[subject] then return loaded[subject] end
+  local list = require("signorini.pages." .. subject)
+  local by_name = {}
+  for _, page in ipairs(list) do
+    page.name, page.text = page[1], page[2]
+    if not page.head and not page.name:find "[.:]" then page.head = page.name end
+    by_name[page.name] = page
+  end
+  loaded[subject], texts[subject] = { list = list, by_name = by_name }, nil
+  return loaded[subject]
+end
 
 local function load_all()
   all, groups = {}, {}
   for _, subject in ipairs(pages.subjects) do
-    local list = require("signorini.pages." .. subject)
+    local list = load_subject(subject).list
     local group = groups[#groups]
     if not group or group.title ~= list.title then
       group = { title = list.title, word = list.word, also = list.also }
       groups[#groups + 1] = group
     end
-    for _, page in ipairs(list) do
-      page.name, page.text = page[1], page[2]
-      if not page.head and not page.name:find "[.:]" then page.head = page.name end
-      all[page.name], group[#group + 1] = page, page
-    end
+    for _, page in ipairs(list) do all[page.name], group[#group + 1] = page, page end
   end
+end
+
+--- Whether a subject may have a page: whether the name is in its file, which takes far longer to compile than to search.
+local function may_have(subject, name)
+  if not texts[subject] then
+    local file <close> = io.open(package.searchpath("signorini.pages." .. subject, package.path))
+    texts[subject] = file:read "a"
+  end
+  return texts[subject]:find(('"%s"'):format(name), 1, true)
 end
 
 --- Lists of pages by subject in order: { title = …, word = … (for help), page, … }.
@@ -56,9 +76,16 @@ function pages.groups()
   return groups
 end
 
---- The page of a name, or nil.
+--- The page of a name, or nil. Checks of calls need few pages: only the files that have the name are loaded.
 function pages.find(name)
-  if not all then load_all() end
+  if all then return all[name] end
+  for _, subject in ipairs(pages.subjects) do
+    if loaded[subject] or may_have(subject, name) then
+      local page = load_subject(subject).by_name[name]
+      if page then return page end
+    end
+  end
+  load_all() -- a name that no file has as it is
   return all[name]
 end
 

@@ -62,6 +62,8 @@ end
 
 function Series:__tostring() return ("series %s: %s"):format(self.file, counted(#self, "state")) end
 
+require("signorini.methods").guard("series", "add")
+
 --- A series without states; its file is written at once, so that a folder that is not writable is reported at once.
 return function(file, options)
   local folder, stem = file:match "^(.-)([^/]*)%.[pP][vV][dD]$"

@@ -79,4 +79,7 @@ local function new(options)
   return make(options)
 end
 
+require("signorini.methods").guard("study",
+  "by cancel chart column csv execute heatmap median read report row table watch where with")
+
 return { new = new, make = make }

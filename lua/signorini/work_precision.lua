@@ -222,6 +222,8 @@ function Result:__tostring()
   return table.concat(lines, "\n")
 end
 
+require("signorini.methods").guard("comparison", "front table")
+
 return function(study, options)
   local read = read_options(study, options)
   local points, left_out, marks = read_points(study, read)

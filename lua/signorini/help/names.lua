@@ -7,8 +7,8 @@ local names = {}
 --- The value with a page's name, or nil: a function, or the table of methods of a type.
 function names.value(name)
   local type_name, method = name:match "^([%w_]+):([%w_]+)$"
-  if type_name or rawget(core.types, name) then
-    local methods = rawget(core.types, type_name or name)
+  if type_name or core.types[name] then
+    local methods = core.types[type_name or name]
     if not method or not methods then return methods end
     return rawget(methods, method)
   end
