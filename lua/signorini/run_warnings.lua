@@ -39,15 +39,15 @@ local function untouched(run, model, contact)
     .. "end apart. Hint: look at model:show{}; a shorter path, or more steps"
 end
 
---- The size of the smallest body, the diagonal of its bounding box.
+--- The size of the smallest body, the diagonal of its bounding box, and the body's name.
 local function smallest_size(model)
-  local function size(name)
+  local least, smallest = math.huge, nil
+  for _, name in ipairs(model:body_names()) do
     local sum = 0
     for _, range in ipairs(lists.ranges(model:body(name):points())) do sum = sum + (range[2] - range[1]) ^ 2 end
-    return math.sqrt(sum)
+    if math.sqrt(sum) < least then least, smallest = math.sqrt(sum), name end
   end
-  local name = lists.least(model:body_names(), size)
-  return name and size(name) or math.huge, name
+  return least, smallest
 end
 
 -- Above this penetration, as a fraction of the size of the smallest body, the penalty parameter affects the result; far

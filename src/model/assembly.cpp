@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace signorini::model {
 
@@ -27,7 +28,7 @@ Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const 
     if (const int i = unknowns.unknown(dof); i >= 0) border_.push_back(i);
   build_bulk();
   cover(false);
-  if (!border_.empty()) list_contact_unknowns();
+  forget_contact_unknowns();
 }
 
 template <int D> void Assembly<D>::build_bulk() {
@@ -116,6 +117,7 @@ template <int D> void Assembly<D>::cover(bool contacts) {
     }
   std::vector<int> moved;
   pattern_ = solve::extend(bulk_pattern_, groups, moved);
+  moved.reserve(moved.size() + arrays_.size());
   for (std::size_t share = 0; share < arrays_.size(); ++share)
     moved.push_back(pattern_.entries() + static_cast<int>(share));
   positions_.resize(bulk_positions_.size());
@@ -131,7 +133,7 @@ template <int D> void Assembly<D>::cover(bool contacts) {
   locate_face_terms();
   values_.resize(at(pattern_.entries()) + arrays_.size());
   for (auto& placements : placements_) placements.clear();
-  if (linear_) build_constant();
+  if (linear_) move_constant(std::move(moved));
   ++version_;
 }
 
@@ -156,6 +158,18 @@ template <int D> void Assembly<D>::build_constant() {
   }
   add_ties(constant_.data());
   add_springs(constant_.data());
+}
+
+/// Sets the constant tangent for the pattern in which entry k of bulk_pattern_ is at moved[k].
+template <int D> void Assembly<D>::move_constant(std::vector<int> moved) {
+  if (constant_.empty()) {
+    build_constant();
+  } else {
+    const std::vector<double> before = std::exchange(constant_, std::vector<double>(values_.size(), 0.0));
+    for (std::size_t k = 0; k < moved.size(); ++k) constant_[at(moved[k])] = before[at(constant_positions_[k])];
+  }
+  constant_positions_ = std::move(moved);
+  changed_.reset();
 }
 
 template <int D>
@@ -230,7 +244,10 @@ template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Reques
   if (!locate()) {
     cover(true);
     locate();
-    add_heads(0);
+    if (linear_)
+      set_values(request);
+    else
+      add_heads(0);
   }
   parallel(static_cast<int>(tasks.size()), [&](int i) {
     Task& task = tasks[at(i)];
@@ -254,9 +271,18 @@ template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Reques
 template <int D> void Assembly<D>::clear(const Request& request) {
   request.states.present.force.setZero();
   if (request.direction) product_.setZero();
+  set_values(request);
+}
+
+/// Sets the tangent to its part that does not depend on displacements.
+template <int D> void Assembly<D>::set_values(const Request& request) {
   if (!request.tangent) return;
   if (linear_) {
-    std::copy(constant_.begin(), constant_.end(), values_.begin());
+    if (changed_)
+      for (const int position : *changed_) values_[at(position)] = constant_[at(position)];
+    else
+      std::copy(constant_.begin(), constant_.end(), values_.begin());
+    changed_.emplace();
   } else {
     std::fill(values_.begin(), values_.end(), 0.0);
     add_ties(values_.data());
@@ -322,6 +348,7 @@ void Assembly<D>::multiply(int b, int e, const solid::ElementArrays<D>& arrays, 
 /// Adds the part of the tangent of free angles that is due to the path of their markers.
 template <int D> void Assembly<D>::add_angles(const Request& request) {
   const auto& [displacement, targets, force, factor, contacts, internal] = request.states.present;
+  if (!unknowns_.free_angles().empty()) changed_.reset();
   for (const FreeAngle<D>& angle : unknowns_.free_angles())
     values_[at(diagonal_[at(unknowns_.unknown(angle.dof))])] += angle_curvature(angle, displacement, force);
 }
@@ -335,6 +362,8 @@ template <int D> void Assembly<D>::add_contacts(const Request& request) {
       const Placement& placement = placements_[k].find(block.key())->second;
       const double* matrix = block.matrix.data();
       const int* position = placement.positions.data();
+      if (request.tangent && changed_)
+        changed_->insert(changed_->end(), placement.positions.begin(), placement.positions.end());
       for (int r = 0; r < block.rows; ++r, matrix += block.columns, position += block.columns) {
         force(placement.rows[at(r)]) += block.force[at(r)];
         if (request.direction)
@@ -363,13 +392,15 @@ template <int D> VectorX Assembly<D>::diagonal() const {
 }
 
 template <int D> void Assembly<D>::add_diagonal(const VectorX& shift) {
+  changed_.reset();
   for (std::size_t i = 0; i < diagonal_.size(); ++i) values_[at(diagonal_[i])] += shift(static_cast<Eigen::Index>(i));
 }
 
 template <int D> double Assembly<D>::memory() const {
   const auto bytes = [](const auto& list) { return static_cast<double>(list.capacity() * sizeof(list[0])); };
-  double sum = bytes(values_) + bytes(constant_) + bytes(positions_) + bytes(bulk_positions_) + bytes(ties_.couplings) +
-               bytes(tie_positions_) + bytes(follower_positions_) + bytes(spring_positions_);
+  double sum = bytes(values_) + bytes(constant_) + bytes(constant_positions_) + bytes(positions_) +
+               bytes(bulk_positions_) + bytes(ties_.couplings) + bytes(tie_positions_) + bytes(follower_positions_) +
+               bytes(spring_positions_);
   for (const solve::Pattern* pattern : {&bulk_pattern_, &pattern_})
     sum += bytes(pattern->starts) + bytes(pattern->rows);
   for (const auto& placements : placements_)

@@ -79,7 +79,9 @@ private:
   using Nodes = std::vector<int>;
   void build_bulk();
   void build_constant();
+  void move_constant(std::vector<int> moved);
   void list_contact_unknowns();
+  void forget_contact_unknowns();
   void add_ties(double* values) const;
   void cover(bool contacts);
   bool locate();
@@ -93,6 +95,7 @@ private:
   struct Task;
   std::optional<BodyInversion> add_bulk(const Request& request, Timings& timings);
   void clear(const Request& request);
+  void set_values(const Request& request);
   void add_elements(const std::vector<int>& elements, const Request& request, Task& task);
   void add_element(int e, const Request& request, Task& task);
   void scatter(int body, int e, const solid::ElementArrays<D>& arrays, double* values) const;
@@ -127,8 +130,11 @@ private:
   std::vector<int> tie_positions_; ///< in values_, of each coupling and its transpose; −1 without unknown
   std::vector<int> follower_positions_, spring_positions_;
   std::vector<int> diagonal_;
-  std::vector<double> values_;   ///< after the entries one per share, for those of prescribed degrees of freedom
-  std::vector<double> constant_; ///< bulk values of linear bodies, in the order of pattern_
+  std::vector<double> values_;          ///< after the entries one per share, for those of prescribed degrees of freedom
+  std::vector<double> constant_;        ///< bulk values of linear bodies, in the order of pattern_
+  std::vector<int> constant_positions_; ///< of the entries of bulk_pattern_ in constant_
+  std::optional<std::vector<int>> changed_; ///< of linear bodies: entries of values_ that may differ from constant_;
+                                            ///< nothing: any
   bool linear_ = true;
   std::vector<int> contact_unknowns_;
   std::vector<char> is_contact_unknown_;

@@ -2,6 +2,7 @@
 #include "model/assembly.hpp"
 
 #include "base/index.hpp"
+#include "model/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,28 @@ template <int D> void Assembly<D>::list_contact_unknowns() {
   for (int i = 0; i < unknowns_.size(); ++i)
     if (is_contact_unknown_[at(i)]) contact_unknowns_.push_back(i);
   ++contact_version_;
+}
+
+/// Lists the unknowns known before any contact: the border and, if constant factors are condensed onto contact
+/// unknowns, all of the contacts' faces, unless these are so many that their dense factors would cost more than making
+/// the constant ones again as contacts spread.
+template <int D> void Assembly<D>::forget_contact_unknowns() {
+  std::fill(is_contact_unknown_.begin(), is_contact_unknown_.end(), false);
+  for (std::size_t k = 0; k < contacts_.size() && linear_; ++k) {
+    const contact::Formulation<D>& contact = *contacts_[k];
+    const contact::Offsets& offsets = unknowns_.of_contact(k);
+    Nodes dofs;
+    for (int e = 0; e < contact.slave().elements(); ++e) contact.append_slave(e, dofs);
+    const int masters = contact.master().rigid() ? 1 : contact.master().surface()->elements();
+    for (int e = 0; e < masters; ++e) contact.append_master(e, offsets, dofs);
+    for (int number = 0; number < contact.extra_unknowns(); ++number) dofs.push_back(offsets.extra + number);
+    for (int dof : dofs)
+      if (const int i = unknowns_.mover(dof); i >= 0) is_contact_unknown_[at(i)] = true;
+  }
+  const double all = static_cast<double>(std::count(is_contact_unknown_.begin(), is_contact_unknown_.end(), true));
+  if (2.0 / 3.0 * all * all * all > whole_faces * pattern_.entries())
+    std::fill(is_contact_unknown_.begin(), is_contact_unknown_.end(), false);
+  list_contact_unknowns();
 }
 
 /// Extends contact_unknowns() if a contact acts on others: to the unknowns of all current blocks and of the slave
@@ -80,12 +103,12 @@ template <int D> bool Assembly<D>::locate() {
 
 template <int D> void Assembly<D>::forget_contacts() {
   cover(false);
-  std::fill(is_contact_unknown_.begin(), is_contact_unknown_.end(), false);
-  list_contact_unknowns();
+  forget_contact_unknowns();
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template void Assembly<D>::list_contact_unknowns();                                                                  \
+  template void Assembly<D>::forget_contact_unknowns();                                                                \
   template void Assembly<D>::watch_contacts();                                                                         \
   template bool Assembly<D>::locate();                                                                                 \
   template void Assembly<D>::forget_contacts();

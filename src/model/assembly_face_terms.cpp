@@ -31,6 +31,7 @@ template <int D> void Assembly<D>::locate_face_terms() {
 
 /// Adds −∂f/∂u to the tangent, and its product with the direction.
 template <int D> void Assembly<D>::add_followers(const Request& request) {
+  if (!followers_.empty()) changed_.reset();
   const int* position = follower_positions_.data();
   for (const auto& part : followers_.parts()) {
     const auto entries = static_cast<Eigen::Index>(part.dofs.size() * part.dofs.size());

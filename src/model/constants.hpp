@@ -19,6 +19,12 @@ inline constexpr double most_bent = 0.3;
 /// above, only if the linear one deviated more.
 inline constexpr double hardly_curved = 0.1;
 
+// ── Linear bodies ────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Operations per entry of the tangent that dense factors of all unknowns on contact faces may cost in every iteration:
+/// as few as the elements' forces. Meshes in the plane are below it unless they are flat, in space only small ones.
+inline constexpr double whole_faces = 100;
+
 // ── Unconstrained bodies ─────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Largest motion of a body in contact in one damped iteration, relative to the bodies' extent.

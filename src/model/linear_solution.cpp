@@ -28,10 +28,10 @@ solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const Linear
                     condense == (solver_->kind() == solve::LinearKind::condensed) &&
                     (damped_ == request.damps || solver_->kind() != solve::LinearKind::reuse);
   const bool same_contacts = contact_version_ == tangent.contact_version;
-  // A solver may survive a growing pattern.
-  const bool fits =
-      same && (pattern_version_ == tangent.pattern_version || (!condense && solver_->adopt(tangent.pattern)));
-  if (!fits || (condense && !same_contacts)) {
+  // A solver may survive a growing pattern, but constant factors have other contact unknowns within them.
+  const bool fits = same && (!condense || same_contacts) &&
+                    (pattern_version_ == tangent.pattern_version || solver_->adopt(tangent.pattern));
+  if (!fits) {
     forget();
     if (condense) {
       const auto& values = tangent.constant;

@@ -30,16 +30,16 @@ struct CholmodFactor {
   CholmodFactor& operator=(const CholmodFactor&) = delete;
 };
 
-/// The lower triangle of a symmetric matrix that is stored in full; nothing is copied, so pattern and values must
-/// persist.
-inline cholmod_sparse lower_triangle(const Pattern& pattern, const double* values) {
+/// The upper triangle, which CHOLMOD permutes with one transposition less than the lower one, of a symmetric matrix
+/// that is stored in full; nothing is copied, so pattern and values must persist.
+inline cholmod_sparse upper_triangle(const Pattern& pattern, const double* values) {
   cholmod_sparse matrix{};
   matrix.nrow = matrix.ncol = static_cast<std::size_t>(pattern.size);
   matrix.nzmax = pattern.rows.size();
   matrix.p = const_cast<int*>(pattern.starts.data()); // CHOLMOD only reads them
   matrix.i = const_cast<int*>(pattern.rows.data());
   matrix.x = const_cast<double*>(values);
-  matrix.stype = -1;
+  matrix.stype = 1;
   matrix.itype = CHOLMOD_INT;
   matrix.xtype = CHOLMOD_REAL;
   matrix.dtype = CHOLMOD_DOUBLE;

@@ -24,6 +24,9 @@ void check(const Pattern& pattern, const Condensation& condensation) {
 /// faces, would cause fill.
 Pattern nonzero(const Pattern& pattern, const std::vector<double>& values, std::vector<double>& nonzeros) {
   Pattern result{pattern.size, {0}, {}};
+  result.starts.reserve(pattern.starts.size());
+  result.rows.reserve(pattern.rows.size());
+  nonzeros.reserve(pattern.rows.size());
   for (int j = 0; j < pattern.size; ++j) {
     for (int k = pattern.starts[at(j)]; k < pattern.starts[at(j) + 1]; ++k) {
       if (pattern.rows[at(k)] != j && values[at(k)] == 0) continue;
@@ -61,6 +64,11 @@ public:
     return part_.solve(b);
   }
   LinearKind kind() const override { return LinearKind::condensed; }
+  /// The factors do not depend on the pattern: new entries are zero in K₀, and C is read where it now is.
+  bool adopt(const Pattern& pattern) override {
+    part_.adopt(pattern);
+    return true;
+  }
   SolverStatistics statistics() const override { return statistics_; }
 
 private:

@@ -11,7 +11,7 @@ FactorEstimate estimate_factor(LinearKind kind, const Pattern& pattern) {
   common.nmethods = 1;
   common.method[0].ordering = CHOLMOD_METIS;
   common.supernodal = CHOLMOD_SUPERNODAL;
-  cholmod_sparse matrix = lower_triangle(pattern, nullptr);
+  cholmod_sparse matrix = upper_triangle(pattern, nullptr);
   matrix.xtype = CHOLMOD_PATTERN;
   lower.factor = cholmod_analyze(&matrix, &common);
   require(lower.factor != nullptr, "solve.cholmod.tangent", {{"status", common.status}});

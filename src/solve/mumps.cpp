@@ -30,7 +30,7 @@ const MumpsModule& load() {
 /// The place of each unknown in a nested dissection order, counted from 1.
 std::vector<int> places_in_order(const Pattern& pattern) {
   CholmodCommon common;
-  cholmod_sparse matrix = lower_triangle(pattern, nullptr);
+  cholmod_sparse matrix = upper_triangle(pattern, nullptr);
   matrix.xtype = CHOLMOD_PATTERN;
   std::vector<int> order(at(pattern.size)), places(at(pattern.size));
   require(cholmod_metis(&matrix, nullptr, 0, true, order.data(), &common), "solve.cholmod.order",

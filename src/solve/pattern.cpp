@@ -72,6 +72,13 @@ Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups,
   std::vector<int> list, listed_for(at(base.size), -1);
   for (int column = 0; column < base.size; ++column) {
     const std::size_t j = at(column);
+    const auto from = base.rows.begin() + base.starts[j], to = base.rows.begin() + base.starts[j + 1];
+    if (member.starts[j] == member.starts[j + 1]) {
+      std::iota(moved.begin() + base.starts[j], moved.begin() + base.starts[j + 1], result.entries());
+      result.rows.insert(result.rows.end(), from, to);
+      result.starts.push_back(result.entries());
+      continue;
+    }
     if (!same_groups(member, j)) {
       list.clear();
       for (std::size_t k = member.starts[j]; k < member.starts[j + 1]; ++k)
@@ -79,7 +86,6 @@ Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups,
           if (i >= 0 && std::exchange(listed_for[at(i)], column) != column) list.push_back(i);
       std::sort(list.begin(), list.end());
     }
-    const auto from = base.rows.begin() + base.starts[j], to = base.rows.begin() + base.starts[j + 1];
     std::set_union(from, to, list.begin(), list.end(), std::back_inserter(result.rows));
     if (result.rows.size() > std::numeric_limits<int>::max()) fail("solve.pattern.entries", {{"size", base.size}});
     int position = result.starts.back();

@@ -126,7 +126,7 @@ template <class Real> void SchurCholesky<Real>::analyze(const Pattern& pattern, 
   border_ = border;
   last_.assign(at(size()), 0);
   for (int unknown : border) last_[at(unknown)] = 1;
-  cholmod_sparse matrix = lower_triangle(pattern_, nullptr);
+  cholmod_sparse matrix = upper_triangle(pattern_, nullptr);
   matrix.xtype = CHOLMOD_PATTERN;
   const bool by_degree = dissect_above_ > 0 && order_by_degree(matrix);
   if (!by_degree || common_.fl > dissect_above_ * common_.lnz) {
@@ -174,7 +174,7 @@ template <class Real> bool SchurCholesky<Real>::factor_shifted(const double* val
     shift(k) = value > 0 ? std::min(raise_, raise_step) * value : raise_ * largest;
     value += shift(k);
   }
-  cholmod_sparse matrix = lower_triangle(pattern_, shifted.data());
+  cholmod_sparse matrix = upper_triangle(pattern_, shifted.data());
   factorize(matrix, lower_.factor, common_);
   ++statistics_.factorizations;
   statistics_.operations = common_.fl;

@@ -13,10 +13,11 @@ using namespace test;
 const solid::LinearElastic soft = solid::linear_elastic(1, 0.3);
 
 /// A half ring, driven at its inner arc, above a rigid plane that it touches.
-Scene<2> roller(const solid::Material& material, const contact::PenaltyLaw& law) {
+Scene<2> roller(const solid::Material& material, const contact::PenaltyLaw& law,
+                const std::vector<int>& elements = {24, 3}) {
   Scene<2> scene;
   const nurbs::Patch arc = nurbs::half_annulus(0.3, 1, Eigen::Vector2d(0, 1));
-  scene.bodies.push_back({"roller", make_body(arc, {24, 3}, "N2-N2.1", "south", material)});
+  scene.bodies.push_back({"roller", make_body(arc, elements, "N2-N2.1", "south", material)});
   scene.supports = {{"hub", {face_points(scene, 0, "north")}, {Constraint::driven, Constraint::driven}}};
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts = {{"floor", {0, nurbs::side_of("south", 2)}, ObstacleReference{0}, law, 9}};
@@ -109,11 +110,12 @@ TEST(Condensed, ContactGrowsBeyondTheContactUnknowns) {
     bench.residual(u);
     return std::pair(bench.assembly.contact_version(), bench.assembly.contact_unknowns().size());
   };
-  EXPECT_EQ(sink(-0.01), std::pair(0, std::size_t(0)));
+  const auto none = sink(-0.01);
+  EXPECT_EQ(none.second, 0);
   const auto few = sink(0.001), more = sink(0.0012), many = sink(0.2);
-  EXPECT_EQ(few.first, 1);
+  EXPECT_EQ(few.first, none.first + 1);
   EXPECT_EQ(more, few); // small steps stay within the margin
-  EXPECT_EQ(many.first, 2);
+  EXPECT_EQ(many.first, none.first + 2);
   EXPECT_GT(many.second, 2 * few.second);
   // All unknowns on which contacts act are contact unknowns.
   const MatrixX with = bench.tangent();
@@ -128,6 +130,25 @@ TEST(Condensed, ContactGrowsBeyondTheContactUnknowns) {
       if (std::abs(contact(i, j)) > 1e-12) {
         EXPECT_TRUE(watched[static_cast<std::size_t>(i)] && watched[static_cast<std::size_t>(j)]);
       }
+}
+
+/// On a mesh with few unknowns on the face all of them are contact unknowns from the start, and a step from no contact
+/// to a wide one has one factorization of the bodies.
+TEST(Condensed, WholeFacesFromTheStart) {
+  Model<2> model(roller(soft, {100}, {24, 16}));
+  const Assembly<2>& assembly = model.system.assembly;
+  const auto face = static_cast<std::size_t>(2 * model.system.contacts[0]->slave().functions());
+  EXPECT_EQ(assembly.contact_unknowns().size(), face);
+  const int version = assembly.contact_version();
+  step_to(model, 0, 0, -0.15);
+  EXPECT_GT(resultant(model.present.contacts[0]).active, 27); // more than three elements
+  EXPECT_EQ(assembly.contact_version(), version);
+  Model<2> other(roller(soft, {100}, {24, 16}));
+  StepOptions options;
+  options.linear = solve::LinearKind::umfpack;
+  step_to(other, 0, 0, -0.15, options);
+  EXPECT_NEAR((model.present.displacement - other.present.displacement).norm(), 0,
+              1e-9 * other.present.displacement.norm());
 }
 
 /// A block supported only by contact with a plane, with friction also against sliding: the bulk's stiffness is
