@@ -214,11 +214,23 @@ Discretization discretized(const Patch& patch, const Plan& plan) {
     const int d = a < through ? a : a + 1;
     along.push_back({patch.direction(d), plan.labels[at(a)], inserted[at(d)], cuts_of(patch, plan, a, d)});
   }
+  // Most rows have the same knots: their space is tabulated once.
+  std::vector<std::pair<KnotVector, Space1D>> tabulated;
+  const auto space_of = [&](const KnotVector& knots) -> const Space1D& {
+    for (const auto& [known, space] : tabulated)
+      if (known == knots) return space;
+    return tabulated.emplace_back(knots, spline_space(knots)).second;
+  };
   std::vector<Row> rows;
+  const auto add_row = [&](const Patch& row) {
+    std::vector<Space1D> spaces;
+    for (const KnotVector& knots : row.directions()) spaces.push_back(space_of(knots));
+    rows.emplace_back(std::move(spaces), row.homogeneous());
+  };
   for (int j = 0; j < count; ++j) {
     Patch row = control_row(whole, through, j);
     if (lagrange) {
-      rows.push_back(make_row(row));
+      add_row(row);
       continue;
     }
     bool cut = false; // layer knots are knots of this row
@@ -236,7 +248,7 @@ Discretization discretized(const Patch& patch, const Plan& plan) {
       else
         local.emplace_back(a, local_space(one, raised, cut));
     }
-    rows.push_back(make_row(row));
+    add_row(row);
     for (const auto& [a, space] : local) rows.back() = with_space(rows.back(), a, space);
   }
   return {through, spline_space(whole.direction(through)), std::move(rows), plan.contact};
