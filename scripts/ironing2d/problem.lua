@@ -54,27 +54,30 @@ function problem.path(set_up, coarser)
   }
 end
 
---- Model, die and slab of a variant; `points` are the Gauss points per contact element, 3(p + 1) by default; through:
---- the degree in the thickness direction, 1 by default, as published; `contact`: { formulation (a row of
---- formulations/rows.lua), swap (the slab is the slave) }.
-function problem.scene(set_up, order, elements, points, thickness_degree, contact)
+--- Model, die and slab of a variant; `elements`: { die, slab, grading (of the slab) }; `points`: Gauss points per contact
+--- element, 3(p + 1) by default; thickness_degree: 1 by default, as published; `details`: { formulation (a row of
+--- formulations/rows.lua), swap (the slab is the slave), die_order, slab_degree (in the thickness direction) }.
+function problem.scene(set_up, order, elements, points, thickness_degree, details)
+  details = details or {}
   local die = sg.body{
     patch    = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { set_up.start, 1.5 } },
-    elements = elements.die, order = order, contact = "south", thickness_degree = thickness_degree or 1,
+    elements = elements.die, order = details.die_order or order, contact = "south",
+    thickness_degree = thickness_degree or 1,
     material = sg.neo_hookean{ E = set_up.die_modulus, nu = 0.3 },
   }
   local slab = sg.body{
     patch    = sg.shapes.rectangle{ width = 3, height = 1 },
-    elements = elements.slab, order = order, contact = "north", thickness_degree = thickness_degree or 1,
+    elements = elements.slab, grading = elements.grading, order = order, contact = "north",
+    thickness_degree = details.slab_degree or thickness_degree or 1,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local slave, master = die:face "south", slab:face "north"
-  if contact and contact.swap then slave, master = master, slave end
+  if details.swap then slave, master = master, slave end
   local model = sg.model{
     bodies   = { die = die, slab = slab },
     supports = { bed  = { on = slab:face "south", fix = "xy" },
                  grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
-    contacts = { interface = formulations.contact(contact and contact.formulation, {
+    contacts = { interface = formulations.contact(details.formulation, {
       slave = slave, master = master, penalty = 100, friction = { mu = set_up.mu, penalty = 100 },
       points = points }) },
   }

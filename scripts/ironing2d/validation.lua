@@ -22,7 +22,7 @@ local function mean(values, first, last)
 end
 
 --- Adds to a case its forces at the end of the pressing and their means and oscillations in the middle of the sliding.
-local function add_forces(case, set_up)
+function validation.add_forces(case, set_up)
   local run, first, last = case.run, middle(set_up)
   if run.steps < last then return end
   local Px, Py = run:column "grip.fx", run:column "grip.fy"
@@ -75,7 +75,7 @@ function validation.run(options, files)
                                 step = { adaptive = true }, on_step = i == 1 and keep or nil }
     print(case.run)
     case.run:csv(files(order .. ".csv"))
-    add_forces(case, set_up)
+    validation.add_forces(case, set_up)
     cases[i], cases[order] = case, case
   end
   local first, last = middle(set_up)
