@@ -29,16 +29,18 @@
 --           (N2-N2.2). Curves are symmetric about the middle of the path, since without friction a state does not
 --           depend on the path. Neither higher degree nor layers reduce the oscillation, since the edges of the block
 --           stay sharp (see share/doc/problems/block_ironing3d.md). variant=sixty: N2-N2.1 with degree 2 in the
---           thickness direction and 4 points gives 5.846 on average on 2x2x1/8x4x2 (part=whole), and 5.826 with
---           part=half.
+--           thickness direction and 4 points gives 5.846 on average on 2x2x1/8x4x2 (part=whole), 5.826 with
+--           part=half, and 5.796 there with 3 points, block_order=N2 and layer=below.
 -- Run: signorini scripts/block_ironing3d.lua [orders=N2,N3,N4,N2-N3,N2-N4,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]
 --      [press=10] [slide=125] [formulation=gpts] [linear=auto] [out=out/block_ironing3d]; mesh: elements of block/slab;
 --      press, slide: number of steps; formulation: a row of formulations/rows.lua.
 --      signorini scripts/block_ironing3d.lua variant=sixty [orders=N2,N2-N2.1,N2-N2.2] [mesh=4x4x4/8x4x4]
---      [thickness_degree=1] [points=auto] [part=half] [line_search=energy] [linear=auto]
---      [out=out/block_ironing3d_sixty]; all but the last three can be lists; through: degree in the thickness direction
---      (top to bottom); points: Gauss points per direction of a contact element, auto is 3(p + 1); part: half model up
---      to the plane of symmetry, or whole.
+--      [block_order=same] [layer=whole] [thickness_degree=1] [points=auto] [part=half] [tolerance=1e-10]
+--      [line_search=energy] [linear=auto] [out=out/block_ironing3d_sixty]; all but the last three can be lists;
+--      block_order: order of the block, if not that of the slab; layer: on the whole upper face of the slab, or below
+--      the path of the block; thickness_degree: degree from top to bottom; points: Gauss points per direction of a
+--      contact element, auto is 3(p + 1); part: half model up to the plane of symmetry, or whole; tolerance: of the
+--      residual, relative to the forces.
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
@@ -51,6 +53,9 @@ local problem = { title = "Block ironing", length = 20, start = 3.75, depth = 1,
 --- The elements of the half with y < 5: half as many across.
 local function half_of(elements) return { elements[1], elements[2] // 2, elements[3] } end
 
+--- Whether a point of the slab is below the path of the block.
+local function below(X) return math.abs(X[2] - 5) < 2 end
+
 --- The whole model, or with case.half the half y < 5 with a plane of symmetry (even numbers of elements across).
 function problem.scene(case)
   local width = case.half and 0.5 or 1
@@ -58,12 +63,13 @@ function problem.scene(case)
   local slab = sg.body{
     patch    = sg.shapes.block{ size = {20, 10 * width, 10} },
     elements = across(case.mesh.slab), order = case.order, contact = "back",
+    layer = case.layer == "below" and below or nil,
     thickness_degree = case.thickness_degree or 1,
     material = sg.neo_hookean{ E = 1, nu = 0.3 },
   }
   local block = sg.body{
     patch    = sg.shapes.block{ size = {4, 4 * width, 4}, corner = {problem.start - 2, 3, 10} },
-    elements = across(case.mesh.die), order = case.order, contact = "front",
+    elements = across(case.mesh.die), order = case.block_order or case.order, contact = "front",
     thickness_degree = case.thickness_degree or 1,
     material = sg.neo_hookean{ E = 10, nu = 0.3 },
   }
@@ -85,6 +91,7 @@ local options = sg.arguments{
                  mesh = mesh.argument "4x4x4/8x4x4", press = 10, slide = 125,
                  formulation = formulations.argument "gpts", out = "out/block_ironing3d" },
     sixty = { orders = { "N2", "N2-N2.1", "N2-N2.2" }, mesh = mesh.argument{ "4x4x4/8x4x4" }, thickness_degree = { 1 },
+              block_order = { "same" }, layer = { { "whole" }, choices = { "whole", "below" } }, tolerance = { 1e-10 },
               points = { { "auto" }, check = is_count, expected = "whole numbers of at least 1, or auto" },
               part = { { "half" }, choices = { "half", "whole" } },
               line_search = { "energy", choices = { "energy", "residual", "none" } },

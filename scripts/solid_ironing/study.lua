@@ -4,7 +4,7 @@
 -- sliding), scene(case) }; scene returns the model with the supports `grip` (drives x and z) and `bed` and the contact
 -- `interface`, the die and the slab. A case is { order, mesh, press, slide (steps), thickness_degree, points, half (the
 -- scene is cut at its plane of symmetry, y = const.), formulation (a row of formulations/rows.lua), line_search,
--- linear }; see study.solve.
+-- tolerance (of Newton's method), linear }; see study.solve.
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
@@ -69,7 +69,8 @@ function study.solve(problem, case)
     { name = "press", steps = case.press, grip = { 0, -problem.depth } },
     { name = "slide", steps = case.slide, grip = { problem.distance, -problem.depth } },
   }, sg.plain(formulations.options(case.formulation, {
-    linear = case.linear, step = { adaptive = true }, newton = { line_search = case.line_search },
+    linear = case.linear, step = { adaptive = true },
+    newton = { line_search = case.line_search, tolerance = case.tolerance },
     on_step = case.on_step and function(info) return case.on_step(model, info) end })))
   case.user = os.clock() - began
   case.dofs = { die = die:dofs().total, slab = slab:dofs().total }

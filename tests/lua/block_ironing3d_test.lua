@@ -95,6 +95,16 @@ check.case("sixty steps: user times compared with other programs, the cheapest c
   check.equal(sg.csv.read(folder .. "/sixty/sixty.csv"):column "thickness_degree", { 1, 2 })
 end)
 
+check.case("sixty steps: a layer on the slab alone, below the block's path, within FEBio's range", function()
+  local cases = run_study("variant=sixty", "out=" .. folder .. "/below", "mesh=2x2x1/8x4x2", "orders=N2-N2.1",
+                          "block_order=N2", "layer=below", "thickness_degree=2", "points=3", "tolerance=1e-6").cases
+  check.equal({ cases[1].dofs.total, cases[1].run.failed, cases[1].run.steps, cases[1].run.cutbacks },
+    { 738, false, 60, 0 })
+  check.within("mean pressing force", cases[1].drag.mean, 5.8, 0.05)
+  local row = sg.csv.read(folder .. "/below/sixty.csv"):by "order"["N2-N2.1"]
+  check.equal({ row.block_order, row.layer, row.tolerance }, { "N2", "below", 1e-6 })
+end)
+
 check.case("wrong arguments", function()
   check.refused(script, {
     ["mesh=4x4/8x4x4"] = "mesh must be elements of die and slab per direction such as 4x4x4/8x4x4, got '4x4/8x4x4'",
@@ -102,7 +112,9 @@ check.case("wrong arguments", function()
     ["press=0"] = "press must be a whole number, 1 or more, got '0'",
     ["thickness_degree=2"] =
       "'thickness_degree=2', which belongs to variant=sixty; known with variant=standard: formulation=gpts, ",
-    ["variant=sixty slide=9"] = "'slide=9', which belongs to variant=standard; known with variant=sixty: line",
+    ["variant=sixty slide=9"] = "'slide=9', which belongs to variant=standard; known with variant=sixty: block",
+    ["variant=sixty layer=half"] = "layer must be values among 'whole' and 'below', got 'half'",
+    ["variant=sixty orders=N2 layer=below"] = "layer=below: order 'N2' has no layer. Hint: layer=whole",
     ["variant=sixty mesh=2x2x1/8x3x2"] = "mesh=2x2x1/8x3x2: a half model has half of the elements across, so both "
       .. "numbers (2 and 3) must be even. Hint: part=whole",
     ["variant=sixty points=x"] = "points must be whole numbers of at least 1, or auto, got 'x'",
