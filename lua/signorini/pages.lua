@@ -61,7 +61,7 @@ local function load_all()
   end
 end
 
---- Whether a subject may have a page: whether the name is in its file, which takes far longer to compile than to search.
+--- Whether a subject may have a page: whether the name is in its file, which takes longer to compile than to search.
 local function may_have(subject, name)
   if not texts[subject] then
     local file <close> = io.open(package.searchpath("signorini.pages." .. subject, package.path))

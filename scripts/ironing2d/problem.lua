@@ -54,9 +54,9 @@ function problem.path(set_up, coarser)
   }
 end
 
---- Model, die and slab of a variant; `elements`: { die, slab, grading (of the slab) }; `points`: Gauss points per contact
---- element, 3(p + 1) by default; thickness_degree: 1 by default, as published; `details`: { formulation (a row of
---- formulations/rows.lua), swap (the slab is the slave), die_order, slab_degree (in the thickness direction) }.
+--- Model, die and slab of a variant; `elements`: { die, slab, grading (of the slab) }; `points`: Gauss points of a
+--- contact element, 3(p + 1) by default; thickness_degree: 1 by default, as published; `details`: { formulation (a row
+--- of formulations/rows.lua), swap (the slab is the slave), die_order, slab_degree (in the thickness direction) }.
 function problem.scene(set_up, order, elements, points, thickness_degree, details)
   details = details or {}
   local die = sg.body{

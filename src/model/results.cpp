@@ -89,8 +89,10 @@ template <int D> std::vector<Message> warnings(const Model<D>& model) {
   std::vector<Message> warnings = model.scene_warnings;
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
     const auto& [name, body] = model.system.scene.bodies[b];
-    if (!body->linear()) continue; // nonlinear materials reject inverted elements
-    const auto worst = solid::worst_inversion(*body, body_displacement(model, static_cast<int>(b)).data());
+    const auto displacement = body_displacement(model, static_cast<int>(b));
+    // Nonlinear materials reject inverted elements, and shapes are checked when bodies are made.
+    if (!body->linear() || displacement.isZero(0)) continue;
+    const auto worst = solid::worst_inversion(*body, displacement.data());
     if (worst)
       warnings.push_back(Message(
           "model.warning.inverted",

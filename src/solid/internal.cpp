@@ -20,15 +20,9 @@ void each_deformation(const Body<D>& body, const double* displacement, const Vis
     const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::RowMajor>> u(local.data(), D, n);
     for (int q = 0; q < table.points; ++q) {
       // F = I + Σ_A u_A ⊗ ∇R_A
-      const double* const gradients = body.gradients_of(e) + q * D * n;
-      Mat<D> f = Mat<D>::Identity();
-      for (int i = 0; i < D; ++i)
-        for (int j = 0; j < D; ++j) {
-          double sum = 0;
-          for (int a = 0; a < n; ++a) sum += u(i, a) * gradients[j * n + a];
-          f(i, j) += sum;
-        }
-      visit(e, q, f, u);
+      const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::RowMajor>> gradients(
+          body.gradients_of(e) + q * D * n, D, n);
+      visit(e, q, Mat<D>(Mat<D>::Identity() + u.lazyProduct(gradients.transpose())), u);
     }
   }
 }
