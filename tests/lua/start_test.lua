@@ -22,4 +22,18 @@ check.case("start-up", function()
   end
 end)
 
+check.case("a run loads what it needs: neither studies nor pages of other functions", function()
+  local output, status = check.program{ "-q", "-e", [[
+local model, stages = sg.scenes.block{}
+model:run(stages, sg.plain{})
+for _, name in ipairs{ "study", "recommend", "convergence_map", "pages.studies", "pages.pictures", "help" } do
+  if package.loaded["signorini." .. name] then print(name) end
+end
+for _, name in ipairs{ "study", "comparison", "map", "series" } do -- types are there when asked for
+  if not require("signorini.core").types[name] then print("no type " .. name) end
+end
+print "end"]] }
+  check.equal({ output, status }, { "end\n", 0 })
+end)
+
 check.done()
