@@ -23,9 +23,6 @@ inline constexpr int most_halvings = 40;
 inline constexpr double sufficient_decrease = 1e-4;
 /// Relative rounding error of a squared distance.
 inline constexpr double distance_rounding = 1e-14;
-/// A foot point whose squared distance is below this fraction of the element's squared diagonal (1/16 of its length) is
-/// the only one on the element, because no face folds that sharply within one element.
-inline constexpr double near_foot = 1.0 / 256;
 /// Squared distances with a smaller relative difference are the same minimum, reached from both sides of a border.
 inline constexpr double same_distance = 1e-12;
 

@@ -128,21 +128,20 @@ Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, c
                       const Projection<2>& seed, FaceGeometry<2>& point) {
   Projection<2> best;
   double nearest = std::numeric_limits<double>::infinity();
-  int settled = -1; // element that needs no further search
+  bool settled = false; // the foot point's element and its neighbors need no further search
   if (seed.element >= 0) {
     best.foot = walk(surface, x, seed.element, seed.xi(0), point);
     nearest = (x - point.position).squaredNorm();
-    // A foot point much nearer than the element's length is the only one on it, because a curve does not fold within
-    // one element.
-    if (nearest < boxes.diagonal2(point.element) * near_foot) settled = point.element;
+    settled = best.foot == Foot::regular && point.settled && nearest < boxes.lone2(point.element);
   }
+  const int home = settled ? point.element : -1;
 
   FaceGeometry<2> candidate;
   // A minimum on a border is reached from both sides; the factor keeps rounding error from choosing one.
   boxes.near(
       x, [&] { return nearest * (1 - same_distance); },
       [&](int e) {
-        if (e == settled) return;
+        if (settled && smoothly_adjacent(surface, home, e)) return;
         each_dip(surface, x, e, [&](double start) {
           const Foot foot = walk(surface, x, e, start, candidate);
           const double distance2 = (x - candidate.position).squaredNorm();

@@ -231,33 +231,22 @@ void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, const Fac
     }
 }
 
-/// Whether two elements share a border or a corner without a kink between them.
-bool smoothly_adjacent(const Surface<3>& surface, int a, int b) {
-  const int n = surface.direction(0).elements();
-  const auto adjacent = [&](int direction, int i, int j) {
-    if (i == j) return true;
-    return std::abs(i - j) == 1 && surface.direction(direction).smoothness()[at(std::max(i, j))] > 0;
-  };
-  return adjacent(0, a % n, b % n) && adjacent(1, a / n, b / n);
-}
-
 /// Whether the tangents do not span a plane, as at the pole of a sphere.
-bool degenerate(const Surface<3>& surface, const FaceGeometry<3>& point) {
-  Vec<3> lower, upper;
-  surface.bounds(point.element, lower, upper);
+bool degenerate(const Surface<3>& surface, const ElementBoxes<3>& boxes, const FaceGeometry<3>& point) {
   double area = point.tangent[0].cross(point.tangent[1]).norm();
   for (int a = 0; a < 2; ++a) {
     const auto [from, to] = surface.interval(point.element, a);
     area *= to - from;
   }
-  return !(area > same_place * (upper - lower).squaredNorm());
+  return !(area > same_place * boxes.diagonal2(point.element));
 }
 
-} // namespace
-
-Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start, FaceGeometry<3>& point,
-          int& along) {
+/// The local minimum of the distance reached by descent from an element and parameter; returns the bounds of the
+/// element that are active there.
+EdgeStop approach(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start,
+                  FaceGeometry<3>& point) {
   EdgeStop active = descend(surface, x, element, start, point);
+  if (active == EdgeStop{}) return active;
   FaceGeometry<3> beyond;
   bool moved = true;
   for (int moves = 0; moved && moves < 2 * surface.elements() + 8; ++moves) {
@@ -275,6 +264,12 @@ Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordin
     }
   }
   if (moved) point.settled = false;
+  return active;
+}
+
+/// Kind of a local minimum with these active bounds; `along`: the direction of an edge.
+Foot kind_of(const Surface<3>& surface, const ElementBoxes<3>& boxes, const EdgeStop& active,
+             const FaceGeometry<3>& point, int& along) {
   // An active bound at the minimum is the border of the face, a kink, or due to rounding error.
   bool kink[2] = {false, false}, pole = false;
   for (int a = 0; a < 2; ++a) {
@@ -290,9 +285,15 @@ Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordin
     }
   }
   if (pole || (kink[0] && kink[1])) return Foot::corner;
-  if (!kink[0] && !kink[1]) return degenerate(surface, point) ? Foot::corner : Foot::regular;
+  if (!kink[0] && !kink[1]) return degenerate(surface, boxes, point) ? Foot::corner : Foot::regular;
   along = kink[0] ? 1 : 0;
   return Foot::edge;
+}
+
+} // namespace
+
+void walk(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start, FaceGeometry<3>& point) {
+  approach(surface, x, element, start, point);
 }
 
 Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, const Vec<3>& x,
@@ -301,11 +302,10 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
   double nearest = std::numeric_limits<double>::infinity();
   bool settled = false; // the foot point's element and its neighbors need no further search
   if (seed.element >= 0) {
-    best.foot = walk(surface, x, seed.element, seed.xi, point, best.along);
+    const EdgeStop active = approach(surface, x, seed.element, seed.xi, point);
+    best.foot = kind_of(surface, boxes, active, point, best.along);
     nearest = (x - point.position).squaredNorm();
-    // A regular foot point much nearer than the elements' length is the only one on them, because a surface does not
-    // fold within smoothly joined elements.
-    settled = best.foot == Foot::regular && nearest < boxes.diagonal2(point.element) * near_foot;
+    settled = best.foot == Foot::regular && point.settled && nearest < boxes.lone2(point.element);
   }
   const int home = settled ? point.element : -1;
 
@@ -313,18 +313,17 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
   // A minimum on a border is reached from both sides; the factor keeps rounding error from choosing one.
   const auto within = [&] { return nearest * (1 - same_distance); };
   boxes.near(x, within, [&](int e) {
-    if (settled && smoothly_adjacent(surface, home, e) && nearest < boxes.diagonal2(e) * near_foot) return;
+    if (settled && smoothly_adjacent(surface, home, e)) return;
     // The plane through the point found, normal to the line to it, separates x from an element that lies behind it.
     const Vec<3> line = point.position - x;
     if (surface.least_along(e, line) - line.dot(x) >= std::sqrt(nearest * within())) return;
     each_dip(surface, x, e, best.foot == Foot::regular ? &point : nullptr, within, [&](const Coordinates& start) {
-      int along = 0;
-      const Foot foot = walk(surface, x, e, start, candidate, along);
+      const EdgeStop active = approach(surface, x, e, start, candidate);
       const double distance2 = (x - candidate.position).squaredNorm();
       if (distance2 >= nearest * (1 - same_distance)) return;
       nearest = distance2;
-      best.foot = foot;
-      best.along = along;
+      best.along = 0;
+      best.foot = kind_of(surface, boxes, active, candidate, best.along);
       point = candidate;
     });
   });

@@ -42,7 +42,7 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
                       const Projection<3>& seed, FaceGeometry<3>& point);
 
 /// The local minimum of the distance reached by descent from an element and parameter; geometry in `point` (order 2).
-Foot walk(const Surface<3>& surface, const Vec<3>& x, int element, const FaceCoordinates<3>& start,
-          FaceGeometry<3>& point, int& along);
+void walk(const Surface<3>& surface, const Vec<3>& x, int element, const FaceCoordinates<3>& start,
+          FaceGeometry<3>& point);
 
 } // namespace signorini::contact

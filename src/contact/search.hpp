@@ -1,5 +1,6 @@
 #pragma once
-// Search for the elements of a face near a point: a tree of bounding boxes.
+// Search for the elements of a face near a point: a tree of bounding boxes, and distances within which elements have
+// one foot point only.
 
 #include "contact/surface.hpp"
 
@@ -7,17 +8,27 @@
 
 namespace signorini::contact {
 
+/// The elements from first to last in each direction around an element that share borders and corners with it, without
+/// kinks between them.
+struct Neighborhood {
+  std::array<int, 2> first, last;
+};
+template <int D> Neighborhood smooth_neighborhood(const Surface<D>& surface, int element);
+template <int D> bool smoothly_adjacent(const Surface<D>& surface, int element, int other);
+
 /// Bounding boxes of a face's elements in a binary tree that halves the grid of elements; moving the face changes the
 /// boxes, not the tree.
 template <int D> class ElementBoxes {
 public:
-  /// Computes the boxes of the surface's current shape. Must always be called with the same surface.
+  /// Computes boxes and distances of the surface's current shape. Must always be called with the same surface.
   void update(const Surface<D>& surface);
   /// Squared diagonal of an element's box.
   double diagonal2(int element) const {
     const Box& box = nodes_[at(leaves_[at(element)])].box;
     return (box.upper - box.lower).squaredNorm();
   }
+  /// Squared distance below which a regular foot point on an element is the closest point of its smooth neighborhood.
+  double lone2(int element) const { return lone2_[at(element)]; }
 
   /// Calls visit(element) for the elements whose boxes are nearer to x than `distance2()` (a squared distance,
   /// evaluated again before every visit), boxes near x first.
@@ -37,6 +48,7 @@ private:
     int second;  ///< index of the second child
     Box box;
   };
+  void find_lone_distances(const Surface<D>& surface);
   void build(const Surface<D>& surface, std::array<int, 2> first, std::array<int, 2> last);
 
   template <class Distance2, class Visit>
@@ -56,6 +68,8 @@ private:
 
   std::vector<Node> nodes_;
   std::vector<int> leaves_; ///< per element
+  std::vector<double> lone2_;
+  std::vector<DerivativeBounds<D>> bounds_; ///< working space
 };
 
 } // namespace signorini::contact

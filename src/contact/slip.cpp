@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini::contact {
 
@@ -56,13 +57,15 @@ FaceCoordinates<3> advance_slip(const Surface<3>& surface, const FaceCoordinates
   // slightly less than |x(ξ) − x̄|.
   double on_chord = length;
   FaceCoordinates<3> xi = foot.xi;
-  int along;
+  double before = std::numeric_limits<double>::infinity(); // last error
   for (int iteration = 0; iteration < 30; ++iteration) {
     const Vec<3> y = foot.position + (on_chord / present) * chord;
-    walk(surface, y, surface.find_element(xi), xi, point, along);
+    walk(surface, y, surface.find_element(xi), xi, point);
     xi = point.xi;
-    const double distance = (point.position - foot.position).norm();
-    if (!(distance > 0) || std::abs(distance - length) <= slip_rounding * present) break;
+    const double distance = (point.position - foot.position).norm(), error = std::abs(distance - length);
+    // Rounding error, that of the positions if the error does not decrease any more.
+    if (!(distance > 0) || error <= slip_rounding * present || error >= before) break;
+    before = error;
     on_chord = std::min(on_chord * length / distance, present);
   }
   return xi;

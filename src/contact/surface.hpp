@@ -56,6 +56,15 @@ template <int D> Vec<D> normal_of(const std::array<Vec<D>, D - 1>& tangent) {
     return tangent[0].cross(tangent[1]);
 }
 
+/// Bounds on the derivatives over a part of a face: a box around τ_α, and the largest |x_,αβ|, numbered as in
+/// FaceGeometry.
+template <int D> struct DerivativeBounds {
+  std::array<Vec<D>, FaceGeometry<D>::tangents> lower, upper;
+  std::array<double, FaceGeometry<D>::seconds> second;
+  /// Extends the part by another one.
+  void include(const DerivativeBounds& other);
+};
+
 /// A face of a body, or several faces with common borders; face-local indices number its control points.
 template <int D> class Surface {
 public:
@@ -110,6 +119,9 @@ public:
 
   /// Least n·x of an element's Bézier points, a lower bound for all points of the element.
   double least_along(int element, const Vec<D>& direction) const;
+
+  /// Bounds on the derivatives over an element from its Bézier points, those of a polynomial from their differences.
+  DerivativeBounds<D> derivative_bounds(int element) const;
 
   /// Evaluates the face's geometry at xi with the polynomial pieces of an element. `order` 0: position, 1: also
   /// tangents, 2: also second derivatives.
