@@ -28,16 +28,21 @@ std::optional<FixedContactState> PenaltyContact<D>::close(std::size_t i, const T
   const Controls& controls = trial.controls;
   const double travel = this->travel_;
   FixedContactState fixed = controls.fixed_states.empty() ? FixedContactState::free : controls.fixed_states[i];
-  if (fixed == FixedContactState::free ? travel + controls.guessed < point.cleared : fixed == FixedContactState::open)
+  if (fixed == FixedContactState::open) return {};
+  if (fixed == FixedContactState::free && travel + controls.guessed < point.cleared) {
+    trial.present.results[i].beyond = point.projection.foot == Foot::none;
     return {};
-  if (!this->find_foot(i, trial, part, at)) return {};
-
+  }
+  const bool opposite = this->find_foot(i, trial, part, at);
   const PenaltyLaw law = this->law(trial.present, trial.penalty_factor);
   const Foot foot = point.projection.foot;
   const double gap = point.projection.gap;
-  // t_N = λ_N − ε_N (g − o) > 0 below a gap of o + λ_N/ε_N
+  // t_N = λ_N − ε_N (g − o) > 0 below a gap of o + λ_N/ε_N; beyond an end of the master, a point on its outer side has
+  // to come as near to get there.
   const double distance = gap - this->offset(i, trial.present) - point.multiplier / law.normal;
-  point.cleared = foot == Foot::regular && at.foot.settled && distance > 0 ? travel + distance : 0;
+  const bool clear = (foot == Foot::regular || foot == Foot::none) && at.foot.settled && distance > 0;
+  point.cleared = clear ? travel + distance : 0;
+  if (!opposite) return {};
   if (fixed == FixedContactState::free && std::abs(distance) < controls.guessed) fixed = FixedContactState::stick;
   if (fixed == FixedContactState::free && distance >= 0) return {};
   if (fixed == FixedContactState::free && controls.landing) fixed = FixedContactState::stick;

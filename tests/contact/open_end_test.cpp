@@ -173,6 +173,34 @@ TEST(OpenEnd, TangentIsTheForcesDerivative) {
   EXPECT_GT(sum.slip, 100);
 }
 
+TEST(OpenEnd, PointsThatWaitBeyondAnEndTouchWhenTheyArrive) {
+  // A die that wanders about the end of a slab, in small steps and leaps; a contact without memory projects all points.
+  Random random(11);
+  int waiting = 0, touching = 0;
+  for (const double lift : {0.0, 0.3}) {
+    Couple couple("N2", slab("N2"), PenaltyLaw{100, 80, 0}, 3.2, 1 + lift);
+    const Couple start = couple;
+    for (int step = 0; step < 60; ++step) {
+      const double size = step % 5 == 0 ? 0.2 : 0.02;
+      couple.move_die(uniform(random, -size, size), uniform(random, -size, size) - 0.05 * lift);
+      couple.shake(random, 0.002);
+      couple.evaluate();
+      Couple fresh = start;
+      fresh.evaluate(couple.u);
+      const History<2>& history = couple.pair.present();
+      for (std::size_t i = 0; i < history.points.size(); ++i) {
+        const PointResult<2>&own = history.results[i], &expected = fresh.pair.results()[i];
+        EXPECT_EQ(own.state, expected.state);
+        EXPECT_NEAR(own.pressure, expected.pressure, 1e-10);
+        waiting += own.beyond && history.points[i].cleared > 0;
+        touching += own.state != ContactState::open;
+      }
+    }
+  }
+  EXPECT_GT(waiting, 500);
+  EXPECT_GT(touching, 100);
+}
+
 TEST(OpenEnd, TangentIsTheForcesDerivativeWithAdhesionAndOnRigidCurves) {
   MatrixX points(2, 3);
   points << 4, 2, 0, 0.95, 1.02, 0.95;
