@@ -5,10 +5,33 @@
 
 namespace signorini::contact {
 
+namespace {
+
+/// Writes the sums Σ_k f_k,B A_k over functions f_0, f_1 … of nodes B and row vectors A_k of D components to D columns
+/// per node. In 3D one more value is written.
+template <int D, std::size_t Count>
+void combine(int nodes, const std::array<const double*, Count>& functions,
+             const std::array<Eigen::Matrix<double, 1, D>, Count>& vectors, double* __restrict out) {
+  using Lanes = Eigen::Matrix<double, D == 2 ? 2 : 4, 1>;
+  std::array<Lanes, Count> rows;
+  for (std::size_t k = 0; k < Count; ++k) {
+    rows[k].setZero();
+    rows[k].template head<D>() = vectors[k].transpose();
+  }
+  for (int b = 0; b < nodes; ++b, out += D) {
+    Lanes sum = functions[0][b] * rows[0];
+    for (std::size_t k = 1; k < Count; ++k) sum += functions[k][b] * rows[k];
+    Eigen::Map<Lanes, Eigen::Unaligned> to(out);
+    to = sum;
+  }
+}
+
+} // namespace
+
 template <int D>
 BlockSums<D>::BlockSums(const Surface<D>& slave, const Master<D>& master, Pass pass)
     : slave_(slave), master_(master), pass_(pass),
-      columns_(at(D * (slave.most_functions() + 2 * master.most_functions()) * (2 * D - 1))) {}
+      columns_(D == 2 ? at(D * (slave.most_functions() + 2 * master.most_functions()) * (2 * D - 1)) : 0) {}
 
 /// Index of the block with these elements, which is created if necessary.
 template <int D> std::size_t BlockSums<D>::find(int slave_element, int master_element, int slip_element, bool tangent) {
@@ -38,49 +61,53 @@ template <int D> std::size_t BlockSums<D>::find(int slave_element, int master_el
   return blocks_.size() - 1;
 }
 
-/// ∂T/∂x_B and ∂ξ̄/∂x_B of every column node B times the point's weight, by the chain rule from the local variables.
+/// ∂T/∂x_B and ∂ξ̄/∂x_B of every column node B times the point's weight, by the chain rule from the local variables. In
+/// 3D each array has room for one more value.
 template <int D>
 void BlockSums<D>::fill_columns(const Block& block, const double* r, double w, const FacePoint<D>& master,
-                                const FacePoint<D>* slip_point, const LocalForce<D>& force) {
+                                const FacePoint<D>* slip_point, const LocalForce<D>& force, double* dt,
+                                double* dxi) const {
   using Force = LocalForce<D>;
   const int ns = slave_.functions_on(block.slave_element), nm = master_.functions_on(block.master_element);
   const bool own_columns = block.slip_element >= 0;
   const int nl = own_columns ? master_.functions_on(block.slip_element) : 0, width = block.columns;
-  double* __restrict dt = columns_.data();
-  double* __restrict dxi = dt + D * width;
-  for (int c = 0; c < D; ++c) {
-    for (int b = 0; b < ns; ++b) {
-      const int column = b * D + c;
-      for (int i = 0; i < D; ++i) {
-        double sum = force.tangent(i, c) * r[b];
-        for (int k = 0; k < D - 1; ++k)
-          sum += force.tangent(i, Force::slave_tangent_column + k * D + c) * r[(k + 1) * ns + b];
-        dt[i * width + column] = w * sum;
+  std::array<const double*, D> of_slave, of_master;
+  for (int k = 0; k < D; ++k) {
+    of_slave[at(k)] = r + k * ns;
+    of_master[at(k)] = k == 0 ? master.value.data() : master.derivative[at(k - 1)].data();
+  }
+  const auto segment = [&](const auto& rows, int i, int column) -> Eigen::Matrix<double, 1, D> {
+    return w * rows.template block<1, D>(i, column);
+  };
+  std::array<Eigen::Matrix<double, 1, D>, D> vectors;
+  for (int i = 0; i < D; ++i, dt += width) {
+    for (int k = 0; k < D; ++k) vectors[at(k)] = segment(force.tangent, i, k * D);
+    combine<D>(ns, of_slave, vectors, dt);
+    for (int k = 0; k < D; ++k) vectors[at(k)] = segment(force.tangent, i, Force::master_column + k * D);
+    double* to = dt + D * ns;
+    if (slip_point) {
+      const Eigen::Matrix<double, 1, D> slip = segment(force.tangent, i, Force::slip_column);
+      if (own_columns) {
+        combine<D>(nm, of_master, vectors, to);
+        combine<D, 1>(nl, {slip_point->value.data()}, {slip}, to + D * nm);
+      } else {
+        std::array<const double*, D + 1> functions;
+        std::array<Eigen::Matrix<double, 1, D>, D + 1> all;
+        std::copy_n(of_master.begin(), D, functions.begin());
+        std::copy_n(vectors.begin(), D, all.begin());
+        functions[D] = slip_point->value.data();
+        all[D] = slip;
+        combine<D>(nm, functions, all, to);
       }
-      for (int k = 0; k < D - 1; ++k) dxi[k * width + column] = w * force.shift(k, c) * r[b];
+    } else {
+      combine<D>(nm, of_master, vectors, to);
     }
-    for (int b = 0; b < nm; ++b) {
-      const int column = (ns + b) * D + c;
-      for (int i = 0; i < D; ++i) {
-        double sum = force.tangent(i, Force::master_column + c) * master.value[at(b)];
-        for (int k = 0; k < D - 1; ++k)
-          sum += force.tangent(i, Force::tangent_column + k * D + c) * master.derivative[at(k)][at(b)];
-        if (slip_point && !own_columns) sum += force.tangent(i, Force::slip_column + c) * slip_point->value[at(b)];
-        dt[i * width + column] = w * sum;
-      }
-      for (int k = 0; k < D - 1; ++k) {
-        double sum = force.shift(k, Force::master_column + c) * master.value[at(b)];
-        for (int l = 0; l < D - 1; ++l)
-          sum += force.shift(k, Force::tangent_column + l * D + c) * master.derivative[at(l)][at(b)];
-        dxi[k * width + column] = w * sum;
-      }
-    }
-    for (int b = 0; b < nl; ++b) {
-      const int column = (ns + nm + b) * D + c;
-      const double value = slip_point->value[at(b)];
-      for (int i = 0; i < D; ++i) dt[i * width + column] = w * (force.tangent(i, Force::slip_column + c) * value);
-      for (int k = 0; k < D - 1; ++k) dxi[k * width + column] = 0;
-    }
+  }
+  for (int k = 0; k < D - 1; ++k, dxi += width) {
+    combine<D, 1>(ns, {r}, {segment(force.shift, k, 0)}, dxi);
+    for (int l = 0; l < D; ++l) vectors[at(l)] = segment(force.shift, k, Force::master_column + l * D);
+    combine<D>(nm, of_master, vectors, dxi + D * ns);
+    std::fill_n(dxi + D * (ns + nm), D * nl, 0.0);
   }
 }
 
@@ -105,22 +132,20 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
     for (int i = 0; i < D; ++i) *out++ += w * master.value[at(a)] * force.force(i);
   if (!tangent) return;
 
-  fill_columns(block, r, w, master, slip_point, force);
-  const double* __restrict dt = columns_.data();
-  const double* __restrict dxi = dt + D * width;
   // ∂f_A = −R_A ∂T on the slave, R̄_A ∂T + T R̄_A,α ∂ξ̄^α on the master
   if constexpr (D == 3) {
     const Products::Factors factors = products_[index - first_].add();
+    fill_columns(block, r, w, master, slip_point, force, factors.traction, factors.shift);
     for (int a = 0; a < ns; ++a) factors.left[a] = -r[a];
     std::copy_n(master.value.data(), rows, factors.left + ns);
-    for (std::size_t k = 0; k < 2 && rows > 0; ++k) {
-      std::copy_n(master.derivative[k].data(), nm, factors.rates + k * at(nm));
-      double* turn = factors.turn + k * 3 * at(width);
-      for (int i = 0; i < 3; ++i)
-        for (int c = 0; c < width; ++c) *turn++ = force.force(i) * dxi[static_cast<int>(k) * width + c];
-    }
-    std::copy_n(dt, 3 * width, factors.traction);
+    double* rates = factors.rates;
+    for (std::size_t k = 0; k < 2 && rows > 0; ++k)
+      for (int a = 0; a < rows; ++a)
+        for (int i = 0; i < 3; ++i) *rates++ = force.force(i) * master.derivative[k][at(a)];
   } else {
+    double* const dt = columns_.data();
+    double* const dxi = dt + D * width;
+    fill_columns(block, r, w, master, slip_point, force, dt, dxi);
     double* __restrict matrix = block.matrix.data();
     for (int a = 0; a < ns; ++a)
       for (int i = 0; i < D; ++i, matrix += width) {

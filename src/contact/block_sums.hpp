@@ -41,14 +41,14 @@ private:
   /// Number of the master's nodes with rows.
   int master_rows(int nodes) const { return pass_ == Pass::half ? 0 : nodes; }
   void fill_columns(const Block& block, const double* slave, double weight, const FacePoint<D>& master,
-                    const FacePoint<D>* slip_point, const LocalForce<D>& force);
+                    const FacePoint<D>* slip_point, const LocalForce<D>& force, double* dt, double* dxi) const;
 
   const Surface<D>& slave_;
   const Master<D>& master_;
   Pass pass_;
   std::vector<Block> blocks_, spare_;
   std::size_t first_ = 0;          ///< first block of the current slave element
-  std::vector<double> columns_;    ///< working space of add(): ∂force and ∂ξ̄ by column
+  std::vector<double> columns_;    ///< working space of add() in the plane: ∂force and ∂ξ̄ by column
   std::vector<Products> products_; ///< of the blocks of the current slave element
 };
 

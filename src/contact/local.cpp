@@ -64,32 +64,29 @@ template <int D> GapRows<D> gap_rows(const LocalGeometry<D>& geometry, LocalShif
       rows.normal.noalias() -= (projector * tau) * shift.row(b);
     }
   } else {
-    // [τ_α·τ_β − g n̄·x_,αβ] δξ̄^β = (δxˢ − δx̄ᵐ)·τ_α + g n̄·δτ_α   (thesis A.17, A.18)
-    Mat<tangents> metric, hessian;
+    Eigen::Matrix<double, D, tangents> basis; // τ_α
+    for (int a = 0; a < tangents; ++a) basis.col(a) = master.tangent[at(a)];
+    Mat<tangents> curvature; // n̄·x_,αβ
     for (int a = 0; a < tangents; ++a)
-      for (int b = 0; b < tangents; ++b) {
-        metric(a, b) = master.tangent[at(a)].dot(master.tangent[at(b)]);
-        hessian(a, b) = metric(a, b) - g * n.dot(master.second[at(a + b)]);
-      }
-    LocalShift<D> right = LocalShift<D>::Zero();
-    for (int a = 0; a < tangents; ++a) {
-      const auto tau = master.tangent[at(a)].transpose();
-      right.row(a).template segment<D>(0) = tau;
-      right.row(a).template segment<D>(Force::master_column) = -tau;
-      right.row(a).template segment<D>(Force::tangent_column + D * a) = g * n.transpose();
-    }
-    shift.noalias() = hessian.inverse() * right;
+      for (int b = 0; b < tangents; ++b) curvature(a, b) = n.dot(master.second[at(a + b)]);
+    const Mat<tangents> metric = basis.transpose() * basis;
+
+    // [τ_α·τ_β − g n̄·x_,αβ] δξ̄^β = (δxˢ − δx̄ᵐ)·τ_α + g n̄·δτ_α   (thesis A.17, A.18)
+    const Mat<tangents> inverse = (metric - g * curvature).inverse();
+    const Eigen::Matrix<double, tangents, D> along = inverse * basis.transpose();
+    shift.template leftCols<D>() = along;
+    shift.template middleCols<D>(Force::master_column) = -along;
+    for (int a = 0; a < tangents; ++a)
+      shift.template middleCols<D>(Force::tangent_column + D * a) = (g * inverse.col(a)) * n.transpose();
 
     // δn̄ = −τ^α n̄·(δτ_α + x_,αβ δξ̄^β),  τ^α = m^{αβ} τ_β
-    const Mat<tangents> inverse_metric = metric.inverse();
-    for (int a = 0; a < tangents; ++a) {
-      LocalRow<D> turn = LocalRow<D>::Zero();
-      for (int b = 0; b < tangents; ++b) turn += n.dot(master.second[at(a + b)]) * shift.row(b);
-      turn.template segment<D>(Force::tangent_column + D * a) += n.transpose();
-      Vec<D> contravariant = Vec<D>::Zero();
-      for (int b = 0; b < tangents; ++b) contravariant += inverse_metric(a, b) * master.tangent[at(b)];
-      rows.normal.noalias() -= contravariant * turn;
-    }
+    const Eigen::Matrix<double, D, tangents> dual = basis * metric.inverse(), turn = dual * curvature;
+    const Mat<D> by_position = turn * along;
+    rows.normal.template leftCols<D>() = -by_position;
+    rows.normal.template middleCols<D>(Force::master_column) = by_position;
+    for (int a = 0; a < tangents; ++a)
+      rows.normal.template middleCols<D>(Force::tangent_column + D * a) =
+          -(turn * (g * inverse.col(a)) + dual.col(a)) * n.transpose();
   }
   return rows;
 }

@@ -34,6 +34,16 @@ double largest_penalty(const PenaltyLaw& law) {
   return std::max(law.normal, law.friction > 0 ? law.tangential : 0);
 }
 
+namespace {
+
+/// Calls visit<first, count>() for the columns of xˢ, and of x̄ᵐ and τ_α: gap, normal and ξ̄ do not depend on others.
+template <int D, class Visit> void each_range(const Visit& visit) {
+  visit.template operator()<0, D>();
+  visit.template operator()<LocalForce<D>::master_column, D * D>();
+}
+
+} // namespace
+
 template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D>& geometry, LocalForce<D>& result) {
   using Force = LocalForce<D>;
   constexpr int tangents = D - 1;
@@ -45,7 +55,11 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
   // t_N = λ_N − ε_N g,  δ(t_N n̄) = −ε_N δg n̄ + t_N δn̄
   result.pressure = geometry.multiplier - law.normal * g;
   Vec<D> traction = result.pressure * n;
-  LocalBlock<D> traction_rows = result.pressure * rows.normal - (law.normal * n) * rows.gap;
+  LocalBlock<D> traction_rows = LocalBlock<D>::Zero();
+  each_range<D>([&]<int From, int Count>() {
+    traction_rows.template middleCols<Count>(From) = result.pressure * rows.normal.template middleCols<Count>(From) -
+                                                     (law.normal * n) * rows.gap.template middleCols<Count>(From);
+  });
 
   result.state = ContactState::stick;
   result.friction.setZero();
@@ -57,10 +71,13 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
     // Trial t_T = ε_T (xᵐ(ξ̄) − xᵐ(ξ_sl)) (thesis 3.74), both on the current master
     const Vec<D> trial = law.tangential * (master.position - *geometry.slip_point);
     LocalBlock<D> trial_rows = LocalBlock<D>::Zero();
-    trial_rows.template middleCols<D>(Force::master_column).diagonal().setConstant(law.tangential);
+    each_range<D>([&]<int From, int Count>() {
+      for (int a = 0; a < tangents; ++a)
+        trial_rows.template middleCols<Count>(From) +=
+            (law.tangential * master.tangent[at(a)]) * result.shift.row(a).template middleCols<Count>(From);
+    });
+    trial_rows.template middleCols<D>(Force::master_column).diagonal().array() += law.tangential;
     trial_rows.template middleCols<D>(Force::slip_column).diagonal().setConstant(-law.tangential);
-    for (int a = 0; a < tangents; ++a)
-      trial_rows.noalias() += (law.tangential * master.tangent[at(a)]) * result.shift.row(a);
 
     const double magnitude = trial.norm(), limit = law.friction * result.pressure;
     // (ε_T + μ ε_N) |tie|: change of |t| − μ t_N due to an error |tie| of gap and slip. Below it the direction of t is
@@ -74,9 +91,13 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
       result.state = ContactState::slip;
       const Vec<D> direction = trial / magnitude;
       result.friction = limit * direction;
-      traction_rows += (law.friction * law.normal * direction) * rows.gap;
       const Mat<D> projector = (limit / magnitude) * (Mat<D>::Identity() - direction * direction.transpose());
-      traction_rows.noalias() -= projector * trial_rows;
+      each_range<D>([&]<int From, int Count>() {
+        traction_rows.template middleCols<Count>(From) +=
+            (law.friction * law.normal * direction) * rows.gap.template middleCols<Count>(From) -
+            projector * trial_rows.template middleCols<Count>(From);
+      });
+      traction_rows.template middleCols<D>(Force::slip_column) = law.tangential * projector;
     }
     traction -= result.friction;
     result.potential += result.friction.squaredNorm() / (2 * law.tangential);

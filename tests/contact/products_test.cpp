@@ -25,9 +25,9 @@ TEST(Products, SumTheTermsOfAllPoints) {
         for (int i = 0; i < count; ++i) values[i] = uniform(random, -1, 1);
       };
       fill(factors.left, nodes);
-      fill(factors.rates, 2 * master);
       fill(factors.traction, 3 * columns);
-      fill(factors.turn, 6 * columns);
+      fill(factors.rates, 6 * master);
+      fill(factors.shift, 2 * columns);
       for (int a = 0; a < nodes; ++a)
         for (int i = 0; i < 3; ++i)
           for (int c = 0; c < columns; ++c) {
@@ -35,7 +35,7 @@ TEST(Products, SumTheTermsOfAllPoints) {
             sum += factors.left[a] * factors.traction[i * columns + c];
             const int m = a - (nodes - master);
             for (int k = 0; k < 2 && m >= 0; ++k)
-              sum += factors.rates[k * master + m] * factors.turn[(3 * k + i) * columns + c];
+              sum += factors.rates[3 * (k * master + m) + i] * factors.shift[k * columns + c];
           }
     }
     products.finish();
