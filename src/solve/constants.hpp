@@ -52,6 +52,10 @@ inline constexpr int entries_per_share = 200000;
 /// Most tasks of equal size: enough for a few threads, one of which may be slower.
 inline constexpr int most_shares = 6;
 
+/// Size of a dense matrix from which its LU is shared by threads, and columns of its panels: narrow enough that the
+/// panels, which are not shared, take a tenth of the time, wide enough for products.
+inline constexpr int shared_dense_size = 384, panel_width = 96;
+
 // ── Orderings with a border ──────────────────────────────────────────────────────────────────────────────────────────
 
 /// Operations per entry of L above which nested dissection may be better than minimum degree: in the plane it is not,

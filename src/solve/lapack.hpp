@@ -10,6 +10,18 @@ void dgetrs_(const char* transposed, const int* size, const int* right_sides, co
 void sgetrf_(const int* rows, const int* columns, float* a, const int* leading, int* pivots, int* info);
 void sgetrs_(const char* transposed, const int* size, const int* right_sides, const float* a, const int* leading,
              const int* pivots, float* b, const int* leading_b, int* info);
+/// B ← α op(A)⁻¹ B for a triangular A on the left, and C ← α op(A) op(B) + β C.
+void dtrsm_(const char* side, const char* triangle, const char* transposed, const char* diagonal, const int* rows,
+            const int* columns, const double* alpha, const double* a, const int* leading, double* b,
+            const int* leading_b);
+void strsm_(const char* side, const char* triangle, const char* transposed, const char* diagonal, const int* rows,
+            const int* columns, const float* alpha, const float* a, const int* leading, float* b, const int* leading_b);
+void dgemm_(const char* transposed_a, const char* transposed_b, const int* rows, const int* columns, const int* inner,
+            const double* alpha, const double* a, const int* leading, const double* b, const int* leading_b,
+            const double* beta, double* c, const int* leading_c);
+void sgemm_(const char* transposed_a, const char* transposed_b, const int* rows, const int* columns, const int* inner,
+            const float* alpha, const float* a, const int* leading, const float* b, const int* leading_b,
+            const float* beta, float* c, const int* leading_c);
 /// C ← α A Aᵀ + β C on a triangle of C.
 void dsyrk_(const char* triangle, const char* transposed, const int* size, const int* columns, const double* alpha,
             const double* a, const int* leading, const double* beta, double* c, const int* leading_c);

@@ -1,48 +1,16 @@
 #include "solve/symmetric_part.hpp"
 
 #include "base/index.hpp"
-#include "solve/lapack.hpp"
+#include "solve/dense_factors.hpp"
 
 #include <algorithm>
 #include <type_traits>
 
 namespace signorini::solve {
 
-namespace {
-
-void factor_dense(MatrixX& a, int* exchanges, int& info) {
-  const int size = static_cast<int>(a.rows());
-  dgetrf_(&size, &size, a.data(), &size, exchanges, &info);
-}
-
-void factor_dense(Eigen::MatrixXf& a, int* exchanges, int& info) {
-  const int size = static_cast<int>(a.rows());
-  sgetrf_(&size, &size, a.data(), &size, exchanges, &info);
-}
-
-/// Overwrites b by A⁻¹ b.
-bool solve_dense(const MatrixX& factors, const int* exchanges, double* b) {
-  const int size = static_cast<int>(factors.rows()), one = 1;
-  int info = 0;
-  dgetrs_("N", &size, &one, factors.data(), &size, exchanges, b, &size, &info);
-  return info == 0;
-}
-
-bool solve_dense(const Eigen::MatrixXf& factors, const int* exchanges, double* b) {
-  const int size = static_cast<int>(factors.rows()), one = 1;
-  int info = 0;
-  Eigen::Map<VectorX> all(b, size);
-  Eigen::VectorXf rounded = all.cast<float>();
-  sgetrs_("N", &size, &one, factors.data(), &size, exchanges, rounded.data(), &size, &info);
-  all = rounded.cast<double>();
-  return info == 0;
-}
-
-} // namespace
-
 SymmetricPart::SymmetricPart(std::unique_ptr<SchurSolver> solver, Border policy, Precision precision)
     : solver_(std::move(solver)), policy_(policy) {
-  if (precision == Precision::single) block_ = Eigen::MatrixXf();
+  if (precision == Precision::single) block_ = DenseMatrix<float>();
 }
 
 void SymmetricPart::watch(const std::vector<int>& unknowns) {
@@ -61,7 +29,6 @@ void SymmetricPart::analyze(const Pattern& pattern) {
   const double saves = solver_->statistics().operations, size = border();
   const double costs = 2.0 / 3.0 * size * size * size;
   if (policy_ == Border::where_cheap && saves > 0 && costs > saves) solver_->analyze(pattern, {});
-  exchanges_.resize(at(border()));
   right_.resize(border());
   analyzed_ = true;
 }
@@ -113,7 +80,7 @@ bool SymmetricPart::condense(const Pattern& pattern, const std::vector<double>& 
 
 bool SymmetricPart::update(const double* values) {
   if (border() == 0) return true;
-  int info = 0;
+  bool regular = false;
   block_pivots_ = {};
   std::visit(
       [&](auto& block) {
@@ -121,11 +88,11 @@ bool SymmetricPart::update(const double* values) {
         block = constant_.cast<Real>();
         for (const auto& [position, row, column, length] : runs_)
           for (int i = 0; i < length; ++i) block(row + i, column) += static_cast<Real>(values[position + i]);
-        factor_dense(block, exchanges_.data(), info);
+        regular = factor_dense(block, exchanges_);
         for (int k = 0; k < border(); ++k) block_pivots_.add(static_cast<double>(block(k, k)));
       },
       block_);
-  return info == 0 && block_pivots_.regular();
+  return regular && block_pivots_.regular();
 }
 
 bool SymmetricPart::solve(double* b) {
@@ -133,10 +100,9 @@ bool SymmetricPart::solve(double* b) {
     if (border() == 0) return true;
     const Eigen::Map<VectorX> right(border_part, border());
     right_(places_) = right;
-    const bool solved =
-        std::visit([&](const auto& block) { return solve_dense(block, exchanges_.data(), right_.data()); }, block_);
+    std::visit([&](const auto& block) { solve_dense(block, exchanges_, right_); }, block_);
     Eigen::Map<VectorX>(border_part, border()) = right_(places_);
-    return solved;
+    return true;
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The symmetric part of a tangent, factored, with an up-to-date block of the unknowns on which contacts act.
 
+#include "solve/dense_factors.hpp"
 #include "solve/schur.hpp"
 
 #include <variant>
@@ -60,8 +61,8 @@ private:
   std::vector<int> places_; ///< per row of S: the index in c, which increases with the number of the unknown
   std::vector<Run> runs_;   ///< the entries between unknowns of c
   MatrixX constant_;        ///< S − K⁰_cc
-  std::variant<MatrixX, Eigen::MatrixXf> block_; ///< the factors of S − K⁰_cc + K_cc
-  std::vector<int> exchanges_;                   ///< row exchanges in LAPACK's numbering
+  std::variant<DenseMatrix<double>, DenseMatrix<float>> block_; ///< the factors of S − K⁰_cc + K_cc
+  std::vector<int> exchanges_;                                  ///< row exchanges in LAPACK's numbering
   PivotRange block_pivots_;
   VectorX right_; ///< of the block
 };
