@@ -60,6 +60,8 @@ inline constexpr double rule_hysteresis = 2;
 inline constexpr double slip_tolerance = 1e-6;
 /// Relative error of a slip point's distance to the foot point that counts as rounding error.
 inline constexpr double slip_rounding = 1e-15;
+/// The same where positions are rounded, whose error is relative to coordinates.
+inline constexpr double position_rounding = 1e-8;
 
 // ── Points that pass through a master ────────────────────────────────────────────────────────────────────────────────
 

@@ -90,6 +90,8 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
     if (!present.results[i].settled) unsettled_ = {unsettled_.count + 1, points_.reference[i]};
     if (points_.sparse > 0) moved = std::max(moved, approach(i, present, accepted, master_moved));
     if (has_crossed(i, present, accepted, master_moved)) crossed_ = {crossed_.count + 1, points_.reference[i]};
+    // Beyond an end, another part of a master that is bent may be nearer in the next step: from behind, too.
+    if (present.points[i].projection.foot == Foot::none) present.points[i].cleared = 0;
   }
   for (std::size_t a = 0; a < present.multipliers.size(); ++a)
     present.growth += growth(accepted.multiplier_results[a], present.multiplier_results[a]);

@@ -100,9 +100,7 @@ template <int D> void MortarContact<D>::weigh(std::size_t i, const Trial<D>& tri
   result.beyond = foot == Foot::none;
   result.settled = at.foot.settled;
   const double distance = gap - this->offset(i, trial.present);
-  // Beyond an end of the master, a point on its outer side has to come as near to get there.
-  const bool clear = (foot == Foot::regular || foot == Foot::none) && at.foot.settled && distance > 0;
-  point.cleared = clear ? this->travel_ + distance : 0;
+  point.cleared = foot == Foot::regular && at.foot.settled && distance > 0 ? this->travel_ + distance : 0;
   FaceCoordinates<D> rate;
   const double fade = result.beyond || (foot != Foot::regular && gap == 0) ? 0 : master.fade(xi, rate);
   if (fade == 0) return;

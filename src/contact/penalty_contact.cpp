@@ -37,11 +37,12 @@ std::optional<FixedContactState> PenaltyContact<D>::close(std::size_t i, const T
   const PenaltyLaw law = this->law(trial.present, trial.penalty_factor);
   const Foot foot = point.projection.foot;
   const double gap = point.projection.gap;
-  // t_N = λ_N − ε_N (g − o) > 0 below a gap of o + λ_N/ε_N; beyond an end of the master, a point on its outer side has
-  // to come as near to get there.
+  // t_N = λ_N − ε_N (g − o) > 0 below a gap of o + λ_N/ε_N
   const double distance = gap - this->offset(i, trial.present) - point.multiplier / law.normal;
-  const bool clear = (foot == Foot::regular || foot == Foot::none) && at.foot.settled && distance > 0;
-  point.cleared = clear ? travel + distance : 0;
+  // Beyond an end of the master the gap is the distance to the end, which a point has to cover whatever the offset is.
+  const double way = foot == Foot::none ? std::min(distance, gap) : distance;
+  const bool clear = (foot == Foot::regular || foot == Foot::none) && at.foot.settled && way > 0;
+  point.cleared = clear ? travel + way : 0;
   if (!opposite) return {};
   if (fixed == FixedContactState::free && std::abs(distance) < controls.guessed) fixed = FixedContactState::stick;
   if (fixed == FixedContactState::free && distance >= 0) return {};

@@ -56,19 +56,24 @@ FaceCoordinates<3> advance_slip(const Surface<3>& surface, const FaceCoordinates
   // x(ξ) is the closest point to y = x̄ + c (x_sl − x̄)/|x_sl − x̄|; on a curved surface c, the length on the chord, is
   // slightly less than |x(ξ) − x̄|.
   double on_chord = length;
-  FaceCoordinates<3> xi = foot.xi;
-  double before = std::numeric_limits<double>::infinity(); // last error
+  FaceCoordinates<3> xi = foot.xi, best = xi;
+  double least = std::numeric_limits<double>::infinity(); // error of the best point
   for (int iteration = 0; iteration < 30; ++iteration) {
     const Vec<3> y = foot.position + (on_chord / present) * chord;
     walk(surface, y, surface.find_element(xi), xi, point);
     xi = point.xi;
     const double distance = (point.position - foot.position).norm(), error = std::abs(distance - length);
-    // Rounding error, that of the positions if the error does not decrease any more.
-    if (!(distance > 0) || error <= slip_rounding * present || error >= before) break;
-    before = error;
+    if (!(distance > 0)) break;
+    const bool decreases = error < least;
+    if (decreases) {
+      least = error;
+      best = xi;
+    }
+    // Rounding error, that of the positions if a small error does not decrease any more.
+    if (error <= slip_rounding * present || (!decreases && least <= position_rounding * present)) break;
     on_chord = std::min(on_chord * length / distance, present);
   }
-  return xi;
+  return best;
 }
 
 } // namespace signorini::contact

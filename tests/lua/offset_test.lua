@@ -261,6 +261,38 @@ check.case("print, help and the law show offset and overlap; a roll-back restore
   check.equal({ model:contact_law("seat").offset, model:contact_law("seat").overlap }, { 0.001, 1 })
 end)
 
+--- The vertical force on a block, in the last of 8 steps and in one from the same state after `model:save`, which
+--- forgets what points remember of the search. The block comes around the end of a slab, its gap to `offset` below it.
+local function forces_around_end(offset, method)
+  local material = sg.linear_elastic{ E = 1000, nu = 0.3 }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 20, 2 }, order = "N2",
+                        contact = "north", material = material }
+  -- Beyond the extension of the slab's end by 0.3 of an element
+  local block = sg.body{ patch = sg.shapes.rectangle{ width = 0.5, height = 0.5, corner = { 4.12, 1.001 } },
+                         elements = { 10, 2 }, order = "N2", contact = "south", material = material }
+  local model = sg.model{
+    bodies   = { block = block, slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" }, top = { on = block:face "north", drive = "xy" } },
+    contacts = { seat = { slave = block:face "south", master = slab:face "north", penalty = 1e4, offset = offset,
+                          method = method } },
+  }
+  local x, y = -0.16, offset - 0.007
+  local run = model:run({ { steps = 8, top = { x, y } } }, sg.plain{})
+  model:save(check.folder() .. "/state.sgn")
+  local again = model:run({ { steps = 1, top = { x, y - 1e-9 } } }, sg.plain{})
+  return run:column "top.fy"[8], again:column "top.fy"[1]
+end
+
+check.case("points that come around an end touch on arrival, with clearance and overlap", function()
+  for _, offset in ipairs { -0.05, 0, 0.02 } do
+    for _, method in ipairs { "gpts", "mortar" } do
+      local force, again = forces_around_end(offset, method)
+      check.equal({ offset, method, force < -0.1 }, { offset, method, true })
+      check.near(force, again, 1e-4 * math.abs(force))
+    end
+  end
+end)
+
 check.case("wrong input", function()
   local function wrong(make, ...) check.fails(make, here, ...) end
   local model = on_ring({ penalty = penalty })
