@@ -3,6 +3,13 @@
 local core = require "signorini.core"
 local sg, types = core.sg, core.types
 
+-- Files of the library are found whatever a script does to package.path.
+local path, searchpath = package.path, package.searchpath
+table.insert(package.searchers, function(name)
+  local file = name:find "^signorini%." and searchpath(name, path)
+  if file then return loadfile(file), file end
+end)
+
 --- A function of a module, or the module itself, which the first call loads: scripts that only run models need not wait
 --- for studies and reports.
 local function later(module, key)

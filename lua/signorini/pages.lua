@@ -24,6 +24,9 @@ local describe = require "signorini.describe"
 local lists = require "signorini.lists"
 local filter, map = lists.filter, lists.map
 
+-- A script may change them before a page is loaded.
+local open, searchpath, standard_path = io.open, package.searchpath, package.path
+
 local pages = {}
 
 --- The subjects in the order of the reference, each a file below pages/ that returns { title = …, word = … (for
@@ -64,7 +67,9 @@ end
 --- Whether a subject may have a page: whether the name is in its file, which takes longer to compile than to search.
 local function may_have(subject, name)
   if not texts[subject] then
-    local file <close> = io.open(package.searchpath("signorini.pages." .. subject, package.path))
+    local path = searchpath("signorini.pages." .. subject, standard_path)
+    local file <close> = path and open(path)
+    if not file then return true end -- require says why
     texts[subject] = file:read "a"
   end
   return texts[subject]:find(('"%s"'):format(name), 1, true)

@@ -22,6 +22,25 @@ check.case("a changed parameter, function or number that run refers to makes a c
   check.holds(output("11", "7", " + 1"), "0 solved\n78\n")
 end)
 
+check.case("globals and modules of the user count, also those that are there before the first study", function()
+  local folder, modules = check.folder(), check.folder()
+  local function output(number, factor)
+    core.write_file(modules .. "/helper.lua", ("return { double = function(x) return %s * x end }"):format(factor))
+    return (check.script(([[
+      local sg = require "signorini"
+      package.path = %q -- without the library's folder
+      local helper = require "helper"
+      start = %s
+      sg.study{ name = "n", folder = arg[1], cases = { { a = 1 } }, run = function()
+        return { f = helper.double(start) }
+      end }:execute{}]]):format(modules .. "/?.lua", number), folder))
+  end
+  output("1", "2")
+  check.holds(output("1", "2"), "1 of 1 taken from", "0 solved")
+  check.holds(output("2", "2"), "1 because start changed")
+  check.holds(output("2", "3"), "1 because helper changed")
+end)
+
 check.case("a changed object that run refers to makes a case run again", function()
   local folder = check.folder()
   local function output(young, width)

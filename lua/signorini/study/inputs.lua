@@ -7,11 +7,13 @@ local sorted_names = require("signorini.lists").sorted_names
 
 local inputs = {}
 
--- Lua's globals and modules and those of the library belong to the program, whose version is an input.
-local globals, program = {}, {}
-for name in next, _G do globals[name] = true end
-globals.sg, globals.help, globals.arg = true, true, true
-for _, module in pairs(package.loaded) do program[module] = true end
+-- Lua's globals and modules and those of the library belong to the program, whose version is an input. This file is
+-- loaded with the first study: the globals and modules of then may be the user's.
+local globals, program = { sg = true, help = true, arg = true }, {}
+for name, value in next, require("signorini.prompt").standard do
+  globals[name] = true
+  if type(value) == "table" then program[value] = true end
+end
 
 --- Adds modules of the library that were loaded later.
 local function find_program()
