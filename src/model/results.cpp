@@ -90,7 +90,7 @@ template <int D> std::vector<Message> warnings(const Model<D>& model) {
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
     const auto& [name, body] = model.system.scene.bodies[b];
     const auto displacement = body_displacement(model, static_cast<int>(b));
-    // Nonlinear materials reject inverted elements, and shapes are checked when bodies are made.
+    // Nonlinear materials reject inverted elements; without displacements F = 1.
     if (!body->linear() || displacement.isZero(0)) continue;
     const auto worst = solid::worst_inversion(*body, displacement.data());
     if (worst)

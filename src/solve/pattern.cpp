@@ -62,6 +62,11 @@ Pattern couple(int size, const std::vector<std::vector<int>>& groups) {
   return extend(diagonal, groups, moved);
 }
 
+/// Positions are of type int.
+static void require_countable(const Pattern& pattern) {
+  if (pattern.rows.size() > std::numeric_limits<int>::max()) fail("solve.pattern.entries", {{"size", pattern.size}});
+}
+
 Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups, std::vector<int>& moved) {
   const Membership member = membership(base.size, groups);
   Pattern result;
@@ -76,6 +81,7 @@ Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups,
     if (member.starts[j] == member.starts[j + 1]) {
       std::iota(moved.begin() + base.starts[j], moved.begin() + base.starts[j + 1], result.entries());
       result.rows.insert(result.rows.end(), from, to);
+      require_countable(result);
       result.starts.push_back(result.entries());
       continue;
     }
@@ -87,7 +93,7 @@ Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups,
       std::sort(list.begin(), list.end());
     }
     std::set_union(from, to, list.begin(), list.end(), std::back_inserter(result.rows));
-    if (result.rows.size() > std::numeric_limits<int>::max()) fail("solve.pattern.entries", {{"size", base.size}});
+    require_countable(result);
     int position = result.starts.back();
     for (auto it = from; it != to; ++it, ++position) {
       while (result.rows[at(position)] != *it) ++position;

@@ -9,9 +9,7 @@
 namespace signorini::solve {
 
 SymmetricPart::SymmetricPart(std::unique_ptr<SchurSolver> solver, Border policy, Precision precision)
-    : solver_(std::move(solver)), policy_(policy) {
-  if (precision == Precision::single) block_ = DenseMatrix<float>();
-}
+    : solver_(std::move(solver)), policy_(policy), precision_(precision) {}
 
 void SymmetricPart::watch(const std::vector<int>& unknowns) {
   if (unknowns == watched_) return;
@@ -78,21 +76,21 @@ bool SymmetricPart::condense(const Pattern& pattern, const std::vector<double>& 
   return true;
 }
 
+template <class Real> bool SymmetricPart::factor_block(const double* values) {
+  if (!std::holds_alternative<DenseMatrix<Real>>(block_)) block_.emplace<DenseMatrix<Real>>();
+  auto& block = std::get<DenseMatrix<Real>>(block_);
+  block = constant_.cast<Real>();
+  for (const auto& [position, row, column, length] : runs_)
+    for (int i = 0; i < length; ++i) block(row + i, column) += static_cast<Real>(values[position + i]);
+  const bool factored = factor_dense(block, exchanges_);
+  block_pivots_ = {};
+  for (int k = 0; k < border(); ++k) block_pivots_.add(static_cast<double>(block(k, k)));
+  return factored && block_pivots_.regular(std::is_same_v<Real, float> ? least_single_pivot : least_pivot);
+}
+
 bool SymmetricPart::update(const double* values) {
   if (border() == 0) return true;
-  bool regular = false;
-  block_pivots_ = {};
-  std::visit(
-      [&](auto& block) {
-        using Real = std::decay_t<decltype(block)>::Scalar;
-        block = constant_.cast<Real>();
-        for (const auto& [position, row, column, length] : runs_)
-          for (int i = 0; i < length; ++i) block(row + i, column) += static_cast<Real>(values[position + i]);
-        regular = factor_dense(block, exchanges_);
-        for (int k = 0; k < border(); ++k) block_pivots_.add(static_cast<double>(block(k, k)));
-      },
-      block_);
-  return regular && block_pivots_.regular();
+  return (precision_ == Precision::single && factor_block<float>(values)) || factor_block<double>(values);
 }
 
 bool SymmetricPart::solve(double* b) {

@@ -20,7 +20,7 @@ public:
   /// the factorization that it saves; otherwise c is empty.
   enum class Border { always, where_cheap };
 
-  /// `precision`: of the factors of the block of c.
+  /// `precision`: of the factors of the block of c; full precision where single does not show whether it is singular.
   explicit SymmetricPart(std::unique_ptr<SchurSolver> solver, Border policy = Border::where_cheap,
                          Precision precision = Precision::full);
 
@@ -52,10 +52,12 @@ private:
 
   void analyze(const Pattern& pattern);
   void locate(const Pattern& pattern);
+  template <class Real> bool factor_block(const double* values);
   int border() const { return static_cast<int>(solver_->border().size()); }
 
   std::unique_ptr<SchurSolver> solver_;
   Border policy_;
+  Precision precision_;
   std::vector<int> watched_;
   bool analyzed_ = false;
   std::vector<int> places_; ///< per row of S: the index in c, which increases with the number of the unknown

@@ -23,7 +23,7 @@ struct PivotRange {
     least = std::min(least, other.least);
     largest = std::max(largest, other.largest);
   }
-  bool regular() const { return least > least_pivot * largest; }
+  bool regular(double least_ratio = least_pivot) const { return least > least_ratio * largest; }
 };
 
 /// Compares every entry with its transposed one on a structurally symmetric pattern.

@@ -207,6 +207,17 @@ check.case("singular: an unconstrained body, and its motion", function()
   check.near(place.X, { 1, 1 }, 1e-12) -- farthest from the pin
 end)
 
+check.case("singular: a fine block on a plane without friction, factored in single precision", function()
+  local block = sg.body{ patch = sg.shapes.block{ size = { 1, 1, 0.7 } }, elements = { 10, 10, 10 }, order = "N2",
+                         contact = "front", thickness_degree = 2, material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  local plane = sg.rigid.plane{ point = { 0, 0, 0 }, normal = { 0, 0, 1 } }
+  local model = sg.model{ bodies = { block = block }, supports = { top = { on = block:face "back", drive = "z" } },
+    contacts = { floor = { slave = block:face "front", master = plane, penalty = 100, points = 3 } } }
+  local run = model:run({ { steps = 1, top = { -0.01 } } }, sg.plain{ linear = "reuse" })
+  check.equal(run.reason, "singular")
+  check.holds(run.failure, "rigid-body translation of body 'block' along (")
+end)
+
 check.case("singular: a ring too wide for any hoop stress; a radial motion is not a rigid one", function()
   local ring = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { 1e9, 0 } }, elements = { 1, 1 },
                         order = "N2", material = sg.linear_elastic{ E = 1000, nu = 0.3 } }

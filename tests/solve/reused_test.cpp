@@ -230,7 +230,8 @@ TEST(SymmetricPart, UpdatesTheBlockOfWatchedUnknowns) {
     Pattern pattern = cube(nodes);
     std::vector<int> watched, moved;
     for (int i = 0; i < pattern.size; i += 7) watched.push_back(i);
-    SymmetricPart part(interior == Interior::klu ? make_schur(make_klu()) : make_schur_cholesky(0, precision));
+    SymmetricPart part(interior == Interior::klu ? make_schur(make_klu()) : make_schur_cholesky(0, precision),
+                       SymmetricPart::Border::where_cheap, precision);
     part.watch(watched);
     const Values old = random_definite(random, pattern);
     const auto check = [&](const Values& start, const Values& present) {
@@ -268,6 +269,29 @@ TEST(SymmetricPart, UpdatesTheBlockOfWatchedUnknowns) {
     ASSERT_TRUE(part.update(present.data()));
     check(start, present);
     EXPECT_EQ(part.statistics().factorizations, 1);
+  }
+}
+
+/// A free body: K 1 = 0.
+TEST(SymmetricPart, RefusesASingularBlockInAnyPrecision) {
+  std::mt19937 random(53);
+  const Pattern pattern = cube(6);
+  Values values(at(pattern.entries()), 0.0);
+  for_entries(pattern, [&](int i, int j, int k) {
+    if (i >= j) return;
+    const double stiffness = 1 + std::uniform_real_distribution<double>()(random);
+    values[at(k)] = values[at(pattern.find(j, i))] = -stiffness;
+    for (int end : {i, j}) values[at(pattern.find(end, end))] += stiffness;
+  });
+  std::vector<int> watched;
+  for (int i = 0; i < pattern.size; i += 7) watched.push_back(i);
+  for (const Precision precision : {Precision::full, Precision::single}) {
+    SymmetricPart part(make_schur_cholesky(0, precision), SymmetricPart::Border::always, precision);
+    part.watch(watched);
+    EXPECT_FALSE(part.factor(pattern, values));
+    values[at(pattern.find(0, 0))] += 1; // now it is held
+    EXPECT_TRUE(part.factor(pattern, values));
+    values[at(pattern.find(0, 0))] -= 1;
   }
 }
 
