@@ -19,9 +19,11 @@ measure.problems = {
     end,
   },
   solid = {
-    name = "3D ironing", meshes = solid.mesh_names, field = "uz",
+    name = "3D ironing", meshes = { "sparse", "coarse", "middle", "fine", "finest" }, field = "uz",
     begin = function(order, mesh, steps)
-      local model, indenter, slab = solid.scene({ order = order, mesh = mesh, radius = 7.5 }, 50)
+      local finest = mesh == "finest" -- 62,058 unknowns with N2
+      local model, indenter, slab = solid.scene({ order = order, mesh = finest and "coarse" or mesh,
+                                                  fineness = finest and 3.25 or 1, radius = 7.5 }, 50)
       return model, { indenter, slab }, { name = "press", steps = 4, grip = { 0, 0, -1 } },
         { name = "slide", steps = steps, grip = { 0.3 * steps, 0, -1 } }
     end,
@@ -30,6 +32,8 @@ measure.problems = {
 
 --- Parts of an iteration's time; search is part of contact, factorization and solution make up linear.
 measure.accounts = { "bulk", "contact", "search", "linear", "factorization", "solution", "rest", "iteration" }
+--- Megabytes: all of the model and the factors.
+measure.sizes = { "memory" }
 --- Files that a state is written to.
 measure.outputs = { "picture", "csv", "checkpoint" }
 
@@ -70,7 +74,9 @@ local function pass(problem, case, options)
   spent.iteration = wall / run.iterations
   spent.rest = spent.iteration - spent.bulk - spent.contact - spent.linear
   for name, time in pairs(write(model, problem.field, options.out)) do spent[name] = time end
-  case.dofs, case.unknowns, case.iterations = 0, model:solver().unknowns, run.iterations
+  local solver = model:solver()
+  case.dofs, case.unknowns, case.iterations = 0, solver.unknowns, run.iterations
+  case.memory = (solver.memory + solver.factor_memory) / 1e6
   for _, body in ipairs(bodies) do case.dofs = case.dofs + body:dofs().total end
   return spent
 end

@@ -5,8 +5,10 @@ local measure = require "benchmark.measure"
 
 local report = {}
 
-local all_accounts = table.move(measure.outputs, 1, #measure.outputs, #measure.accounts + 1,
-  table.move(measure.accounts, 1, #measure.accounts, 1, {}))
+local all_accounts = {}
+for _, list in ipairs { measure.accounts, measure.sizes, measure.outputs } do
+  table.move(list, 1, #list, #all_accounts + 1, all_accounts)
+end
 
 --- A table of cases: mesh and sizes, then the results with these names.
 local function case_sheet(cases, names, more)
@@ -29,7 +31,7 @@ end
 
 function report.iteration_table(cases)
   local names = table.move(measure.accounts, 1, #measure.accounts, 1, {})
-  names[#names + 1] = "around"
+  table.move({ "around", table.unpack(measure.sizes) }, 1, 1 + #measure.sizes, #names + 1, names)
   return case_table(cases, names, { "iterations" })
 end
 
@@ -40,8 +42,8 @@ function report.sheet(cases, options)
   local names = table.move(all_accounts, 1, #all_accounts, 1, {})
   names[#names + 1] = "around"
   local sheet = case_sheet(cases, names, { "order", "unknowns", "iterations" })
-  sheet.comments = { ("ms per iteration and per file, medians of %d; linear solver %s"):format(options.repeats,
-    options.linear) }
+  sheet.comments = { ("ms per iteration and per file, medians of %d; memory in MB; linear solver %s"):format(
+    options.repeats, options.linear) }
   return sheet
 end
 
