@@ -19,8 +19,9 @@
 --      [solvers=ironing-m1,…] [repeats=3] [linear=auto] [element=8] [out=out/benchmark] [page=none]; solid: also
 --      finest, with 62,058 unknowns, which takes minutes per pass; steps: timed steps; solvers: models on which the
 --      linear solvers are compared, or none, also square-220, solid-15k, solid-60k and solid-100k, which take minutes
---      each; repeats: passes, of which the median counts; element: elements along an edge of the block for the
---      reference value; page: folder with benchmark.md, whose generated tables and charts are replaced (share/doc).
+--      each; repeats: passes, of which the median counts, but one if it takes more than a minute; element: elements
+--      along an edge of the block for the reference value; page: folder with benchmark.md, whose generated tables and
+--      charts are replaced (share/doc).
 
 local sg = require "signorini"
 local measure = require "benchmark.measure"
