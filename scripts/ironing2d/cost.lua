@@ -8,7 +8,8 @@ local validation = require "ironing2d.validation"
 
 local cost = {}
 
---- Processor time of GetFEM in seconds, and its oscillations in % of the mean forces.
+--- Processor time of GetFEM in seconds, and its oscillations in % of the mean forces, measured for this project: 110
+--- steps of the same path on one thread.
 cost.getfem = { time = 52, Px = 0.60, Py = 0.39 }
 
 --- Half of the slab's elements in the upper 35 % of its height, next to the contact.

@@ -52,8 +52,9 @@ void subtract_product(int rows, int columns, int inner, const float* a, const fl
 
 } // namespace
 
-// For each panel of columns, P [A₁₁; A₂₁] = [L₁₁; L₂₁] U₁₁, then in every other piece of columns A ← P A, on the right
-// also U₁₂ = L₁₁⁻¹ A₁₂ and A₂₂ ← A₂₂ − L₂₁ U₁₂. Pieces do not depend on the number of threads.
+// LU by blocks (G. H. Golub, C. F. Van Loan, Matrix Computations, 1996, section 3.2). For each panel of columns, P
+// [A₁₁; A₂₁] = [L₁₁; L₂₁] U₁₁, then in every other piece of columns A ← P A, on the right also U₁₂ = L₁₁⁻¹ A₁₂ and A₂₂
+// ← A₂₂ − L₂₁ U₁₂. Pieces do not depend on the number of threads.
 template <class Real> bool factor_dense(DenseMatrix<Real>& a, std::vector<int>& exchanges) {
   const int size = static_cast<int>(a.rows());
   exchanges.resize(at(size));

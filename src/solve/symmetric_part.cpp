@@ -96,10 +96,10 @@ bool SymmetricPart::update(const double* values) {
 bool SymmetricPart::solve(double* b) {
   return solver_->solve(b, [this](double* border_part) {
     if (border() == 0) return true;
-    const Eigen::Map<VectorX> right(border_part, border());
-    right_(places_) = right;
+    Eigen::Map<VectorX> given(border_part, border());
+    right_(places_) = given;
     std::visit([&](const auto& block) { solve_dense(block, exchanges_, right_); }, block_);
-    Eigen::Map<VectorX>(border_part, border()) = right_(places_);
+    given = right_(places_);
     return true;
   });
 }
