@@ -1,5 +1,7 @@
 #include "contact/history_transfer.hpp"
 
+#include "base/dense.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,7 +50,7 @@ std::vector<double> weights(const std::vector<PointMemory<D>>& memories, const s
   Eigen::Matrix<double, D + 1, D + 1> normal = Eigen::Matrix<double, D + 1, D + 1>::Zero();
   for (const std::size_t i : points) normal += weight(i) * basis(i) * basis(i).transpose();
   normal.template bottomRightCorner<D, D>() += no_slope * normal(0, 0) * Mat<D>::Identity();
-  const Basis constant = normal.ldlt().solve(Basis::Unit(0));
+  const Basis constant = dense::solve(normal, Basis::Unit(0));
   for (std::size_t k = 0; k < points.size(); ++k) result[k] = weight(points[k]) * constant.dot(basis(points[k]));
   return result;
 }

@@ -145,7 +145,7 @@ template <int D> void find_closest(const LevelSet<D>& level_set, const Vec<D>& x
     const FaceCoordinates<D> descent = t.transpose() * away;
     // The surface over its tangent plane is p + t ξ − ½ (ξ·tᵀHt ξ)/|∇f| n, with H the second derivatives of f.
     Mat<D - 1> hessian = Mat<D - 1>::Identity() + (away.dot(normal) / slope) * (t.transpose() * at.second * t);
-    FaceCoordinates<D> step = hessian.ldlt().solve(descent);
+    FaceCoordinates<D> step = hessian.inverse() * descent;
     if (!(step.dot(descent) >= trusted_curvature * step.norm() * descent.norm())) step = descent;
     if (step.norm() > most) step *= most / step.norm();
     const double size = step.norm();

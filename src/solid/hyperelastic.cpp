@@ -1,11 +1,10 @@
 #include "solid/hyperelastic.hpp"
 
+#include "base/dense.hpp"
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "solid/energy.hpp"
 #include "solid/kernel_wide.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -98,8 +97,7 @@ ElasticConstants constants_of(const Hyperelastic& law) {
       bulk += moduli(4 * i, 4 * j) / 9;
       shear += (3 * (moduli(3 * i + j, 3 * i + j) + moduli(3 * i + j, 3 * j + i)) / 2 - moduli(4 * i, 4 * j)) / 30;
     }
-  const double softest =
-      Eigen::SelfAdjointEigenSolver<Mat<6>>(strain_moduli(moduli), Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
+  const double softest = dense::symmetric_eigenvalues(strain_moduli(moduli))(0);
   require(softest > 1e-12 * moduli.cwiseAbs().maxCoeff(), "solid.energy.moduli", {{"bulk", bulk}, {"shear", shear}});
   return {9 * bulk * shear / (3 * bulk + shear), (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear), bulk - 2 * shear / 3,
           shear};

@@ -1,5 +1,6 @@
 #include "solid/projection.hpp"
 
+#include "base/dense.hpp"
 #include "base/index.hpp"
 
 #include <algorithm>
@@ -89,9 +90,7 @@ VectorX legendre_products(const MacroElement& macro, const std::vector<int>& deg
 void orthonormalize(MacroElement& macro, const MatrixX& polynomials) {
   // Φ = Π L⁻ᵀ with L Lᵀ = Πᵀ W Π
   const MatrixX gram = polynomials.transpose() * macro.weights.asDiagonal() * polynomials;
-  const MatrixX lower = gram.llt().matrixL();
-  macro.combine =
-      lower.transpose().triangularView<Eigen::Upper>().solve(MatrixX(MatrixX::Identity(gram.rows(), gram.cols())));
+  macro.combine = dense::solve(dense::cholesky(gram).transpose(), MatrixX::Identity(gram.rows(), gram.cols()));
   macro.modes = polynomials * macro.combine;
 }
 

@@ -1,9 +1,8 @@
 #include "solid/stability.hpp"
 
+#include "base/dense.hpp"
 #include "solid/energy.hpp"
 #include "solid/projected_volume.hpp"
-
-#include <Eigen/Eigenvalues>
 
 namespace signorini::solid {
 
@@ -39,7 +38,7 @@ double least_modulus(const Hyperelastic& law, const Mat<3>& f) {
   for (int i = 0; i < 3; ++i) forward.block<3, 3>(3 * i, 3 * i) = f;
   Moduli spatial = forward * moduli * forward.transpose();
   for (int i = 0; i < 3; ++i) spatial.block<3, 3>(3 * i, 3 * i) += kirchhoff;
-  return Eigen::SelfAdjointEigenSolver<Mat<6>>(strain_moduli(spatial), Eigen::EigenvaluesOnly).eigenvalues()(0);
+  return dense::symmetric_eigenvalues(strain_moduli(spatial))(0);
 }
 
 template <int D> std::optional<Instability> unstable_point(const Body<D>& body, const double* displacement) {

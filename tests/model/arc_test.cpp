@@ -1,4 +1,5 @@
 // Paths with turning points: an adhesive bar with snap-back, whose path is known, and a shallow arch with snap-through.
+#include "base/dense.hpp"
 #include "model/bench.hpp"
 #include "model/path_norm.hpp"
 #include "model/scenes.hpp"
@@ -88,7 +89,7 @@ struct Walk {
     const VectorX rate = drives.rate(targets, unit);
     bench.residual(model.present.displacement, &rate);
     const VectorX change = bench.unknowns.gather(bench.assembly.product() - drives.force(unit));
-    const VectorX t = rate + bench.unknowns.spread(bench.tangent().partialPivLu().solve(VectorX(-change)));
+    const VectorX t = rate + bench.unknowns.spread(dense::solve(bench.tangent(), -change));
     const double along = last_increment.size() > 0 ? t.dot(weights.cwiseProduct(last_increment)) : sense;
     return std::copysign(1 / norm(t), along) * t;
   }

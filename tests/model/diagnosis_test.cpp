@@ -1,6 +1,7 @@
 // Diagnosis of provoked failures: outcome, places, messages.
 #include "model/diagnosis.hpp"
 
+#include "base/dense.hpp"
 #include "model/scenes.hpp"
 #include "model/weak_directions.hpp"
 #include "solve/mumps.hpp"
@@ -45,7 +46,7 @@ MatrixX turned(int n) {
   MatrixX random(n, n);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) random(i, j) = std::sin(1 + 3 * i + 7 * j + i * j);
-  return random.householderQr().householderQ();
+  return dense::orthogonal(random);
 }
 
 TEST(WeakDirections, NullVectorOfAChainOfSprings) {

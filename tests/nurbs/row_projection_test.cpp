@@ -1,6 +1,7 @@
 // Values carried between rows: exact where the new row contains the old one, of optimal order otherwise.
 #include "nurbs/row_projection.hpp"
 
+#include "base/dense.hpp"
 #include "nurbs/basis.hpp"
 #include "nurbs/constants.hpp"
 #include "nurbs/random_patch.hpp"
@@ -100,7 +101,7 @@ MatrixX sine(const Row& row) {
     functions.row(k) /= weight;
     right(k, 0) = std::sin(5 * evaluate(row, xi)(0));
   }
-  return functions.householderQr().solve(right).transpose();
+  return dense::least_squares(functions, right).transpose();
 }
 
 /// A smooth field, projected onto a row of lower degree: the error of best approximation, h^(p+1).

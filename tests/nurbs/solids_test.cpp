@@ -84,7 +84,8 @@ TEST(SolidConstructions, RevolvedSolidsHaveTheVolumeOfPappus) {
     EXPECT_EQ(full.least > 0, angle < 0);
     // Revolution about a skew axis gives the same solid, moved.
     const Vec<3> point = Vec<3>::Random(), axis = Vec<3>(1, 2, 3).normalized();
-    const Mat<3> tilt = Eigen::Quaterniond::FromTwoVectors(Vec<3>(0, 0, 1), axis).toRotationMatrix();
+    const Mat<3> tilt =
+        Eigen::AngleAxisd(std::acos(axis(2)), Vec<3>(0, 0, 1).cross(axis).normalized()).toRotationMatrix();
     const Patch tilted = revolve(transform(profile, tilt, point), point, axis, angle);
     EXPECT_LT((tilted.points() - transform(solid, tilt, point).points()).cwiseAbs().maxCoeff(), 1e-13);
   }

@@ -1,6 +1,7 @@
 #pragma once
 // Bodies for tests, and a slow dense assembly and solution.
 
+#include "base/dense.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 #include "solid/internal.hpp"
@@ -95,7 +96,7 @@ Assembled equilibrate(const Body<D>& body, const std::map<int, double>& prescrib
     const Assembled now = assemble(body, u);
     VectorX right = -(now.force + now.tangent * increment);
     if (load.size() > 0) right += load;
-    increment(free) += MatrixX(now.tangent(free, free)).ldlt().solve(VectorX(right(free)));
+    increment(free) += dense::solve(now.tangent(free, free), right(free));
     u += increment;
     increment.setZero();
   }

@@ -1,6 +1,7 @@
 // A constant matrix with a changing contact block, by several solvers, compared with UMFPACK and dense LU of the whole.
 #include "solve/condensed.hpp"
 
+#include "base/dense.hpp"
 #include "base/parallel.hpp"
 #include "nurbs/random_patch.hpp"
 #include "solve/matrices.hpp"
@@ -63,13 +64,13 @@ TEST(SchurSolvers, ReturnTheComplementAndSolve) {
         const Eigen::MatrixXd a = dense(pattern, values);
         Eigen::MatrixXd complement = a(border, border);
         if (!interior.empty())
-          complement -= a(border, interior) * a(interior, interior).llt().solve(a(interior, border));
+          complement -= a(border, interior) * dense::solve(a(interior, interior), a(interior, border));
         EXPECT_LT((solver->complement() - complement).norm(), 1e-12 * a.norm());
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(size, -1, 2);
         Eigen::VectorXd x = b;
         ASSERT_TRUE(solver->solve(x.data(), [&](double* right) {
           Eigen::Map<Eigen::VectorXd> rest(right, count);
-          if (count > 0) rest = solver->complement().llt().solve(Eigen::VectorXd(rest));
+          if (count > 0) rest = dense::solve(solver->complement(), rest);
           return true;
         }));
         EXPECT_LT((a * x - b).norm(), 1e-12 * b.norm()) << size << " " << count;
@@ -90,7 +91,7 @@ TEST(SchurSolvers, SolutionsAreBitwiseIdenticalForAnyNumberOfThreads) {
       Eigen::VectorXd x = b;
       EXPECT_TRUE(solver->solve(x.data(), [&](double* right) {
         Eigen::Map<Eigen::VectorXd> rest(right, 40);
-        rest = solver->complement().llt().solve(Eigen::VectorXd(rest));
+        rest = dense::solve(solver->complement(), rest);
         return true;
       }));
       return x;
@@ -127,7 +128,7 @@ TEST(SchurSolvers, BorderMayContainMultipliers) {
       const Eigen::MatrixXd a = dense(pattern, values);
       const Eigen::MatrixXd interior = a.topLeftCorner(size, size);
       const Eigen::VectorXd column = a.col(size).head(size);
-      const double complement = a(size, size) - column.dot(interior.llt().solve(column));
+      const double complement = a(size, size) - column.dot(dense::solve(interior, column).col(0));
       EXPECT_NEAR(solver->complement()(0, 0), complement, 1e-8 * std::abs(complement)) << scale << " " << softness;
     }
   // An interior that is not positive definite fails, whatever the shifts are.
@@ -155,7 +156,7 @@ TEST(Condensed, SolvesChangingContactBlocks) {
         SCOPED_TRACE(text(size, " unknowns, ", contacts, " in contact, part ", part, ", stiffness ", stiffness));
         const Values values = with_contact(random, pattern, condensation, part, stiffness);
         const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(size, 1, 2);
-        const Eigen::VectorXd z = dense(pattern, values).partialPivLu().solve(b);
+        const Eigen::VectorXd z = dense::solve(dense(pattern, values), b);
         Eigen::VectorXd y = b;
         ASSERT_TRUE(oracle->factor(values.data()) && oracle->solve(y.data()));
         for (const auto& solver : solvers) {

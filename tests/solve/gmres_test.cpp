@@ -1,6 +1,7 @@
 // GMRES compared with the dense least-squares problem that it solves, and its matrix products.
 #include "solve/gmres.hpp"
 
+#include "base/dense.hpp"
 #include "base/parallel.hpp"
 #include "solve/columns.hpp"
 #include "solve/matrices.hpp"
@@ -29,7 +30,7 @@ double least_residual(const MatrixXd& k, const MatrixXd& inverse, const VectorXd
     next = k * (inverse * basis.col(i));
   }
   const MatrixXd images = k * inverse * basis;
-  return (b - images * images.colPivHouseholderQr().solve(b)).norm() / b.norm();
+  return (b - images * dense::least_squares(images, b).col(0)).norm() / b.norm();
 }
 
 TEST(Gmres, ReachesTheLeastResidualAtEveryIteration) {

@@ -1,6 +1,7 @@
 // Line search on functions with known Newton moves, and inside the loop where plain Newton fails.
 #include "solve/newton.hpp"
 
+#include "base/dense.hpp"
 #include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "text_of.hpp"
@@ -34,7 +35,7 @@ struct Problem {
     system.floor = [] { return 1e-15; };
     system.advance = [this](double& energy) {
       before = x;
-      move = -slope(x).partialPivLu().solve(f(x));
+      move = -dense::solve(slope(x), f(x));
       energy = std::abs(f(x).dot(move));
       x += move;
       return true;
