@@ -54,9 +54,9 @@ template <int E> inline void write_invariants(const EnergyProgram& in, const Lan
     first += at.f[i] * at.f[i];
     second += at.cofactors[i] * at.cofactors[i];
   }
-  lanes_at(registers) = first;
-  lanes_at(registers + chunk) = second;
-  lanes_at(registers + 2 * chunk) = at.f[0] * at.cofactors[0] + at.f[1] * at.cofactors[1] + at.f[2] * at.cofactors[2];
+  set_lanes(registers, first);
+  set_lanes(registers + chunk, second);
+  set_lanes(registers + 2 * chunk, at.f[0] * at.cofactors[0] + at.f[1] * at.cofactors[1] + at.f[2] * at.cofactors[2]);
   const double* a = in.fibers;
   for (int v = 3; v < in.invariants; ++v, a += 3) {
     Lanes sum{};
@@ -64,7 +64,7 @@ template <int E> inline void write_invariants(const EnergyProgram& in, const Lan
       const Lanes stretched = at.f[3 * i] * a[0] + at.f[3 * i + 1] * a[1] + at.f[3 * i + 2] * a[2];
       sum += stretched * stretched;
     }
-    lanes_at(registers + v * chunk) = sum;
+    set_lanes(registers + v * chunk, sum);
   }
 }
 
@@ -163,9 +163,9 @@ inline void write_response(const EnergyProgram& in, const LanesOfPoints& at, con
 #pragma GCC unroll 9
       for (int o = e; o < E; ++o) moduli[packed(E, e, o)] += gradients[v][e] * sums[o];
   }
-  for (int e = 0; e < E; ++e) lanes_at(block.stress + e * block.stride + q) = stress[e];
+  for (int e = 0; e < E; ++e) set_lanes(block.stress + e * block.stride + q, stress[e]);
   if (wanted)
-    for (int e = 0; e < packed_size(E); ++e) lanes_at(block.moduli + e * block.stride + q) = moduli[e];
+    for (int e = 0; e < packed_size(E); ++e) set_lanes(block.moduli + e * block.stride + q, moduli[e]);
 }
 
 template <int E> void respond_by_energy(const EnergyProgram& in, const PointBlock& block) {

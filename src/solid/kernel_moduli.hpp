@@ -94,7 +94,7 @@ template <int D, int R> inline void write_force(const KernelArguments& in, const
 #pragma GCC unroll 3
         for (int r = 0; r < R; ++r)
           if (const int e = entry_of<D>(i, r); e >= 0) sum += p[e] * lanes_at(rows + r * at.step + a);
-        lanes_at(at.force + i * at.padded + a) = sum;
+        set_lanes(at.force + i * at.padded + a, sum);
       }
   }
   for (int i = 0; i < D; ++i)
@@ -116,14 +116,14 @@ inline void write_panel(const KernelArguments& in, const ModuliArrays<D, R>& at,
   for (int q = 0; q < points; ++q, rows += R * step, panel += R * tile_rows) {
     Row row[R], sums[R] = {};
 #pragma GCC unroll 3
-    for (int r = 0; r < R; ++r) row[r] = row_at(rows + r * step);
+    for (int r = 0; r < R; ++r) get_row(rows + r * step, row[r]);
 #pragma GCC unroll 3
     for (int s = 0; s < R; ++s)
 #pragma GCC unroll 3
       for (int r = 0; r < R; ++r)
         if (R == D || moduli[r][s]) sums[s] += moduli[r][s][q] * row[r];
 #pragma GCC unroll 3
-    for (int s = 0; s < R; ++s) row_at(panel + s * tile_rows) = sums[s];
+    for (int s = 0; s < R; ++s) set_row(panel + s * tile_rows, sums[s]);
   }
 }
 
@@ -135,7 +135,7 @@ inline void add_columns(const KernelArguments& in, const ModuliArrays<D, R>& at,
 #pragma GCC unroll 4
   for (int r = 0; r < tile_rows; ++r)
 #pragma GCC unroll 4
-    for (int c = 0; c < Columns; ++c) lanes_at(tile + r * in.functions + (first + c) * lanes) = sum[r][c];
+    for (int c = 0; c < Columns; ++c) set_lanes(tile + r * in.functions + (first + c) * lanes, sum[r][c]);
 }
 
 // Three columns of four sums leave no register of AVX2 and SSE2 for the factors, which takes three times as long as

@@ -26,23 +26,24 @@ constexpr int lanes = 2, most_columns = 3;
 constexpr int tile_rows = 4;
 static_assert(lanes <= vector_padding);
 
-/// A vector at any address aligned to a double.
-typedef double Lanes __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
+typedef double Lanes __attribute__((vector_size(8 * lanes), may_alias));
+typedef double Row __attribute__((vector_size(8 * tile_rows), may_alias));
 
-typedef double Row __attribute__((vector_size(8 * tile_rows), aligned(8), may_alias));
-
-inline Lanes& lanes_at(double* values) {
-  return *reinterpret_cast<Lanes*>(values);
+// Addresses are aligned to a double, not to a vector. Rows may be longer than a register, in which functions cannot
+// return them.
+inline Lanes lanes_at(const double* values) {
+  Lanes v;
+  __builtin_memcpy(&v, values, sizeof v);
+  return v;
 }
-inline const Lanes& lanes_at(const double* values) {
-  return *reinterpret_cast<const Lanes*>(values);
+inline void set_lanes(double* values, const Lanes& v) {
+  __builtin_memcpy(values, &v, sizeof v);
 }
-
-inline Row& row_at(double* values) {
-  return *reinterpret_cast<Row*>(values);
+inline void get_row(const double* values, Row& row) {
+  __builtin_memcpy(&row, values, sizeof row);
 }
-inline const Row& row_at(const double* values) {
-  return *reinterpret_cast<const Row*>(values);
+inline void set_row(double* values, const Row& row) {
+  __builtin_memcpy(values, &row, sizeof row);
 }
 
 inline double sum_of(const Lanes& v) {
@@ -97,8 +98,10 @@ inline void add_force(const double* stress, const double* gradients, int n, int 
   for (int a = 0; a < padded; a += lanes) {
     const Lanes g0 = lanes_at(gradients + a), g1 = lanes_at(gradients + n + a), g2 = lanes_at(gradients + 2 * n + a);
 #pragma GCC unroll 3
-    for (int i = 0; i < 3; ++i)
-      lanes_at(force + i * padded + a) += stress[3 * i] * g0 + stress[3 * i + 1] * g1 + stress[3 * i + 2] * g2;
+    for (int i = 0; i < 3; ++i) {
+      double* row = force + i * padded + a;
+      set_lanes(row, lanes_at(row) + stress[3 * i] * g0 + stress[3 * i + 1] * g1 + stress[3 * i + 2] * g2);
+    }
   }
 }
 
@@ -108,7 +111,7 @@ inline void push_forward_in_space(const double* inverse, const double* gradients
     const Lanes g0 = lanes_at(gradients + a), g1 = lanes_at(gradients + n + a), g2 = lanes_at(gradients + 2 * n + a);
 #pragma GCC unroll 3
     for (int i = 0; i < 3; ++i)
-      lanes_at(current + i * padded + a) = inverse[i] * g0 + inverse[3 + i] * g1 + inverse[6 + i] * g2;
+      set_lanes(current + i * padded + a, inverse[i] * g0 + inverse[3 + i] * g1 + inverse[6 + i] * g2);
   }
 }
 
@@ -141,8 +144,12 @@ inline void add_tile(const Tiles& in, int i, int j, int a, int first, const doub
   double* second = in.panel + in.points * tile_rows;
   for (int q = 0; q < in.points; ++q) {
     const double geometric = in.factors[2 * q], volumetric = in.factors[2 * q + 1];
-    row_at(in.panel + q * tile_rows) = (i == j ? geometric + volumetric : geometric) * row_at(gj + q * step + a);
-    if (i != j) row_at(second + q * tile_rows) = volumetric * row_at(gi + q * step + a);
+    Row row;
+    get_row(gj + q * step + a, row);
+    set_row(in.panel + q * tile_rows, (i == j ? geometric + volumetric : geometric) * row);
+    if (i == j) continue;
+    get_row(gi + q * step + a, row);
+    set_row(second + q * tile_rows, volumetric * row);
   }
   Lanes sum[tile_rows][Columns];
 #pragma GCC unroll 4
@@ -154,7 +161,7 @@ inline void add_tile(const Tiles& in, int i, int j, int a, int first, const doub
 #pragma GCC unroll 4
   for (int r = 0; r < tile_rows; ++r)
 #pragma GCC unroll 4
-    for (int c = 0; c < Columns; ++c) lanes_at(block + place + r * in.n + c * lanes) = sum[r][c];
+    for (int c = 0; c < Columns; ++c) set_lanes(block + place + r * in.n + c * lanes, sum[r][c]);
 }
 
 /// The last tile overlaps the previous one if n is not a multiple of their rows.
