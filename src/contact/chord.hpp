@@ -19,14 +19,18 @@ std::optional<MasterPoint<D>> point_on_chord(const Shape& shape, const Vec<D>& f
   const double present = chord.norm();
   FacePoint<D> point;
   double distance = 0;
-  // y = x̄ + c (x_sl − x̄)/|x_sl − x̄|; c is slightly less than |x − x̄| on a curved shape.
-  double on_chord = length;
+  // y = x̄ + c (x_sl − x̄)/|x_sl − x̄|; c is slightly less than |x − x̄| on a curved shape. Secant steps, after a first one
+  // through c = |x − x̄| = 0.
+  double on_chord = length, before = 0, distance_before = 0;
   for (int iteration = 0; iteration < 30; ++iteration) {
     find_closest(shape, Vec<D>(foot + (on_chord / present) * chord), point);
     locate(shape, point);
     distance = (point.position - foot).norm();
     if (!(distance > 0) || std::abs(distance - length) <= slip_rounding * present) break;
-    on_chord = std::min(on_chord * length / distance, present);
+    const double slope = (distance - distance_before) / (on_chord - before);
+    before = on_chord;
+    distance_before = distance;
+    on_chord = std::min(on_chord + (length - distance) / (slope > 0 ? slope : 1), present);
   }
   if (std::abs(distance - length) > slip_tolerance * present) return std::nullopt;
   return MasterPoint<D>(point.xi, point.last);

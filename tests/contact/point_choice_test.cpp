@@ -63,7 +63,8 @@ TEST(PointChoice, RulesDoNotAlternate) {
   std::vector<int> changes(elements);
   for (double c = 4; c < 36; c += 0.05) {
     const std::vector<char> before = strip.history.sparse;
-    strip.step(c + uniform(random, -0.02, 0.02), 3.3 + uniform(random, -0.02, 0.02), 0.05);
+    const double half_width = 3.3 + uniform(random, -0.02, 0.02);
+    strip.step(c + uniform(random, -0.02, 0.02), half_width, 0.05);
     for (int e = 0; e < elements; ++e) changes[at(e)] += before[at(e)] != strip.history.sparse[at(e)];
   }
   for (int e = 0; e < elements; ++e) EXPECT_LE(changes[at(e)], 5) << e; // full at first
