@@ -184,7 +184,8 @@ FaceGrid Grid::whole() const {
   MatrixX points(parts_.front().row.homogeneous().rows(), static_cast<Eigen::Index>(nodes.size()));
   const Eigen::Index weight = points.rows() - 1;
   for (const std::size_t k : order_) {
-    const auto& [part, cell] = *placed_[k];
+    const TurnedPart& part = placed_[k]->part;
+    const Index2& cell = placed_[k]->cell;
     const Index2 from{first_function[0][at(cell[0])], first_function[1][at(cell[1])]};
     // A constant factor on all weights makes those on the borders equal.
     const auto each = [&](const auto& visit) {

@@ -156,7 +156,8 @@ std::vector<Interface> common_sides(const Vertices& vertices, const FacesOf& fac
 
 /// Throws Error if MFEM would take sides for an interface that is none: those of two patches that share all vertices.
 void check_sides(const FacesOf& faces, const std::vector<OrientedInterface>& interfaces) {
-  for (const auto& [vertices, own] : faces) {
+  for (const auto& entry : faces) {
+    const std::vector<PatchFace>& own = entry.second;
     if (own.size() == 1) continue;
     const bool listed = own.size() == 2 && std::any_of(interfaces.begin(), interfaces.end(), [&](const auto& one) {
                           return one.faces == Interface{own[0], own[1]} || one.faces == Interface{own[1], own[0]};

@@ -130,12 +130,12 @@ template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
   };
   add("body", bodies);
   for (std::size_t i = 0; i < obstacles.size(); ++i)
-    parts.push_back(named("obstacle", std::to_string(i + 1), [&](ArchiveWriter& to) { to.put(obstacles[i]); }));
+    parts.push_back(named("obstacle", std::to_string(i + 1), [&](ArchiveWriter& to) { to.put(scene.obstacles[i]); }));
   add("support", supports);
   add("load", loads);
   for (std::size_t k = 0; k < contacts.size(); ++k)
     parts.push_back(named("contact", contacts[k].name,
-                          [&](ArchiveWriter& to) { write_contact(to, contacts[k], *model.system.contacts[k]); }));
+                          [&](ArchiveWriter& to) { write_contact(to, scene.contacts[k], *model.system.contacts[k]); }));
   add("tie", ties);
   add("join", joins);
   return parts;

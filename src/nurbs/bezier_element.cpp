@@ -45,13 +45,13 @@ BezierElement bezier_element(const Discretization& space, int e) {
       coefficients[at(d)] = along.extraction(index[at(d)])
                                 .lazyProduct(bernstein_elevation(along.degree(index[at(d)]), result.degrees[at(d)]));
     }
-    const auto& [c0, c1, c2] = coefficients;
     space.row_functions(e, j).each([&](int function, const std::array<int, 3>& i) {
       result.functions.push_back(function);
+      const auto& c = coefficients;
       VectorX column(count[0] * count[1] * count[2]);
       for (int z = 0, point = 0; z < count[2]; ++z)
         for (int y = 0; y < count[1]; ++y)
-          for (int x = 0; x < count[0]; ++x) column(point++) = c0(i[0], x) * c1(i[1], y) * c2(i[2], z);
+          for (int x = 0; x < count[0]; ++x) column(point++) = c[0](i[0], x) * c[1](i[1], y) * c[2](i[2], z);
       columns.push_back(std::move(column));
     });
   }

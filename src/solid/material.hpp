@@ -18,7 +18,8 @@ template <int D> Mat<3> in_space(const Mat<D>& deformation, double across = 1) {
 /// Shared ownership of an immutable law.
 class Material {
 public:
-  template <Law T> Material(T law);
+  template <class T>
+  requires(!std::same_as<T, Material> && Law<T>) Material(T law);
 
   const char* name() const { return name_; }
   /// Whether stress is linear in displacements: the tangent is constant.
@@ -84,8 +85,8 @@ template <Law T, int D> constexpr Respond response_or_none() {
   return nullptr;
 }
 
-template <Law T>
-Material::Material(T law)
+template <class T>
+requires(!std::same_as<T, Material> && Law<T>) Material::Material(T law)
     : name_(T::name), linear_(T::linear), law_(std::make_shared<const T>(law)), constants_(law),
       energy_([](const void* law, const Mat<3>& f, std::span<const double> committed) {
         return solid::energy(*static_cast<const T*>(law), f, committed);

@@ -79,7 +79,7 @@ private:
   std::vector<int> border_;     ///< its last part
   MatrixX complement_;          ///< S
   PivotRange pivots_;
-  Supernodes<Real>::Vector right_;
+  typename Supernodes<Real>::Vector right_;
   VectorX part_;
   SolverStatistics statistics_;
 };

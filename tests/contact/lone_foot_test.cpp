@@ -106,7 +106,7 @@ TEST(LoneFoot, DistanceIsBelowTheRadiusOfACylinder) {
 
 /// A groove y = 20 u² of one quadratic element, −1 ≤ u ≤ 1: its walls are 1.41 apart at y = 10.
 MatrixX groove() {
-  return (MatrixX(2, 3) << -1, 0, 1, 20, -20, 20).finished();
+  return MatrixX{{-1, 0, 1}, {20, -20, 20}};
 }
 
 TEST(LoneFoot, WallOfAGrooveDoesNotHideTheOppositeOne) {

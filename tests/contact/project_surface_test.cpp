@@ -26,8 +26,7 @@ double least_distance(const Surface<3>& surface, const Vec<3>& x) {
   constexpr int samples = 24;
   double least = std::numeric_limits<double>::infinity();
   for (int e = 0; e < surface.elements(); ++e) {
-    const auto [a, b] = surface.interval(e, 0);
-    const auto [c, d] = surface.interval(e, 1);
+    const std::array<double, 2> u = surface.interval(e, 0), v = surface.interval(e, 1);
     Coordinates best = Coordinates::Zero();
     double here = std::numeric_limits<double>::infinity();
     const auto look = [&](const Coordinates& middle, const Coordinates& half, int count) {
@@ -35,7 +34,7 @@ double least_distance(const Surface<3>& surface, const Vec<3>& x) {
       for (int j = 0; j <= count; ++j)
         for (int i = 0; i <= count; ++i) {
           Coordinates xi(around(0) + half(0) * (2.0 * i / count - 1), around(1) + half(1) * (2.0 * j / count - 1));
-          xi = Coordinates(std::clamp(xi(0), a, b), std::clamp(xi(1), c, d));
+          xi = Coordinates(std::clamp(xi(0), u[0], u[1]), std::clamp(xi(1), v[0], v[1]));
           const double value = distance2(surface, e, xi, x);
           if (value < here) {
             here = value;
@@ -43,8 +42,8 @@ double least_distance(const Surface<3>& surface, const Vec<3>& x) {
           }
         }
     };
-    Coordinates half((b - a) / 2, (d - c) / 2);
-    look({(a + b) / 2, (c + d) / 2}, half, samples);
+    Coordinates half((u[1] - u[0]) / 2, (v[1] - v[0]) / 2);
+    look({(u[0] + u[1]) / 2, (v[0] + v[1]) / 2}, half, samples);
     for (half *= 2.0 / samples; half.maxCoeff() > 1e-9; half *= 0.5) look(best, half, 4);
     least = std::min(least, here);
   }

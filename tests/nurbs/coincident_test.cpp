@@ -133,7 +133,7 @@ TEST(Coincident, GroupsContainCoincidentFunctionsAndNothingTears) {
         const std::string face = name_of({d, at_end});
         SCOPED_TRACE(name + " layer on " + face);
         const Discretization space = discretize(patch, "N2-N2.1", {face, name_of({d, !at_end})}, 2);
-        const auto is = [&, d = d](std::initializer_list<const char*> names, int direction) {
+        const auto is = [&, d = d, &name = name](std::initializer_list<const char*> names, int direction) {
           return d == direction && std::find(names.begin(), names.end(), name) != names.end();
         };
         if (is({"ring", "hemisphere, bottom"}, 0) || is({"cylinder", "pipe", "torus"}, 2) ||

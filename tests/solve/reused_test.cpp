@@ -117,7 +117,7 @@ TEST(Reused, ReportsSingularMatricesAndRecovers) {
   Values supported = free;
   supported[at(pattern.find(0, 0))] += 1;
   const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
-  const auto solves = [&](LinearSolver& solver, const Values& values) {
+  const auto solves = [&, &pattern = pattern](LinearSolver& solver, const Values& values) {
     VectorXd x = b;
     return solver.factor(values.data()) && solver.solve(x.data()) &&
            residual(pattern, values, x, b) <= 1.0001 * loosest_tolerance;
