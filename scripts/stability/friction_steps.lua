@@ -20,11 +20,11 @@
 --           with steps up to 4 times as large for every friction, up to 8 times with N2 and N4; with steps 16 times as
 --           large all fail during pressing. Drag over pressing force is 0.43 at mu = 0.4, in both directions.
 -- Run: signorini scripts/stability/friction_steps.lua [orders=N2,N4,N2-N2.2] [friction=0,0.1,0.2,0.4,0.6,0.8]
---      [coarser=1,2,4,8,16] [mesh=m1] [jobs=2] [limit=600] [keep=no] [with=robust] [formulation=gpts]
+--      [coarser=1,2,4,8,16] [mesh=m1] [points=3(p+1)] [jobs=2] [limit=600] [keep=no] [with=robust] [formulation=gpts]
 --      [out=out/stability/friction_steps];
---      one map for each discretization; coarser: factors on the step size; keep=yes reuses the cells that an earlier
---      call left in the folder; with=cutting, fallback or prediction turns on only one of the controls; formulation: a
---      row of formulations/rows.lua, such as equal, reduced or half-passes.
+--      one map for each discretization; coarser: factors on the step size; points: contact points, also auto; keep=yes
+--      reuses the cells that an earlier call left in the folder; with=cutting, fallback or prediction turns on only one
+--      of the controls; formulation: a row of formulations/rows.lua, such as equal, reduced or half-passes.
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
@@ -34,10 +34,12 @@ local study = require "stability.study"
 local options = study.arguments{
   orders = { "N2", "N4", "N2-N2.2" }, friction = { 0, 0.1, 0.2, 0.4, 0.6, 0.8 },
   coarser = { { 1.0, 2.0, 4.0, 8.0, 16.0 }, above = 0 }, mesh = ironing.meshes "m1",
+  points = { "3(p+1)", choices = { "3(p+1)", "auto" } },
   formulation = formulations.argument "gpts", out = "out/stability/friction_steps",
 }
 local elements = ironing.elements(options.mesh)
 local formulation = formulations[options.formulation]
+local points = options.points == "auto" and "auto" or nil
 
 --- The standard variant with another coefficient of friction.
 local function with_friction(mu) return setmetatable({ mu = mu }, { __index = ironing.variants.standard }) end
@@ -66,7 +68,7 @@ for _, order in ipairs(options.orders) do
     x = { name = "length of a step (published: 1)", values = options.coarser },
     y = { name = "coefficient of friction", values = options.friction },
     scene = function(_, mu)
-      return (ironing.scene(with_friction(mu), order, elements, nil, nil, { formulation = formulation }))
+      return (ironing.scene(with_friction(mu), order, elements, points, nil, { formulation = formulation }))
     end,
     path = function(_, coarser) return path(coarser) end,
     results = forces, formulation = formulation,

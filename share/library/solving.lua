@@ -354,7 +354,7 @@ function sg.model(arguments) end
 ---points: a whole number from 1 to 100 or "auto"; by default 3 (p + 1), p the degree along the slave face, that of its
 ---```text
 ---        layer if it has one, in 3D the higher one. Gauss points per slave element and direction. "auto": 2 (p + 1) in
----        elements that are wholly closed or open and away from the border of the contact, 3 (p + 1) elsewhere, chosen
+---        elements that are wholly open, stick or slip, away from the border of the contact, 3 (p + 1) elsewhere, chosen
 ---        after each step; for penalty contact at contact points and for half passes. In 2D it saves little, because
 ---        contact takes a small part of the time
 ---```

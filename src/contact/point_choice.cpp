@@ -32,7 +32,7 @@ std::vector<char> choose_sparse(const ContactPoints<D>& points, const Surface<D>
     const PointResult<D>& result = history.results[i];
     ++element.points;
     if (!element.state) element.state = result.state;
-    element.mixed = element.mixed || result.beyond || touches(result.state) != touches(*element.state);
+    element.mixed = element.mixed || result.beyond || result.state != *element.state;
     element.least = std::min(element.least, result.pressure);
     element.most = std::max(element.most, result.pressure);
     element.clearance = std::min(element.clearance, clearance[i]);

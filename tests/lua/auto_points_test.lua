@@ -3,6 +3,7 @@
 local sg = require "signorini"
 local check = require "check"
 local ironing = require "ironing"
+local problem = require "ironing2d.problem"
 
 local elements = { die = { 24, 2 }, slab = { 24, 4 } }
 local stages = { { name = "press", steps = 8, grip = { 0, -0.2 } },
@@ -59,6 +60,14 @@ check.case("an obstacle, an augmented contact without friction, axisymmetric", f
     forces[#forces + 1] = run:column "tool.fy"[run.steps]
   end
   check.within_share("force", forces[2], forces[1], 1e-4)
+end)
+
+check.case("no cycle where points of an element stick and slip: deep ironing, N4, steps 7 times as long", function()
+  -- With 2 (p + 1) points in elements that are partly stuck plain Newton cycles in the fifth step.
+  local deep = problem.variants.deep
+  local model = problem.scene(deep, "N4", problem.elements "m1", "auto")
+  local run = model:run({ problem.path(deep, 7)[1] }, sg.plain{})
+  check.equal(run.failed and run.failure, false)
 end)
 
 check.case("methods whose points must stay the same refuse it", function()

@@ -66,9 +66,9 @@ derive from an energy, and the tangent is symmetric. method = "mortar", adhesion
 half passes per current area, also with multipliers]],
     otherwise = '"current", with method = "mortar", adhesion or cohesive "reference"' },
   { "points", t.worded(t.either(t.integer(1, 100), t.choice { "auto" }), 'a whole number from 1 to 100 or "auto"'),
-    [[Gauss points per slave element and direction. "auto": 2 (p + 1) in elements that are wholly closed or open and
-away from the border of the contact, 3 (p + 1) elsewhere, chosen after each step; for penalty contact at contact points
-and for half passes. In 2D it saves little, because contact takes a small part of the time]],
+    [[Gauss points per slave element and direction. "auto": 2 (p + 1) in elements that are wholly open, stick or
+slip, away from the border of the contact, 3 (p + 1) elsewhere, chosen after each step; for penalty contact at contact
+points and for half passes. In 2D it saves little, because contact takes a small part of the time]],
     otherwise = "3 (p + 1), p the degree along the slave face, that of its layer if it has one, in 3D the higher one" },
   { "adhesion", t.named {
     { "hamaker", t.positive, "Hamaker's constant", unit = "force times length" },
