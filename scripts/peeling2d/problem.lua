@@ -57,15 +57,17 @@ local function append(case, run, before)
 end
 
 --- Peels one strip by prescribed rotation; where that ends before the last step, with control = "arc", by arc length
---- from there on. `options`: length, bonded, steps, control, iterations, linear; on_step(model, angle) sees every whole
---- step. Returns a case: order, mesh, dofs, model, rotation (the run under rotation control alone), arc (what followed,
---- if anything), and of both together the lists step (with parts of a step where arc length was used), angle
---- (degrees) and moment (E0 L0³), reached (whole steps), iterations, wall and timings (s).
+--- from there on. `options`: length, bonded, steps, control, iterations, linear, and adapt as model:run takes it;
+--- on_step(model, angle) sees every whole step. Returns a case: order, mesh, dofs, model, rotation (the run under
+--- rotation control alone), arc (what followed, if anything), and of both together the lists step (with parts of a step
+--- where arc length was used), angle (degrees) and moment (E0 L0³), reached (whole steps), iterations, wall and timings
+--- (s).
 function problem.solve(order, mesh, options, on_step)
   local model, strip = problem.scene(order, mesh, options.length, options.bonded)
   local case = { order = order, mesh = mesh, dofs = strip:dofs().total, model = model,
                  step = {}, angle = {}, moment = {}, iterations = 0, wall = 0, timings = {} }
   local solver = sg.plain{ newton = { iterations = options.iterations }, linear = options.linear,
+                           adapt = options.adapt,
                            on_step = on_step and function(info) return on_step(model, info["edge.angle"]) end }
   local goal = options.steps * problem.pitch
   case.rotation = model:run({ { name = "rotate", steps = options.steps, edge = goal } }, solver)
