@@ -80,9 +80,9 @@ end
 
 --- Runs a case { order, mesh, radius, depth, from, distance }, also with what problem.scene takes, `down`, `along`,
 --- `controls` (sg.plain), and `step`, `linear`, `adapt` and `on_step(model, info)` as model:run takes them. `from` is
---- the x of the indenter's center while it is pressed. Adds to the case: model, run, dofs of indenter and slab, x (the center's
---- x after every step of the sliding), Px and Pz there (forces of the indenter on the slab), pressed (Pz at full
---- depth).
+--- the x of the indenter's center while it is pressed. Adds to the case: model, run, dofs of indenter and slab, x (the
+--- center's x after every step of the sliding), Px and Pz there (forces of the indenter on the slab), pressed (Pz at
+--- full depth).
 function problem.solve(case)
   local model, indenter, slab = problem.scene(case, case.from)
   local stages = problem.stages(case)
