@@ -7,8 +7,42 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace signorini::model {
+
+namespace {
+
+/// Whether at every node of an element either no component is an unknown, or all are, with consecutive numbers: then
+/// the entries of a node's rows follow each other in every column of the tangent.
+template <int D> bool whole_nodes(const std::vector<int>& unknowns) {
+  for (std::size_t k = 0; k < unknowns.size(); ++k) {
+    const int first = unknowns[k - k % D];
+    if (unknowns[k] != (first < 0 ? -1 : first + static_cast<int>(k % D))) return false;
+  }
+  return true;
+}
+
+/// Adds the element blocks K_ij, i ≤ j, to the rows (a, i), i < D, of the columns (b, j); `position` of row (a, 0), a
+/// fastest, then j.
+template <int D, std::size_t... I>
+void add_nodes(std::size_t n, const int* position, const double* blocks, double* values, std::index_sequence<I...>) {
+  const double* block[D][D];
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = i; j < D; ++j, blocks += n * n) block[i][j] = blocks;
+  for (std::size_t b = 0; b < n; ++b)
+    for (std::size_t j = 0; j < D; ++j) {
+      // K_ij(a, b) at a n + b, of K_ji(b, a) at b n + a
+      const double* const from[] = {(I <= j ? block[I][j] + b : block[j][I] + b * n)...};
+      const std::size_t stride[] = {(I <= j ? n : 1)...};
+      for (std::size_t a = 0; a < n; ++a) {
+        double* const to = values + *position++;
+        ((to[I] += from[I][a * stride[I]]), ...);
+      }
+    }
+}
+
+} // namespace
 
 template <int D>
 Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts,
@@ -34,7 +68,7 @@ template <int D> void Assembly<D>::build_bulk() {
   std::vector<Nodes> groups;
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const solid::Body<D>& body = *scene_.bodies[b].body;
-    supported_.emplace_back();
+    supports_.emplace_back();
     for (int e = 0; e < body.macro_elements(); ++e) {
       Nodes group;
       bool supported = false;
@@ -44,7 +78,7 @@ template <int D> void Assembly<D>::build_bulk() {
           group.push_back(unknowns_.unknown(dof));
           supported = supported || unknowns_.constrained(dof);
         }
-      supported_.back().push_back(supported);
+      supports_.back().push_back({supported, whole_nodes<D>(group)});
       groups.push_back(std::move(group));
     }
   }
@@ -55,7 +89,7 @@ template <int D> void Assembly<D>::build_bulk() {
   // Positions in the order in which scatter() reads ElementArrays::blocks
   int trash = bulk_pattern_.entries(), first_trash = trash;
   std::size_t positions = 0;
-  for (const Nodes& group : groups) positions += group.size() * group.size();
+  for (const Nodes& group : groups) positions += group.size() * group.size() / (whole_nodes<D>(group) ? D : 1);
   bulk_positions_.resize(positions);
   std::size_t next_position = 0;
   std::vector<int> found; // of an element, column by column
@@ -81,13 +115,16 @@ template <int D> void Assembly<D>::build_bulk() {
     const Partition& shares = partitions_[body];
     first_position_.emplace_back();
     for (int e = 0; e < scene_.bodies[body].body->macro_elements(); ++e, ++g) {
-      trash = first_trash + shares.share[at(e)];
+      trash = first_trash + D * shares.share[at(e)];
       const Nodes& group = groups[g];
       find(group);
       const auto n = static_cast<int>(scene_.bodies[body].body->functions_of_macro(e).size());
       const auto add = [&](int row, int column) { bulk_positions_[next_position++] = found[at(column * D * n + row)]; };
       first_position_.back().push_back(next_position);
-      for (int i = 0; i < D; ++i)
+      const bool whole = supports_[body][at(e)].whole;
+      for (int column = 0; column < D * n && whole; ++column)
+        for (int a = 0; a < n; ++a) add(D * a, column);
+      for (int i = 0; i < D && !whole; ++i)
         for (int j = i; j < D; ++j) {
           for (int a = 0; a < n; ++a)
             for (int b = 0; b < n; ++b) add(D * a + i, D * b + j);
@@ -96,7 +133,7 @@ template <int D> void Assembly<D>::build_bulk() {
             for (int b = 0; b < n; ++b) add(D * b + j, D * a + i);
         }
     }
-    first_trash += static_cast<int>(shares.heads.size());
+    first_trash += D * static_cast<int>(shares.heads.size());
   }
 }
 
@@ -116,9 +153,8 @@ template <int D> void Assembly<D>::cover(bool contacts) {
     }
   std::vector<int> moved;
   pattern_ = solve::extend(bulk_pattern_, groups, moved);
-  moved.reserve(moved.size() + arrays_.size());
-  for (std::size_t share = 0; share < arrays_.size(); ++share)
-    moved.push_back(pattern_.entries() + static_cast<int>(share));
+  const int trash = D * static_cast<int>(arrays_.size());
+  for (int k = 0; k < trash; ++k) moved.push_back(pattern_.entries() + k);
   positions_.resize(bulk_positions_.size());
   for (std::size_t i = 0; i < positions_.size(); ++i) positions_[i] = moved[at(bulk_positions_[i])];
   diagonal_.clear();
@@ -130,7 +166,7 @@ template <int D> void Assembly<D>::cover(bool contacts) {
     tie_positions_.push_back(j < 0 ? -1 : pattern_.find(j, i));
   }
   locate_face_terms();
-  values_.resize(at(pattern_.entries()) + arrays_.size());
+  values_.resize(at(pattern_.entries() + trash));
   for (auto& placements : placements_) placements.clear();
   if (linear_) move_constant(std::move(moved));
   ++version_;
@@ -256,7 +292,7 @@ template <int D> void Assembly<D>::add_element(int e, const Request& request, Ta
   const solid::Body<D>& body = *scene_.bodies[task.body].body;
   solid::ElementArrays<D>& arrays = *task.arrays;
   const bool scatters = request.tangent && !linear_;
-  const bool multiplies = request.direction && supported_[task.body][at(e)];
+  const bool multiplies = request.direction && supports_[task.body][at(e)].any;
   const double* displacement = request.states.present.displacement.data() + offset;
   if (const auto inversion =
           internal_force(body, e, displacement, arrays, scatters || multiplies,
@@ -274,10 +310,12 @@ template <int D> void Assembly<D>::add_element(int e, const Request& request, Ta
   if (multiplies) multiply(b, e, arrays, *request.direction);
 }
 
+/// Positions are those of add_nodes() or, if not all nodes are whole, of every entry: of K_ij, i ≤ j, and of K_ji.
 template <int D> void Assembly<D>::scatter(int b, int e, const solid::ElementArrays<D>& arrays, double* values) const {
   const std::size_t n = scene_.bodies[at(b)].body->functions_of_macro(e).size();
   const int* position = positions_.data() + first_position_[at(b)][at(e)];
   const double* block = arrays.blocks.data();
+  if (supports_[at(b)][at(e)].whole) return add_nodes<D>(n, position, block, values, std::make_index_sequence<D>());
   for (int i = 0; i < D; ++i)
     for (int j = i; j < D; ++j, block += n * n)
       for (int twin = 0; twin < (i == j ? 1 : 2); ++twin, position += n * n)
@@ -316,21 +354,24 @@ template <int D> void Assembly<D>::add_contacts(const Request& request) {
     for (const contact::Block& block : contacts_[k]->blocks()) {
       const Placement& placement = placements_[k].find(block.key())->second;
       const double* matrix = block.matrix.data();
-      const int* position = placement.positions.data();
-      if (request.tangent && changed_)
-        changed_->insert(changed_->end(), placement.positions.begin(), placement.positions.end());
-      for (int r = 0; r < block.rows; ++r, matrix += block.columns, position += block.columns) {
+      for (int r = 0; r < block.rows; ++r) {
         force(placement.rows[at(r)]) += block.force[at(r)];
-        if (request.direction)
-          for (int c = 0; c < block.columns; ++c)
-            product_(placement.rows[at(r)]) += matrix[c] * (*request.direction)(placement.columns[at(c)]);
-        if (!request.tangent) continue;
-        if (turns)
-          for (int c = 0; c < block.columns; ++c)
-            values_[at(position[c])] += rates(placement.rows[at(r)]) * matrix[c] * rates(placement.columns[at(c)]);
-        else
-          for (int c = 0; c < block.columns; ++c) values_[at(position[c])] += matrix[c];
+        for (int c = 0; c < block.columns && request.direction; ++c)
+          product_(placement.rows[at(r)]) +=
+              matrix[r * block.columns + c] * (*request.direction)(placement.columns[at(c)]);
       }
+      if (!request.tangent) continue;
+      const int* position = placement.positions.data();
+      for (const auto& [first, count] : placement.runs)
+        for (int c = 0; c < block.columns; ++c, ++position) {
+          if (*position < 0) continue;
+          double* const to = values_.data() + *position;
+          const double* const from = matrix + first * block.columns + c;
+          for (int k = 0; k < count && !turns; ++k) to[k] += from[k * block.columns];
+          for (int k = 0; k < count && turns; ++k)
+            to[k] += rates(placement.rows[at(first + k)]) * from[k * block.columns] * rates(placement.columns[at(c)]);
+          for (int k = 0; k < count && changed_; ++k) changed_->push_back(*position + k);
+        }
     }
 }
 

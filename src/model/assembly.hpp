@@ -107,10 +107,19 @@ private:
   void add_followers(const Request& request);
   void find_diagonal_norm();
 
+  struct Support {
+    bool any;   ///< an element has supported degrees of freedom
+    bool whole; ///< see whole_nodes()
+  };
+  /// Rows of a contact block with consecutive unknowns, whose entries follow each other in every column of the tangent.
+  struct RowRun {
+    int first, count;
+  };
   /// Positions of a contact block's entries, determined once per pattern.
   struct Placement {
     Nodes rows, columns;        ///< degrees of freedom
-    std::vector<int> positions; ///< in values_, row by row
+    std::vector<int> positions; ///< in values_, run by run: of the first row in every column, −1 without unknown
+    std::vector<RowRun> runs;
   };
 
   const Scene<D>& scene_;
@@ -121,16 +130,16 @@ private:
   TieTerms ties_;
   std::vector<int> border_; ///< of ties, and the unknowns of obstacles
   solve::Pattern bulk_pattern_, pattern_;
-  std::vector<int> bulk_positions_, positions_;          ///< per element and block entry: in bulk_pattern_, in pattern_
+  std::vector<int> bulk_positions_, positions_;          ///< see scatter(): in bulk_pattern_, in pattern_
   std::vector<std::vector<std::size_t>> first_position_; ///< [body][element]
-  std::vector<std::vector<char>> supported_;             ///< [body][element]: has supported degrees of freedom
+  std::vector<std::vector<Support>> supports_;           ///< [body][element]
   std::vector<std::unordered_map<std::uint64_t, Placement>> placements_; ///< per contact, by Block::key()
   std::vector<Partition> partitions_;                                    ///< per body
   std::vector<solid::ElementArrays<D>> arrays_;                          ///< per body and share of its partition
   std::vector<int> tie_positions_; ///< in values_, of each coupling and its transpose; −1 without unknown
   std::vector<int> follower_positions_, spring_positions_;
   std::vector<int> diagonal_;
-  std::vector<double> values_;          ///< after the entries one per share, for those of prescribed degrees of freedom
+  std::vector<double> values_;          ///< after the entries D per share, for those of prescribed degrees of freedom
   std::vector<double> constant_;        ///< bulk values of linear bodies, in the order of pattern_
   std::vector<int> constant_positions_; ///< of the entries of bulk_pattern_ in constant_
   std::optional<std::vector<int>> changed_; ///< of linear bodies: entries of values_ that may differ from constant_;

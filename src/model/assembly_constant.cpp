@@ -10,7 +10,7 @@ namespace signorini::model {
 
 /// Computes the tangent of linear bodies, with ties and springs.
 template <int D> void Assembly<D>::build_constant() {
-  constant_.assign(at(pattern_.entries()) + arrays_.size(), 0.0);
+  constant_.assign(values_.size(), 0.0);
   const VectorX rest = VectorX::Zero(unknowns_.dofs());
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const solid::Body<D>& body = *scene_.bodies[b].body;

@@ -89,13 +89,20 @@ template <int D> bool Assembly<D>::locate() {
       if (!placement.positions.empty() && dofs == placement.columns) continue;
       placement.columns = std::move(dofs);
       placement.rows.assign(placement.columns.begin(), placement.columns.begin() + block.rows);
+      placement.runs.clear();
       std::vector<int> positions;
-      for (int row : placement.rows)
+      for (int first = 0, count; first < block.rows; first += count) {
+        const int i = unknowns_.mover(placement.rows[at(first)]);
+        count = 1;
+        if (i < 0) continue;
+        while (first + count < block.rows && unknowns_.mover(placement.rows[at(first + count)]) == i + count) ++count;
+        placement.runs.push_back({first, count});
         for (int column : placement.columns) {
-          const int i = unknowns_.mover(row), j = unknowns_.mover(column);
-          positions.push_back(i < 0 || j < 0 ? pattern_.entries() : pattern_.find(i, j));
-          if (positions.back() < 0) return false;
+          const int j = unknowns_.mover(column);
+          positions.push_back(j < 0 ? -1 : pattern_.find(i, j));
+          if (j >= 0 && positions.back() < 0) return false;
         }
+      }
       placement.positions = std::move(positions);
     }
   return true;
