@@ -9,14 +9,14 @@
 
 namespace signorini::solve {
 
-double Forcing::next(double norm) {
+double Forcing::next(double norm, double enough) {
   const double reduction = norm / last_;
   const bool begins = !(reduction < 1);
   if (!begins && began_) first_reduction_ = reduction;
   began_ = begins;
   last_ = norm;
   const double expected = begins ? first_reduction_ : reduction;
-  return std::clamp(small_part * expected * expected, tightest_tolerance, loosest_);
+  return std::clamp(small_part * std::max(expected * expected, enough / norm), tightest_tolerance, loosest_);
 }
 
 namespace {
@@ -35,16 +35,19 @@ public:
   void watch(const std::vector<int>& unknowns) override {
     if (symmetric_part_) symmetric_part_->watch(unknowns);
   }
+  void suffice(double residual) override { enough_ = residual; }
   SolverStatistics statistics() const override;
 
 private:
   enum class Preconditioner { none, symmetric_part, direct };
 
+  bool update_block();
   bool renew();
   bool renew_direct();
   void begin_cycle(Preconditioner used, const SolverStatistics& factors);
   bool apply(double* z);
   double iteration_cost() const;
+  double block_cost() const;
   int budget() const;
   void record(const KrylovReport& report);
 
@@ -57,7 +60,9 @@ private:
   bool analyzed_ = false;                ///< whether direct_ has analyzed the current pattern
   Preconditioner used_ = Preconditioner::none;
   bool present_ = false; ///< whether the preconditioner was made from the current values
+  double old_block_ = 0; ///< iterations per system that are expected because the block is that of earlier values
   bool first_ = true;    ///< whether the next right-hand side is the first since factor()
+  double enough_ = 0;    ///< see suffice()
   Forcing forcing_;
   Gmres gmres_;
   VectorX right_, rest_, part_, sum_;
@@ -73,13 +78,31 @@ double Reused::iteration_cost() const {
   return entries_ + pattern_.entries();
 }
 
+/// The same for a factorization of the block.
+double Reused::block_cost() const {
+  return symmetric_part_->update_operations() / operations_per_entry;
+}
+
 bool Reused::factor(const double* values) {
   matrix_.set(values);
   present_ = false;
   first_ = true;
-  // A singular symmetric part does not imply a singular K: renew() decides.
-  if (used_ == Preconditioner::symmetric_part && !symmetric_part_->update(values)) used_ = Preconditioner::none;
+  old_block_ = 0;
+  if (used_ == Preconditioner::symmetric_part) {
+    const double more = iterations_per_change * symmetric_part_->change(values);
+    if (systems_per_block * more * iteration_cost() <= block_cost())
+      old_block_ = more;
+    else
+      update_block();
+  }
   return used_ != Preconditioner::none || renew();
+}
+
+/// A singular symmetric part does not imply a singular K: renew() decides.
+bool Reused::update_block() {
+  old_block_ = 0;
+  if (!symmetric_part_->update(matrix_.values().data())) used_ = Preconditioner::none;
+  return used_ != Preconditioner::none;
 }
 
 bool Reused::adopt(const Pattern& pattern) {
@@ -98,6 +121,7 @@ void Reused::begin_cycle(Preconditioner used, const SolverStatistics& factors) {
   factor_cost_ =
       factors.operations > 0 ? factors.operations / operations_per_entry : most_iterations * iteration_cost();
   excess_ = 0;
+  old_block_ = 0;
 }
 
 bool Reused::renew() {
@@ -126,23 +150,25 @@ bool Reused::apply(double* z) {
 /// Iterations allowed before a new factorization: as many as it and the iterations after it cost.
 int Reused::budget() const {
   if (present_) return most_iterations;
-  return static_cast<int>(std::min<double>(most_iterations, usual_iterations + factor_cost_ / iteration_cost()));
+  const double cost = old_block_ > 0 ? block_cost() : factor_cost_;
+  return static_cast<int>(std::min<double>(most_iterations, usual_iterations + cost / iteration_cost()));
 }
 
 void Reused::record(const KrylovReport& report) {
   statistics_.iterations += report.iterations;
   const double digits = std::clamp(-std::log10(report.reduction), least_digits, most_digits);
   if (present_) rate_ = report.iterations / digits;
-  excess_ = std::max(0.0, excess_ + report.iterations - std::max(1.0, rate_ * digits));
+  excess_ = std::max(0.0, excess_ + report.iterations - std::max(1.0, rate_ * digits) - old_block_);
 }
 
 bool Reused::solve(double* b) {
   ++statistics_.solutions;
   const bool first = std::exchange(first_, false);
+  const double enough = std::exchange(enough_, 0);
   right_ = rest_ = Eigen::Map<const VectorX>(b, pattern_.size);
   const double norm = right_.norm();
   if (norm == 0) return true;
-  const double tolerance = first ? forcing_.next(norm) : tightest_tolerance;
+  const double tolerance = first ? forcing_.next(norm, enough) : tightest_tolerance;
   const double renewal_cost = factor_cost_ + preparation * pattern_.entries();
   if (first && !present_ && excess_ * iteration_cost() > renewal_cost && !renew()) return false;
 
@@ -159,7 +185,7 @@ bool Reused::solve(double* b) {
     if (left <= tolerance) break;
     // Too slow: try a better preconditioner, if there is one
     if (present_ && used_ == Preconditioner::direct) return false;
-    if (!(present_ ? renew_direct() : renew())) return false;
+    if (old_block_ > 0 ? !update_block() && !renew() : !(present_ ? renew_direct() : renew())) return false;
     matrix_.multiply(sum_.data(), rest_.data());
     rest_ = right_ - rest_;
     left = rest_.norm() / norm;

@@ -4,6 +4,8 @@
 #include "solve/dense_factors.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace signorini::solve {
@@ -36,6 +38,7 @@ void SymmetricPart::locate(const Pattern& pattern) {
   std::vector<int> place(at(pattern.size), -1), unknowns = solver_->border();
   std::sort(unknowns.begin(), unknowns.end());
   for (int k = 0; k < border(); ++k) place[at(unknowns[at(k)])] = k;
+  entries_.clear();
   places_.clear();
   for (int unknown : solver_->border()) places_.push_back(place[at(unknown)]);
   runs_.clear();
@@ -90,7 +93,32 @@ template <class Real> bool SymmetricPart::factor_block(const double* values) {
 
 bool SymmetricPart::update(const double* values) {
   if (border() == 0) return true;
+  entries_.clear();
+  scale_ = constant_.diagonal();
+  for (const auto& [position, row, column, length] : runs_) {
+    entries_.insert(entries_.end(), values + position, values + position + length);
+    if (row <= column && column < row + length) scale_(column) += values[position + column - row];
+  }
+  scale_ = scale_.cwiseAbs().cwiseSqrt().cwiseInverse();
   return (precision_ == Precision::single && factor_block<float>(values)) || factor_block<double>(values);
+}
+
+double SymmetricPart::change(const double* values) const {
+  if (border() == 0) return 0;
+  if (entries_.empty()) return std::numeric_limits<double>::infinity();
+  double sum = 0;
+  const double* before = entries_.data();
+  for (const auto& [position, row, column, length] : runs_) {
+    const Eigen::Map<const VectorX> old(before, length), now(values + position, length);
+    sum += scale_(column) * scale_(column) * (now - old).cwiseProduct(scale_.segment(row, length)).squaredNorm();
+    before += length;
+  }
+  return std::sqrt(sum);
+}
+
+double SymmetricPart::update_operations() const {
+  const double size = border(), all = 2.0 / 3.0 * size * size * size;
+  return precision_ == Precision::single ? all / 2 : all; // twice as many at once
 }
 
 bool SymmetricPart::solve(double* b) {
@@ -114,7 +142,7 @@ SolverStatistics SymmetricPart::statistics() const {
   SolverStatistics sum = solver_->statistics();
   const double square = static_cast<double>(border()) * border();
   sum.entries += square; // factors of the block
-  sum.memory += 3 * sizeof(double) * square;
+  sum.memory += 4 * sizeof(double) * square;
   return sum;
 }
 

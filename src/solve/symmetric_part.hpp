@@ -36,6 +36,11 @@ public:
   bool condense(const Pattern& pattern, const std::vector<double>& values);
   /// Sets K_cc from the current values. Returns false if M is singular.
   bool update(const double* values);
+  /// ‖Δ‖ of Δ_ij = (K_ij − K'_ij)/√(B_ii B_jj), K the current values of K_cc, K' those of the last update(), B its
+  /// block S − K⁰_cc + K'_cc. Infinite or NaN if it is unknown.
+  double change(const double* values) const;
+  /// Floating-point operations of update().
+  double update_operations() const;
   /// Overwrites b by M⁻¹ b. Call after a successful factor() or update().
   bool solve(double* b);
   /// Pivots of K⁰_ii, and of the block of c at the last update().
@@ -65,6 +70,8 @@ private:
   MatrixX constant_;        ///< S − K⁰_cc
   std::variant<DenseMatrix<double>, DenseMatrix<float>> block_; ///< the factors of S − K⁰_cc + K_cc
   std::vector<int> exchanges_;                                  ///< row exchanges in LAPACK's numbering
+  std::vector<double> entries_; ///< K_cc of the last update(), run by run; empty if the runs are others
+  VectorX scale_;               ///< 1/√|B_ii|
   PivotRange block_pivots_;
   VectorX right_; ///< of the block
 };

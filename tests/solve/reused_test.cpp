@@ -58,6 +58,39 @@ TEST(Reused, SolvesCorrectionsOfMultipliersMoreAccurately) {
   }
 }
 
+/// Systems that a block of earlier values solves as fast are as accurate as others, and what changes much is factored.
+TEST(Reused, IsAccurateWithAnOldBlock) {
+  std::mt19937 random(56);
+  const Pattern pattern = cube(7);
+  std::vector<int> watched;
+  for (int i = 0; i < pattern.size / 4; ++i) watched.push_back(i);
+  const Values base = random_definite(random, pattern);
+  const auto solver = make_solver(LinearKind::reuse, pattern);
+  solver->watch(watched);
+  const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
+  for (double stiffer : {0.0, 1e-6, 1e-3, 0.1, 100.0, 100.1, 0.0}) {
+    Values values = base;
+    for (int i : watched) values[at(pattern.find(i, i))] *= 1 + stiffer;
+    ASSERT_TRUE(solver->factor(values.data()));
+    for (double promised : {loosest_tolerance, tightest_tolerance}) {
+      VectorXd x = b;
+      ASSERT_TRUE(solver->solve(x.data()));
+      EXPECT_LE(residual(pattern, values, x, b), 1.0001 * promised) << stiffer;
+    }
+  }
+  EXPECT_EQ(solver->statistics().factorizations, 1);
+}
+
+TEST(Forcing, StopsAtTheResidualThatEndsNewtonsMethod) {
+  Forcing forcing, other;
+  for (double norm : {1.0, 1e-2, 1e-4}) {
+    EXPECT_EQ(forcing.next(norm, 1e-9), other.next(norm));
+  }
+  // r (r / r')² = 1e-13 is less than is needed.
+  EXPECT_DOUBLE_EQ(forcing.next(1e-7, 1e-9), 1e-3);
+  EXPECT_DOUBLE_EQ(other.next(1e-7), 1e-7);
+}
+
 /// As in the first predictor of arc-length continuation: a zero residual, then the rate of the prescribed
 /// displacements.
 TEST(Reused, RightHandSideAfterZeroIsSolvedTightly) {
@@ -218,6 +251,30 @@ Eigen::MatrixXd with_block(const Pattern& pattern, const Values& old, const Valu
   Eigen::MatrixXd m = 0.5 * (k + k.transpose());
   m(watched, watched) = now(watched, watched);
   return m;
+}
+
+TEST(SymmetricPart, MeasuresTheChangeOfTheBlock) {
+  std::mt19937 random(55);
+  const Pattern pattern = cube(3);
+  std::vector<int> watched;
+  for (int i = 0; i < pattern.size; i += 4) watched.push_back(i);
+  const Values old = random_definite(random, pattern), noise = random_values(random, pattern);
+  SymmetricPart part(make_schur_cholesky(0), SymmetricPart::Border::always);
+  part.watch(watched);
+  ASSERT_TRUE(part.factor(pattern, old));
+  EXPECT_EQ(part.change(old.data()), 0);
+  Values present = old;
+  for (std::size_t k = 0; k < old.size(); ++k) present[k] += noise[k];
+  // B: the Schur complement of the watched unknowns
+  const Eigen::MatrixXd inverse = dense(pattern, old).inverse();
+  const Eigen::MatrixXd block = inverse(watched, watched).inverse(), change = dense(pattern, noise)(watched, watched);
+  const VectorXd scale = block.diagonal().cwiseSqrt().cwiseInverse();
+  const double expected = (scale.asDiagonal() * change * scale.asDiagonal()).norm();
+  EXPECT_NEAR(part.change(present.data()), expected, 1e-9 * expected);
+  ASSERT_TRUE(part.update(present.data()));
+  EXPECT_EQ(part.change(present.data()), 0);
+  part.adopt(pattern);
+  EXPECT_FALSE(part.change(present.data()) < 1e300);
 }
 
 TEST(SymmetricPart, UpdatesTheBlockOfWatchedUnknowns) {
