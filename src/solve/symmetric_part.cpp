@@ -26,9 +26,12 @@ void SymmetricPart::adopt(const Pattern& pattern) {
 
 void SymmetricPart::analyze(const Pattern& pattern) {
   solver_->analyze(pattern, watched_);
-  const double saves = solver_->statistics().operations, size = border();
-  const double costs = 2.0 / 3.0 * size * size * size;
-  if (policy_ == Border::where_cheap && saves > 0 && costs > saves) solver_->analyze(pattern, {});
+  const double bordered = solver_->statistics().operations, block = block_operations();
+  if (policy_ == Border::where_cheap && bordered > 0 && block > large_block * bordered) {
+    solver_->analyze(pattern, {});
+    if (block <= bordered && bordered <= most_bordered * solver_->statistics().operations)
+      solver_->analyze(pattern, watched_);
+  }
   right_.resize(border());
   analyzed_ = true;
 }
@@ -117,8 +120,7 @@ double SymmetricPart::change(const double* values) const {
 }
 
 double SymmetricPart::update_operations() const {
-  const double size = border(), all = 2.0 / 3.0 * size * size * size;
-  return precision_ == Precision::single ? all / 2 : all; // twice as many at once
+  return precision_ == Precision::single ? block_operations() / 2 : block_operations(); // twice as many at once
 }
 
 bool SymmetricPart::solve(double* b) {

@@ -4,6 +4,7 @@
 #include "solve/dense_factors.hpp"
 #include "solve/schur.hpp"
 
+#include <cmath>
 #include <variant>
 
 namespace signorini::solve {
@@ -59,6 +60,8 @@ private:
   void locate(const Pattern& pattern);
   template <class Real> bool factor_block(const double* values);
   int border() const { return static_cast<int>(solver_->border().size()); }
+  /// Floating-point operations of the LU of the block of c.
+  double block_operations() const { return 2.0 / 3.0 * std::pow(border(), 3); }
 
   std::unique_ptr<SchurSolver> solver_;
   Border policy_;
