@@ -1,0 +1,154 @@
+// The symmetric part of a tangent with an up-to-date block of watched unknowns: products with M⁻¹, changes, singular
+// blocks.
+#include "solve/symmetric_part.hpp"
+
+#include "solve/matrices.hpp"
+#include "solve/reused.hpp"
+#include "solve/values.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+namespace signorini::solve {
+namespace symmetric_part_test {
+
+using namespace test;
+using Eigen::VectorXd;
+
+TEST(SymmetricPart, IsFactoredOnSeveralPatterns) {
+  std::mt19937 random(47);
+  SymmetricPart part(make_schur_cholesky(0));
+  Pattern pattern = cube(4);
+  for (int round = 0; round < 3; ++round) {
+    Values values = random_definite(random, pattern);
+    const Values noise = random_values(random, pattern);
+    for_entries(pattern,
+                [&](int i, int j, int k) { values[at(k)] += 3 * (noise[at(k)] - noise[at(pattern.find(j, i))]); });
+    ASSERT_TRUE(part.factor(pattern, values));
+    const Eigen::MatrixXd k = dense(pattern, values);
+    const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
+    VectorXd x = b;
+    ASSERT_TRUE(part.solve(x.data()));
+    EXPECT_LT((0.5 * (k + k.transpose()) * x - b).norm(), 1e-12 * k.norm() * x.norm());
+
+    Values indefinite = values;
+    indefinite[at(pattern.find(7, 7))] *= -1;
+    EXPECT_FALSE(part.factor(pattern, indefinite));
+    std::vector<int> moved;
+    pattern = extend(pattern, {{round, pattern.size - 1 - round}}, moved);
+    part.adopt(pattern);
+  }
+  EXPECT_EQ(part.statistics().factorizations, 6);
+}
+
+/// M of symmetric_part.hpp from dense blocks: the symmetric part of `old` with the current block of `watched`.
+Eigen::MatrixXd with_block(const Pattern& pattern, const Values& old, const Values& present,
+                           const std::vector<int>& watched) {
+  const Eigen::MatrixXd k = dense(pattern, old), now = dense(pattern, present);
+  Eigen::MatrixXd m = 0.5 * (k + k.transpose());
+  m(watched, watched) = now(watched, watched);
+  return m;
+}
+
+TEST(SymmetricPart, MeasuresTheChangeOfTheBlock) {
+  std::mt19937 random(55);
+  const Pattern pattern = cube(3);
+  std::vector<int> watched;
+  for (int i = 0; i < pattern.size; i += 4) watched.push_back(i);
+  const Values old = random_definite(random, pattern), noise = random_values(random, pattern);
+  SymmetricPart part(make_schur_cholesky(0), SymmetricPart::Border::always);
+  part.watch(watched);
+  ASSERT_TRUE(part.factor(pattern, old));
+  EXPECT_EQ(part.change(old.data()), 0);
+  Values present = old;
+  for (std::size_t k = 0; k < old.size(); ++k) present[k] += noise[k];
+  // B: the Schur complement of the watched unknowns
+  const Eigen::MatrixXd inverse = dense(pattern, old).inverse();
+  const Eigen::MatrixXd block = inverse(watched, watched).inverse(), change = dense(pattern, noise)(watched, watched);
+  const VectorXd scale = block.diagonal().cwiseSqrt().cwiseInverse();
+  const double expected = (scale.asDiagonal() * change * scale.asDiagonal()).norm();
+  EXPECT_NEAR(part.change(present.data()), expected, 1e-9 * expected);
+  ASSERT_TRUE(part.update(present.data()));
+  EXPECT_EQ(part.change(present.data()), 0);
+  part.adopt(pattern);
+  EXPECT_FALSE(part.change(present.data()) < 1e300);
+}
+
+TEST(SymmetricPart, UpdatesTheBlockOfWatchedUnknowns) {
+  std::mt19937 random(50);
+  enum class Interior { full, single, klu };
+  for (const auto& [nodes, interior] :
+       {std::pair{3, Interior::full}, {6, Interior::full}, {6, Interior::single}, {3, Interior::klu}}) {
+    const Precision precision = interior == Interior::single ? Precision::single : Precision::full;
+    const double tolerance = interior == Interior::single ? 1e-6 : 1e-12;
+    Pattern pattern = cube(nodes);
+    std::vector<int> watched, moved;
+    for (int i = 0; i < pattern.size; i += 7) watched.push_back(i);
+    SymmetricPart part(interior == Interior::klu ? make_schur(make_klu()) : make_schur_cholesky(0, precision),
+                       SymmetricPart::Border::where_cheap, precision);
+    part.watch(watched);
+    const Values old = random_definite(random, pattern);
+    const auto check = [&](const Values& start, const Values& present) {
+      const Eigen::MatrixXd m = with_block(pattern, start, present, watched);
+      const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
+      VectorXd x = b;
+      ASSERT_TRUE(part.solve(x.data()));
+      EXPECT_LT((m * x - b).norm(), tolerance * (m.norm() * x.norm() + b.norm()));
+    };
+    // Indefinite among the watched unknowns, and unsymmetric
+    const auto changed = [&](Values values) {
+      const Values noise = random_values(random, pattern);
+      for (std::size_t k = 0; k < values.size(); ++k) values[k] += noise[k];
+      for (int i : watched) values[at(pattern.find(i, i))] *= i % 2 ? -3 : 10;
+      return values;
+    };
+    const Values first = changed(old);
+    Values start = old;
+    for (int i : watched) start[at(pattern.find(i, i))] = first[at(pattern.find(i, i))];
+    ASSERT_TRUE(part.factor(pattern, start));
+    check(start, start);
+    for (int round = 0; round < 3; ++round) {
+      const Values present = changed(old);
+      ASSERT_TRUE(part.update(present.data()));
+      check(start, present);
+    }
+    // Two watched unknowns come into contact.
+    const Pattern next = extend(pattern, {{watched.front(), watched.back()}}, moved);
+    Values grown(at(next.entries()), 0.0);
+    for (std::size_t k = 0; k < moved.size(); ++k) grown[at(moved[k])] = start[k];
+    start = grown;
+    pattern = next;
+    part.adopt(pattern);
+    const Values present = changed(grown);
+    ASSERT_TRUE(part.update(present.data()));
+    check(start, present);
+    EXPECT_EQ(part.statistics().factorizations, 1);
+  }
+}
+
+/// A free body: K 1 = 0.
+TEST(SymmetricPart, RefusesASingularBlockInAnyPrecision) {
+  std::mt19937 random(53);
+  const Pattern pattern = cube(6);
+  Values values(at(pattern.entries()), 0.0);
+  for_entries(pattern, [&](int i, int j, int k) {
+    if (i >= j) return;
+    const double stiffness = 1 + std::uniform_real_distribution<double>()(random);
+    values[at(k)] = values[at(pattern.find(j, i))] = -stiffness;
+    for (int end : {i, j}) values[at(pattern.find(end, end))] += stiffness;
+  });
+  std::vector<int> watched;
+  for (int i = 0; i < pattern.size; i += 7) watched.push_back(i);
+  for (const Precision precision : {Precision::full, Precision::single}) {
+    SymmetricPart part(make_schur_cholesky(0, precision), SymmetricPart::Border::always, precision);
+    part.watch(watched);
+    EXPECT_FALSE(part.factor(pattern, values));
+    values[at(pattern.find(0, 0))] += 1; // now it is held
+    EXPECT_TRUE(part.factor(pattern, values));
+    values[at(pattern.find(0, 0))] -= 1;
+  }
+}
+
+} // namespace symmetric_part_test
+} // namespace signorini::solve
