@@ -76,9 +76,9 @@ template <int D> bool factor(Model<D>& model, const StepOptions& options) {
                              {options.linear, options.damping && model.system.has_unconstrained(), options.mumps});
 }
 
-template <int D> bool solve_for(Model<D>& model, VectorX& b, double enough) {
+template <int D> bool solve_for(Model<D>& model, VectorX& b) {
   ScopedTimer timer(model.timings.solution);
-  return model.linear.solve(b, enough);
+  return model.linear.solve(b);
 }
 
 template <int D>
@@ -149,7 +149,7 @@ template <int D> void judge_lead(Model<D>& model) {
   template void set_loads(Model<D>&, const VectorX&);                                                                  \
   template void take_residual(Model<D>&);                                                                              \
   template bool factor(Model<D>&, const StepOptions&);                                                                 \
-  template bool solve_for(Model<D>&, VectorX&, double);                                                                \
+  template bool solve_for(Model<D>&, VectorX&);                                                                        \
   template solve::NewtonSystem newton_system(Model<D>&, std::function<solve::Outcome(bool, Message&)>,                 \
                                              std::function<bool(double&)>);                                            \
   template double force_norm(const Model<D>&);                                                                         \

@@ -17,9 +17,8 @@ template <int D> void take_residual(Model<D>& model);
 
 /// Factors the tangent, with damping if options.damping; returns false if it is singular.
 template <int D> bool factor(Model<D>& model, const StepOptions& options);
-/// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular. A residual of `enough` ends
-/// Newton's method.
-template <int D> bool solve_for(Model<D>& model, VectorX& b, double enough = 0);
+/// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular.
+template <int D> bool solve_for(Model<D>& model, VectorX& b);
 
 /// The interface that Newton's loop needs, with given functions `assemble` and `advance`.
 template <int D>

@@ -57,10 +57,8 @@ bool LinearSolution::factor(const Tangent& tangent, const LinearRequest& request
   return tangent.pattern.size == 0 || solver(tangent, request).factor(tangent.values.data());
 }
 
-bool LinearSolution::solve(VectorX& b, double enough) {
-  if (b.size() == 0) return true;
-  solver_->suffice(enough);
-  return solver_->solve(b.data());
+bool LinearSolution::solve(VectorX& b) {
+  return b.size() == 0 || solver_->solve(b.data());
 }
 
 void LinearSolution::forget() {

@@ -33,9 +33,8 @@ public:
   /// Factors a tangent, which need not outlive the call. Returns false if it is singular to working precision. Throws
   /// Error if the request is `condensed` but the bodies' part of the tangent changes.
   bool factor(const Tangent& tangent, const LinearRequest& request);
-  /// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular. A residual of `enough` ends
-  /// Newton's method.
-  bool solve(VectorX& b, double enough = 0);
+  /// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular.
+  bool solve(VectorX& b);
   /// Drops the solver, but keeps its statistics and its choice.
   void forget();
 

@@ -19,7 +19,7 @@ template <int D> bool advance(Model<D>& model, const StepOptions& options, doubl
   ScopedTimer timer(model.timings.linear);
   if (!factor(model, options)) return false;
   VectorX step = -model.unbalanced;
-  if (!solve_for(model, step, model.step->report.tolerance)) return false;
+  if (!solve_for(model, step)) return false;
   if (!step.allFinite()) return false;
   const double slope = model.unbalanced.dot(step);
   energy = std::abs(slope);

@@ -33,8 +33,6 @@ public:
   /// Sets the unknowns (increasing) on which contacts act or may soon act: entries between them may change much. A hint
   /// that does not affect solutions.
   virtual void watch(const std::vector<int>&) {}
-  /// The residual ‖b − K x‖ of the next system, if it is Newton's, need not be much below this. A hint.
-  virtual void suffice(double /*residual*/) {}
   virtual SolverStatistics statistics() const = 0;
 };
 

@@ -9,14 +9,14 @@
 
 namespace signorini::solve {
 
-double Forcing::next(double norm, double enough) {
+double Forcing::next(double norm) {
   const double reduction = norm / last_;
   const bool begins = !(reduction < 1);
   if (!begins && began_) first_reduction_ = reduction;
   began_ = begins;
   last_ = norm;
   const double expected = begins ? first_reduction_ : reduction;
-  return std::clamp(small_part * std::max(expected * expected, enough / norm), tightest_tolerance, loosest_);
+  return std::clamp(small_part * expected * expected, tightest_tolerance, loosest_);
 }
 
 namespace {
@@ -35,7 +35,6 @@ public:
   void watch(const std::vector<int>& unknowns) override {
     if (symmetric_part_) symmetric_part_->watch(unknowns);
   }
-  void suffice(double residual) override { enough_ = residual; }
   SolverStatistics statistics() const override;
 
 private:
@@ -62,7 +61,6 @@ private:
   bool present_ = false; ///< whether the preconditioner was made from the current values
   double old_block_ = 0; ///< iterations per system that are expected because the block is that of earlier values
   bool first_ = true;    ///< whether the next right-hand side is the first since factor()
-  double enough_ = 0;    ///< see suffice()
   Forcing forcing_;
   Gmres gmres_;
   VectorX right_, rest_, part_, sum_;
@@ -164,11 +162,10 @@ void Reused::record(const KrylovReport& report) {
 bool Reused::solve(double* b) {
   ++statistics_.solutions;
   const bool first = std::exchange(first_, false);
-  const double enough = std::exchange(enough_, 0);
   right_ = rest_ = Eigen::Map<const VectorX>(b, pattern_.size);
   const double norm = right_.norm();
   if (norm == 0) return true;
-  const double tolerance = first ? forcing_.next(norm, enough) : tightest_tolerance;
+  const double tolerance = first ? forcing_.next(norm) : tightest_tolerance;
   const double renewal_cost = factor_cost_ + preparation * pattern_.entries();
   if (first && !present_ && excess_ * iteration_cost() > renewal_cost && !renew()) return false;
 

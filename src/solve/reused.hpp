@@ -25,14 +25,13 @@ std::unique_ptr<LinearSolver> make_reused(const Pattern& pattern, MakeDirect dir
 
 /// Accuracy of Newton's corrections, from the residuals r_k that they are to remove (Eisenstat & Walker, SIAM J. Sci.
 /// Comput. 17, 1996, choice 2): quadratic convergence leaves r_k (r_k / r_{k−1})² after the next correction; the linear
-/// system is solved to a tenth of that, but not below a tenth of the residual at which Newton's method ends.
+/// system is solved to a tenth of that.
 class Forcing {
 public:
   explicit Forcing(double loosest = loosest_tolerance) : loosest_(loosest) {}
-  /// Tolerance of ‖b − K x‖ / ‖b‖ for a right-hand side of this norm; a residual of `enough` ends Newton's method. A
-  /// larger norm than before means a new step: its first correction is expected to converge as well as that of the
-  /// previous step.
-  double next(double norm, double enough = 0);
+  /// Tolerance of ‖b − K x‖ / ‖b‖ for a right-hand side of this norm. A larger norm than before means a new step: its
+  /// first correction is expected to converge as well as that of the previous step.
+  double next(double norm);
 
 private:
   /// Fraction of the residual left by quadratic convergence, so that the linear system's error is negligible; and the

@@ -81,16 +81,6 @@ TEST(Reused, IsAccurateWithAnOldBlock) {
   EXPECT_EQ(solver->statistics().factorizations, 1);
 }
 
-TEST(Forcing, StopsAtTheResidualThatEndsNewtonsMethod) {
-  Forcing forcing, other;
-  for (double norm : {1.0, 1e-2, 1e-4}) {
-    EXPECT_EQ(forcing.next(norm, 1e-9), other.next(norm));
-  }
-  // r (r / r')² = 1e-13 is less than is needed.
-  EXPECT_DOUBLE_EQ(forcing.next(1e-7, 1e-9), 1e-3);
-  EXPECT_DOUBLE_EQ(other.next(1e-7), 1e-7);
-}
-
 /// As in the first predictor of arc-length continuation: a zero residual, then the rate of the prescribed
 /// displacements.
 TEST(Reused, RightHandSideAfterZeroIsSolvedTightly) {
