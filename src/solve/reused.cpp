@@ -88,7 +88,8 @@ bool Reused::factor(const double* values) {
   old_block_ = 0;
   if (used_ == Preconditioner::symmetric_part) {
     const double more = iterations_per_change * symmetric_part_->change(values);
-    if (systems_per_block * more * iteration_cost() <= block_cost())
+    if (symmetric_part_->update_operations() >= least_kept_operations &&
+        systems_per_block * more * iteration_cost() <= block_cost())
       old_block_ = more;
     else
       update_block();
