@@ -100,7 +100,9 @@ template <int D> bool Assembly<D>::locate() {
         for (int column : placement.columns) {
           const int j = unknowns_.mover(column);
           positions.push_back(j < 0 ? -1 : pattern_.find(i, j));
-          if (j >= 0 && positions.back() < 0) return false;
+          // Rows are sorted, so that the whole run is in the column if its ends are at their distance.
+          if (j >= 0 && (positions.back() < 0 || pattern_.find(i + count - 1, j) != positions.back() + count - 1))
+            return false;
         }
       }
       placement.positions = std::move(positions);

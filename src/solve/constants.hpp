@@ -35,8 +35,7 @@ inline constexpr int usual_iterations = 6;
 /// (SymmetricPart::change()), and systems for which a new block serves. Ironing in space takes 2 to 5 more after
 /// changes of 5 to 15, none after changes below 1.
 inline constexpr double iterations_per_change = 0.4, systems_per_block = 5;
-/// Operations of the LU of a block that may be kept. Smaller ones cost little, and their corrections stay those of the
-/// present block: at the limit of the step size (shallow ironing, twice the published steps) others end a run.
+/// Least operations of the LU of a block that is worth keeping: below, it takes some hundredths of a second at most.
 inline constexpr double least_kept_operations = 1e8;
 /// Contact unknowns are not ordered last if that multiplies a factorization's operations by more than `most_bordered`,
 /// which is found out where the LU of their block takes more than the part `large_block` of these operations. For a

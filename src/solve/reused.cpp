@@ -41,6 +41,7 @@ private:
   enum class Preconditioner { none, symmetric_part, direct };
 
   bool update_block();
+  void remember_block();
   bool renew();
   bool renew_direct();
   void begin_cycle(Preconditioner used, const SolverStatistics& factors);
@@ -88,8 +89,7 @@ bool Reused::factor(const double* values) {
   old_block_ = 0;
   if (used_ == Preconditioner::symmetric_part) {
     const double more = iterations_per_change * symmetric_part_->change(values);
-    if (symmetric_part_->update_operations() >= least_kept_operations &&
-        systems_per_block * more * iteration_cost() <= block_cost())
+    if (systems_per_block * more * iteration_cost() <= block_cost())
       old_block_ = more;
     else
       update_block();
@@ -100,8 +100,16 @@ bool Reused::factor(const double* values) {
 /// A singular symmetric part does not imply a singular K: renew() decides.
 bool Reused::update_block() {
   old_block_ = 0;
-  if (!symmetric_part_->update(matrix_.values().data())) used_ = Preconditioner::none;
+  if (symmetric_part_->update(matrix_.values().data()))
+    remember_block();
+  else
+    used_ = Preconditioner::none;
   return used_ != Preconditioner::none;
+}
+
+/// Without this, the next factor() does not keep the block.
+void Reused::remember_block() {
+  if (symmetric_part_->update_operations() >= least_kept_operations) symmetric_part_->remember(matrix_.values().data());
 }
 
 bool Reused::adopt(const Pattern& pattern) {
@@ -127,6 +135,7 @@ bool Reused::renew() {
   if (!symmetric_part_ || !symmetric_part_->factor(pattern_, matrix_.values())) return renew_direct();
   direct_.reset();
   analyzed_ = false;
+  remember_block();
   begin_cycle(Preconditioner::symmetric_part, symmetric_part_->statistics());
   return true;
 }

@@ -97,13 +97,17 @@ template <class Real> bool SymmetricPart::factor_block(const double* values) {
 bool SymmetricPart::update(const double* values) {
   if (border() == 0) return true;
   entries_.clear();
+  return (precision_ == Precision::single && factor_block<float>(values)) || factor_block<double>(values);
+}
+
+void SymmetricPart::remember(const double* values) {
+  entries_.clear();
   scale_ = constant_.diagonal();
   for (const auto& [position, row, column, length] : runs_) {
     entries_.insert(entries_.end(), values + position, values + position + length);
     if (row <= column && column < row + length) scale_(column) += values[position + column - row];
   }
   scale_ = scale_.cwiseAbs().cwiseSqrt().cwiseInverse();
-  return (precision_ == Precision::single && factor_block<float>(values)) || factor_block<double>(values);
 }
 
 double SymmetricPart::change(const double* values) const {
@@ -144,7 +148,7 @@ SolverStatistics SymmetricPart::statistics() const {
   SolverStatistics sum = solver_->statistics();
   const double square = static_cast<double>(border()) * border();
   sum.entries += square; // factors of the block
-  sum.memory += 4 * sizeof(double) * square;
+  sum.memory += sizeof(double) * (3 * square + static_cast<double>(entries_.size()));
   return sum;
 }
 

@@ -37,8 +37,10 @@ public:
   bool condense(const Pattern& pattern, const std::vector<double>& values);
   /// Sets K_cc from the current values. Returns false if M is singular.
   bool update(const double* values);
-  /// ‖Δ‖ of Δ_ij = (K_ij − K'_ij)/√(B_ii B_jj), K the current values of K_cc, K' those of the last update(), B its
-  /// block S − K⁰_cc + K'_cc. Infinite or NaN if it is unknown.
+  /// Keeps K_cc of these values, which are those of the last update(), for change().
+  void remember(const double* values);
+  /// ‖Δ‖ of Δ_ij = (K_ij − K'_ij)/√(B_ii B_jj), K the current values of K_cc, K' those of remember(), B their block
+  /// S − K⁰_cc + K'_cc. Infinite or NaN if it is unknown, as after an update() without remember().
   double change(const double* values) const;
   /// Floating-point operations of update().
   double update_operations() const;
@@ -73,8 +75,8 @@ private:
   MatrixX constant_;        ///< S − K⁰_cc
   std::variant<DenseMatrix<double>, DenseMatrix<float>> block_; ///< the factors of S − K⁰_cc + K_cc
   std::vector<int> exchanges_;                                  ///< row exchanges in LAPACK's numbering
-  std::vector<double> entries_; ///< K_cc of the last update(), run by run; empty if the runs are others
-  VectorX scale_;               ///< 1/√|B_ii|
+  std::vector<double> entries_;                                 ///< K_cc of remember(), run by run; empty: none
+  VectorX scale_;                                               ///< 1/√|B_ii|
   PivotRange block_pivots_;
   VectorX right_; ///< of the block
 };

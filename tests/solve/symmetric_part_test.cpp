@@ -60,6 +60,8 @@ TEST(SymmetricPart, MeasuresTheChangeOfTheBlock) {
   SymmetricPart part(make_schur_cholesky(0), SymmetricPart::Border::always);
   part.watch(watched);
   ASSERT_TRUE(part.factor(pattern, old));
+  EXPECT_FALSE(part.change(old.data()) < 1e300);
+  part.remember(old.data());
   EXPECT_EQ(part.change(old.data()), 0);
   Values present = old;
   for (std::size_t k = 0; k < old.size(); ++k) present[k] += noise[k];
@@ -70,6 +72,8 @@ TEST(SymmetricPart, MeasuresTheChangeOfTheBlock) {
   const double expected = (scale.asDiagonal() * change * scale.asDiagonal()).norm();
   EXPECT_NEAR(part.change(present.data()), expected, 1e-9 * expected);
   ASSERT_TRUE(part.update(present.data()));
+  EXPECT_FALSE(part.change(present.data()) < 1e300);
+  part.remember(present.data());
   EXPECT_EQ(part.change(present.data()), 0);
   part.adopt(pattern);
   EXPECT_FALSE(part.change(present.data()) < 1e300);
