@@ -39,7 +39,7 @@ A soft block with a spherical bottom (R = 7.5) is pressed into an equally soft s
 of one element of the sparse mesh, without friction. The exact forces are nearly constant, so the error is
 their oscillation. Failed steps are halved, and their time counts. "Local": the layer of the slab is in the part that
 the indenter reaches only, from 7.5 before its center at first to 7.5 beyond it at last, and from 7.5 to 22.5 across;
-"following": layers are in the elements that touch and one beside them (`adapt = { margin = 1 }`).]],
+"following": the layers are in the elements in contact and one more on each side (`adapt = { margin = 1 }`).]],
   orders = { "N2", "N4", "N2-N4", "N2-N2.1", "N2-N2.2", "N2-N2.2 local", "N2-N2.2 following" },
   meshes = { "sparse", "coarse", "middle" }, rounds = 1,
   -- The middle mesh serves for comparison with layers on coarser ones; with layers it would take minutes.
