@@ -31,12 +31,6 @@ inline constexpr double reuse_above = 35;
 inline constexpr int most_iterations = 40;
 /// Iterations per system expected with new factors, when the cost of a new factorization is estimated.
 inline constexpr int usual_iterations = 6;
-/// Iterations of GMRES that a system takes in addition with the block of earlier values, per relative change
-/// (SymmetricPart::change()), and systems for which a new block serves. Ironing in space takes 2 to 5 more after
-/// changes of 5 to 15, none after changes below 1.
-inline constexpr double iterations_per_change = 0.4, systems_per_block = 5;
-/// Least operations of the LU of a block that is worth keeping: below, it takes some hundredths of a second at most.
-inline constexpr double least_kept_operations = 1e8;
 /// Contact unknowns are not ordered last if that multiplies a factorization's operations by more than `most_bordered`,
 /// which is found out where the LU of their block takes more than the part `large_block` of these operations. For a
 /// strip of 10 rows of elements whose layer follows the peeling front the factor was 3.5, and the run took 1.6 times as

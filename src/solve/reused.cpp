@@ -40,14 +40,11 @@ public:
 private:
   enum class Preconditioner { none, symmetric_part, direct };
 
-  bool update_block();
-  void remember_block();
   bool renew();
   bool renew_direct();
   void begin_cycle(Preconditioner used, const SolverStatistics& factors);
   bool apply(double* z);
   double iteration_cost() const;
-  double block_cost() const;
   int budget() const;
   void record(const KrylovReport& report);
 
@@ -60,7 +57,6 @@ private:
   bool analyzed_ = false;                ///< whether direct_ has analyzed the current pattern
   Preconditioner used_ = Preconditioner::none;
   bool present_ = false; ///< whether the preconditioner was made from the current values
-  double old_block_ = 0; ///< iterations per system that are expected because the block is that of earlier values
   bool first_ = true;    ///< whether the next right-hand side is the first since factor()
   Forcing forcing_;
   Gmres gmres_;
@@ -77,39 +73,13 @@ double Reused::iteration_cost() const {
   return entries_ + pattern_.entries();
 }
 
-/// The same for a factorization of the block.
-double Reused::block_cost() const {
-  return symmetric_part_->update_operations() / operations_per_entry;
-}
-
 bool Reused::factor(const double* values) {
   matrix_.set(values);
   present_ = false;
   first_ = true;
-  old_block_ = 0;
-  if (used_ == Preconditioner::symmetric_part) {
-    const double more = iterations_per_change * symmetric_part_->change(values);
-    if (systems_per_block * more * iteration_cost() <= block_cost())
-      old_block_ = more;
-    else
-      update_block();
-  }
+  // A singular symmetric part does not imply a singular K: renew() decides.
+  if (used_ == Preconditioner::symmetric_part && !symmetric_part_->update(values)) used_ = Preconditioner::none;
   return used_ != Preconditioner::none || renew();
-}
-
-/// A singular symmetric part does not imply a singular K: renew() decides.
-bool Reused::update_block() {
-  old_block_ = 0;
-  if (symmetric_part_->update(matrix_.values().data()))
-    remember_block();
-  else
-    used_ = Preconditioner::none;
-  return used_ != Preconditioner::none;
-}
-
-/// Without this, the next factor() does not keep the block.
-void Reused::remember_block() {
-  if (symmetric_part_->update_operations() >= least_kept_operations) symmetric_part_->remember(matrix_.values().data());
 }
 
 bool Reused::adopt(const Pattern& pattern) {
@@ -128,14 +98,12 @@ void Reused::begin_cycle(Preconditioner used, const SolverStatistics& factors) {
   factor_cost_ =
       factors.operations > 0 ? factors.operations / operations_per_entry : most_iterations * iteration_cost();
   excess_ = 0;
-  old_block_ = 0;
 }
 
 bool Reused::renew() {
   if (!symmetric_part_ || !symmetric_part_->factor(pattern_, matrix_.values())) return renew_direct();
   direct_.reset();
   analyzed_ = false;
-  remember_block();
   begin_cycle(Preconditioner::symmetric_part, symmetric_part_->statistics());
   return true;
 }
@@ -158,15 +126,14 @@ bool Reused::apply(double* z) {
 /// Iterations allowed before a new factorization: as many as it and the iterations after it cost.
 int Reused::budget() const {
   if (present_) return most_iterations;
-  const double cost = old_block_ > 0 ? block_cost() : factor_cost_;
-  return static_cast<int>(std::min<double>(most_iterations, usual_iterations + cost / iteration_cost()));
+  return static_cast<int>(std::min<double>(most_iterations, usual_iterations + factor_cost_ / iteration_cost()));
 }
 
 void Reused::record(const KrylovReport& report) {
   statistics_.iterations += report.iterations;
   const double digits = std::clamp(-std::log10(report.reduction), least_digits, most_digits);
   if (present_) rate_ = report.iterations / digits;
-  excess_ = std::max(0.0, excess_ + report.iterations - std::max(1.0, rate_ * digits) - old_block_);
+  excess_ = std::max(0.0, excess_ + report.iterations - std::max(1.0, rate_ * digits));
 }
 
 bool Reused::solve(double* b) {
@@ -192,7 +159,7 @@ bool Reused::solve(double* b) {
     if (left <= tolerance) break;
     // Too slow: try a better preconditioner, if there is one
     if (present_ && used_ == Preconditioner::direct) return false;
-    if (old_block_ > 0 ? !update_block() && !renew() : !(present_ ? renew_direct() : renew())) return false;
+    if (!(present_ ? renew_direct() : renew())) return false;
     matrix_.multiply(sum_.data(), rest_.data());
     rest_ = right_ - rest_;
     left = rest_.norm() / norm;

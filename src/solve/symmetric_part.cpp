@@ -4,8 +4,6 @@
 #include "solve/dense_factors.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <type_traits>
 
 namespace signorini::solve {
@@ -26,7 +24,8 @@ void SymmetricPart::adopt(const Pattern& pattern) {
 
 void SymmetricPart::analyze(const Pattern& pattern) {
   solver_->analyze(pattern, watched_);
-  const double bordered = solver_->statistics().operations, block = block_operations();
+  const double bordered = solver_->statistics().operations, size = border();
+  const double block = 2.0 / 3.0 * size * size * size;
   if (policy_ == Border::where_cheap && bordered > 0 && block > large_block * bordered) {
     solver_->analyze(pattern, {});
     if (block <= bordered && bordered <= most_bordered * solver_->statistics().operations)
@@ -41,7 +40,6 @@ void SymmetricPart::locate(const Pattern& pattern) {
   std::vector<int> place(at(pattern.size), -1), unknowns = solver_->border();
   std::sort(unknowns.begin(), unknowns.end());
   for (int k = 0; k < border(); ++k) place[at(unknowns[at(k)])] = k;
-  entries_.clear();
   places_.clear();
   for (int unknown : solver_->border()) places_.push_back(place[at(unknown)]);
   runs_.clear();
@@ -96,35 +94,7 @@ template <class Real> bool SymmetricPart::factor_block(const double* values) {
 
 bool SymmetricPart::update(const double* values) {
   if (border() == 0) return true;
-  entries_.clear();
   return (precision_ == Precision::single && factor_block<float>(values)) || factor_block<double>(values);
-}
-
-void SymmetricPart::remember(const double* values) {
-  entries_.clear();
-  scale_ = constant_.diagonal();
-  for (const auto& [position, row, column, length] : runs_) {
-    entries_.insert(entries_.end(), values + position, values + position + length);
-    if (row <= column && column < row + length) scale_(column) += values[position + column - row];
-  }
-  scale_ = scale_.cwiseAbs().cwiseSqrt().cwiseInverse();
-}
-
-double SymmetricPart::change(const double* values) const {
-  if (border() == 0) return 0;
-  if (entries_.empty()) return std::numeric_limits<double>::infinity();
-  double sum = 0;
-  const double* before = entries_.data();
-  for (const auto& [position, row, column, length] : runs_) {
-    const Eigen::Map<const VectorX> old(before, length), now(values + position, length);
-    sum += scale_(column) * scale_(column) * (now - old).cwiseProduct(scale_.segment(row, length)).squaredNorm();
-    before += length;
-  }
-  return std::sqrt(sum);
-}
-
-double SymmetricPart::update_operations() const {
-  return precision_ == Precision::single ? block_operations() / 2 : block_operations(); // twice as many at once
 }
 
 bool SymmetricPart::solve(double* b) {
@@ -148,7 +118,7 @@ SolverStatistics SymmetricPart::statistics() const {
   SolverStatistics sum = solver_->statistics();
   const double square = static_cast<double>(border()) * border();
   sum.entries += square; // factors of the block
-  sum.memory += sizeof(double) * (3 * square + static_cast<double>(entries_.size()));
+  sum.memory += 3 * sizeof(double) * square;
   return sum;
 }
 

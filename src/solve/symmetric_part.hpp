@@ -4,7 +4,6 @@
 #include "solve/dense_factors.hpp"
 #include "solve/schur.hpp"
 
-#include <cmath>
 #include <variant>
 
 namespace signorini::solve {
@@ -18,7 +17,7 @@ namespace signorini::solve {
 class SymmetricPart {
 public:
   /// Whether the watched unknowns always form the border, or only if the LU of their block needs fewer operations than
-  /// the factorization that it saves; otherwise c is empty.
+  /// the factorization that it saves, and the border does not make that much more expensive; otherwise c is empty.
   enum class Border { always, where_cheap };
 
   /// `precision`: of the factors of the block of c; full precision where single does not show whether it is singular.
@@ -37,13 +36,6 @@ public:
   bool condense(const Pattern& pattern, const std::vector<double>& values);
   /// Sets K_cc from the current values. Returns false if M is singular.
   bool update(const double* values);
-  /// Keeps K_cc of these values, which are those of the last update(), for change().
-  void remember(const double* values);
-  /// ‖Δ‖ of Δ_ij = (K_ij − K'_ij)/√(B_ii B_jj), K the current values of K_cc, K' those of remember(), B their block
-  /// S − K⁰_cc + K'_cc. Infinite or NaN if it is unknown, as after an update() without remember().
-  double change(const double* values) const;
-  /// Floating-point operations of update().
-  double update_operations() const;
   /// Overwrites b by M⁻¹ b. Call after a successful factor() or update().
   bool solve(double* b);
   /// Pivots of K⁰_ii, and of the block of c at the last update().
@@ -62,8 +54,6 @@ private:
   void locate(const Pattern& pattern);
   template <class Real> bool factor_block(const double* values);
   int border() const { return static_cast<int>(solver_->border().size()); }
-  /// Floating-point operations of the LU of the block of c.
-  double block_operations() const { return 2.0 / 3.0 * std::pow(border(), 3); }
 
   std::unique_ptr<SchurSolver> solver_;
   Border policy_;
@@ -75,8 +65,6 @@ private:
   MatrixX constant_;        ///< S − K⁰_cc
   std::variant<DenseMatrix<double>, DenseMatrix<float>> block_; ///< the factors of S − K⁰_cc + K_cc
   std::vector<int> exchanges_;                                  ///< row exchanges in LAPACK's numbering
-  std::vector<double> entries_;                                 ///< K_cc of remember(), run by run; empty: none
-  VectorX scale_;                                               ///< 1/√|B_ii|
   PivotRange block_pivots_;
   VectorX right_; ///< of the block
 };

@@ -58,36 +58,6 @@ TEST(Reused, SolvesCorrectionsOfMultipliersMoreAccurately) {
   }
 }
 
-/// With the present block one iteration is enough here, since nothing else changes: more show that the block is kept.
-TEST(Reused, KeepsALargeBlockWhileItChangesLittle) {
-  std::mt19937 random(56);
-  const Pattern pattern = cube(14);
-  std::vector<int> watched;
-  for (int i = 0; i < 540; ++i) watched.push_back(i);
-  const Values base = random_definite(random, pattern);
-  const auto solver = make_solver(LinearKind::reuse, pattern);
-  solver->watch(watched);
-  const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
-  const auto iterations_for = [&](double stiffer) {
-    Values values = base;
-    for (int i : watched) values[at(pattern.find(i, i))] *= 1 + stiffer;
-    const int before = solver->statistics().iterations;
-    EXPECT_TRUE(solver->factor(values.data()));
-    for (double promised : {loosest_tolerance, tightest_tolerance}) {
-      VectorXd x = b;
-      EXPECT_TRUE(solver->solve(x.data()));
-      EXPECT_LE(residual(pattern, values, x, b), 1.0001 * promised) << stiffer;
-    }
-    return solver->statistics().iterations - before;
-  };
-  EXPECT_EQ(iterations_for(0), 2);
-  EXPECT_GT(iterations_for(1e-3), 2); // kept
-  EXPECT_EQ(iterations_for(100), 2);
-  EXPECT_GT(iterations_for(100.1), 2); // kept
-  EXPECT_EQ(iterations_for(0), 2);
-  EXPECT_EQ(solver->statistics().factorizations, 1);
-}
-
 /// As in the first predictor of arc-length continuation: a zero residual, then the rate of the prescribed
 /// displacements.
 TEST(Reused, RightHandSideAfterZeroIsSolvedTightly) {

@@ -51,34 +51,6 @@ Eigen::MatrixXd with_block(const Pattern& pattern, const Values& old, const Valu
   return m;
 }
 
-TEST(SymmetricPart, MeasuresTheChangeOfTheBlock) {
-  std::mt19937 random(55);
-  const Pattern pattern = cube(3);
-  std::vector<int> watched;
-  for (int i = 0; i < pattern.size; i += 4) watched.push_back(i);
-  const Values old = random_definite(random, pattern), noise = random_values(random, pattern);
-  SymmetricPart part(make_schur_cholesky(0), SymmetricPart::Border::always);
-  part.watch(watched);
-  ASSERT_TRUE(part.factor(pattern, old));
-  EXPECT_FALSE(part.change(old.data()) < 1e300);
-  part.remember(old.data());
-  EXPECT_EQ(part.change(old.data()), 0);
-  Values present = old;
-  for (std::size_t k = 0; k < old.size(); ++k) present[k] += noise[k];
-  // B: the Schur complement of the watched unknowns
-  const Eigen::MatrixXd inverse = dense(pattern, old).inverse();
-  const Eigen::MatrixXd block = inverse(watched, watched).inverse(), change = dense(pattern, noise)(watched, watched);
-  const VectorXd scale = block.diagonal().cwiseSqrt().cwiseInverse();
-  const double expected = (scale.asDiagonal() * change * scale.asDiagonal()).norm();
-  EXPECT_NEAR(part.change(present.data()), expected, 1e-9 * expected);
-  ASSERT_TRUE(part.update(present.data()));
-  EXPECT_FALSE(part.change(present.data()) < 1e300);
-  part.remember(present.data());
-  EXPECT_EQ(part.change(present.data()), 0);
-  part.adopt(pattern);
-  EXPECT_FALSE(part.change(present.data()) < 1e300);
-}
-
 TEST(SymmetricPart, UpdatesTheBlockOfWatchedUnknowns) {
   std::mt19937 random(50);
   enum class Interior { full, single, klu };
