@@ -2,6 +2,7 @@
 // blocks.
 #include "solve/symmetric_part.hpp"
 
+#include "solve/constants.hpp"
 #include "solve/matrices.hpp"
 #include "solve/reused.hpp"
 #include "solve/values.hpp"
@@ -100,6 +101,34 @@ TEST(SymmetricPart, UpdatesTheBlockOfWatchedUnknowns) {
     ASSERT_TRUE(part.update(present.data()));
     check(start, present);
     EXPECT_EQ(part.statistics().factorizations, 1);
+  }
+}
+
+/// A long strip whose contact unknowns are its lower edge: without them no narrow separator is left.
+TEST(SymmetricPart, BorderDoesNotMultiplyOperations) {
+  constexpr int columns = 300, rows = 6;
+  std::vector<std::vector<int>> groups;
+  for (int i = 0; i + 1 < columns; ++i)
+    for (int j = 0; j + 1 < rows; ++j) {
+      const int node = rows * i + j;
+      groups.push_back({node, node + 1, node + rows, node + rows + 1});
+    }
+  const Pattern pattern = couple(columns * rows, groups);
+  std::mt19937 random(57);
+  const Values values = random_definite(random, pattern);
+  SymmetricPart plain(make_schur_cholesky(0));
+  ASSERT_TRUE(plain.factor(pattern, values));
+  const double least = plain.statistics().operations;
+  for (int length : {5, 20, 50, 100, 200, 300}) {
+    std::vector<int> edge;
+    for (int i = 0; i < length; ++i) edge.push_back(rows * i);
+    SymmetricPart part(make_schur_cholesky(0));
+    part.watch(edge);
+    ASSERT_TRUE(part.factor(pattern, values));
+    EXPECT_LE(part.statistics().operations, most_bordered * least) << length;
+    if (length == 5) {
+      EXPECT_GT(part.statistics().operations, least);
+    }
   }
 }
 
