@@ -16,12 +16,12 @@
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1 to 7.5; printed savings from section 7.1.3,
 --         section 7.2 and Table 7.6.
 -- Units: times in s; errors in N/mm (ironing), 1 (Hertz), N/m²·√m (rings), E0 L0³ (peeling); 3D: any consistent ones.
--- Expected: at equal error, in the middle of the common range, N2-N2.2 takes about a tenth of the time of N2 in
---           ironing, a quarter in peeling, two fifths in Hertz, four fifths in the rings; of the time of N4 about a
---           seventh, a sixth, a fifth and two fifths; in 3D it is better on the sparse mesh than N2 on the middle mesh.
+-- Expected: at equal error, in the middle of the common range, N2-N2.2 takes a seventh of the time of N2 in ironing, a
+--           fifth in peeling, under a half in Hertz, three quarters in the rings; of the time of N4 a seventh to a
+--           quarter, a twelfth, a quarter and a half; in 3D it is better on the sparse mesh than N2 on the middle mesh.
 --           The thesis prints 56.62 and 72.78 % less time for ironing (N2-N2.2 at m1, m2 compared with N2 at m3, m4),
---           here over 90; 42.48 and 43.74 % for Hertz (at m3, m4 compared with N2 at m4, m5), here 52 to 62. About a
---           quarter of an hour on one processor.
+--           here 79 and 92; 42.48 and 43.74 % for Hertz (at m3, m4 compared with N2 at m4, m5), here 54. About half an
+--           hour on one processor.
 -- Run: signorini scripts/speed_against_accuracy.lua [problems=ironing,hertz,rings,peeling,ironing3d] [orders=all]
 --      [meshes=all] [rounds=0] [time=wall] [out=out/speed_against_accuracy] [page=none]; orders, meshes: all of a
 --      problem, or a list (any discretizations; meshes of the problem); rounds: runs per case, for medians, 0 is the

@@ -22,6 +22,6 @@ controls.plain = sg.plain
 controls.robust = sg.robust
 controls.cutting = with("step", { adaptive = true })
 controls.fallback = with("fallback", true)
-controls.prediction = with("predictor", "linear")
+controls.prediction = with("predictor", "quadratic")
 
 return controls
