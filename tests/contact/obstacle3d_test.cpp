@@ -58,7 +58,7 @@ std::vector<Shape> shapes(Random& random) {
 
 TEST(ObstacleIn3D, GapIsTheSignedDistance) {
   Random random(1);
-  for (int trial = 0; trial < 50; ++trial)
+  for (int trial = 0; trial < 20; ++trial)
     for (const Shape& shape : shapes(random)) {
       Master<3> master(shape.shape);
       const Vec<3> shift = anywhere(random, 1), x = anywhere(random, 3);
@@ -79,7 +79,7 @@ TEST(ObstacleIn3D, GapIsTheSignedDistance) {
 TEST(ObstacleIn3D, DerivativeOfTheNormalFollowsFromTangentsAndSecondDerivatives) {
   // Changes of the closest point, τ_α δξ^α, and of the normal, −m^{αβ} (n·x_,βγ) τ_α δξ^γ, against differences in x.
   Random random(2);
-  for (int trial = 0; trial < 30; ++trial)
+  for (int trial = 0; trial < 12; ++trial)
     for (const Shape& shape : shapes(random)) {
       const Master<3> master(shape.shape);
       const Vec<3> x = anywhere(random, 3), direction = anywhere(random, 1);
@@ -108,7 +108,7 @@ TEST(ObstacleIn3D, DerivativeOfTheNormalFollowsFromTangentsAndSecondDerivatives)
 
 TEST(ObstacleIn3D, SlipPointFollowsOnTheShortestPath) {
   Random random(3);
-  for (int trial = 0; trial < 50; ++trial)
+  for (int trial = 0; trial < 20; ++trial)
     for (const Shape& shape : shapes(random)) {
       const Master<3> master(shape.shape);
       FacePoint<3> foot, slip, after;

@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 TEST(Reused, SolvesDriftingTangentsWithFewFactorizations) {
   std::mt19937 random(41);
   for (double skew : {0.0, 1.0, 10.0}) {
-    const Drift drift(random, cube(9), skew);
+    const Drift drift(random, cube(7), skew);
     const auto solver = make_solver(LinearKind::reuse, drift.pattern);
     EXPECT_EQ(solver->kind(), LinearKind::reuse);
     const int rounds = 40;
