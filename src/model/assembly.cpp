@@ -40,12 +40,13 @@ Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const 
     : scene_(scene), unknowns_(unknowns), contacts_(contacts), followers_(followers), springs_(springs),
       ties_(tie_terms(scene, unknowns, ties)), border_(tie_border(scene, unknowns, ties)), placements_(contacts.size()),
       is_contact_unknown_(at(unknowns.size()), false), product_(unknowns.dofs()) {
-  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+  for (const auto& named : scene_.bodies) linear_ = linear_ && named.body->linear();
+  for (std::size_t b = 0; b < scene_.bodies.size() && !linear_; ++b) {
     const solid::Body<D>& body = *scene_.bodies[b].body;
     partitions_.push_back(partition(unknowns_, body, unknowns_.offset(static_cast<int>(b))));
     arrays_.insert(arrays_.end(), partitions_.back().heads.size(), solid::ElementArrays<D>(body));
-    linear_ = linear_ && body.linear();
   }
+  if (linear_) build_stiffness();
   // Bodies have no stiffness at the unknowns of obstacles, which their factors must not contain.
   for (int dof = unknowns.obstacles(); dof < unknowns.displacements(); ++dof)
     if (const int i = unknowns.unknown(dof); i >= 0) border_.push_back(i);
@@ -81,10 +82,10 @@ std::optional<BodyInversion> Assembly<D>::assemble(const States<D>& states, cons
   return std::nullopt;
 }
 
-/// Assembly of a share of a body, and the time for it.
+/// Assembly of a share of a body, or of a whole linear body, and the time for it.
 template <int D> struct Assembly<D>::Task {
   std::size_t body, share;
-  solid::ElementArrays<D>* arrays;
+  solid::ElementArrays<D>* arrays; ///< not of a linear body
   double seconds = 0;
   std::optional<BodyInversion> inverted = {};
 };
@@ -93,6 +94,7 @@ template <int D> struct Assembly<D>::Task {
 /// then need a new pattern, the bodies are assembled again.
 template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Request& request, Timings& timings) {
   std::vector<Task> tasks;
+  for (std::size_t b = 0; b < stiffness_.size(); ++b) tasks.push_back({b, 0, nullptr});
   for (std::size_t b = 0; b < partitions_.size(); ++b)
     for (std::size_t share = 0; share < partitions_[b].heads.size(); ++share)
       tasks.push_back({b, share, &arrays_[tasks.size()]});
@@ -118,6 +120,7 @@ template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Reques
         return contacts_[task.contact]->evaluate_part(task.part, trials[task.contact], request.tangent);
       }
       Task& task = tasks[at(i) - contacts];
+      if (linear_) return add_linear_body(request, task);
       add_elements(partitions_[task.body].heads[task.share], request, task);
     });
   };
@@ -138,12 +141,14 @@ template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Reques
     else
       add_heads(0);
   }
-  parallel(static_cast<int>(tasks.size()), [&](int i) {
-    Task& task = tasks[at(i)];
-    add_elements(partitions_[task.body].tails[task.share], request, task);
-  });
-  for (Task& task : tasks)
-    if (task.share == 0) add_elements(partitions_[task.body].rest, request, task);
+  if (!linear_) {
+    parallel(static_cast<int>(tasks.size()), [&](int i) {
+      Task& task = tasks[at(i)];
+      add_elements(partitions_[task.body].tails[task.share], request, task);
+    });
+    for (Task& task : tasks)
+      if (task.share == 0) add_elements(partitions_[task.body].rest, request, task);
+  }
 
   // The elapsed time is divided in proportion to the times of the tasks.
   double bulk = 0, contact = gathering;
@@ -169,15 +174,24 @@ template <int D> void Assembly<D>::add_elements(const std::vector<int>& elements
     if (!task.inverted) add_element(e, request, task);
 }
 
+/// Adds a linear body's force K u and, if there is a direction, the product with it.
+template <int D> void Assembly<D>::add_linear_body(const Request& request, Task& task) {
+  ScopedTimer timer(task.seconds);
+  const int offset = unknowns_.offset(static_cast<int>(task.body));
+  const auto& [present, accepted, controls, loads] = request.states;
+  const solve::SymmetricBlocks<D>& stiffness = stiffness_[task.body];
+  stiffness.multiply(present.displacement.data() + offset, present.force.data() + offset);
+  if (request.direction) stiffness.multiply(request.direction->data() + offset, product_.data() + offset);
+}
+
 template <int D> void Assembly<D>::add_element(int e, const Request& request, Task& task) {
   const int b = static_cast<int>(task.body), offset = unknowns_.offset(b);
   const solid::Body<D>& body = *scene_.bodies[task.body].body;
   solid::ElementArrays<D>& arrays = *task.arrays;
-  const bool scatters = request.tangent && !linear_;
   const bool multiplies = request.direction && supports_[task.body][at(e)].any;
   const double* displacement = request.states.present.displacement.data() + offset;
   if (const auto inversion =
-          internal_force(body, e, displacement, arrays, scatters || multiplies,
+          internal_force(body, e, displacement, arrays, request.tangent || multiplies,
                          request.states.accepted.internal[task.body], request.states.present.internal[task.body])) {
     task.inverted = BodyInversion{b, *inversion};
     return;
@@ -188,15 +202,16 @@ template <int D> void Assembly<D>::add_element(int e, const Request& request, Ta
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t i = 0; i < D; ++i)
       force(offset + D * functions[a] + static_cast<int>(i)) += arrays.force[i * n + a];
-  if (scatters) scatter(b, e, arrays, values_.data());
+  if (request.tangent) scatter(b, e, arrays);
   if (multiplies) multiply(b, e, arrays, *request.direction);
 }
 
 /// Positions are those of add_nodes() or, if not all nodes are whole, of every entry: of K_ij, i ≤ j, and of K_ji.
-template <int D> void Assembly<D>::scatter(int b, int e, const solid::ElementArrays<D>& arrays, double* values) const {
+template <int D> void Assembly<D>::scatter(int b, int e, const solid::ElementArrays<D>& arrays) {
   const std::size_t n = scene_.bodies[at(b)].body->functions_of_macro(e).size();
   const int* position = positions_.data() + first_position_[at(b)][at(e)];
   const double* block = arrays.blocks.data();
+  double* const values = values_.data();
   if (supports_[at(b)][at(e)].whole) return add_nodes<D>(n, position, block, values, std::make_index_sequence<D>());
   for (int i = 0; i < D; ++i)
     for (int j = i; j < D; ++j, block += n * n)
@@ -279,6 +294,7 @@ template <int D> double Assembly<D>::memory() const {
   double sum = bytes(values_) + bytes(constant_) + bytes(constant_positions_) + bytes(positions_) +
                bytes(bulk_positions_) + bytes(ties_.couplings) + bytes(tie_positions_) + bytes(follower_positions_) +
                bytes(spring_positions_);
+  for (const auto& stiffness : stiffness_) sum += stiffness.memory();
   for (const solve::Pattern* pattern : {&bulk_pattern_, &pattern_})
     sum += bytes(pattern->starts) + bytes(pattern->rows);
   for (const auto& placements : placements_)

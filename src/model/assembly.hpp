@@ -7,7 +7,7 @@
 #include "model/state.hpp"
 #include "model/tie_terms.hpp"
 #include "solid/internal.hpp"
-#include "solve/pattern.hpp"
+#include "solve/symmetric_blocks.hpp"
 
 #include <optional>
 #include <unordered_map>
@@ -60,6 +60,8 @@ public:
   const solve::Pattern& pattern() const { return pattern_; }
   /// Incremented whenever the pattern changes.
   int pattern_version() const { return version_; }
+  /// Energy stored in the bodies at a displacement and internal variables, see solid::stored_energy().
+  double stored_energy(const VectorX& displacement, const std::vector<std::vector<double>>& internal) const;
   /// The constant tangent of bodies, springs and ties if all bodies are linear elastic; otherwise empty.
   const std::vector<double>& constant_values() const { return constant_; }
   /// The unknowns on which contacts act or may soon act, sorted. The list is extended in large pieces, each with a new
@@ -72,12 +74,13 @@ public:
   VectorX diagonal() const;
   /// Adds a vector, by unknown, to the tangent's diagonal.
   void add_diagonal(const VectorX& shift);
-  /// Bytes of the tangent, its patterns and the positions of the elements' entries.
+  /// Bytes of the tangent, its patterns, the positions of the elements' entries and the stiffness of linear bodies.
   double memory() const;
 
 private:
   using Nodes = std::vector<int>;
   void build_bulk();
+  void build_stiffness();
   void build_constant();
   void move_constant(std::vector<int> moved);
   void list_contact_unknowns();
@@ -98,7 +101,8 @@ private:
   void set_values(const Request& request);
   void add_elements(const std::vector<int>& elements, const Request& request, Task& task);
   void add_element(int e, const Request& request, Task& task);
-  void scatter(int body, int e, const solid::ElementArrays<D>& arrays, double* values) const;
+  void add_linear_body(const Request& request, Task& task);
+  void scatter(int body, int e, const solid::ElementArrays<D>& arrays);
   void multiply(int body, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction);
   void add_contacts(const Request& request);
   void add_angles(const Request& request);
@@ -134,7 +138,7 @@ private:
   std::vector<std::vector<std::size_t>> first_position_; ///< [body][element]
   std::vector<std::vector<Support>> supports_;           ///< [body][element]
   std::vector<std::unordered_map<std::uint64_t, Placement>> placements_; ///< per contact, by Block::key()
-  std::vector<Partition> partitions_;                                    ///< per body
+  std::vector<Partition> partitions_;                                    ///< per body, unless linear_
   std::vector<solid::ElementArrays<D>> arrays_;                          ///< per body and share of its partition
   std::vector<int> tie_positions_; ///< in values_, of each coupling and its transpose; −1 without unknown
   std::vector<int> follower_positions_, spring_positions_;
@@ -144,7 +148,8 @@ private:
   std::vector<int> constant_positions_; ///< of the entries of bulk_pattern_ in constant_
   std::optional<std::vector<int>> changed_; ///< of linear bodies: entries of values_ that may differ from constant_;
                                             ///< nothing: any
-  bool linear_ = true;
+  bool linear_ = true; ///< whether all bodies are; if so, no elements are assembled after construction
+  std::vector<solve::SymmetricBlocks<D>> stiffness_; ///< of all degrees of freedom of each body, if linear_
   std::vector<int> contact_unknowns_;
   std::vector<char> is_contact_unknown_;
   int contact_version_ = 0;

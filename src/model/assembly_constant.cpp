@@ -2,24 +2,68 @@
 #include "model/assembly.hpp"
 
 #include "base/index.hpp"
+#include "solve/values.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace signorini::model {
 
-/// Computes the tangent of linear bodies, with ties and springs.
-template <int D> void Assembly<D>::build_constant() {
-  constant_.assign(values_.size(), 0.0);
-  const VectorX rest = VectorX::Zero(unknowns_.dofs());
-  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
-    const solid::Body<D>& body = *scene_.bodies[b].body;
+/// Computes the stiffness of linear bodies. It depends on the bodies alone: not on supports, contacts or patterns.
+template <int D> void Assembly<D>::build_stiffness() {
+  for (const auto& named : scene_.bodies) {
+    const solid::Body<D>& body = *named.body;
+    std::vector<Nodes> groups;
+    for (int e = 0; e < body.macro_elements(); ++e) {
+      const auto functions = body.functions_of_macro(e);
+      groups.emplace_back(functions.begin(), functions.end());
+    }
+    stiffness_.emplace_back(body.functions(), groups);
+    const VectorX rest = VectorX::Zero(D * body.functions());
     solid::ElementArrays<D> arrays(body);
     for (int e = 0; e < body.macro_elements(); ++e) {
       internal_force(body, e, rest.data(), arrays);
-      scatter(static_cast<int>(b), e, arrays, constant_.data());
+      stiffness_.back().add(body.functions_of_macro(e), arrays.blocks.data());
     }
   }
+}
+
+template <int D>
+double Assembly<D>::stored_energy(const VectorX& displacement, const std::vector<std::vector<double>>& internal) const {
+  double sum = 0;
+  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+    const double* own = displacement.data() + unknowns_.offset(static_cast<int>(b));
+    const solid::Body<D>& body = *scene_.bodies[b].body;
+    if (linear_) {
+      // ½ u·K u
+      VectorX force = VectorX::Zero(D * body.functions());
+      stiffness_[b].multiply(own, force.data());
+      sum += 0.5 * force.dot(Eigen::Map<const VectorX>(own, force.size()));
+    } else {
+      sum += solid::stored_energy(body, own, internal[b]);
+    }
+  }
+  return sum;
+}
+
+/// Computes the tangent of linear bodies, with ties and springs.
+template <int D> void Assembly<D>::build_constant() {
+  constant_.assign(values_.size(), 0.0);
+  for (std::size_t b = 0; b < stiffness_.size(); ++b) {
+    const int offset = unknowns_.offset(static_cast<int>(b));
+    stiffness_[b].visit_upper([&](int row, int column, int count, const double* values) {
+      const int j = unknowns_.unknown(offset + row);
+      int before = -2, position = 0; // the last unknown, and its position in column j
+      for (int k = 0; k < count && j >= 0; ++k) {
+        const int i = unknowns_.unknown(offset + column + k);
+        if (i < 0) continue;
+        position = i == before + 1 ? position + 1 : pattern_.find(i, j);
+        before = i;
+        constant_[at(position)] += values[k];
+      }
+    });
+  }
+  solve::add_transpose(pattern_, constant_.data()); // K = Uᵀ + U
   add_ties(constant_.data());
   add_springs(constant_.data());
 }
@@ -52,9 +96,13 @@ template <int D> void Assembly<D>::set_values(const Request& request) {
   }
 }
 
+template void Assembly<2>::build_stiffness();
+template double Assembly<2>::stored_energy(const VectorX&, const std::vector<std::vector<double>>&) const;
 template void Assembly<2>::build_constant();
 template void Assembly<2>::move_constant(std::vector<int>);
 template void Assembly<2>::set_values(const Request&);
+template void Assembly<3>::build_stiffness();
+template double Assembly<3>::stored_energy(const VectorX&, const std::vector<std::vector<double>>&) const;
 template void Assembly<3>::build_constant();
 template void Assembly<3>::move_constant(std::vector<int>);
 template void Assembly<3>::set_values(const Request&);

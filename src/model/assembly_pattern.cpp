@@ -25,23 +25,26 @@ template <int D> void Assembly<D>::build_bulk() {
   std::vector<Nodes> groups;
   for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
     const solid::Body<D>& body = *scene_.bodies[b].body;
-    supports_.emplace_back();
+    if (!linear_) supports_.emplace_back();
     for (int e = 0; e < body.macro_elements(); ++e) {
       Nodes group;
       bool supported = false;
-      for (int function : body.functions_of_macro(e))
+      const auto functions = body.functions_of_macro(e);
+      group.reserve(D * functions.size());
+      for (int function : functions)
         for (int c = 0; c < D; ++c) {
           const int dof = unknowns_.offset(static_cast<int>(b)) + D * function + c;
           group.push_back(unknowns_.unknown(dof));
           supported = supported || unknowns_.constrained(dof);
         }
-      supports_.back().push_back({supported, whole_nodes<D>(group)});
+      if (!linear_) supports_.back().push_back({supported, whole_nodes<D>(group)});
       groups.push_back(std::move(group));
     }
   }
   for (const auto& [multiplier, displacement, value] : ties_.couplings)
     groups.push_back({unknowns_.unknown(multiplier), unknowns_.unknown(displacement)});
   bulk_pattern_ = solve::couple(unknowns_.size(), groups);
+  if (linear_) return;
 
   // Positions in the order in which scatter() reads ElementArrays::blocks
   int trash = bulk_pattern_.entries(), first_trash = trash;

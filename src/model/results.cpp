@@ -62,11 +62,9 @@ template <int D> Vec<D> load_resultant(const Model<D>& model, int load) {
 }
 
 template <int D> Energies energies(const Model<D>& model) {
-  Energies sum{model.system.springs.energy(model.present.displacement), 0, 0, model.path.work};
-  const auto& bodies = model.system.scene.bodies;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    sum.stored += solid::stored_energy(*bodies[b].body, body_displacement(model, static_cast<int>(b)).data(),
-                                       model.accepted.internal[b]);
+  const VectorX& displacement = model.present.displacement;
+  Energies sum{model.system.springs.energy(displacement), 0, 0, model.path.work};
+  sum.stored += model.system.assembly.stored_energy(displacement, model.accepted.internal);
   for (const auto& history : model.present.contacts) {
     sum.contact += contact::potential(history);
     sum.friction += history.dissipated;

@@ -8,10 +8,34 @@
 
 namespace signorini::solve {
 
-Symmetry::Symmetry(const Pattern& pattern) : mirror_(pattern.rows.size()) {
-  // Traversing columns in order visits the transposed entries of each other column in its order.
+namespace {
+
+/// Calls visit(k, m) for each position k and that of the transposed entry, m: traversing columns in order visits the
+/// transposed entries of each other column in its order.
+template <class Visit> void visit_transposed(const Pattern& pattern, const Visit& visit) {
   std::vector<int> next(pattern.starts.begin(), pattern.starts.end());
-  for (std::size_t k = 0; k < mirror_.size(); ++k) mirror_[k] = next[at(pattern.rows[k])]++;
+  for (std::size_t k = 0; k < pattern.rows.size(); ++k) visit(k, at(next[at(pattern.rows[k])]++));
+}
+
+} // namespace
+
+void add_transpose(const Pattern& pattern, double* values) {
+  visit_transposed(pattern, [&](std::size_t k, std::size_t m) {
+    if (k <= m) values[k] = values[m] = values[k] + values[m];
+  });
+}
+
+bool is_symmetric(const Pattern& pattern, const double* values) {
+  double largest = 0, difference = 0;
+  visit_transposed(pattern, [&](std::size_t k, std::size_t m) {
+    largest = std::max(largest, std::abs(values[k]));
+    difference = std::max(difference, std::abs(values[k] - values[m]));
+  });
+  return difference <= symmetry_tolerance * largest;
+}
+
+Symmetry::Symmetry(const Pattern& pattern) : mirror_(pattern.rows.size()) {
+  visit_transposed(pattern, [&](std::size_t k, std::size_t m) { mirror_[k] = static_cast<int>(m); });
 }
 
 bool Symmetry::holds(const double* values) const {

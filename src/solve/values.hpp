@@ -39,6 +39,12 @@ private:
   std::vector<int> mirror_; ///< position of (j, i) for each (i, j)
 };
 
+/// K ← K + Kᵀ on a structurally symmetric pattern.
+void add_transpose(const Pattern& pattern, double* values);
+
+/// Whether |a_ij − a_ji| ≤ symmetry_tolerance max|a| for all entries, for one matrix: faster than a Symmetry.
+bool is_symmetric(const Pattern& pattern, const double* values);
+
 /// ‖b − K x‖ / ‖b‖, zero if b is zero; infinite if x is not finite. `difference` is a work array.
 double relative_residual(const Pattern& pattern, const double* values, const double* x, const double* b,
                          std::vector<double>& difference);

@@ -89,7 +89,21 @@ TEST(Symmetry, ComparesTransposedEntriesRelativeToTheLargest) {
       EXPECT_TRUE(symmetry.holds(values.data())) << i << " " << j;
       values[at(k)] = original + 1.2e-9 * largest;
       EXPECT_EQ(symmetry.holds(values.data()), i == j) << i << " " << j;
+      EXPECT_EQ(is_symmetric(pattern, values.data()), i == j) << i << " " << j;
       values[at(k)] = original;
+    });
+  }
+}
+
+TEST(Symmetry, AddsTheTransposedEntries) {
+  std::mt19937 random(28);
+  for (int size : {1, 2, 13, 60}) {
+    const Pattern pattern = chain(size);
+    const Values before = random_values(random, pattern);
+    Values values = before;
+    add_transpose(pattern, values.data());
+    for_entries(pattern, [&](int i, int j, int k) {
+      EXPECT_EQ(values[at(k)], before[at(k)] + before[at(pattern.find(j, i))]) << i << " " << j;
     });
   }
 }
