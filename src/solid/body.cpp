@@ -14,21 +14,17 @@ namespace signorini::solid {
 
 namespace {
 
-std::vector<QuadratureRule> element_rules(const nurbs::Discretization& space, int e) {
-  std::vector<QuadratureRule> rules;
-  for (int d = 0; d < space.parametric_dimension(); ++d) {
-    const auto [a, b] = space.interval(e, d);
-    rules.push_back(gauss_legendre(space.degree(e, d) + 1, a, b));
-  }
-  return rules;
+QuadratureRule element_rule(const nurbs::Discretization& space, int e, int d) {
+  const auto [a, b] = space.interval(e, d);
+  return gauss_legendre(space.degree(e, d) + 1, a, b);
 }
 
-void require_radius(double least, const VectorX& point) {
+void require_radius(double least, const Vec<2>& point) {
   require(point(0) > least, "solid.body.beyond_axis", {{"point", point}});
 }
 
 /// Throws Error if the map is degenerate within rounding error (folded flat) or left-handed.
-template <int D> void check_jacobian(const Mat<D>& jacobian, double determinant, const VectorX& place) {
+template <int D> void check_jacobian(const Mat<D>& jacobian, double determinant, const Vec<D>& place) {
   require(std::abs(determinant) > nurbs::folded_flat * jacobian.colwise().norm().prod(),
           D == 2 ? "solid.body.no_area" : "solid.body.no_volume", {{"jacobian", determinant}, {"place", place}});
   require(determinant > 0, "solid.body.left_handed", {{"jacobian", determinant}, {"place", place}});
@@ -49,14 +45,18 @@ void check_radii(const nurbs::Discretization& space) {
 } // namespace
 
 ElementQuadrature element_quadrature(const nurbs::Discretization& space, int e) {
-  return tensor_product(element_rules(space, e));
+  std::vector<QuadratureRule> rules;
+  for (int d = 0; d < space.parametric_dimension(); ++d) rules.push_back(element_rule(space, e, d));
+  return tensor_product(rules);
 }
 
 /// What the elements of a body are built from, one after the other.
 template <int D> struct Body<D>::Construction {
   const MatrixX points;
   nurbs::BasisGrid grid;
-  nurbs::ElementBasis basis;
+  std::array<std::vector<QuadratureRule>, D> rules; ///< by interval of each direction, of the last element there
+  nurbs::ElementBasis basis = {};
+  std::vector<std::vector<double>> places = std::vector<std::vector<double>>(D); ///< of an element's points
 };
 
 template <int D>
@@ -69,6 +69,7 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material mater
   if (kind_ == Kind::axisymmetric) check_radii(*space_);
   volumes_ = VectorX::Zero(functions());
   Construction construction{space_->points(), nurbs::BasisGrid(*space_), {}};
+  for (int d = 0; d < D; ++d) construction.rules[at(d)].resize(at(space_->elements(d)));
   for (int e = 0; e < space_->elements(); ++e) {
     require(!interrupted(), "solid.body.interrupted");
     add_element(e, construction);
@@ -81,7 +82,7 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material mater
   // Kernels read whole vectors.
   gradients_.resize(gradients_.size() + vector_padding);
   constants_.resize(constants_.size() + vector_padding);
-  for (int e = 0; e < elements(); ++e) add_constant(element(e), arguments(e));
+  add_constants();
   for (auto* table : {&weights_, &gradients_, &hoops_, &constants_}) table->shrink_to_fit();
   if (volumetric_ == Volumetric::projected) add_macro_elements();
 }
@@ -161,24 +162,26 @@ template <int D> KernelArguments Body<D>::arguments(int e) const {
 template <int D> void Body<D>::add_element(int e, Construction& construction) {
   const auto& points = construction.points;
   nurbs::ElementBasis& basis = construction.basis;
-  std::vector<std::vector<double>> places;
-  std::vector<std::vector<double>> weights;
-  for (QuadratureRule& rule : element_rules(*space_, e)) {
-    places.push_back(std::move(rule.points));
-    weights.push_back(std::move(rule.weights));
-  }
-  construction.grid.choose(e, places);
+  std::array<const double*, D> weights;
+  std::array<int, D> counts;
   int count = 1;
-  for (const auto& along : weights) count *= static_cast<int>(along.size());
+  for (int d = 0; d < D; ++d) {
+    QuadratureRule& rule = construction.rules[at(d)][at(space_->element_index(e, d))];
+    if (std::ssize(rule.points) != space_->degree(e, d) + 1) rule = element_rule(*space_, e, d);
+    construction.places[at(d)] = rule.points;
+    weights[at(d)] = rule.weights.data();
+    counts[at(d)] = static_cast<int>(rule.points.size());
+    count *= counts[at(d)];
+  }
+  construction.grid.choose(e, construction.places);
   ElementTable table{0, count, functions_.size(), weights_.size(), gradients_.size(), constants_.size(), {}};
   for (int q = 0; q < table.points; ++q) {
     std::array<int, 3> point{};
     double weight = 1;
     for (int d = 0, rest = q; d < D; ++d) {
-      const int along = static_cast<int>(weights[at(d)].size());
-      point[at(d)] = rest % along;
-      weight *= weights[at(d)][at(rest % along)];
-      rest /= along;
+      point[at(d)] = rest % counts[at(d)];
+      weight *= weights[at(d)][at(point[at(d)])];
+      rest /= counts[at(d)];
     }
     construction.grid.evaluate(point, basis);
     if (q == 0) {
@@ -206,7 +209,7 @@ template <int D> void Body<D>::add_element(int e, Construction& construction) {
       for (int k = 0; k < D; ++k) gradients_[first + at(k * table.functions + a)] = gradient(k);
     }
     if (kind_ == Kind::axisymmetric) {
-      require_radius(0, place);
+      require_radius(0, place.template head<2>());
       weight *= 2 * std::numbers::pi * place(0);
       for (int a = 0; a < table.functions; ++a) hoops_.push_back(basis.values(a) / place(0));
     }
@@ -219,15 +222,19 @@ template <int D> void Body<D>::add_element(int e, Construction& construction) {
   elements_.push_back(table);
 }
 
-/// Computes the constant part of an element's tangent; its table is already allocated.
-template <int D> void Body<D>::add_constant(const ElementTable& table, KernelArguments arguments) {
-  if (!table.kernels.constant) return;
-  const std::vector<double> rest(at(D * table.functions), 0.0);
+/// Computes the constant parts of the elements' tangents; their table is already allocated.
+template <int D> void Body<D>::add_constants() {
+  const std::vector<double> rest(at(D * most_functions_), 0.0);
   std::vector<double> force(rest.size());
-  arguments.local = rest.data();
-  arguments.force = force.data();
-  arguments.blocks = constants_.data() + table.constant;
-  table.kernels.constant(arguments);
+  for (int e = 0; e < elements(); ++e) {
+    const ElementTable& table = element(e);
+    if (!table.kernels.constant) continue;
+    KernelArguments given = arguments(e);
+    given.local = rest.data();
+    given.force = force.data();
+    given.blocks = constants_.data() + table.constant;
+    table.kernels.constant(given);
+  }
 }
 
 template <int D> VectorX Body<D>::reference_point(int e, int q) const {

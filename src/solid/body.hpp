@@ -95,7 +95,7 @@ private:
   struct Construction;
   void add_element(int e, Construction& construction);
   void add_macro_elements();
-  void add_constant(const ElementTable& table, KernelArguments arguments);
+  void add_constants();
 
   std::shared_ptr<const nurbs::Discretization> space_;
   Material material_;

@@ -24,11 +24,11 @@ Moduli LinearElastic::moduli(const Mat<3>&) const {
 
 namespace {
 
-/// The stiffness, which equals neo-Hooke's tangent at zero strain.
-template <int D> KernelResult stiffness(const KernelArguments& in) {
-  const Kernels rubber = NeoHookean::kernels<D>(Kind::plane_strain, in.functions);
+/// The stiffness of a solid, which equals neo-Hooke's tangent at zero strain.
+KernelResult stiffness_in_space(const KernelArguments& in) {
+  const Kernels rubber = NeoHookean::kernels<3>(Kind::plane_strain, in.functions);
   const std::size_t n = at(in.functions), points = at(in.points);
-  std::vector<double> shear(n * n + vector_padding), work(working_size(D, n, points)), factors(2 * points);
+  std::vector<double> shear(n * n + vector_padding), work(working_size(3, n, points)), factors(2 * points);
   KernelArguments at_rest = in;
   at_rest.blocks = shear.data();
   rubber.constant(at_rest);
@@ -39,11 +39,29 @@ template <int D> KernelResult stiffness(const KernelArguments& in) {
   return rubber.element(at_rest);
 }
 
+/// K^{ij}_{AB} = ∫ λ ∂_iR_A ∂_jR_B + μ ∂_jR_A ∂_iR_B + δ_ij μ ∇R_A·∇R_B dV in the plane, for N functions if known when
+/// compiled.
+template <int N> KernelResult stiffness_in_plane(const KernelArguments& in) {
+  using Row = Eigen::Array<double, N, 1>;
+  const int n = in.functions;
+  for (int a = 0; a < n; ++a) {
+    Eigen::Map<Row> xx(in.blocks + a * n, n), xy(in.blocks + (n + a) * n, n), yy(in.blocks + (2 * n + a) * n, n);
+    for (int q = 0; q < in.points; ++q) {
+      const Eigen::Map<const Row> x(in.gradients + q * 2 * n, n), y(in.gradients + (q * 2 + 1) * n, n);
+      const double lambda = in.weights[q] * in.lambda, mu = in.weights[q] * in.mu;
+      xx += (lambda + 2 * mu) * x(a) * x + mu * y(a) * y;
+      xy += lambda * x(a) * y + mu * y(a) * x;
+      yy += (lambda + 2 * mu) * y(a) * y + mu * x(a) * x;
+    }
+  }
+  return {-1, 1};
+}
+
 /// σ₃₃ = 0 makes λ* = 2λμ/(λ + 2μ) of λ in the plane.
-KernelResult stiffness_in_plane_stress(const KernelArguments& in) {
+template <int N> KernelResult stiffness_in_plane_stress(const KernelArguments& in) {
   KernelArguments reduced = in;
   reduced.lambda = 2 * in.lambda * in.mu / (in.lambda + 2 * in.mu);
-  return stiffness<2>(reduced);
+  return stiffness_in_plane<N>(reduced);
 }
 
 // K^{ij}_{AB} = ∫ λ d_iA d_jB + μ ∂_jR_A ∂_iR_B + δ_ij μ ∇R_A·∇R_B + δ_ir δ_jr 2μ (R_A/R)(R_B/R) dV from
@@ -93,32 +111,32 @@ template <int D, int N> KernelResult apply_stiffness(const KernelArguments& in) 
   return {-1, 1};
 }
 
-/// The kernel for elements of degree 1 to 3 in every direction, or of degree 1 across.
-template <int D> Kernel apply_stiffness_of(int functions) {
-  if constexpr (D == 2) {
-    if (functions == 4) return apply_stiffness<2, 4>;
-    if (functions == 6) return apply_stiffness<2, 6>;
-    if (functions == 9) return apply_stiffness<2, 9>;
-    if (functions == 16) return apply_stiffness<2, 16>;
-  } else {
-    if (functions == 8) return apply_stiffness<3, 8>;
-    if (functions == 18) return apply_stiffness<3, 18>;
-    if (functions == 27) return apply_stiffness<3, 27>;
-  }
-  return apply_stiffness<D, Eigen::Dynamic>;
+template <int N> Kernels plane_kernels(Kind kind) {
+  const Kernel constant = kind == Kind::axisymmetric   ? stiffness_of_revolution
+                          : kind == Kind::plane_stress ? stiffness_in_plane_stress<N>
+                                                       : stiffness_in_plane<N>;
+  return {apply_stiffness<2, N>, constant, 3};
 }
 
 } // namespace
 
-template <int D> Kernels LinearElastic::kernels(Kind kind, int functions) {
-  const Kernel constant = kind == Kind::axisymmetric   ? stiffness_of_revolution
-                          : kind == Kind::plane_stress ? stiffness_in_plane_stress
-                                                       : stiffness<D>;
-  return {apply_stiffness_of<D>(functions), constant, D * (D + 1) / 2};
+/// Compiled for elements of degree 1 to 3 in every direction, or of degree 1 across.
+template <> Kernels LinearElastic::kernels<2>(Kind kind, int functions) {
+  if (functions == 4) return plane_kernels<4>(kind);
+  if (functions == 6) return plane_kernels<6>(kind);
+  if (functions == 9) return plane_kernels<9>(kind);
+  if (functions == 16) return plane_kernels<16>(kind);
+  return plane_kernels<Eigen::Dynamic>(kind);
 }
 
-template Kernels LinearElastic::kernels<2>(Kind, int);
-template Kernels LinearElastic::kernels<3>(Kind, int);
+template <> Kernels LinearElastic::kernels<3>(Kind, int functions) {
+  Kernel element = apply_stiffness<3, Eigen::Dynamic>;
+  if (functions == 8) element = apply_stiffness<3, 8>;
+  if (functions == 18) element = apply_stiffness<3, 18>;
+  if (functions == 27) element = apply_stiffness<3, 27>;
+  return {element, stiffness_in_space, 6};
+}
+
 template Material::Material(LinearElastic);
 
 } // namespace signorini::solid

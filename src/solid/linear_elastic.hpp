@@ -15,6 +15,9 @@ struct LinearElastic : ElasticConstants {
   template <int D> static Kernels kernels(Kind kind, int functions);
 };
 
+template <> Kernels LinearElastic::kernels<2>(Kind kind, int functions);
+template <> Kernels LinearElastic::kernels<3>(Kind kind, int functions);
+
 /// Throws Error unless E > 0 and −1 < ν < 0.5.
 inline LinearElastic linear_elastic(double youngs_modulus, double poissons_ratio) {
   return {elastic_constants(youngs_modulus, poissons_ratio)};

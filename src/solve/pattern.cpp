@@ -50,48 +50,80 @@ int Pattern::find(int row, int column) const {
   return it != to && *it == row ? static_cast<int>(it - rows.begin()) : -1;
 }
 
-Pattern couple(int size, const std::vector<std::vector<int>>& groups) {
-  Pattern diagonal;
-  diagonal.size = size;
-  for (int j = 0; j < size; ++j) {
-    diagonal.starts.push_back(j);
-    diagonal.rows.push_back(j);
-  }
-  diagonal.starts.push_back(size);
-  std::vector<int> moved;
-  return extend(diagonal, groups, moved);
-}
-
 /// Positions are of type int.
 static void require_countable(const Pattern& pattern) {
   if (pattern.rows.size() > std::numeric_limits<int>::max()) fail("solve.pattern.entries", {{"size", pattern.size}});
 }
 
+namespace {
+
+/// The sorted unknowns that share a group with an unknown, for one column after the other.
+class Coupled {
+public:
+  Coupled(int size, const std::vector<std::vector<int>>& groups)
+      : groups_(groups), member_(membership(size, groups)), listed_for_(at(size), -1) {}
+
+  /// Whether the unknown is in no group.
+  bool alone(int column) const { return member_.starts[at(column)] == member_.starts[at(column) + 1]; }
+  const std::vector<int>& list(int column) {
+    const std::size_t j = at(column);
+    if (same_groups(member_, j)) return list_;
+    list_.clear();
+    for (std::size_t k = member_.starts[j]; k < member_.starts[j + 1]; ++k)
+      for (int i : groups_[member_.groups[k]])
+        if (i >= 0 && std::exchange(listed_for_[at(i)], column) != column) list_.push_back(i);
+    std::sort(list_.begin(), list_.end());
+    return list_;
+  }
+
+private:
+  const std::vector<std::vector<int>>& groups_;
+  Membership member_;
+  std::vector<int> list_, listed_for_;
+};
+
+} // namespace
+
+Pattern couple(int size, const std::vector<std::vector<int>>& groups) {
+  Coupled coupled(size, groups);
+  Pattern result{size, {0}, {}};
+  result.starts.reserve(at(size) + 1);
+  for (int column = 0; column < size; ++column) {
+    if (coupled.alone(column)) {
+      result.rows.push_back(column);
+    } else {
+      const std::vector<int>& list = coupled.list(column); // which contains the column
+      result.rows.insert(result.rows.end(), list.begin(), list.end());
+    }
+    require_countable(result);
+    result.starts.push_back(result.entries());
+  }
+  return result;
+}
+
 Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups, std::vector<int>& moved) {
-  const Membership member = membership(base.size, groups);
+  if (groups.empty()) {
+    moved.resize(base.rows.size());
+    std::iota(moved.begin(), moved.end(), 0);
+    return base;
+  }
+  Coupled coupled(base.size, groups);
   Pattern result;
   result.size = base.size;
   result.starts.push_back(0);
   result.rows.reserve(base.rows.size());
   moved.resize(base.rows.size());
-  std::vector<int> list, listed_for(at(base.size), -1);
   for (int column = 0; column < base.size; ++column) {
     const std::size_t j = at(column);
     const auto from = base.rows.begin() + base.starts[j], to = base.rows.begin() + base.starts[j + 1];
-    if (member.starts[j] == member.starts[j + 1]) {
+    if (coupled.alone(column)) {
       std::iota(moved.begin() + base.starts[j], moved.begin() + base.starts[j + 1], result.entries());
       result.rows.insert(result.rows.end(), from, to);
       require_countable(result);
       result.starts.push_back(result.entries());
       continue;
     }
-    if (!same_groups(member, j)) {
-      list.clear();
-      for (std::size_t k = member.starts[j]; k < member.starts[j + 1]; ++k)
-        for (int i : groups[member.groups[k]])
-          if (i >= 0 && std::exchange(listed_for[at(i)], column) != column) list.push_back(i);
-      std::sort(list.begin(), list.end());
-    }
+    const std::vector<int>& list = coupled.list(column);
     std::set_union(from, to, list.begin(), list.end(), std::back_inserter(result.rows));
     require_countable(result);
     int position = result.starts.back();
