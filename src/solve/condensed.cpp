@@ -17,24 +17,26 @@ void check(const Pattern& pattern, const Condensation& condensation) {
   const bool increases = std::adjacent_find(contact.begin(), contact.end(), std::greater_equal<>()) == contact.end();
   require(increases && (contact.empty() || (contact.front() >= 0 && contact.back() < pattern.size)),
           "solve.condensed.contact", {{"most", pattern.size - 1}});
-  require(Symmetry(pattern).holds(constant.data()), "solve.condensed.symmetric");
+  require(is_symmetric(pattern, constant.data()), "solve.condensed.symmetric");
 }
 
 /// The nonzero part of a matrix, with the diagonal: structural entries that are always zero, such as couplings of two
 /// faces, would cause fill.
 Pattern nonzero(const Pattern& pattern, const std::vector<double>& values, std::vector<double>& nonzeros) {
-  Pattern result{pattern.size, {0}, {}};
+  Pattern result{pattern.size, {0}, std::vector<int>(pattern.rows.size())};
   result.starts.reserve(pattern.starts.size());
-  result.rows.reserve(pattern.rows.size());
-  nonzeros.reserve(pattern.rows.size());
+  nonzeros.resize(pattern.rows.size());
+  std::size_t count = 0;
   for (int j = 0; j < pattern.size; ++j) {
-    for (int k = pattern.starts[at(j)]; k < pattern.starts[at(j) + 1]; ++k) {
-      if (pattern.rows[at(k)] != j && values[at(k)] == 0) continue;
-      result.rows.push_back(pattern.rows[at(k)]);
-      nonzeros.push_back(values[at(k)]);
+    for (std::size_t k = at(pattern.starts[at(j)]), end = at(pattern.starts[at(j) + 1]); k < end; ++k) {
+      result.rows[count] = pattern.rows[k];
+      nonzeros[count] = values[k];
+      if (pattern.rows[k] == j || values[k] != 0) ++count; // the next entry replaces others
     }
-    result.starts.push_back(result.entries());
+    result.starts.push_back(static_cast<int>(count));
   }
+  result.rows.resize(count);
+  nonzeros.resize(count);
   return result;
 }
 

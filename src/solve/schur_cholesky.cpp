@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 
 namespace signorini::solve {
@@ -42,7 +43,7 @@ template <class Real> class SchurCholesky final : public SchurSolver {
 public:
   explicit SchurCholesky(double dissect_above) : dissect_above_(dissect_above) {
     common_.nmethods = 1;
-    common_.method[0].ordering = CHOLMOD_GIVEN;
+    common_.method[0].ordering = CHOLMOD_NATURAL; // the matrices are ordered by permute()
     common_.final_ll = true;
     common_.supernodal = CHOLMOD_SUPERNODAL;
   }
@@ -58,7 +59,9 @@ public:
 private:
   int size() const { return pattern_.size; }
   int interior() const { return size() - static_cast<int>(border_.size()); }
-  void analyze_in_order(cholmod_sparse& matrix, const std::vector<int>& order, bool postorder);
+  void permute();
+  cholmod_sparse lower_triangle(double* values);
+  void analyze_in_order(const std::vector<int>& order, bool postorder);
   bool order_by_degree(cholmod_sparse& matrix);
   void dissect(cholmod_sparse& matrix);
   bool factor_shifted(const double* values);
@@ -76,6 +79,8 @@ private:
   double raise_ = 1;            ///< factor on the shifts
   bool raises_ = false;         ///< whether the last matrix has rows without a positive diagonal
   std::vector<int> order_;      ///< unknown at each row of L
+  Pattern ordered_;             ///< lower triangle of P A Pᵀ
+  std::vector<int> sources_;    ///< positions of its entries in pattern_
   std::vector<int> border_;     ///< its last part
   MatrixX complement_;          ///< S
   PivotRange pivots_;
@@ -84,17 +89,53 @@ private:
   SolverStatistics statistics_;
 };
 
+/// Orders the matrix once: CHOLMOD would do so three times in an analysis and again for every factorization.
+template <class Real> void SchurCholesky<Real>::permute() {
+  std::vector<int> place(at(size()));
+  for (int k = 0; k < size(); ++k) place[at(order_[at(k)])] = k;
+  // Calls visit(row, column, position of the transposed entry) with increasing rows.
+  const auto visit_lower = [&](const auto& visit) {
+    for (int row = 0; row < size(); ++row) {
+      const std::size_t from = at(order_[at(row)]);
+      for (int k = pattern_.starts[from]; k < pattern_.starts[from + 1]; ++k)
+        if (const int column = place[at(pattern_.rows[at(k)])]; column <= row) visit(row, column, k);
+    }
+  };
+  ordered_.size = size();
+  ordered_.starts.assign(at(size()) + 1, 0);
+  visit_lower([&](int, int column, int) { ++ordered_.starts[at(column) + 1]; });
+  std::partial_sum(ordered_.starts.begin(), ordered_.starts.end(), ordered_.starts.begin());
+  ordered_.rows.resize(at(ordered_.starts.back()));
+  sources_.resize(ordered_.rows.size());
+  std::vector<int> next(ordered_.starts.begin(), ordered_.starts.end() - 1);
+  visit_lower([&](int row, int column, int position) {
+    const std::size_t k = at(next[at(column)]++);
+    ordered_.rows[k] = row;
+    sources_[k] = position;
+  });
+}
+
+template <class Real> cholmod_sparse SchurCholesky<Real>::lower_triangle(double* values) {
+  cholmod_sparse matrix = upper_triangle(ordered_, values);
+  matrix.stype = -1;
+  if (!values) matrix.xtype = CHOLMOD_PATTERN;
+  return matrix;
+}
+
 /// Analyzes with an ordering in which the border is moved to the end.
-template <class Real>
-void SchurCholesky<Real>::analyze_in_order(cholmod_sparse& matrix, const std::vector<int>& order, bool postorder) {
+template <class Real> void SchurCholesky<Real>::analyze_in_order(const std::vector<int>& order, bool postorder) {
   order_ = order;
   std::stable_partition(order_.begin(), order_.end(), [&](int unknown) { return !last_[at(unknown)]; });
+  permute();
+  cholmod_sparse matrix = lower_triangle(nullptr);
   common_.postorder = postorder;
   cholmod_free_factor(&lower_.factor, &common_);
-  lower_.factor = cholmod_analyze_p(&matrix, order_.data(), nullptr, 0, &common_);
+  lower_.factor = cholmod_analyze(&matrix, &common_);
   require(lower_.factor != nullptr, "solve.cholmod.matrix", {{"status", common_.status}});
+  if (!postorder) return;
   const int* found = static_cast<int*>(lower_.factor->Perm);
-  order_.assign(found, found + size());
+  const std::vector<int> before = order_;
+  for (int k = 0; k < size(); ++k) order_[at(k)] = before[at(found[k])];
 }
 
 template <class Real> bool SchurCholesky<Real>::order_by_degree(cholmod_sparse& matrix) {
@@ -102,15 +143,15 @@ template <class Real> bool SchurCholesky<Real>::order_by_degree(cholmod_sparse& 
   // CAMD expects set numbers below the number of unknowns.
   if (interior() > 0) sets.assign(last_.begin(), last_.end());
   if (!cholmod_camd(&matrix, nullptr, 0, sets.data(), order.data(), &common_)) return false;
-  analyze_in_order(matrix, order, false); // a postorder would move the border forward
+  analyze_in_order(order, false); // a postorder would move the border forward
   return true;
 }
 
 template <class Real> void SchurCholesky<Real>::dissect(cholmod_sparse& matrix) {
   // Postordering forms supernodes but moves the border forward, so the order is corrected and analyzed again.
   const auto analyze_dissection = [&] {
-    analyze_in_order(matrix, dissection_, true);
-    analyze_in_order(matrix, order_, false);
+    analyze_in_order(dissection_, true);
+    analyze_in_order(order_, false);
   };
   if (!dissection_.empty()) analyze_dissection();
   if (!dissection_.empty() && common_.fl <= stale_dissection * best_) return;
@@ -138,6 +179,7 @@ template <class Real> void SchurCholesky<Real>::analyze(const Pattern& pattern, 
     if (common_.fl >= fewest) {
       std::swap(lower_.factor, other.factor);
       order_ = other_order;
+      permute();
     }
   }
   border_.assign(order_.begin() + interior(), order_.end());
@@ -163,18 +205,19 @@ template <class Real> bool SchurCholesky<Real>::factor(const double* values) {
 /// complement. The rows of multipliers have no positive entry to derive a shift from; contact far from equilibrium can
 /// make the block of others indefinite.
 template <class Real> bool SchurCholesky<Real>::factor_shifted(const double* values) {
-  std::vector<double> shifted(values, values + pattern_.entries());
+  std::vector<double> shifted(sources_.size());
+  for (std::size_t k = 0; k < shifted.size(); ++k) shifted[k] = values[sources_[k]];
   VectorX shift = VectorX::Zero(border_.size());
   raises_ = false;
   double largest = 0;
   for (double value : shifted) largest = std::max(largest, std::abs(value));
   for (int k = 0; k < shift.size(); ++k) {
-    double& value = shifted[at(pattern_.find(border_[at(k)], border_[at(k)]))];
+    double& value = shifted[at(ordered_.starts[at(interior() + k)])]; // on the diagonal
     raises_ = raises_ || value <= 0;
     shift(k) = value > 0 ? std::min(raise_, raise_step) * value : raise_ * largest;
     value += shift(k);
   }
-  cholmod_sparse matrix = upper_triangle(pattern_, shifted.data());
+  cholmod_sparse matrix = lower_triangle(shifted.data());
   factorize(matrix, lower_.factor, common_);
   ++statistics_.factorizations;
   statistics_.operations = common_.fl;
