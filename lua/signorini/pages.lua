@@ -35,6 +35,7 @@ pages.subjects = { "patches", "curves", "patch", "materials", "bodies", "formula
                    "methods", "scenes", "pictures", "charts", "studies", "reports", "scripts" }
 
 local loaded, texts = {}, {} -- lists of pages, and texts of the files that are not loaded yet, by subject
+local found = {} -- pages by name, as far as they have been looked for
 local all, groups -- all pages by name; lists { title, word, page, … } in order
 
 --- The pages of a subject, in order and by name.
@@ -84,10 +85,11 @@ end
 --- The page of a name, or nil. Checks of calls need few pages: only the files that have the name are loaded.
 function pages.find(name)
   if all then return all[name] end
+  if found[name] then return found[name] end
   for _, subject in ipairs(pages.subjects) do
     if loaded[subject] or may_have(subject, name) then
-      local page = load_subject(subject).by_name[name]
-      if page then return page end
+      found[name] = load_subject(subject).by_name[name]
+      if found[name] then return found[name] end
     end
   end
   load_all() -- a name that no file has as it is
