@@ -39,17 +39,6 @@ local function untouched(run, model, contact)
     .. "end apart. Hint: look at model:show{}; a shorter path, or more steps"
 end
 
---- The size of the smallest body, the diagonal of its bounding box, and the body's name.
-local function smallest_size(model)
-  local least, smallest = math.huge, nil
-  for _, name in ipairs(model:body_names()) do
-    local sum = 0
-    for _, range in ipairs(lists.ranges(model:body(name):points())) do sum = sum + (range[2] - range[1]) ^ 2 end
-    if math.sqrt(sum) < least then least, smallest = math.sqrt(sum), name end
-  end
-  return least, smallest
-end
-
 -- Above this penetration, as a fraction of the size of the smallest body, the penalty parameter affects the result; far
 -- above it the bodies have probably passed through each other.
 local deep, very_deep = 0.02, 0.2
@@ -66,8 +55,8 @@ local function penetrated(run, model, contact)
   for row, depth in ipairs(run.values[contact .. ".max_penetration"] or {}) do
     if depth > most then most, at = depth, row end
   end
-  local size, body = smallest_size(model)
-  if most <= deep * size then return nil end
+  local size, body = core.smallest_body(model)
+  if not size or most <= deep * size then return nil end
   return ("contact '%s' is penetrated by %.3g in step %s, %.2g %% of the size of body '%s'. Hint: %s"):format(contact,
     most, run.values.step[at], 100 * most / size, body, most > very_deep * size
       and "the path may be too deep, or the bodies pass through each other: look at model:show{}"
@@ -78,7 +67,7 @@ end
 function run_warnings.overlaps(model, stage)
   local texts = {}
   for _, found in ipairs(contact_changes.switched_on(model, stage)) do
-    local size, body = smallest_size(model)
+    local size, body = core.smallest_body(model)
     if found.depth > deep * size then
       texts[#texts + 1] = ("contact '%s' is switched on by stage '%s' where its faces overlap by %.3g, %.2g %% of the "
         .. "size of body '%s', and pushes them apart at once. Hint: switch it on before the bodies meet; an overlap of "

@@ -6,6 +6,7 @@
 #include "model/joins.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace signorini::bind {
 
@@ -124,8 +125,32 @@ template <int D> std::string snapshot_text(const Snapshot<D>& snapshot) {
   return text("snapshot of a model with ", snapshot.model->system.unknowns.dofs(), " degrees of freedom");
 }
 
+template <int D> int push_smallest_body(lua_State* L, const model::Model<D>& model) {
+  double least = std::numeric_limits<double>::infinity();
+  const std::string* smallest = nullptr;
+  for (const auto& [name, body] : model.system.scene.bodies) {
+    const MatrixX points = body->space().points();
+    const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+    if (size >= least) continue;
+    least = size;
+    smallest = &name;
+  }
+  push(L, least);
+  push(L, *smallest);
+  return 2;
+}
+
+/// core.smallest_body(model): the diagonal of the bounding box of the smallest body's control points, and its name;
+/// nothing for other values.
+int smallest_body(lua_State* L) {
+  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_smallest_body(L, **plane);
+  if (const auto* space = test_object<Model<3>>(L, 1)) return push_smallest_body(L, **space);
+  return 0;
+}
+
 constexpr Function model_core[] = {{"contact_problem", wrap<contact_problem>},
-                                   {"contact_warnings", wrap<contact_warnings>}};
+                                   {"contact_warnings", wrap<contact_warnings>},
+                                   {"smallest_body", smallest_body}};
 
 template <int D> constexpr Function snapshot_entries[] = {{"__tostring", call<snapshot_text<D>>}};
 
