@@ -16,21 +16,19 @@ Formulation<D>::Formulation(ContactSetting<D> setting)
     : slave_(std::move(setting.slave)), master_(std::move(setting.master)), accepted_master_(master_),
       points_(slave_, setting.points, setting.revolved, setting.where,
               setting.adaptive ? (2 * setting.points + 2) / 3 : 0),
-      start_(setting.start), previous_slave_(slave_.points()) {
+      start_(setting.start) {
   if (!start_.interference) return;
   for (const double gap : gaps(History<D>(points_))) overlap_.push_back(std::max(0.0, -gap));
 }
 
 template <int D> void Formulation<D>::move(const double* slave_displacement, const double* master_displacement) {
-  slave_.move(slave_displacement);
+  travel_ += slave_.move(slave_displacement);
   double master_moved;
   {
     const ScopedTimer timer(times_search_ ? &search_seconds_ : nullptr);
     master_moved = master_.move(master_displacement, slave_.points());
   }
-  // A surface point is a convex combination of control points, so their largest displacement is a bound.
-  travel_ += std::sqrt((slave_.points() - previous_slave_).colwise().squaredNorm().maxCoeff()) + master_moved;
-  previous_slave_ = slave_.points();
+  travel_ += master_moved;
   take_back(blocks_);
 }
 

@@ -184,7 +184,6 @@ private:
   void choose_points(History<D>& present, double moved, double penalty_factor);
   bool has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted, double master_moved) const;
 
-  Eigen::Matrix<double, D, Eigen::Dynamic> previous_slave_; ///< control points before the last move
   Tally unsettled_, crossed_;
 };
 

@@ -25,7 +25,6 @@ template <int D, class What> auto with_shape(const Obstacle<D>& obstacle, const 
 template <int D> Master<D>::Master(Surface<D> face) : rigid_(false), surface_(std::move(face)) {
   surface_->extend(end_extension);
   boxes_.update(*surface_);
-  previous_ = surface_->points();
 }
 
 template <int D>
@@ -35,7 +34,7 @@ Master<D>::Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning)
     surface_.emplace(*patch);
     surface_->extend(end_extension);
     boxes_.update(*surface_);
-    previous_ = surface_->points();
+    initial_ = surface_->points();
     displacements_.resize(at(D * surface_->functions()));
   } else {
     shape_ = std::move(obstacle);
@@ -61,11 +60,8 @@ template <int D> Vec<D> Master<D>::pulled_back(const Vec<D>& x) const {
 template <int D>
 double Master<D>::move(const double* displacement, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite) {
   if (!rigid_) {
-    surface_->move(displacement);
+    const double distance = surface_->move(displacement);
     boxes_.update(*surface_);
-    // A surface point is a convex combination of control points, so their largest displacement is a bound.
-    const double distance = std::sqrt((surface_->points() - previous_).colwise().squaredNorm().maxCoeff());
-    previous_ = surface_->points();
     return distance;
   }
   const Vec<D> to = Eigen::Map<const Vec<D>>(displacement);
@@ -75,8 +71,8 @@ double Master<D>::move(const double* displacement, const Eigen::Matrix<double, D
   if (surface_ && distance > 0) {
     for (std::size_t i = 0; i < displacements_.size(); ++i) displacements_[i] = displacement[i % D];
     if (turning_) {
-      Eigen::Map<Eigen::Matrix<double, D, Eigen::Dynamic>> all(displacements_.data(), D, previous_.cols());
-      all += (rotation_ - Mat<D>::Identity()) * (previous_.colwise() - turning_->center);
+      Eigen::Map<Eigen::Matrix<double, D, Eigen::Dynamic>> all(displacements_.data(), D, initial_.cols());
+      all += (rotation_ - Mat<D>::Identity()) * (initial_.colwise() - turning_->center);
     }
     surface_->move(displacements_.data());
     boxes_.update(*surface_);

@@ -109,8 +109,9 @@ public:
   double fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const;
 
   /// Sets the current control points: reference positions plus displacement (D values per function, in the numbering of
-  /// body_function()).
-  void move(const double* displacement);
+  /// body_function()). Returns the largest distance by which a Bézier point has moved, a bound on that of any point of
+  /// the face and of its extension, whose points are convex combinations of their Bézier points.
+  double move(const double* displacement);
   /// Current control points, D × functions.
   const Eigen::Matrix<double, D, Eigen::Dynamic>& points() const { return points_; }
 
@@ -153,7 +154,7 @@ private:
   template <int P, int Order> void bernsteins(int element, const FaceCoordinates<D>& xi, Bernsteins& out) const;
   /// Values per Bézier point.
   int width() const { return D == 2 && polynomial_ ? 2 : 4; }
-  template <int W> void update_bezier();
+  template <int W> double update_bezier();
   template <int W> void bounds_with(int element, Vec<D>& lower, Vec<D>& upper) const;
   template <int P, int Order, int W>
   void locate_with(int element, const FaceCoordinates<D>& xi, FaceGeometry<D>& point) const;

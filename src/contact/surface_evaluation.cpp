@@ -4,6 +4,7 @@
 #include "nurbs/bezier.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace signorini::contact {
@@ -56,14 +57,16 @@ template <int D> template <class Run> void Surface<D>::with_width(const Run& run
     run.template operator()<4>();
 }
 
-template <int D> void Surface<D>::move(const double* displacement) {
+template <int D> double Surface<D>::move(const double* displacement) {
   for (int i = 0; i < functions(); ++i)
     for (int k = 0; k < D; ++k) points_(k, i) = reference_(k, i) + displacement[D * body_function(i) + k];
-  with_width([&]<int W>() { update_bezier<W>(); });
+  double distance = 0;
+  with_width([&]<int W>() { distance = update_bezier<W>(); });
+  return distance;
 }
 
-/// Q_kl = Σ_ab C(a, k) C(b, l) w_ab (x_ab, 1), one direction after the other
-template <int D> template <int W> void Surface<D>::update_bezier() {
+/// Q_kl = Σ_ab C(a, k) C(b, l) w_ab (x_ab, 1), one direction after the other. Returns the largest change of an x.
+template <int D> template <int W> double Surface<D>::update_bezier() {
   using Row = Eigen::Matrix<double, W, 1>;
   using Rows = Eigen::Matrix<double, W, Eigen::Dynamic>;
   Rows homogeneous = Rows::Zero(W, functions());
@@ -73,6 +76,14 @@ template <int D> template <int W> void Surface<D>::update_bezier() {
     homogeneous.template topRows<D>() = points_ * weights_.asDiagonal();
     homogeneous.row(W == 4 ? D : 0) = weights_.transpose();
   }
+  double largest2 = 0;
+  const auto set = [&](double* q, const Row& row) {
+    Eigen::Map<Row> old(q);
+    double change2 = (row - old).template head<D>().squaredNorm();
+    if (!polynomial_) change2 /= row(W == 4 ? D : 0) * row(W == 4 ? D : 0); // weights do not change
+    largest2 = std::max(largest2, change2);
+    old = row;
+  };
   for (const Element& element : elements_) {
     const int* local = nodes_.data() + element.nodes;
     const auto c = direction(0).extraction(element.index[0]);
@@ -84,7 +95,7 @@ template <int D> template <int W> void Surface<D>::update_bezier() {
         Row sum = Row::Zero();
         for (int a = 0; a < mu; ++a) sum += c(a, k) * homogeneous.col(local[b * mu + a]);
         if constexpr (D == 2)
-          Eigen::Map<Row>(q + k * W) = sum;
+          set(q + k * W, sum);
         else
           along[b * nu + k] = sum;
       }
@@ -94,11 +105,11 @@ template <int D> template <int W> void Surface<D>::update_bezier() {
         for (int k = 0; k < nu; ++k, q += W) {
           Row sum = Row::Zero();
           for (int b = 0; b < mv; ++b) sum += d(b, l) * along[b * nu + k];
-          Eigen::Map<Row> out(q);
-          out = sum;
+          set(q, sum);
         }
     }
   }
+  return std::sqrt(largest2);
 }
 
 template <int D> void Surface<D>::bounds(int element, Vec<D>& lower, Vec<D>& upper) const {
@@ -314,7 +325,7 @@ template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) cons
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template void Surface<D>::move(const double*);                                                                       \
+  template double Surface<D>::move(const double*);                                                                     \
   template void Surface<D>::bounds(int, Vec<D>&, Vec<D>&) const;                                                       \
   template double Surface<D>::least_along(int, const Vec<D>&) const;                                                   \
   template void Surface<D>::locate(int, const FaceCoordinates<D>&, int, FaceGeometry<D>&) const;                       \

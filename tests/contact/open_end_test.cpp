@@ -201,6 +201,55 @@ TEST(OpenEnd, PointsThatWaitBeyondAnEndTouchWhenTheyArrive) {
   EXPECT_GT(touching, 100);
 }
 
+/// Points of a master on an even grid of each of its elements.
+template <int D> std::vector<Vec<D>> samples(const Master<D>& master) {
+  const Surface<D>& face = *master.surface();
+  std::vector<Vec<D>> list;
+  FacePoint<D> point;
+  for (int e = 0; e < face.elements(); ++e)
+    for (int k = 0; k < (D == 2 ? 5 : 25); ++k) {
+      FaceCoordinates<D> xi;
+      for (int a = 0; a < D - 1; ++a) {
+        const auto [from, to] = face.interval(e, a);
+        xi(a) = from + (to - from) * (a == 0 ? k % 5 : k / 5) / 4;
+      }
+      face.locate(e, xi, 0, point);
+      list.push_back(point.position);
+    }
+  return list;
+}
+
+/// Deforms a face at random; returns how often a point of it moved farther than all control points.
+template <int D> int check_bound(const Surface<D>& face, Random& random) {
+  Master<D> master(face);
+  int last = 0, farther = 0;
+  for (int i = 0; i < face.functions(); ++i) last = std::max(last, face.body_function(i));
+  VectorX before = VectorX::Zero(D * (last + 1)), after = before;
+  for (int trial = 0; trial < 20; ++trial, before = after) {
+    const std::vector<Vec<D>> old = samples(master);
+    for (double& u : after) u = uniform(random, -0.1, 0.1);
+    const double bound = master.move(after.data());
+    const std::vector<Vec<D>> now = samples(master);
+    double farthest = 0, of_controls = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) farthest = std::max(farthest, (now[i] - old[i]).norm());
+    for (int i = 0; i < face.functions(); ++i) {
+      const int f = D * face.body_function(i);
+      of_controls = std::max(of_controls, (after - before).template segment<D>(f).norm());
+    }
+    EXPECT_LE(farthest, bound * (1 + 1e-12));
+    farther += farthest > of_controls;
+  }
+  return farther;
+}
+
+TEST(OpenEnd, MovesOfTheExtensionAreBounded) {
+  // It is extrapolated: bending of the end moves it farther than any control point.
+  Random random(8);
+  int farther = check_bound(Surface<2>(slab("N2"), nurbs::side_of("north", 2)), random);
+  farther += check_bound(top_of(wavy_plate(random, 3, 0.1, 2, 3)), random);
+  EXPECT_GT(farther, 10);
+}
+
 TEST(OpenEnd, TangentIsTheForcesDerivativeWithAdhesionAndOnRigidCurves) {
   MatrixX points(2, 3);
   points << 4, 2, 0, 0.95, 1.02, 0.95;
