@@ -161,11 +161,8 @@ bool Formulation<D>::has_crossed(std::size_t i, const History<D>& present, const
 template <int D> void Formulation<D>::settle(History<D>& accepted) {
   travel_ = 0;
   return_to_accepted();
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    accepted.points[i].cleared = 0;
-    accepted.results[i].position = position(points_, slave(), i);
-  }
-  for (MultiplierHistory<D>& multiplier : accepted.multipliers) multiplier.cleared = 0;
+  look_everywhere(accepted);
+  for (std::size_t i = 0; i < points_.size(); ++i) accepted.results[i].position = position(points_, slave(), i);
 }
 
 template <int D> std::vector<double> Formulation<D>::gaps(const History<D>& history) const {

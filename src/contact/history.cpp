@@ -64,16 +64,19 @@ template <int D> void look_again(History<D>& history) {
     if (point.multiplier > 0) point.cleared = 0;
 }
 
+template <int D> void look_everywhere(History<D>& history) {
+  for (PointHistory<D>& point : history.points) point.cleared = 0;
+  for (MultiplierHistory<D>& multiplier : history.multipliers) multiplier.cleared = 0;
+}
+
 template <int D> void change(History<D>& history, const Changes& changes) {
   history.changes = changes;
-  for (PointHistory<D>& point : history.points) {
-    point.cleared = 0;
-    if (changes.active == false) point.multiplier = 0;
-  }
+  look_everywhere(history);
+  if (changes.active != false) return;
+  for (PointHistory<D>& point : history.points) point.multiplier = 0;
   for (MultiplierHistory<D>& multiplier : history.multipliers) {
-    multiplier.cleared = 0;
-    if (changes.active == false) multiplier.pressure = 0;
-    if (changes.active == false) multiplier.friction.setZero();
+    multiplier.pressure = 0;
+    multiplier.friction.setZero();
   }
 }
 
@@ -87,6 +90,7 @@ template <int D> void change(History<D>& history, const Changes& changes) {
   template double growth(const MultiplierResult<D>&, const MultiplierResult<D>&);                                      \
   template double memory(const History<D>&);                                                                           \
   template void look_again(History<D>&);                                                                               \
+  template void look_everywhere(History<D>&);                                                                          \
   template void change(History<D>&, const Changes&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

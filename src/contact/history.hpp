@@ -124,6 +124,10 @@ template <int D> double memory(const History<D>& history);
 /// which they touch differs.
 template <int D> void look_again(History<D>& history);
 
+/// Makes the next evaluation project all points: `cleared` of a history that is kept is worthless once settle() has
+/// started the travel of its formulation again, or in another formulation.
+template <int D> void look_everywhere(History<D>& history);
+
 /// Changes constants. The next evaluation projects all points; a contact that is switched off loses its multipliers.
 template <int D> void change(History<D>& history, const Changes& changes);
 

@@ -92,7 +92,7 @@ public:
   contact::History<D> history(std::size_t k, const contact::History<D>& old) const {
     const contact::Formulation<D>& own = *to_.contacts[k];
     contact::History<D> result = old;
-    for (contact::PointHistory<D>& point : result.points) point.cleared = 0; // counts the travel of a formulation
+    look_everywhere(result);
     if (old.multipliers.empty()) return result;
     // Pressure, friction and slip of each multiplier, of its history
     MatrixX values(2 * D, old.multipliers.size());

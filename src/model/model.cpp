@@ -130,6 +130,7 @@ template <int D> Snapshot<D> snapshot(const Model<D>& model) {
 
 template <int D> void restore(Model<D>& model, const Snapshot<D>& snapshot) {
   model.accepted = snapshot.state;
+  for (auto& history : model.accepted.contacts) look_everywhere(history); // the model may have been settled since
   model.path = snapshot.path;
   model.linear.begin_with(snapshot.linear);
   rollback(model);

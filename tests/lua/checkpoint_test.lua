@@ -222,4 +222,30 @@ check.case("invalid files are errors at the user's line, with a hint", function(
 end)
 
 os.remove(file)
+check.case("a snapshot keeps its worth when the model is saved: points that were open touch again", function()
+  for _, method in ipairs { "gpts", "mortar" } do
+    local function lowered()
+      local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 0.5, corner = {0, 0.1} },
+                             elements = {3, 1}, order = "N2", material = soft }
+      local model = sg.model{
+        bodies = { block = block }, supports = { grip = { on = block:face "north", drive = "xy" } },
+        contacts = { floor = { slave = block:face "south", method = method, penalty = 20,
+                               master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } } }
+      check.equal(model:run({ { steps = 1, grip = {0.2, -0.05} } }).failed, false)
+      return model
+    end
+    local function pressed(model)
+      check.equal(model:run({ { steps = 1, grip = {0.2, -0.2} } }).failed, false)
+      return model:reaction "grip".fy
+    end
+    local model = lowered()
+    local snapshot = model:snapshot()
+    model:save(file)
+    model:restore(snapshot)
+    local force = pressed(lowered())
+    assert(force < -0.05, force)
+    check.within(method, pressed(model), force, 1e-10)
+  end
+end)
+
 check.done()
