@@ -253,7 +253,7 @@ end
 
 --- Solves for the targets at a fraction of the step, with a line search if necessary, without recording it in the run.
 function Step:probe(to)
-  local searching, differs = controls.changed(self.solver, { line_search = "residual" })
+  local searching, differs = controls.changed(self.solver, { line_search = "residual", pseudo_transient = false })
   local result
   for _, solver in ipairs { self.solver, differs and searching or nil } do
     self:set_targets(to)

@@ -72,8 +72,12 @@ template <int D> bool factor(Model<D>& model, const StepOptions& options) {
   const Assembly<D>& assembly = model.system.assembly;
   const Tangent tangent{assembly.values(),          assembly.pattern(),          assembly.pattern_version(),
                         assembly.constant_values(), assembly.contact_unknowns(), assembly.contact_version()};
+  // The viscosity of pseudo-transient continuation acts on all unknowns; constant factors of the bodies do not have it.
+  const bool viscous = !assembly.constant_values().empty() && model.step->pseudo_time.damping() > 0;
+  const bool chosen = !viscous || options.linear != solve::LinearKind::condensed;
   return model.linear.factor(tangent,
-                             {options.linear, options.damping && model.system.has_unconstrained(), options.mumps});
+                             {chosen ? options.linear : solve::LinearKind::automatic,
+                              viscous || (options.damping && model.system.has_unconstrained()), options.mumps});
 }
 
 template <int D> bool solve_for(Model<D>& model, VectorX& b) {

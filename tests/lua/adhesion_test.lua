@@ -176,4 +176,38 @@ for _, case in ipairs(wrong) do
   end)
 end
 
+check.case("pseudo-transient continuation passes the snap of a linear elastic block, with every solver", function()
+  local function pulled(linear)
+    local body = sg.body{ patch = sg.shapes.rectangle{ width = 8, height = 4 }, elements = {8, 3}, order = "N2",
+                          contact = "south", material = sg.linear_elastic{ E = 0.2, nu = 0.3 } }
+    local model = sg.model{
+      bodies = { block = body }, supports = { lid = { on = body:face "north", fix = "x", drive = "y" } },
+      contacts = { film = { slave = body:face "south", adhesion = film,
+                            master = sg.rigid.plane{ point = {0, -equilibrium}, normal = {0, 1} } } } }
+    return model:run({ { steps = 20, lid = {3} } },
+      sg.plain{ pseudo_transient = linear ~= "none", linear = linear ~= "none" and linear or nil,
+                newton = { iterations = 50 } })
+  end
+  local direct = pulled "umfpack"
+  check.equal({ direct.reason, direct:column "lid.fy"[20] < 0.01 }, { "completed", true })
+  for _, linear in ipairs { "auto", "condensed" } do
+    local run = pulled(linear)
+    check.equal({ run.reason, run.iterations }, { "completed", direct.iterations })
+    check.near(run:column "lid.fy", direct:column "lid.fy", 1e-8)
+  end
+  check.equal(pulled("none").reason, "turning_point") -- Newton's method alone ends there
+end)
+
+check.case("a run that pseudo-transient continuation cannot save reports the failed step", function()
+  local body = sg.body{ patch = sg.shapes.rectangle{ width = 8, height = 4 }, elements = {4, 2}, order = "N2",
+                        contact = "south", material = sg.linear_elastic{ E = 2, nu = 0.3 } }
+  local model = sg.model{
+    bodies = { block = body }, supports = { lid = { on = body:face "north", fix = "x" } },
+    loads = { pull = { on = body:face "north", traction = {0, 0} } }, -- beyond the strength there is no equilibrium
+    contacts = { film = { slave = body:face "south", adhesion = film,
+                          master = sg.rigid.plane{ point = {0, -equilibrium}, normal = {0, 1} } } } }
+  local run = model:run({ { steps = 10, pull = {0, 0.3} } }, sg.plain{ pseudo_transient = true })
+  check.equal({ run.failed, run.steps > 2 }, { true, true })
+end)
+
 check.done()
