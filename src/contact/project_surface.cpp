@@ -87,7 +87,8 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
       }
     const double size = step.cwiseQuotient(length).cwiseAbs().maxCoeff(); // of the step, in elements
     const double fraction = allowed(xi, step, box);
-    if (size <= last_step || iteration == most_foot_iterations) {
+    // A border in the way would shorten the step in both directions: it is searched along first.
+    if ((size <= last_step && fraction == 1) || iteration == most_foot_iterations) {
       // The last step squares the error down to rounding error, which is also the error of the first-order shift below.
       point.settled = size <= foot_tolerance;
       step *= fraction;

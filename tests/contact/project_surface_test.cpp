@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -48,6 +49,37 @@ double least_distance(const Surface<3>& surface, const Vec<3>& x) {
     least = std::min(least, here);
   }
   return std::sqrt(least);
+}
+
+TEST(ProjectSurface, FeetNextToBordersOfElementsAreFoundToRoundingError) {
+  // A border that cuts off the last step must not shorten it along the border: that error would be of first order in
+  // what depends on the coordinates, such as the fading of tractions, and would differ with the start of the search.
+  Random random(21);
+  double largest = 0;
+  int count = 0;
+  for (int round = 0; round < 4; ++round) {
+    const Surface<3> face = top_of(wavy_plate(random, 3, 0.1, 2, 3));
+    ElementBoxes<3> boxes;
+    boxes.update(face);
+    const double border = face.interval(0, 0)[1], length = border - face.interval(0, 0)[0];
+    const auto [low, high] = face.interval(0, 1);
+    for (int trial = 0; trial < 2000; ++trial) {
+      Coordinates xi(border + length * uniform(random, -2e-9, 2e-9), uniform(random, low, high));
+      FacePoint<3> at, foot;
+      face.locate(face.find_element(xi), xi, 1, at);
+      const Vec<3> x = at.position + 0.05 * face.outward(at.tangent).normalized();
+      const double far = std::pow(10, uniform(random, -8, -2));
+      Projection<3> seed;
+      seed.element = 0;
+      seed.xi = {border - length * far * uniform(random, 0, 1), xi(1) + (high - low) * far * uniform(random, -1, 1)};
+      if (project(face, boxes, x, seed, foot).foot != Foot::regular) continue;
+      const Vec<3>& along = foot.tangent[1]; // of the border
+      largest = std::max(largest, std::abs((x - foot.position).dot(along)) / (along.squaredNorm() * (high - low)));
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 5000);
+  EXPECT_LT(largest, 1e-12);
 }
 
 TEST(ProjectionOnSurface, IsTheGlobalMinimumFromAnySeed) {
