@@ -22,7 +22,7 @@ struct Tangent {
 /// How a tangent is to be factored.
 struct LinearRequest {
   solve::LinearKind kind; ///< the user's choice
-  bool damps;             ///< whether unconstrained bodies are damped
+  bool damps;             ///< whether damping has changed the tangent of bodies
   const solve::MumpsOptions& mumps;
 };
 
