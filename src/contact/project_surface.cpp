@@ -61,7 +61,7 @@ double allowed(const Coordinates& xi, const Coordinates& step, const std::array<
 }
 
 /// Minimizes the distance within one element by Newton's method with active bounds and step halving. Returns the bounds
-/// active at the minimum and leaves the face's geometry there in `point` (order 2).
+/// that stop the last step and leaves the face's geometry there in `point` (order 2).
 EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start,
                  FaceGeometry<3>& point) {
   const std::array<Interval, 2> box = {surface.interval(element, 0), surface.interval(element, 1)};
@@ -98,7 +98,7 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
       for (int a = 0; a < 2; ++a) point.position += step(a) * point.tangent[at(a)];
       for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b) point.tangent[at(a)] += step(b) * point.second[at(a + b)];
-      return active;
+      return extended;
     }
     // Backtracking until Armijo's condition holds, up to rounding error: the last steps towards a far point, whose
     // effect on the distance it exceeds, must not be shortened.
@@ -250,6 +250,7 @@ EdgeStop approach(const Surface<3>& surface, const Vec<3>& x, int element, const
   if (active == EdgeStop{}) return active;
   FaceGeometry<3> beyond;
   bool moved = true;
+  int level = 0; // moves that did not reduce the distance
   for (int moves = 0; moved && moves < 2 * surface.elements() + 8; ++moves) {
     moved = false;
     for (int a = 0; a < 2 && !moved; ++a) {
@@ -257,8 +258,14 @@ EdgeStop approach(const Surface<3>& surface, const Vec<3>& x, int element, const
       const int next = surface.neighbor(point.element, a, active[at(a)] > 0);
       if (next < 0) continue;
       const EdgeStop other = descend(surface, x, next, point.xi, beyond);
-      // Two elements that lead to each other in turn differ by rounding error only.
-      if ((beyond.position - x).squaredNorm() >= (point.position - x).squaredNorm() * (1 - 1e-14)) continue;
+      // Across a smooth border the squared distance may decrease by less than its rounding error, though the foot is
+      // still 1e-7 of the distance off: there a search that does not lead back is followed, four times at most (around
+      // a corner), so that elements do not lead to each other in turn.
+      const double here2 = (point.position - x).squaredNorm(), there2 = (beyond.position - x).squaredNorm();
+      const bool nearer = there2 < here2 * (1 - distance_rounding);
+      const bool onward = level < 4 && there2 <= here2 * (1 + same_distance) && other[at(a)] != -active[at(a)];
+      if (!nearer && !onward) continue;
+      level += !nearer;
       point = beyond;
       active = other;
       moved = true;

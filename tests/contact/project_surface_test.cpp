@@ -82,6 +82,42 @@ TEST(ProjectSurface, FeetNextToBordersOfElementsAreFoundToRoundingError) {
   EXPECT_LT(largest, 1e-12);
 }
 
+TEST(ProjectSurface, FeetBeyondABorderOrACornerAreFoundWhereTheDistanceNoLongerDecreases) {
+  // The squared distance changes by less than its rounding error while the foot is 1e-7 of the distance off.
+  Random random(22);
+  double largest = 0;
+  int count = 0;
+  for (int round = 0; round < 4; ++round) {
+    const Surface<3> face = top_of(wavy_plate(random, 3, 0.1, 2, 3));
+    ElementBoxes<3> boxes;
+    boxes.update(face);
+    const auto [left, right] = face.interval(0, 0);
+    const auto [low, high] = face.interval(0, 1);
+    const Coordinates length(right - left, high - low);
+    for (int trial = 0; trial < 2000; ++trial) {
+      const auto beside = [&] {
+        return std::pow(10, uniform(random, -10, -6)) * (uniform(random, -1, 1) < 0 ? -1 : 1);
+      };
+      Coordinates xi(right + length(0) * beside(), high + length(1) * beside());
+      if (trial % 2 == 0) xi(1) = uniform(random, low, high);
+      FacePoint<3> at, foot;
+      face.locate(face.find_element(xi), xi, 1, at);
+      const Vec<3> x = at.position + 0.05 * face.outward(at.tangent).normalized();
+      Projection<3> seed;
+      seed.element = 0;
+      seed.xi = {right - length(0) * std::abs(beside()), std::min(xi(1), high)};
+      if (project(face, boxes, x, seed, foot).foot != Foot::regular) continue;
+      for (int a = 0; a < 2; ++a) {
+        const Vec<3>& along = foot.tangent[static_cast<std::size_t>(a)];
+        largest = std::max(largest, std::abs((x - foot.position).dot(along)) / (along.squaredNorm() * length(a)));
+      }
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 5000);
+  EXPECT_LT(largest, 1e-12);
+}
+
 TEST(ProjectionOnSurface, IsTheGlobalMinimumFromAnySeed) {
   Random random(1);
   int regular = 0, edges = 0, corners = 0, borders = 0, missed = 0;
