@@ -92,8 +92,9 @@ public:
   contact::History<D> history(std::size_t k, const contact::History<D>& old) const {
     const contact::Formulation<D>& own = *to_.contacts[k];
     contact::History<D> result = old;
-    look_everywhere(result);
     if (old.multipliers.empty()) return result;
+    // Multipliers carry the friction; slips of the next step start at the feet on the new shape, at all points.
+    for (contact::PointHistory<D>& point : result.points) point.slips = false;
     // Pressure, friction and slip of each multiplier, of its history
     MatrixX values(2 * D, old.multipliers.size());
     for (std::size_t a = 0; a < old.multipliers.size(); ++a) {
@@ -177,7 +178,7 @@ template <int D> std::shared_ptr<Model<D>> with_bodies(const Model<D>& model, co
   other.path = model.path;
   other.path.increment = carry.degrees_of_freedom(model.path.increment);
   other.path.before = carry.degrees_of_freedom(model.path.before);
-  rollback(other);
+  settle(other); // accepted positions of contact points, too, are those of the new shape
 
   // Points on Coulomb's cone continue to slip.
   const contact::Controls onward{.guessed = gap_rounding * largest_position(other), .onward = true};

@@ -22,6 +22,12 @@ check.case("tangents are derivatives; what models keep from earlier states chang
     ("%d states, %d of them smooth, %d accepted"):format(states, smooth, accepted))
 end)
 
+check.case("moved layers: slips start at the same feet, whether points were skipped before or not", function()
+  local scene = scenes.describe(2137) -- half passes with reduced multipliers, friction
+  local result = walk.run(scene, { fresh = true })
+  if #result.found > 0 then error(scenes.text(scene) .. "\n  " .. table.concat(result.found, "\n  ")) end
+end)
+
 check.case("two threads give the bits of one", function()
   local before = core.threads
   for seed = first, first + (last - first) // 4 do
