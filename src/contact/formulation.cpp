@@ -6,7 +6,7 @@
 #include "contact/point_choice.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <utility>
 
 namespace signorini::contact {
@@ -34,7 +34,6 @@ template <int D> void Formulation<D>::move(const double* slave_displacement, con
 
 template <int D> void Formulation<D>::return_to_accepted() {
   accepted_master_ = master_;
-  accepted_travel_ = travel_;
 }
 
 template <int D> void Formulation<D>::append_slave(int element, std::vector<int>& dofs) const {
@@ -77,8 +76,8 @@ void Formulation<D>::append_dofs(const Block& block, const Offsets& offsets, std
 
 template <int D> void Formulation<D>::commit(History<D>& present, const History<D>& accepted, double penalty_factor) {
   commit_points(present, accepted, penalty_factor);
-  const double master_moved = master_moved_since_accepted();
-  double moved = 0; // by which a point of the slave has approached the master
+  const double master_moved = master_.moved_since(accepted_master_, slave_.points());
+  double farthest = 0; // by which a point of the slave has approached the master
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!acts(points_, present, i)) continue;
     const PointResult<D>&before = accepted.results[i], &after = present.results[i];
@@ -86,24 +85,26 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
     present.offset_work += share() * 0.5 * (before.pressure * before.area + after.pressure * after.area) *
                            (offset(i, present) - offset(i, accepted));
     if (!present.results[i].settled) unsettled_ = {unsettled_.count + 1, points_.reference[i]};
-    if (points_.sparse > 0) moved = std::max(moved, approach(i, present, accepted, master_moved));
-    if (has_crossed(i, present, accepted, master_moved)) crossed_ = {crossed_.count + 1, points_.reference[i]};
-    // Beyond an end, another part of a master that is bent may be nearer in the next step: from behind, too.
-    if (present.points[i].projection.foot == Foot::none) present.points[i].cleared = 0;
+    const double moved = (after.position - before.position).norm() + master_moved;
+    farthest = std::max(farthest, moved);
+    if (has_crossed(i, present, accepted, moved)) crossed_ = {crossed_.count + 1, points_.reference[i]};
   }
   for (std::size_t a = 0; a < present.multipliers.size(); ++a)
     present.growth += growth(accepted.multiplier_results[a], present.multiplier_results[a]);
   return_to_accepted();
-  if (points_.sparse > 0) choose_points(present, moved, penalty_factor);
+  if (points_.sparse > 0) choose_points(present, farthest, penalty_factor);
+  // Beyond an end, another part of a master that is bent may be nearer in the next step: from behind, too.
+  for (PointHistory<D>& point : present.points)
+    if (point.projection.foot == Foot::none) point.cleared = 0;
 }
 
 /// Changes the rules of elements for the next step. Points that begin to act take over histories and are evaluated;
 /// the energy of springs changes by the error of quadrature, which counts as growth.
 template <int D> void Formulation<D>::choose_points(History<D>& present, double moved, double penalty_factor) {
-  std::vector<double> clearance(points_.size(), 0.0);
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    if (present.points[i].cleared > 0) clearance[i] = present.points[i].cleared - travel_;
-  const std::vector<char> sparse = choose_sparse(points_, slave_, present, clearance, moved);
+  const std::vector<char> sparse =
+      choose_sparse(points_, slave_, present, moved, [&](std::span<const std::size_t> open, double distance) {
+        return is_near(present, open, distance, penalty_factor);
+      });
   std::vector<std::size_t> all;
   for (std::size_t first = 0, last; first < points_.size(); first = last) {
     const int e = points_.list[first].element;
@@ -124,31 +125,30 @@ template <int D> void Formulation<D>::choose_points(History<D>& present, double 
   for (const std::size_t i : all) present.growth += present.results[i].potential;
 }
 
-/// Bound on the distance by which a point of the master has moved since the accepted state; infinite if it is rigid,
-/// where travel_ has a bound.
-template <int D> double Formulation<D>::master_moved_since_accepted() const {
-  if (master_.rigid()) return std::numeric_limits<double>::infinity();
-  return std::sqrt(
-      (master_.surface()->points() - accepted_master_.surface()->points()).colwise().squaredNorm().maxCoeff());
-}
-
-/// Bound on the distance by which point i has come closer to the master since the accepted state.
+/// Whether one of some open points is nearer to contact than a distance. Where its bound does not tell, the point is
+/// projected, so that the answer depends on the state alone: not on what a bound has been spent on, nor on a save.
 template <int D>
-double Formulation<D>::approach(std::size_t i, const History<D>& present, const History<D>& accepted,
-                                double master_moved) const {
-  return std::min(travel_ - accepted_travel_,
-                  (present.results[i].position - accepted.results[i].position).norm() + master_moved);
+bool Formulation<D>::is_near(const History<D>& present, std::span<const std::size_t> points, double distance,
+                             double penalty_factor) const {
+  FacePoint<D> foot;
+  return std::any_of(points.begin(), points.end(), [&](std::size_t i) {
+    const PointHistory<D>& point = present.points[i];
+    if (point.cleared - travel_ >= distance) return false;
+    const Projection<D> closest = master_.project(present.results[i].position, point.projection, foot);
+    // The sign at an end or a kink does not matter: contact is |g| away. t_N > 0 below a gap of o + λ_N/ε_N
+    const double gap = closest.foot == Foot::regular ? closest.gap : std::abs(closest.gap);
+    return gap - offset(i, present) - point.multiplier / (penalty_factor * penalty(present)) < distance;
+  });
 }
 
-/// Whether a point of an active contact has passed through the master since the accepted state. Points whose distance
-/// exceeds the approach of slave and master need no test.
+/// Whether a point of an active contact has passed through the master since the accepted state, when it came closer to
+/// it by at most `moved`. Points at a larger distance need no test.
 template <int D>
 bool Formulation<D>::has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted,
-                                 double master_moved) const {
+                                 double moved) const {
   const PointHistory<D>& point = present.points[i];
   const PointResult<D>& result = present.results[i];
   if (!active(present) || !active(accepted)) return false;
-  const double moved = approach(i, present, accepted, master_moved);
   const double touching = offset(i, present);
   const double least = point.cleared > 0 ? point.cleared - travel_ + touching : point.projection.gap; // distance
   if (moved <= 0 || least > moved || result.beyond) return false;

@@ -168,9 +168,7 @@ protected:
 
   Surface<D> slave_;
   Master<D> master_, accepted_master_;
-  /// Bound on the approach of slave and master points, summed over all moves, and its value when the accepted state was
-  /// last reached or restored.
-  double travel_ = 0, accepted_travel_ = 0;
+  double travel_ = 0; ///< bound on the approach of slave and master points, summed over all moves
   ContactPoints<D> points_;
   Start start_;
   std::vector<double> overlap_;
@@ -179,10 +177,10 @@ protected:
   double search_seconds_ = 0;
 
 private:
-  double master_moved_since_accepted() const;
-  double approach(std::size_t i, const History<D>& present, const History<D>& accepted, double master_moved) const;
   void choose_points(History<D>& present, double moved, double penalty_factor);
-  bool has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted, double master_moved) const;
+  bool is_near(const History<D>& present, std::span<const std::size_t> points, double distance,
+               double penalty_factor) const;
+  bool has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted, double moved) const;
 
   Tally unsettled_, crossed_;
 };

@@ -41,12 +41,11 @@ Master<D>::Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning)
   }
 }
 
-/// Turns the master; returns a bound as move(). Seen from the master, a point x moves by at most ‖ΔR‖ |x − c − t|.
+/// A bound as of move() on the rotation from another one. Seen from the master, a point x moves by at most
+/// ‖ΔR‖ |x − c − t|.
 template <int D>
-double Master<D>::turn(const double* markers, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite) {
-  const Mat<D> to = Mat<D>::Identity() + Eigen::Map<const Mat<D>>(markers) / turning_->arm;
-  const double change = (to - rotation_).norm();
-  rotation_ = to;
+double Master<D>::turned(const Mat<D>& before, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite) const {
+  const double change = (rotation_ - before).norm();
   const Vec<D> center = turning_->center + translation_;
   return change == 0 ? 0 : change * std::sqrt((opposite.colwise() - center).colwise().squaredNorm().maxCoeff());
 }
@@ -67,7 +66,11 @@ double Master<D>::move(const double* displacement, const Eigen::Matrix<double, D
   const Vec<D> to = Eigen::Map<const Vec<D>>(displacement);
   double distance = (to - translation_).norm();
   translation_ = to;
-  if (turning_) distance += turn(displacement + D, opposite);
+  if (turning_) {
+    const Mat<D> before = rotation_;
+    rotation_ = Mat<D>::Identity() + Eigen::Map<const Mat<D>>(displacement + D) / turning_->arm;
+    distance += turned(before, opposite);
+  }
   if (surface_ && distance > 0) {
     for (std::size_t i = 0; i < displacements_.size(); ++i) displacements_[i] = displacement[i % D];
     if (turning_) {
@@ -78,6 +81,12 @@ double Master<D>::move(const double* displacement, const Eigen::Matrix<double, D
     boxes_.update(*surface_);
   }
   return distance;
+}
+
+template <int D>
+double Master<D>::moved_since(const Master& before, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite) const {
+  if (!rigid_) return surface_->moved_since(*before.surface_);
+  return (translation_ - before.translation_).norm() + (turning_ ? turned(before.rotation_, opposite) : 0);
 }
 
 /// Geometry of order 2 of a closed-form shape at point.xi.

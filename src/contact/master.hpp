@@ -40,6 +40,8 @@ public:
   /// Sets displacements, D values per function of the body, or per node of the obstacle. Returns an upper bound of the
   /// distance by which any point has come closer to the convex hull of `opposite` (D × points).
   double move(const double* displacement, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite = {});
+  /// The same bound between another position of the master and this one.
+  double moved_since(const Master& before, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite) const;
 
   /// The closest point to x, see projection.hpp; `point` receives the geometry there (order 2) without functions.
   /// Closed-form shapes have no ends.
@@ -60,7 +62,7 @@ public:
 private:
   int nodes() const { return turning_ ? 1 + D : 1; }
   void place(FaceGeometry<D>& point) const;
-  double turn(const double* markers, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite);
+  double turned(const Mat<D>& before, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite) const;
   Vec<D> pulled_back(const Vec<D>& x) const;
 
   bool rigid_;

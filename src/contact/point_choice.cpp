@@ -12,30 +12,29 @@ namespace {
 
 /// What the acting points of an element have in common.
 struct ElementState {
-  int points = 0, listed = 0;        ///< that act; of both rules
+  std::vector<std::size_t> points;   ///< that act
+  int listed = 0;                    ///< number of points of both rules
   std::optional<ContactState> state; ///< of the first
   bool mixed = false;
   double least = std::numeric_limits<double>::infinity(), most = 0; ///< pressure
-  double clearance = std::numeric_limits<double>::infinity();
 };
 
 } // namespace
 
 template <int D>
 std::vector<char> choose_sparse(const ContactPoints<D>& points, const Surface<D>& slave, const History<D>& history,
-                                const std::vector<double>& clearance, double moved) {
+                                double moved, const IsNear& is_near) {
   std::vector<ElementState> elements(at(slave.elements()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     ElementState& element = elements[at(points.list[i].element)];
     ++element.listed;
     if (!acts(points, history, i)) continue;
     const PointResult<D>& result = history.results[i];
-    ++element.points;
+    element.points.push_back(i);
     if (!element.state) element.state = result.state;
-    element.mixed = element.mixed || result.beyond || result.state != *element.state;
+    element.mixed = element.mixed || result.state != *element.state;
     element.least = std::min(element.least, result.pressure);
     element.most = std::max(element.most, result.pressure);
-    element.clearance = std::min(element.clearance, clearance[i]);
   }
   const auto power = [](int n) { return D == 2 ? n : n * n; };
   const int all = power(points.full) + power(points.sparse);
@@ -54,16 +53,17 @@ std::vector<char> choose_sparse(const ContactPoints<D>& points, const Surface<D>
     if (!full && !touches(*element.state)) {
       Vec<D> lower, upper;
       slave.bounds(e, lower, upper);
-      full = element.clearance < caution * std::max(border_motion * moved, border_distance * (upper - lower).norm());
+      full =
+          is_near(element.points, caution * std::max(border_motion * moved, border_distance * (upper - lower).norm()));
     }
     sparse[at(e)] = !full;
   }
   return sparse;
 }
 
-template std::vector<char> choose_sparse(const ContactPoints<2>&, const Surface<2>&, const History<2>&,
-                                         const std::vector<double>&, double);
-template std::vector<char> choose_sparse(const ContactPoints<3>&, const Surface<3>&, const History<3>&,
-                                         const std::vector<double>&, double);
+template std::vector<char> choose_sparse(const ContactPoints<2>&, const Surface<2>&, const History<2>&, double,
+                                         const IsNear&);
+template std::vector<char> choose_sparse(const ContactPoints<3>&, const Surface<3>&, const History<3>&, double,
+                                         const IsNear&);
 
 } // namespace signorini::contact

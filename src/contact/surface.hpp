@@ -112,6 +112,8 @@ public:
   /// body_function()). Returns the largest distance by which a Bézier point has moved, a bound on that of any point of
   /// the face and of its extension, whose points are convex combinations of their Bézier points.
   double move(const double* displacement);
+  /// The largest distance between its Bézier points and those of another shape of the same face, a bound as of move().
+  double moved_since(const Surface& before) const;
   /// Current control points, D × functions.
   const Eigen::Matrix<double, D, Eigen::Dynamic>& points() const { return points_; }
 

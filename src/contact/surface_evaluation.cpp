@@ -65,6 +65,19 @@ template <int D> double Surface<D>::move(const double* displacement) {
   return distance;
 }
 
+template <int D> double Surface<D>::moved_since(const Surface& before) const {
+  const std::size_t step = at(width()), weight = step == 4 ? D : 0;
+  double largest2 = 0;
+  for (std::size_t q = 0; q < bezier_.size(); q += step) {
+    double change2 = 0;
+    for (std::size_t k = q; k < q + D; ++k)
+      change2 += (bezier_[k] - before.bezier_[k]) * (bezier_[k] - before.bezier_[k]);
+    if (!polynomial_) change2 /= bezier_[q + weight] * bezier_[q + weight]; // weights do not change
+    largest2 = std::max(largest2, change2);
+  }
+  return std::sqrt(largest2);
+}
+
 /// Q_kl = Σ_ab C(a, k) C(b, l) w_ab (x_ab, 1), one direction after the other. Returns the largest change of an x.
 template <int D> template <int W> double Surface<D>::update_bezier() {
   using Row = Eigen::Matrix<double, W, 1>;
@@ -326,6 +339,7 @@ template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) cons
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template double Surface<D>::move(const double*);                                                                     \
+  template double Surface<D>::moved_since(const Surface<D>&) const;                                                    \
   template void Surface<D>::bounds(int, Vec<D>&, Vec<D>&) const;                                                       \
   template double Surface<D>::least_along(int, const Vec<D>&) const;                                                   \
   template void Surface<D>::locate(int, const FaceCoordinates<D>&, int, FaceGeometry<D>&) const;                       \

@@ -27,7 +27,9 @@ struct Strip {
       history.results[i].pressure = std::max(0.0, 1 - s * s);
       clearance[i] = std::max(0.0, 5 * (s * s - 1));
     }
-    history.sparse = choose_sparse(points, face, history, clearance, moved);
+    history.sparse = choose_sparse(points, face, history, moved, [&](auto open, double distance) {
+      return std::any_of(open.begin(), open.end(), [&](std::size_t i) { return clearance[i] < distance; });
+    });
   }
 };
 
@@ -75,7 +77,7 @@ TEST(PointChoice, ElementsThatTheRegionCutsAreFull) {
   const ContactPoints<2> cut(
       strip.face, 9, false, [](const Vec<2>& x) { return x(0) < 20.5; }, 3);
   const History<2> history(cut);
-  const std::vector<char> sparse = choose_sparse(cut, strip.face, history, std::vector<double>(cut.size(), 1.0), 0.001);
+  const std::vector<char> sparse = choose_sparse(cut, strip.face, history, 0.001, [](auto, double) { return false; });
   EXPECT_FALSE(sparse[20]);
   EXPECT_TRUE(sparse[10]);
 }

@@ -107,18 +107,9 @@ function Walk:jump(model, x, depth, noise)
   return change
 end
 
---- The number of contact points that act.
-local function points(model)
-  local count = 0
-  for _, name in ipairs(model:contact_names()) do count = count + #model:profile(name).pressure end
-  return count
-end
-
---- Compares residual and tangent with those of the model that has seen less. With points = "auto" elements may have
---- other points there, chosen by bounds on distances that depend on the moves before.
+--- Compares residual and tangent with those of the model that has seen less.
 function Walk:compare(residual, tangent, change)
   local other = self.other
-  if points(self.model) ~= points(other) then return end
   other:set_target("grip", self.model_target)
   other:move(change)
   local here, there = other:residual(), other:tangent()
