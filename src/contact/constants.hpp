@@ -25,6 +25,10 @@ inline constexpr double sufficient_decrease = 1e-4;
 inline constexpr double distance_rounding = 1e-14;
 /// Squared distances with a smaller relative difference are the same minimum, reached from both sides of a border.
 inline constexpr double same_distance = 1e-12;
+/// Coordinates within this fraction of an element's length of its border are on it.
+inline constexpr double border_slack = 1e-14;
+/// Most moves of a search to other elements that do not reduce the distance: around a corner of four elements.
+inline constexpr int most_level_moves = 4;
 
 // ── Geometric tolerances against rounding error ──────────────────────────────────────────────────────────────────────
 

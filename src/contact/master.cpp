@@ -34,7 +34,6 @@ Master<D>::Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning)
     surface_.emplace(*patch);
     surface_->extend(end_extension);
     boxes_.update(*surface_);
-    initial_ = surface_->points();
     displacements_.resize(at(D * surface_->functions()));
   } else {
     shape_ = std::move(obstacle);
@@ -74,8 +73,8 @@ double Master<D>::move(const double* displacement, const Eigen::Matrix<double, D
   if (surface_ && distance > 0) {
     for (std::size_t i = 0; i < displacements_.size(); ++i) displacements_[i] = displacement[i % D];
     if (turning_) {
-      Eigen::Map<Eigen::Matrix<double, D, Eigen::Dynamic>> all(displacements_.data(), D, initial_.cols());
-      all += (rotation_ - Mat<D>::Identity()) * (initial_.colwise() - turning_->center);
+      Eigen::Map<Eigen::Matrix<double, D, Eigen::Dynamic>> all(displacements_.data(), D, surface_->functions());
+      all += (rotation_ - Mat<D>::Identity()) * (surface_->reference().colwise() - turning_->center);
     }
     surface_->move(displacements_.data());
     boxes_.update(*surface_);

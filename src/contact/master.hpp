@@ -71,9 +71,8 @@ private:
   ElementBoxes<D> boxes_;
   Vec<D> translation_ = Vec<D>::Zero(); ///< of a rigid master
   std::optional<Turning<D>> turning_;
-  Mat<D> rotation_ = Mat<D>::Identity();             ///< R, if it turns
-  Eigen::Matrix<double, D, Eigen::Dynamic> initial_; ///< control points of a rigid face before all moves
-  std::vector<double> displacements_;                ///< working space: of the control points of a rigid face
+  Mat<D> rotation_ = Mat<D>::Identity(); ///< R, if it turns
+  std::vector<double> displacements_;    ///< working space: of the control points of a rigid face
 };
 
 } // namespace signorini::contact

@@ -60,6 +60,16 @@ double allowed(const Coordinates& xi, const Coordinates& step, const std::array<
   return fraction;
 }
 
+/// Whether the distance does not decrease from the bounds that stopped a search into the element, but for rounding
+/// error.
+bool holds(const EdgeStop& bounds, const Vec<3>& difference, const FaceGeometry<3>& point, const Coordinates& length) {
+  for (int a = 0; a < 2; ++a) {
+    const Vec<3>& tangent = point.tangent[at(a)];
+    if (bounds[at(a)] * difference.dot(tangent) > border_slack * length(a) * tangent.squaredNorm()) return false;
+  }
+  return true;
+}
+
 /// Minimizes the distance within one element by Newton's method with active bounds and step halving. Returns the bounds
 /// that stop the last step and leaves the face's geometry there in `point` (order 2).
 EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const Coordinates& start,
@@ -98,7 +108,10 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
       for (int a = 0; a < 2; ++a) point.position += step(a) * point.tangent[at(a)];
       for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b) point.tangent[at(a)] += step(b) * point.second[at(a + b)];
-      return extended;
+      // A step along a border may turn the distance's slope across it: the minimum is then inside.
+      if (iteration == most_foot_iterations || holds(extended, point.position - x, point, length)) return extended;
+      surface.locate(element, xi, 2, point);
+      continue;
     }
     // Backtracking until Armijo's condition holds, up to rounding error: the last steps towards a far point, whose
     // effect on the distance it exceeds, must not be shortened.
@@ -109,7 +122,7 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
       Coordinates next = xi + scale * step;
       for (int a = 0; a < 2; ++a) {
         // Steps that end at a border must end exactly on it.
-        const double from = box[at(a)][0], to = box[at(a)][1], slack = 1e-14 * length(a);
+        const double from = box[at(a)][0], to = box[at(a)][1], slack = border_slack * length(a);
         next(a) = next(a) < from + slack ? from : next(a) > to - slack ? to : next(a);
       }
       surface.locate(element, next, 2, point);
@@ -259,11 +272,12 @@ EdgeStop approach(const Surface<3>& surface, const Vec<3>& x, int element, const
       if (next < 0) continue;
       const EdgeStop other = descend(surface, x, next, point.xi, beyond);
       // Across a smooth border the squared distance may decrease by less than its rounding error, though the foot is
-      // still 1e-7 of the distance off: there a search that does not lead back is followed, four times at most (around
-      // a corner), so that elements do not lead to each other in turn.
+      // still 1e-7 of the distance off: there a search that does not lead back is followed, a few times, so that
+      // elements do not lead to each other in turn.
       const double here2 = (point.position - x).squaredNorm(), there2 = (beyond.position - x).squaredNorm();
       const bool nearer = there2 < here2 * (1 - distance_rounding);
-      const bool onward = level < 4 && there2 <= here2 * (1 + same_distance) && other[at(a)] != -active[at(a)];
+      const bool onward =
+          level < most_level_moves && there2 <= here2 * (1 + same_distance) && other[at(a)] != -active[at(a)];
       if (!nearer && !onward) continue;
       level += !nearer;
       point = beyond;

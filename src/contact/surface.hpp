@@ -116,6 +116,8 @@ public:
   double moved_since(const Surface& before) const;
   /// Current control points, D × functions.
   const Eigen::Matrix<double, D, Eigen::Dynamic>& points() const { return points_; }
+  /// The same without displacements.
+  const Eigen::Matrix<double, D, Eigen::Dynamic>& reference() const { return reference_; }
 
   /// Bounding box of an element's Bézier points, which contains the element (convex hull property).
   void bounds(int element, Vec<D>& lower, Vec<D>& upper) const;
@@ -157,6 +159,8 @@ private:
   /// Values per Bézier point.
   int width() const { return D == 2 && polynomial_ ? 2 : 4; }
   template <int W> double update_bezier();
+  /// Squared distance of a Bézier point from its earlier place, both as in bezier_.
+  template <int W> double moved2(const double* before, const double* now) const;
   template <int W> void bounds_with(int element, Vec<D>& lower, Vec<D>& upper) const;
   template <int P, int Order, int W>
   void locate_with(int element, const FaceCoordinates<D>& xi, FaceGeometry<D>& point) const;

@@ -65,16 +65,20 @@ template <int D> double Surface<D>::move(const double* displacement) {
   return distance;
 }
 
+template <int D> template <int W> double Surface<D>::moved2(const double* before, const double* now) const {
+  using Point = Eigen::Map<const Vec<D>>;
+  double change2 = (Point(now) - Point(before)).squaredNorm();
+  if constexpr (W == 4)
+    if (!polynomial_) change2 /= now[D] * now[D]; // weights do not change
+  return change2;
+}
+
 template <int D> double Surface<D>::moved_since(const Surface& before) const {
-  const std::size_t step = at(width()), weight = step == 4 ? D : 0;
   double largest2 = 0;
-  for (std::size_t q = 0; q < bezier_.size(); q += step) {
-    double change2 = 0;
-    for (std::size_t k = q; k < q + D; ++k)
-      change2 += (bezier_[k] - before.bezier_[k]) * (bezier_[k] - before.bezier_[k]);
-    if (!polynomial_) change2 /= bezier_[q + weight] * bezier_[q + weight]; // weights do not change
-    largest2 = std::max(largest2, change2);
-  }
+  with_width([&]<int W>() {
+    for (std::size_t q = 0; q < bezier_.size(); q += W)
+      largest2 = std::max(largest2, moved2<W>(&before.bezier_[q], &bezier_[q]));
+  });
   return std::sqrt(largest2);
 }
 
@@ -91,11 +95,8 @@ template <int D> template <int W> double Surface<D>::update_bezier() {
   }
   double largest2 = 0;
   const auto set = [&](double* q, const Row& row) {
-    Eigen::Map<Row> old(q);
-    double change2 = (row - old).template head<D>().squaredNorm();
-    if (!polynomial_) change2 /= row(W == 4 ? D : 0) * row(W == 4 ? D : 0); // weights do not change
-    largest2 = std::max(largest2, change2);
-    old = row;
+    largest2 = std::max(largest2, moved2<W>(q, row.data()));
+    std::copy_n(row.data(), W, q);
   };
   for (const Element& element : elements_) {
     const int* local = nodes_.data() + element.nodes;

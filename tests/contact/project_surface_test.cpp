@@ -51,40 +51,14 @@ double least_distance(const Surface<3>& surface, const Vec<3>& x) {
   return std::sqrt(least);
 }
 
-TEST(ProjectSurface, FeetNextToBordersOfElementsAreFoundToRoundingError) {
-  // A border that cuts off the last step must not shorten it along the border: that error would be of first order in
-  // what depends on the coordinates, such as the fading of tractions, and would differ with the start of the search.
-  Random random(21);
-  double largest = 0;
-  int count = 0;
-  for (int round = 0; round < 4; ++round) {
-    const Surface<3> face = top_of(wavy_plate(random, 3, 0.1, 2, 3));
-    ElementBoxes<3> boxes;
-    boxes.update(face);
-    const double border = face.interval(0, 0)[1], length = border - face.interval(0, 0)[0];
-    const auto [low, high] = face.interval(0, 1);
-    for (int trial = 0; trial < 2000; ++trial) {
-      Coordinates xi(border + length * uniform(random, -2e-9, 2e-9), uniform(random, low, high));
-      FacePoint<3> at, foot;
-      face.locate(face.find_element(xi), xi, 1, at);
-      const Vec<3> x = at.position + 0.05 * face.outward(at.tangent).normalized();
-      const double far = std::pow(10, uniform(random, -8, -2));
-      Projection<3> seed;
-      seed.element = 0;
-      seed.xi = {border - length * far * uniform(random, 0, 1), xi(1) + (high - low) * far * uniform(random, -1, 1)};
-      if (project(face, boxes, x, seed, foot).foot != Foot::regular) continue;
-      const Vec<3>& along = foot.tangent[1]; // of the border
-      largest = std::max(largest, std::abs((x - foot.position).dot(along)) / (along.squaredNorm() * (high - low)));
-      ++count;
-    }
-  }
-  EXPECT_GT(count, 5000);
-  EXPECT_LT(largest, 1e-12);
-}
+/// A place on a face above which a point is, and where the search for it starts.
+struct Draw {
+  Coordinates place, start;
+};
 
-TEST(ProjectSurface, FeetBeyondABorderOrACornerAreFoundWhereTheDistanceNoLongerDecreases) {
-  // The squared distance changes by less than its rounding error while the foot is 1e-7 of the distance off.
-  Random random(22);
+/// The largest error of foot points along both tangents, in elements. draw(trial, corner, length): from the end of the
+/// face's first element and its lengths.
+template <class Drawn> double largest_error(Random& random, const Drawn& draw) {
   double largest = 0;
   int count = 0;
   for (int round = 0; round < 4; ++round) {
@@ -93,19 +67,15 @@ TEST(ProjectSurface, FeetBeyondABorderOrACornerAreFoundWhereTheDistanceNoLongerD
     boxes.update(face);
     const auto [left, right] = face.interval(0, 0);
     const auto [low, high] = face.interval(0, 1);
-    const Coordinates length(right - left, high - low);
+    const Coordinates corner(right, high), length(right - left, high - low);
     for (int trial = 0; trial < 2000; ++trial) {
-      const auto beside = [&] {
-        return std::pow(10, uniform(random, -10, -6)) * (uniform(random, -1, 1) < 0 ? -1 : 1);
-      };
-      Coordinates xi(right + length(0) * beside(), high + length(1) * beside());
-      if (trial % 2 == 0) xi(1) = uniform(random, low, high);
+      const Draw drawn = draw(trial, corner, length);
       FacePoint<3> at, foot;
-      face.locate(face.find_element(xi), xi, 1, at);
+      face.locate(face.find_element(drawn.place), drawn.place, 1, at);
       const Vec<3> x = at.position + 0.05 * face.outward(at.tangent).normalized();
       Projection<3> seed;
       seed.element = 0;
-      seed.xi = {right - length(0) * std::abs(beside()), std::min(xi(1), high)};
+      seed.xi = drawn.start;
       if (project(face, boxes, x, seed, foot).foot != Foot::regular) continue;
       for (int a = 0; a < 2; ++a) {
         const Vec<3>& along = foot.tangent[static_cast<std::size_t>(a)];
@@ -115,7 +85,33 @@ TEST(ProjectSurface, FeetBeyondABorderOrACornerAreFoundWhereTheDistanceNoLongerD
     }
   }
   EXPECT_GT(count, 5000);
-  EXPECT_LT(largest, 1e-12);
+  return largest;
+}
+
+TEST(ProjectSurface, FeetNextToBordersOfElementsAreFoundToRoundingError) {
+  // A border that cuts off the last step must not shorten it along the border: that error would be of first order in
+  // what depends on the coordinates, such as the fading of tractions, and would differ with the start of the search.
+  Random random(21);
+  const auto draw = [&](int, const Coordinates& corner, const Coordinates& length) {
+    const Coordinates place =
+        corner + length.cwiseProduct(Coordinates(uniform(random, -2e-9, 2e-9), uniform(random, -1, 0)));
+    const double far = std::pow(10, uniform(random, -8, -2));
+    const Coordinates apart(uniform(random, -1, 0), uniform(random, -1, 1));
+    return Draw{place, Coordinates(corner(0), place(1)) + far * length.cwiseProduct(apart)};
+  };
+  EXPECT_LT(largest_error(random, draw), 1e-12);
+}
+
+TEST(ProjectSurface, FeetBeyondABorderOrACornerAreFoundWhereTheDistanceNoLongerDecreases) {
+  // The squared distance changes by less than its rounding error while the foot is 1e-7 of the distance off.
+  Random random(22);
+  const auto offset = [&] { return std::pow(10, uniform(random, -10, -6)) * (uniform(random, -1, 1) < 0 ? -1 : 1); };
+  const auto draw = [&](int trial, const Coordinates& corner, const Coordinates& length) {
+    Coordinates place = corner + length.cwiseProduct(Coordinates(offset(), offset()));
+    if (trial % 2 == 0) place(1) = corner(1) - length(1) * uniform(random, 0, 1);
+    return Draw{place, {corner(0) - length(0) * std::abs(offset()), std::min(place(1), corner(1))}};
+  };
+  EXPECT_LT(largest_error(random, draw), 1e-12);
 }
 
 TEST(ProjectionOnSurface, IsTheGlobalMinimumFromAnySeed) {
