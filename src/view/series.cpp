@@ -5,6 +5,7 @@
 #include "base/process.hpp"
 #include "base/whole_file.hpp"
 #include "view/figure.hpp"
+#include "view/ogg.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +66,8 @@ void write_by_vtk(const std::string& file, int count, double rate, const Picture
   require(rate == std::round(rate) && rate >= 1 && rate <= 5000, "view.film.rate", {{"rate", rate}});
   const Folder folder(fs::absolute(file).string());
   renderer().ogv(folder.path("film.ogv"), count, static_cast<int>(rate), picture);
+  // VTK's writer does not report that the disk was full.
+  require(is_whole_ogg(read_file(folder.path("film.ogv"))), "view.film.write", {{"file", file}});
   fs::rename(folder.path("film.ogv"), file);
 }
 
