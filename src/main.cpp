@@ -12,6 +12,7 @@
 #include "repl/kernel_spec.hpp"
 #include "repl/line_editor.hpp"
 #include "repl/prompt.hpp"
+#include "repl/standard_streams.hpp"
 
 #include <iostream>
 #include <malloc.h>
@@ -60,6 +61,8 @@ bool run(const repl::CommandLine& line, const std::string& program) {
 } // namespace
 
 int main(int argc, char** argv) {
+  repl::open_standard_streams();
+  repl::report_lost_output();
   // Freed memory stays with the process: bodies and matrices are made again and again, and a fresh page costs a fault.
   mallopt(M_TRIM_THRESHOLD, kept_memory);
   mallopt(M_MMAP_THRESHOLD, large_block);

@@ -126,6 +126,25 @@ check.case("more threads than the system allows are an error that states the max
   check.holds(result.output, "signorini: the system started only ", " of 1024 threads", "Hint: use fewer threads")
 end)
 
+check.case("closed streams: what is printed does not land in files that are opened later", function()
+  local file = check.folder() .. "/result.txt"
+  local code = ("local f = io.open('%s', 'w'); print 'printed'; io.stderr:write 'error'; f:write 'result'; f:close()")
+    :format(file)
+  for _, closed in ipairs { "<&- >&- 2>&-", ">&- 2>&-", ">&-", "2>&-" } do
+    local _, status = check.shell(("'%s' -q -e \"%s\" %s"):format(arg[-1], code, closed))
+    check.equal(status, 0)
+    check.equal(core.read_file(file), "result")
+  end
+end)
+
+check.case("output that cannot be written is an error, also with os.exit", function()
+  for _, code in ipairs { "print 'lost'", "print 'lost' os.exit(0, true)", "io.write(('x'):rep(100000))" } do
+    local output, status = check.shell(("'%s' -q -e \"%s\" 2>&1 >/dev/full"):format(arg[-1], code))
+    check.equal(status, 1)
+    check.holds(output, "signorini: the output could not be written")
+  end
+end)
+
 check.case("the library is found by SIGNORINI_HOME, or the message lists the places that were searched", function()
   local result = run({ "-e", "print(1)" }, nil, "env SIGNORINI_HOME=/nowhere")
   check.equal(result.status, 1)
