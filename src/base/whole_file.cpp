@@ -35,24 +35,32 @@ struct Temporary {
   fail("base.file.write", {{"file", file}, {"reason", std::strerror(error)}});
 }
 
+/// Temporary files of a file `name` are called .name.<process number>.part.
 constexpr std::string_view ending = ".part";
-
-/// First part of the names of temporary files of `path`; process number and extension follow.
-std::string temporary_stem(const fs::path& path) {
-  return text(".", path.filename().string(), ".");
-}
 
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-/// The process that wrote a temporary file with this stem; 0 for other files.
-int owner(std::string_view name, std::string_view stem) {
-  if (!name.starts_with(stem) || !name.ends_with(ending) || name.size() <= stem.size() + ending.size()) return 0;
-  const std::string_view digits = name.substr(stem.size(), name.size() - stem.size() - ending.size());
+/// The file to which a temporary file belongs whose process no longer exists; empty for other files.
+std::string_view left_by(std::string_view name) {
+  if (!name.starts_with('.') || !name.ends_with(ending)) return {};
+  const std::string_view stem = name.substr(0, name.size() - ending.size());
+  const std::size_t dot = stem.rfind('.');
+  if (dot == 0) return {};
   int process = 0;
-  const auto [end, error] = std::from_chars(digits.begin(), digits.end(), process);
-  return error == std::errc() && end == digits.end() ? process : 0;
+  const auto [end, error] = std::from_chars(stem.data() + dot + 1, stem.data() + stem.size(), process);
+  if (error != std::errc() || end != stem.data() + stem.size() || process <= 0) return {};
+  return ::kill(process, 0) != 0 && errno == ESRCH ? stem.substr(1, dot - 1) : std::string_view();
+}
+
+/// Calls visit(path, file) for each such temporary file in a folder.
+template <class Visit> void each_leftover(const fs::path& folder, const Visit& visit) {
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    if (const std::string_view file = left_by(name); !file.empty()) visit(entry->path(), file);
+  }
 }
 
 /// Throws Error unless the file's folder exists; the message says what is in its place or how to create it.
@@ -104,7 +112,7 @@ void write_atomically(const std::string& file, std::string_view bytes, bool dura
   check_folder(file, folder);
   require(!fs::is_directory(path, ignored), "base.file.write_folder", {{"file", file}});
 
-  const std::string name = (folder / text(temporary_stem(path), ::getpid(), ending)).string();
+  const std::string name = (folder / text(".", path.filename().string(), ".", ::getpid(), ending)).string();
   Temporary temporary{name, ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
   if (temporary.handle < 0 || !write_all(temporary.handle, bytes)) cannot_write(file, errno);
   if (durable && ::fsync(temporary.handle) != 0) cannot_write(file, errno);
@@ -116,12 +124,17 @@ void write_atomically(const std::string& file, std::string_view bytes, bool dura
 
 void remove_leftovers(const std::string& file) {
   const fs::path path(file);
-  const std::string stem = temporary_stem(path);
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder_of(path), ignored))
-    if (const int process = owner(entry.path().filename().string(), stem);
-        process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
-      fs::remove(entry.path(), ignored);
+  const std::string name = path.filename().string();
+  each_leftover(folder_of(path), [&](const fs::path& temporary, std::string_view of) {
+    std::error_code ignored;
+    if (of == name) fs::remove(temporary, ignored);
+  });
+}
+
+std::vector<std::string> files_with_leftovers(const std::string& folder) {
+  std::vector<std::string> files;
+  each_leftover(folder, [&](const fs::path&, std::string_view file) { files.emplace_back(file); });
+  return files;
 }
 
 std::string read_file(const std::string& file) {

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace signorini {
 
@@ -16,6 +17,9 @@ bool write_all(int handle, std::string_view bytes);
 
 /// Removes temporary files of `file` left by processes that were killed while writing.
 void remove_leftovers(const std::string& file);
+
+/// Names of the files in a folder for which there are such temporary files: one pass over a folder with many files.
+std::vector<std::string> files_with_leftovers(const std::string& folder);
 
 /// All bytes of a file. Throws Error if it cannot be read.
 std::string read_file(const std::string& file);

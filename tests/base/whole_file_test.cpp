@@ -103,10 +103,18 @@ TEST(WholeFile, RemovesFilesOfKilledProcesses) {
                     writing = temporary("a.sgn", ::getppid());
   write_atomically(folder.file("a.sgn"), "x");
   EXPECT_TRUE(std::filesystem::exists(left));
+  std::vector<std::string> files = files_with_leftovers(folder.file(""));
+  std::sort(files.begin(), files.end());
+  EXPECT_EQ(files, (std::vector<std::string>{"a.sgn", "b.sgn"}));
   remove_leftovers(folder.file("a.sgn"));
   EXPECT_FALSE(std::filesystem::exists(left));
   EXPECT_TRUE(std::filesystem::exists(other));
   EXPECT_TRUE(std::filesystem::exists(writing));
+  for (const char* name :
+       {".part", ".a.part", "a.1.part", ".a.x.part", ".a.-7.part", ".a.7x.part", "..part", ".1.part"})
+    std::ofstream(folder.file(name)) << "not a temporary file";
+  EXPECT_EQ(files_with_leftovers(folder.file("")), std::vector<std::string>{"b.sgn"});
+  EXPECT_TRUE(files_with_leftovers(folder.file("missing")).empty());
 }
 
 } // namespace whole_file_test

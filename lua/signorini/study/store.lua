@@ -51,6 +51,13 @@ function store.checkpoint(study, entry, now)
   return ("%s/cases/%s.%s.sgn"):format(study.folder, entry.id, key:sub(1, 8))
 end
 
+--- Names of case files that killed processes were writing, as keys.
+local function leftovers(study)
+  local names = {}
+  for _, name in ipairs(core.files_with_leftovers(study.folder .. "/cases")) do names[name] = true end
+  return names
+end
+
 local case_files = { json = "result", sgn = "checkpoint", claim = "claim" }
 
 --- Removes the cases from a folder.
@@ -99,7 +106,8 @@ end
 function store.write(handle, entry, record)
   if not handle.saves then return end
   local file, text = case_file(handle.study, entry), core.write_json(record, "the case's record")
-  core.remove_leftovers(file)
+  handle.leftovers = handle.leftovers or leftovers(handle.study)
+  if handle.leftovers[entry.id .. ".json"] then core.remove_leftovers(file) end
   if not pcall(core.write_file, file, text, true) then
     os.remove(handle.reserve)
     call(handle.where, "write_file", file, text, true)
