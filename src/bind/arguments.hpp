@@ -137,18 +137,16 @@ template <class T> decltype(auto) named(const Arguments& a, const char* name) {
 }
 
 /// The result of a C++ function for the arguments of these names.
-template <auto function, Name... names> auto result_of(const Arguments& a) {
-  const auto make = [&]<class Result, class... Parts>(Result (*plain)(Parts...)) {
-    return plain(named<std::remove_cvref_t<Parts>>(a, names.letters)...);
-  };
-  return make(function);
+template <class Result, class... Parts, class... Names>
+Result result_of(Result (*function)(Parts...), const Arguments& a, const Names&... names) {
+  return function(named<std::remove_cvref_t<Parts>>(a, names.letters)...);
 }
 
 /// Pushes this result.
 ///
 ///     {"line", made<nurbs::line, "from", "to">},
 template <auto function, Name... names> int made(lua_State* L) {
-  push(L, result_of<function, names...>(Arguments(L)));
+  push(L, result_of(+function, Arguments(L), names...));
   return 1;
 }
 

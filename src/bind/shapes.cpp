@@ -21,7 +21,7 @@ nurbs::Patch hollow_hemisphere(const Arguments& a) {
 }
 
 template <auto function, Name... names> int made_several(lua_State* L) {
-  auto [patches, boundaries] = result_of<function, names...>(Arguments(L));
+  auto [patches, boundaries] = result_of(+function, Arguments(L), names...);
   push_geometry(L, {std::move(patches), std::nullopt, std::move(boundaries)});
   return 1;
 }
