@@ -8,7 +8,7 @@ namespace signorini {
 
 std::array<std::filesystem::path, 2> module_folders() {
   const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  return {here / "lib/signorini", here.parent_path() / "lib/signorini"};
+  return {here / "lib/signorini/modules", here.parent_path() / "lib/signorini/modules"};
 }
 
 std::filesystem::path find_module(const char* module) {

@@ -42,7 +42,7 @@ check.case("a program without the module reports what is missing", function()
   end
   local output, status = run("dofile 'slab.lua'{ linear = 'mumps' }", "")
   check.equal(status, 1)
-  check.holds(output, "slab.lua:13: ", lacking .. folder .. "/lib/signorini",
+  check.holds(output, "slab.lua:13: ", lacking .. folder .. "/lib/signorini/modules",
     "Hint: install signorini-mumps, or install libmumps-dev")
   output, status = run("print 'run'", "OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=0")
   check.equal(status, 1)
