@@ -1,0 +1,131 @@
+-- Studies that are killed at random moments, while they write results, checkpoints, files of HDF5, films, pictures and
+-- tables: what was finished stays, no file is incomplete, and the results are those of an undisturbed study. More:
+--   signorini tests/lua/study_kill_test.lua 200
+
+local check = require "check"
+local core = require "signorini.core"
+
+local kills = tonumber(arg[1] or 3)
+
+local script = [[
+local sg = require "signorini"
+require "signorini.core".quiet = true
+local folder = arg[1]
+local hdf5 = arg[2] == "hdf5"
+local function solve(case, checkpoint)
+  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
+                       elements = {6, 2}, order = "N2", contact = "south",
+                       material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2",
+                        contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local model = sg.model{
+    bodies = { die = die, slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" },
+                 grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
+    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
+                               friction = { mu = case.mu, penalty = 100 } } },
+  }
+  local name = ("%s/mu %g"):format(folder, case.mu)
+  local run = model:run({ { name = "press", steps = 10, grip = {0, -0.1} },
+                          { name = "slide", steps = 10, grip = {0.1, -0.1} } },
+    { checkpoint = checkpoint, resume = true, states = {5, 15, 20},
+      hdf5 = hdf5 and { file = name .. ".h5", every = 4 } or nil })
+  sg.picture{ states = run:states(), field = "uy", size = {240, 160}, fps = 2, file = name .. ".ogv" }
+  sg.picture{ model = model, field = "von_mises", size = {240, 160}, file = name .. ".png" }
+  sg.chart{ { x = run:column "step", y = run:column "grip.fx" }, size = {240, 160}, file = name .. ".svg" }
+  sg.json.write(name .. ".json", { fx = run:column "grip.fx" })
+  run:csv(name .. ".csv")
+  return { fx = ("%a"):format(run:column "grip.fx"[20]), fy = ("%a"):format(run:column "grip.fy"[20]) }
+end
+local study = sg.study{ name = "killed", folder = folder .. "/study", run = solve,
+                        cases = sg.grid{ mu = {0, 0.1, 0.2} } }
+study:execute{ jobs = 2 }
+for _, row in ipairs(study.rows) do print(row.mu, row.fx, row.fy) end
+]]
+
+local with_hdf5 = pcall(core.make_result_file)
+local top = check.folder()
+core.write_file(top .. "/study.lua", script)
+
+local function start(folder, how)
+  core.mkdir(folder)
+  return check.shell(("setsid '%s' '%s/study.lua' '%s' %s %s"):format(arg[-1], top, folder, with_hdf5 and "hdf5" or "", how))
+end
+
+-- ── Files that are whole ─────────────────────────────────────────────────────────────────────────────────────────────
+
+local python = "/usr/bin/python3 " -- Debian's, which finds python3-h5py
+local whole = {}
+
+function whole.json(file) core.read_json(core.read_file(file)) end
+function whole.csv(file) check.holds(core.read_file(file), "\n20,") end
+function whole.png(file) check.holds(core.read_file(file):sub(-12), "IEND") end
+function whole.svg(file) check.holds(core.read_file(file):sub(-10), "</svg>") end
+function whole.ogv(file) -- all pages, of which the last one is marked as such
+  local bytes, at, last = core.read_file(file), 1, nil
+  while at <= #bytes do
+    check.equal(bytes:sub(at, at + 3), "OggS")
+    local segments, size = bytes:byte(at + 26), 0
+    for i = at + 27, at + 26 + segments do size = size + bytes:byte(i) end
+    last, at = bytes:byte(at + 5), at + 27 + segments + size
+  end
+  check.equal({ at, last & 4 }, { #bytes + 1, 4 })
+end
+function whole.h5(file)
+  local output, status = check.shell(("%s'%s/tests/hdf5/read.py' '%s'"):format(python, core.home, file))
+  if status ~= 0 then error(output) end
+end
+function whole.sgn(file) core.checkpoint_text(file) end -- compares the checksum, too
+
+--- All files of a folder: every one that has its final name is whole. Returns the contents of the finished cases.
+local function look(folder)
+  local finished = {}
+  for _, part in ipairs { "", "/study", "/study/cases" } do
+    for _, name in ipairs(core.exists(folder .. part) and core.list_folder(folder .. part) or {}) do
+      local ending = name:match "%.(%w+)$"
+      local file = folder .. part .. "/" .. name
+      if whole[ending] then
+        whole[ending](file)
+        if part == "/study/cases" and ending == "json" then finished[name] = core.read_file(file) end
+      end
+    end
+  end
+  return finished
+end
+
+-- ── Kills ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+check.case(("killed at %d random moments"):format(kills), function()
+  math.randomseed(7)
+  local began = core.now()
+  local undisturbed, status = start(top .. "/undisturbed", "")
+  if status ~= 0 then error(undisturbed) end
+  local length = core.now() - began
+  look(top .. "/undisturbed")
+
+  local sent, studies, results = 0, 0, 0
+  while sent < kills do
+    studies = studies + 1
+    local folder = ("%s/%d"):format(top, studies)
+    local before, output = {}, nil
+    repeat
+      -- The cases' processes die with the study or go on until they notice; in half of the trials all are killed.
+      local group = math.random(2) == 1
+      local kill = ("& p=$!; sleep %.3f; kill -KILL %s$p 2>/dev/null; wait $p"):format(
+        length * (0.1 + 0.9 * math.random()), group and "-" or "")
+      output, status = start(folder, sent < kills and kill or "")
+      if status ~= 0 then sent = sent + 1 end
+      local now = look(folder)
+      for name, text in pairs(before) do
+        if now[name] ~= text then error(name .. " was finished, and is lost or another one") end
+      end
+      before = now
+    until status == 0
+    check.equal(output, undisturbed)
+    for _ in pairs(before) do results = results + 1 end
+    check.equal(#core.list_folder(folder .. "/study/cases"), 3) -- no checkpoint or unfinished file is left
+  end
+  print(("%d kills in %d studies, %d results: all as undisturbed"):format(sent, studies, results))
+end)
+
+check.done()
