@@ -11,14 +11,14 @@
 -- Expected: memory grows by less than 1 MB over the second half of (2) to (5), and in (1) by the record, some kB per
 --           step.
 -- Run: signorini scripts/soak.lua [workloads=run,runs,models,errors,pictures] [steps=100000] [models=10000]
---      [pictures=1000] [out=out/soak]; steps: of (1) and of (2) each; models: of (3) and (4); pictures: of (5).
+--      [pictures=300] [out=out/soak]; steps: of (1) and of (2) each; models: of (3) and (4); pictures: of (5).
 
 local sg = require "signorini"
 
 local options = sg.arguments{
   workloads = { { "run", "runs", "models", "errors", "pictures" },
                 choices = { "run", "runs", "models", "errors", "pictures" } },
-  steps = 100000, models = 10000, pictures = 1000, out = "out/soak",
+  steps = 100000, models = 10000, pictures = 300, out = "out/soak",
 }
 sg.mkdir(options.out)
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The parts of the name before and after the number, and the minimum number of digits.
+/// The parts of the file's path before and after the number in its name, and the minimum number of digits.
 struct Pattern {
   std::string before, after;
   int digits;
@@ -30,10 +30,11 @@ struct Pattern {
 };
 
 Pattern pattern_of(const std::string& file) {
-  const auto found = match(file, "([^%]*)%(0([1-9]))?d([^%]*)");
+  const fs::path path(file);
+  const auto found = match(path.filename().string(), "([^%]*)%(0([1-9]))?d([^%]*)");
   require(!found.empty(), "view.series.number", {{"file", file}});
   format_of(file);
-  return {found[1], found[4], found[3].empty() ? 1 : std::stoi(found[3])};
+  return {(path.parent_path() / found[1]).string(), found[4], found[3].empty() ? 1 : std::stoi(found[3])};
 }
 
 /// A folder next to a file, which is removed with its contents.
@@ -94,7 +95,7 @@ bool is_film(const std::string& file) {
 }
 
 bool is_series(const std::string& file) {
-  return file.find('%') != std::string::npos || is_film(file);
+  return fs::path(file).filename().string().find('%') != std::string::npos || is_film(file);
 }
 
 Format series_format(const std::string& file) {

@@ -241,6 +241,7 @@ TEST(Series, IsRecognizedByItsFileName) {
   EXPECT_TRUE(is_film("a.ogv"));
   EXPECT_FALSE(is_film("a-%d.png"));
   EXPECT_FALSE(is_series("a.png"));
+  EXPECT_FALSE(is_series("100 %d/a.png")) << "the folder is not part of the name";
   const auto number = [](int i) { return std::to_string(i); };
   const std::string folder = scratch("");
   write_series(folder + "a-%03d.png", 2, 10, number);
