@@ -1,4 +1,5 @@
 #include "base/interrupt.hpp"
+#include "base/limits.hpp"
 #include "base/notice.hpp"
 #include "bind/doctor.hpp"
 #include "bind/library.hpp"
@@ -12,6 +13,7 @@
 #include "repl/kernel_spec.hpp"
 #include "repl/line_editor.hpp"
 #include "repl/prompt.hpp"
+#include "repl/sandbox.hpp"
 #include "repl/standard_streams.hpp"
 
 #include <iostream>
@@ -24,18 +26,20 @@ namespace {
 
 constexpr int kept_memory = 64 << 20, large_block = 16 << 20; // bytes
 
-enum Status { success = 0, failure = 1, wrong_usage = 2, stopped_by_user = 130 };
+enum Status { success = 0, failure = 1, wrong_usage = 2, out_of_time_limit = 124, stopped_by_user = 130 };
 
 [[noreturn]] void serve(const repl::CommandLine& line, const std::string& program) {
-  repl::Interpreter interpreter({line.quiet, line.threads, line.jobs, line.on, {}});
-  repl::catch_interrupts(interpreter.state());
+  repl::Interpreter interpreter({line.quiet, line.threads, line.jobs, line.on, {}, {}, {}});
+  repl::catch_interrupts();
   interpreter.set_arguments(program, "", {});
   repl::serve_kernel(interpreter, line.connection, line.code);
 }
 
 bool run(const repl::CommandLine& line, const std::string& program) {
-  repl::Interpreter interpreter({line.quiet, line.threads, line.jobs, line.on, line.chunk, line.pictures});
-  repl::catch_interrupts(interpreter.state());
+  repl::Interpreter interpreter(
+      {line.quiet, line.threads, line.jobs, line.on, line.chunk, line.pictures, line.sandbox});
+  repl::catch_interrupts();
+  if (line.time) repl::limit_time(line.time->amount, line.time->written);
   if (isatty(STDERR_FILENO)) acknowledge_interrupts(STDERR_FILENO);
   if (line.interactive || line.prompt_only()) survive_interrupts(); // the prompt stays usable with its variables
   const std::string script = bind::find_script(line.script);
@@ -44,6 +48,7 @@ bool run(const repl::CommandLine& line, const std::string& program) {
   // A script in a file loads the library itself; typed code has it loaded already.
   const bool typed = line.interactive || line.script.empty() || line.script == "-" || !line.code.empty();
   if (typed && !interpreter.open_globals()) return false;
+  start_time_limit();
   bool ok = true;
   for (const auto& code : line.code) ok = ok && interpreter.run_code(code, "=(command line)");
   ok = ok && (line.script.empty() || interpreter.run_file(script, line.arguments));
@@ -68,7 +73,8 @@ int main(int argc, char** argv) {
   mallopt(M_MMAP_THRESHOLD, large_block);
   try {
     if (!bind::leads_ranks()) return success;
-    const repl::CommandLine line = repl::parse({argv + 1, argv + argc});
+    repl::CommandLine line = repl::parse({argv + 1, argv + argc});
+    repl::apply_limits(line, argv);
     bind::set_threads(line.threads);
     if (!line.chunk.empty()) catch_notice();
     switch (line.action) {
@@ -98,7 +104,8 @@ int main(int argc, char** argv) {
       break;
     }
     const bool ok = run(line, argv[0]);
-    return interrupted() ? stopped_by_user : ok ? success : failure;
+    if (interrupted()) return out_of_time() ? out_of_time_limit : stopped_by_user;
+    return ok ? success : failure;
   } catch (const repl::UsageError& error) {
     std::cerr << "signorini: " << error.what() << "\n";
     return wrong_usage;

@@ -51,13 +51,14 @@ function prompt.note_locals(code)
   end
 end
 
---- After Ctrl-C: `_` is the interrupted run, because the line that would have stored it has ended.
+--- After Ctrl-C or the end of --time: `_` is the interrupted run, because the line that would have stored it has ended.
 function prompt.interrupted()
   local run = core.interrupted_run
   core.interrupted_run = nil
-  if not run then return "interrupted" end
+  local why = core.interruption()
+  if not run then return why end
   rawset(_G, "_", run)
-  return "interrupted; _ is the run so far"
+  return why .. "; _ is the run so far"
 end
 
 --- Shows the traceback of the last error at the prompt.

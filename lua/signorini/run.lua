@@ -114,8 +114,10 @@ function Step:solve(solver, to)
       stage = self.stage.name, step = self.run.steps + 1, from = self.done, to = to, iteration = result.iterations,
       residual = residuals[#residuals], energy = energies[#energies], reason = result.reason,
     })
-    if not ok and core.answer_interrupt() then -- Ctrl-C reached the function before the solver
-      if result.reason == "iterating" then result.reason, result.message = "interrupted", "stopped by Ctrl-C" end
+    if not ok and core.answer_interrupt() then -- Ctrl-C or the end of --time reached it first
+      if result.reason == "iterating" then 
+        result.reason, result.message = "interrupted", core.interruption()
+      end
       return result
     end
     if not ok then

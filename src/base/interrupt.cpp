@@ -47,6 +47,9 @@ Iteration::Iteration() {
 Iteration::~Iteration() {
   iterating = 0;
 }
+void interrupt() {
+  flag = 1;
+}
 bool interrupted() {
   return flag != 0;
 }

@@ -17,6 +17,8 @@ public:
   Iteration(const Iteration&) = delete;
   Iteration& operator=(const Iteration&) = delete;
 };
+/// Sets the flag, also in signal handlers.
+void interrupt();
 bool interrupted();
 /// Called by operations that end early because of Ctrl-C and return a partial result.
 void report_interrupt();

@@ -4,9 +4,11 @@
 #include "base/interrupt.hpp"
 #include "base/notice.hpp"
 #include "base/parallel.hpp"
+#include "base/sandbox.hpp"
 #include "base/timer.hpp"
 #include "base/whole_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -45,6 +47,7 @@ constexpr int poll_interval = 100; // ms between two tests of the Ctrl-C flag an
       nullptr);
   std::string message;
   try {
+    forbid_children();
     message = returned + job(i);
   } catch (const std::exception& error) {
     message = threw + std::string(error.what());
@@ -142,13 +145,16 @@ std::vector<pollfd> poll_children(const std::list<Child>& children) {
 
 bool run_jobs(int count, const JobLimits& limits, const std::function<std::string(int)>& job,
               const std::function<void(const JobEnd&)>& done, const std::function<void(int)>& look) {
+  const bool inside = !sandbox_folder().empty();
+  require(!inside || sandbox_processes() > 0, "base.jobs.sandbox");
   require(limits.at_once >= 1, "base.jobs.at_once", {{"at_once", limits.at_once}});
   require(limits.seconds > 0, "base.jobs.seconds", {{"seconds", limits.seconds}});
+  const int at_once = inside ? std::min(limits.at_once, sandbox_processes()) : limits.at_once;
   std::list<Child> children;
   std::optional<Stopwatch> since_notice;
   int next = 0;
   for (; (next < count && !since_notice) || !children.empty();) {
-    while (next < count && static_cast<int>(children.size()) < limits.at_once && !interrupted() && !notice_given())
+    while (next < count && static_cast<int>(children.size()) < at_once && !interrupted() && !notice_given())
       children.emplace_back(next++, job);
     if (notice_given() && !since_notice) {
       since_notice.emplace();

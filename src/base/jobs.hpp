@@ -28,7 +28,8 @@ struct JobLimits {
 /// process. After a notice no job is started, the running ones get it too, and it returns false unless all had ended;
 /// those that end at a checkpoint or are killed fail by "base.jobs.stopped". look(running) is called at least every
 /// tenth of a second, for displays of progress. A child has one thread, whatever set_worker_threads() was given, and
-/// ignores Ctrl-C. Linux only.
+/// ignores Ctrl-C. In a sandbox (sandbox.hpp) at most its number of processes run at once, and a child cannot run jobs.
+/// Linux only.
 bool run_jobs(int count, const JobLimits& limits, const std::function<std::string(int)>& job,
               const std::function<void(const JobEnd&)>& done, const std::function<void(int)>& look = {});
 

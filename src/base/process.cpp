@@ -1,6 +1,7 @@
 #include "base/process.hpp"
 
 #include "base/error.hpp"
+#include "base/sandbox.hpp"
 
 #include <array>
 #include <cerrno>
@@ -48,6 +49,7 @@ bool has_program(const std::string& name) {
 }
 
 std::string run_program(const std::vector<std::string>& words) {
+  require(sandbox_folder().empty(), "base.process.sandbox", {{"program", words[0]}});
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);

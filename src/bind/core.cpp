@@ -9,6 +9,7 @@
 #include "bind/arguments.hpp"
 #include "bind/functions.hpp"
 #include "bind/library.hpp"
+#include "bind/limits.hpp"
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
 
@@ -120,6 +121,11 @@ bool core_answer_interrupt() {
   return interrupted();
 }
 
+/// core.interruption(): why the run is interrupted, "interrupted" by Ctrl-C or a sentence about --time.
+std::string core_interruption() {
+  return interruption();
+}
+
 int results(lua_State* L, int, lua_KContext) {
   return lua_gettop(L);
 }
@@ -145,6 +151,7 @@ constexpr Function core_entries[] = {
     {"fail", core_fail},
     {"offered", core_offered},
     {"answer_interrupt", call<core_answer_interrupt>},
+    {"interruption", call<core_interruption>},
     {"now", call<now>},
     {"mkdir", call<mkdir>},
     {"sleep", call<sleep>},

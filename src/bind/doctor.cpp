@@ -3,6 +3,7 @@
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
+#include "base/sandbox.hpp"
 #include "base/whole_file.hpp"
 #include "bind/library.hpp"
 #include "bind/threads.hpp"
@@ -104,6 +105,10 @@ bool doctor(std::ostream& out, int threads, const std::vector<OtherLibrary>& oth
   attempt("terminal", [] {
     return terminal::has_art() ? terminal::art_description()
                                : "no Chafa or libsixel: pictures in kitty and iTerm2 only";
+  });
+  attempt("sandbox", [] {
+    const auto missing = sandbox_missing();
+    return missing ? worded(*missing) : sandbox_description();
   });
   attempt("test picture", test_picture);
   attempt("films", [] { return view::film_description(); });

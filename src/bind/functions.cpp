@@ -1,5 +1,8 @@
 #include "bind/functions.hpp"
+#include "bind/limits.hpp"
 #include "bind/wording/wording.hpp"
+
+#include "base/limits.hpp"
 
 #include <algorithm>
 #include <new>
@@ -140,8 +143,9 @@ void make_metatable(lua_State* L, const char* name, const Implementation& type) 
 } // namespace
 
 int raise(lua_State* L, const std::exception& error) {
+  const MemoryReserve reserve;
   std::string message = user_position(L), reason = worded(error);
-  if (dynamic_cast<const std::bad_alloc*>(&error)) reason = "not enough memory: use fewer elements, points or pixels";
+  if (dynamic_cast<const std::bad_alloc*>(&error)) reason = missing_memory();
   if (!dynamic_cast<const ArgumentError*>(&error) && lua_isstring(L, lua_upvalueindex(1))) {
     // Errors of lower modules lack the name of the function.
     message += std::string(function_name(L)) + ": ";

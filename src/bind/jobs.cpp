@@ -1,6 +1,7 @@
 #include "base/jobs.hpp"
 #include "bind/arguments.hpp"
 #include "bind/functions.hpp"
+#include "bind/limits.hpp"
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
 #include "bind/wording/wording.hpp"
@@ -24,11 +25,12 @@ std::string call_job(lua_State* L, int index, int job) {
   lua_pushcfunction(L, add_traceback);
   lua_pushvalue(L, index);
   push(L, job + 1);
-  const bool ok = lua_pcall(L, 1, 1, -3) == LUA_OK;
+  const int status = lua_pcall(L, 1, 1, -3);
+  if (status == LUA_ERRMEM) throw std::runtime_error(missing_lua_memory());
   require(lua_type(L, -1) == LUA_TSTRING, "the function of a job must return a string, got ", describe(L, -1));
   std::size_t size;
   const char* result = lua_tolstring(L, -1, &size);
-  if (!ok) throw std::runtime_error(result);
+  if (status != LUA_OK) throw std::runtime_error(result);
   return {result, size};
 }
 

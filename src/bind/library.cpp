@@ -1,11 +1,14 @@
 #include "bind/library.hpp"
 #include "bind/wording/wording.hpp"
 
+#include "base/limits.hpp"
 #include "base/machine.hpp"
 #include "base/notice.hpp"
 #include "base/whole_file.hpp"
+#include "bind/coroutines.hpp"
 #include "bind/doctor.hpp"
 #include "bind/functions.hpp"
+#include "bind/limits.hpp"
 #include "bind/open.hpp"
 #include "bind/threads.hpp"
 #include "model/field.hpp"
@@ -96,6 +99,8 @@ void open_library(lua_State* L, const Settings& settings) {
   const fs::path home = find_home(), lua = home / "lua";
   luaL_openlibs(L);
   set_library_folder(L, lua.string());
+  follow_coroutines(L);
+  if (!memory_limit().empty()) note_missing_memory(L, lua.string());
 
   lua_getglobal(L, "package");
   lua_getfield(L, -1, "path");
@@ -135,6 +140,7 @@ void open_library(lua_State* L, const Settings& settings) {
              to_be_continued);
   if (!settings.on.empty()) set_field(L, "on", settings.on);
   if (!settings.chunk.empty()) set_field(L, "chunk", settings.chunk);
+  if (!settings.sandbox.empty()) set_field(L, "sandbox", settings.sandbox);
   lua_newtable(L);
   for (const auto& [name, version] : versions()) set_field(L, name.c_str(), version);
   lua_setfield(L, -2, "versions");

@@ -18,6 +18,7 @@ struct Settings {
   std::string on;     ///< where studies are executed, such as "slurm"; empty: where they say
   std::string chunk;  ///< the cases of one study to solve, "jobs.json:3"; empty: all
   std::optional<terminal::Protocol> pictures = {}; ///< how the terminal takes pictures; by default it is asked
+  std::string sandbox;                             ///< the folder of --sandbox; empty without
 };
 
 /// The folder that contains lua/: $SIGNORINI_HOME, else ../share/signorini or .. relative to the executable. Throws

@@ -6,12 +6,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 
 namespace signorini::repl {
 
 namespace {
 
 constexpr int most_jobs = 1 << 16;
+constexpr double largest_limit = 1e9; // of any unit; larger ones are typing errors
+constexpr const char* memory_form = "a size such as 500M or 4G";
+constexpr const char* time_form = "a duration such as 30s, 10m or 2h";
 
 /// The number after an option such as --threads.
 int parse_count(const char* option, const std::string& word, int most) {
@@ -29,6 +33,38 @@ std::string parse_place(const std::string& word) {
   return word;
 }
 
+/// The value of --memory or --time: a number and one of the units, which are letters with their amounts.
+Limit parse_limit(const char* option, const std::string& word, const std::map<char, double>& units,
+                  const char* expected) {
+  double number = 0;
+  const char* end = word.data() + word.size();
+  const auto [unit, error] = std::from_chars(word.data(), end, number, std::chars_format::fixed);
+  const bool one_letter = error == std::errc() && end - unit == 1 && units.contains(*unit);
+  if (!one_letter || !(number > 0) || number > largest_limit)
+    throw UsageError(text(option, " must be ", expected, ", got '", word, "'"));
+  return {number * units.at(*unit), word};
+}
+
+Limit parse_memory(const std::string& word) {
+  return parse_limit("--memory", word, {{'K', 0x1p10}, {'M', 0x1p20}, {'G', 0x1p30}, {'T', 0x1p40}}, memory_form);
+}
+
+Limit parse_time(const std::string& word) {
+  return parse_limit("--time", word, {{'s', 1}, {'m', 60}, {'h', 3600}}, time_form);
+}
+
+/// Throws UsageError for options that have no effect together, or none that would be safe.
+void check_limits(const CommandLine& line) {
+  const bool runs = line.action == CommandLine::Action::run;
+  const char* limit = !line.sandbox.empty() ? "--sandbox" : line.memory ? "--memory" : line.time ? "--time" : nullptr;
+  if (limit && !runs) throw UsageError(text(limit, " is for scripts and the prompt only"));
+  if (line.sandbox.empty()) return;
+  if (!line.on.empty() && line.on != "local")
+    throw UsageError(text("--sandbox cannot be combined with --on ", line.on,
+                          ": from inside no other machine is reached. Hint: leave out --on"));
+  if (!line.chunk.empty()) throw UsageError("--sandbox cannot be combined with --chunk");
+}
+
 /// The value of --pictures, checked.
 terminal::Protocol parse_protocol(const std::string& word) {
   const auto& names = terminal::protocol_names();
@@ -42,9 +78,10 @@ terminal::Protocol parse_protocol(const std::string& word) {
 } // namespace
 
 CommandLine parse(const std::vector<std::string>& words) {
-  const std::vector<std::string> known = {"-e",        "-i",      "-q",       "--threads", "--jobs",
-                                          "--on",      "--chunk", "--new",    "--kernel",  "--install-kernel",
-                                          "--version", "--help",  "--doctor", "--pictures"};
+  const std::vector<std::string> known = {"-e",        "-i",      "-q",       "--threads",  "--jobs",
+                                          "--on",      "--chunk", "--new",    "--kernel",   "--install-kernel",
+                                          "--version", "--help",  "--doctor", "--pictures", "--sandbox",
+                                          "--memory",  "--time"};
   CommandLine line;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
@@ -77,6 +114,18 @@ CommandLine parse(const std::vector<std::string>& words) {
       line.pictures = parse_protocol(value("kitty, iterm, sixel, blocks or none"));
     else if (word.starts_with("--pictures="))
       line.pictures = parse_protocol(word.substr(11));
+    else if (word == "--sandbox")
+      line.sandbox = value("the folder that the script may use");
+    else if (word.starts_with("--sandbox="))
+      line.sandbox = word.substr(10);
+    else if (word == "--memory")
+      line.memory = parse_memory(value(memory_form));
+    else if (word.starts_with("--memory="))
+      line.memory = parse_memory(word.substr(9));
+    else if (word == "--time")
+      line.time = parse_time(value(time_form));
+    else if (word.starts_with("--time="))
+      line.time = parse_time(word.substr(7));
     else if (word == "--chunk")
       line.chunk = value("the file of a job and the number of a chunk, jobs.json:3");
     else if (word == "--new") {
@@ -116,6 +165,7 @@ CommandLine parse(const std::vector<std::string>& words) {
                             serves ? ". Hint: dofile \"study.lua\" in a cell runs a script"
                                    : ". Hint: JUPYTER_DATA_DIR in the environment sets the folder of Jupyter"));
   }
+  check_limits(line);
   return line;
 }
 
@@ -149,6 +199,13 @@ const char* usage() {
          "  --on WHERE      where studies are solved, also after the script: slurm, local, or ssh:host1,ssh:host2\n"
          "  --chunk FILE:N  solve chunk N of a job's cases; tasks of Slurm and hosts run this\n"
          "  --pictures HOW  pictures in the terminal: kitty, iterm, sixel, blocks or none (default: as it can)\n"
+         "  --sandbox FOLDER\n"
+         "                  for a stranger's script: it reads the library and itself, reads and writes in the folder,\n"
+         "                  starts no program and opens no socket\n"
+         "  --memory SIZE   most memory of each process, such as 500M or 4G (default in the sandbox: half of the\n"
+         "                  machine's, divided by the processes)\n"
+         "  --time LIMIT    longest time of the run, or of a statement at the prompt, such as 30s, 10m or 2h (default\n"
+         "                  in the sandbox: 1h)\n"
          "  --new FILE      write a commented starter study, such as study.lua, and settings for editors\n"
          "  --install-kernel\n"
          "                  make this program a kernel of Jupyter notebooks, with the options -q, -e, --threads,\n"
@@ -159,7 +216,7 @@ const char* usage() {
          "  --doctor        versions of all libraries, and a test picture\n"
          "\n"
          "Exit status: 0 on success, 1 after an error, also in a case of a study, 2 for an invalid command line, "
-         "130 after Ctrl-C.\n"
+         "124 after the time of --time, 130 after Ctrl-C.\n"
          "SIGNORINI_HOME: the folder that contains lua/, if it differs from that of the installation.\n"
          "SIGNORINI_KERNEL: sse2, avx2 or avx512, the widest vector instructions of the element kernels "
          "(default: those of the processor).\n";

@@ -16,6 +16,12 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// A limit: its amount in bytes or seconds, and as the user wrote it, "4G" or "10m".
+struct Limit {
+  double amount = 0;
+  std::string written;
+};
+
 struct CommandLine {
   enum class Action { run, version, help, doctor, new_study, kernel, install_kernel };
   Action action = Action::run;
@@ -31,6 +37,8 @@ struct CommandLine {
   std::string on;                             ///< where studies are executed; empty without --on
   std::string chunk;                          ///< of --chunk; empty without
   std::optional<terminal::Protocol> pictures; ///< of --pictures
+  std::string sandbox;                        ///< the folder of --sandbox; empty without
+  std::optional<Limit> memory, time;          ///< of --memory and --time
 
   /// Whether only the prompt is to run.
   bool prompt_only() const { return code.empty() && script.empty(); }

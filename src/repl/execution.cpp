@@ -1,6 +1,7 @@
 #include "repl/execution.hpp"
 
 #include "base/interrupt.hpp"
+#include "base/limits.hpp"
 #include "bind/stack.hpp"
 #include "repl/interrupt.hpp"
 
@@ -22,10 +23,14 @@ void note_locals(lua_State* L, const std::string& code) {
 Execution execute(Interpreter& interpreter, Chunk chunk, const std::string& code, const LibraryFunction& results,
                   bool keep_traceback) {
   lua_State* L = interpreter.state();
-  note_locals(L, code);
+  {
+    const MemoryReserve reserve;
+    note_locals(L, code);
+  }
   if (!lua_isfunction(L, 1)) add_syntax_hint(L);
   Execution execution;
   execution.ok = lua_isfunction(L, 1) && interpreter.call(lua_gettop(L) - 1, keep_traceback);
+  const MemoryReserve reserve;
   if (execution.ok) {
     if (chunk == Chunk::expression) lua_remove(L, 1);
     push_library_function(L, results.module, results.name);

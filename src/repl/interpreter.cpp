@@ -1,8 +1,10 @@
 #include "repl/interpreter.hpp"
 
 #include "base/interrupt.hpp"
+#include "base/limits.hpp"
 #include "base/match.hpp"
 #include "bind/functions.hpp"
+#include "bind/limits.hpp"
 #include "bind/message.hpp"
 #include "repl/color.hpp"
 
@@ -97,7 +99,10 @@ int add_traceback(lua_State* L) {
 
 int open_all(lua_State* L) {
   bind::open_library(L, *static_cast<const bind::Settings*>(lua_touserdata(L, 1)));
-  luaL_loadstring(L, "require 'signorini.strict'");
+  const auto& settings = *static_cast<const bind::Settings*>(lua_touserdata(L, 1));
+  // Before the first module that keeps a function of Lua for itself.
+  luaL_loadstring(L, settings.sandbox.empty() ? "require 'signorini.strict'"
+                                              : "require 'signorini.sandbox' require 'signorini.strict'");
   lua_call(L, 0, 0);
   return 0;
 }
@@ -148,6 +153,12 @@ bool Interpreter::call(int arguments, bool keep_traceback) {
   lua_insert(L, base);
   const int status = lua_pcall(L, arguments, LUA_MULTRET, base);
   lua_remove(L, base);
+  if (status == LUA_ERRMEM) {
+    const MemoryReserve reserve;
+    lua_pop(L, 1);
+    lua_gc(L, LUA_GCCOLLECT);
+    bind::push(L, bind::missing_lua_memory());
+  }
   return status == LUA_OK;
 }
 

@@ -1,7 +1,11 @@
 #include "repl/interrupt.hpp"
 
 #include "base/interrupt.hpp"
+#include "base/limits.hpp"
+#include "bind/coroutines.hpp"
+#include "bind/limits.hpp"
 #include "bind/message.hpp"
+#include "bind/stack.hpp"
 
 #include <csignal>
 #include <string_view>
@@ -10,7 +14,6 @@ namespace signorini::repl {
 
 namespace {
 
-lua_State* running = nullptr;
 void (*raise_flag)(int) = nullptr;
 bool finishes_statements = false, ends_library = false;
 
@@ -41,21 +44,24 @@ void stop(lua_State* L, lua_Debug* frame) {
   if (!own && !(finishes_statements && interrupt_reported() && user_calls(L, *frame))) return;
   if (finishes_statement(L, frame)) return;
   luaL_where(L, 0);
-  lua_pushstring(L, "interrupted");
+  bind::push(L, bind::interruption());
   lua_concat(L, 2);
   lua_error(L);
 }
 
 /// lua_sethook is the only Lua function that signal handlers may call.
+void set_hook() {
+  lua_sethook(bind::running_thread(), stop, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT, 1);
+}
+
 void on_interrupt(int signal) {
   raise_flag(signal);
-  lua_sethook(running, stop, LUA_MASKCALL | LUA_MASKRET | LUA_MASKLINE | LUA_MASKCOUNT, 1);
+  set_hook();
 }
 
 } // namespace
 
-void catch_interrupts(lua_State* L) {
-  running = L;
+void catch_interrupts() {
   signorini::catch_interrupts();
   raise_flag = std::signal(SIGINT, on_interrupt);
 }
@@ -71,7 +77,12 @@ void finish_statements() {
   finishes_statements = true;
 }
 
+void limit_time(double seconds, const std::string& written) {
+  signorini::limit_time(seconds, written, set_hook);
+}
+
 void forget_interrupt(lua_State* L) {
+  stop_time_limit();
   clear_interrupt();
   lua_sethook(L, nullptr, 0, 0);
 }

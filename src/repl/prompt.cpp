@@ -1,5 +1,6 @@
 #include "repl/prompt.hpp"
 
+#include "base/limits.hpp"
 #include "repl/chunk.hpp"
 #include "repl/color.hpp"
 #include "repl/execution.hpp"
@@ -15,6 +16,7 @@ namespace {
 
 /// Runs the result of load() and prints its results.
 bool run(Interpreter& interpreter, Chunk chunk, const std::string& code) {
+  start_time_limit();
   const Execution execution = execute(interpreter, chunk, code, {"signorini.prompt", "results"}, true);
   if (!execution.ok) std::cerr << painted(execution.message, Color::red, STDERR_FILENO) << std::endl;
   lua_settop(interpreter.state(), 0);
@@ -43,6 +45,8 @@ bool prompt(Interpreter& interpreter, bool quiet) {
   bool all_well = true;
   std::string line;
   for (;;) {
+    // Variables may hold all of the memory: the statement that frees it must be read.
+    std::optional<MemoryReserve> reserve(std::in_place);
     const Input input = read(code.empty() ? first : next, line);
     const bool leave =
         input == Input::end && (!editor || code.empty()); // otherwise Ctrl-D discards the unfinished statement
@@ -64,7 +68,9 @@ bool prompt(Interpreter& interpreter, bool quiet) {
     if (load(L, code) == Chunk::unfinished) continue;
     if (editor)
       for (const std::string& statement : statements(L, code)) editor->remember(statement);
-    all_well = run(interpreter, load(L, code), code) && all_well;
+    const Chunk chunk = load(L, code);
+    reserve.reset();
+    all_well = run(interpreter, chunk, code) && all_well;
     code.clear();
   }
   if (!code.empty()) {

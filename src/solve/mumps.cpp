@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "base/module.hpp"
+#include "base/sandbox.hpp"
 #include "solve/cholmod.hpp"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ constexpr const char* module_file = "signorini_mumps.so";
 
 const MumpsModule& load() {
   static const MumpsModule& loaded = []() -> const MumpsModule& {
+    require(sandbox_folder().empty(), "solve.mumps.sandbox");
     const std::filesystem::path file = find_module(module_file);
     const auto [first, second] = module_folders();
     require(!file.empty(), "solve.mumps.missing",

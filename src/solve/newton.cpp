@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "base/limits.hpp"
 #include "solve/constants.hpp"
 
 #include <algorithm>
@@ -54,7 +55,8 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
   };
   const auto stop_by_user = [&] {
     report_interrupt();
-    return stop(Outcome::interrupted, Message("solve.newton.interrupted"));
+    return stop(Outcome::interrupted, out_of_time() ? Message("solve.newton.time", {{"limit", time_limit()}})
+                                                    : Message("solve.newton.interrupted"));
   };
   // Steps that need no iteration can be interrupted too.
   if (report.residuals.empty() && interrupted()) return stop_by_user();

@@ -1,6 +1,7 @@
 #include "view/figure.hpp"
 
 #include "base/error.hpp"
+#include "base/limits.hpp"
 #include "base/module.hpp"
 #include "view/text.hpp"
 
@@ -11,6 +12,10 @@
 
 namespace signorini::view {
 namespace {
+
+// Bytes that a drawing by Cairo and Pango and an image by VTK and Mesa need at most, measured; GLib and Mesa end the
+// process when an allocation fails.
+constexpr double drawing_memory = 32 << 20, image_memory = 128 << 20, pixel_memory = 36;
 
 /// The function table that a module exports under a name.
 template <class Table> const Table& table_of(const char* module, const char* name) {
@@ -44,6 +49,8 @@ Format format_of(const std::string& file) {
 }
 
 std::string bytes_of(const Figure& figure, Format format, bool transparent) {
+  demand_memory(drawing_memory);
+  const MemoryReserve reserve;
   return flat_renderer().bytes(figure, format, transparent, image_of);
 }
 
@@ -67,10 +74,14 @@ const FlatRenderer& flat_renderer() {
 }
 
 double text_width(std::string_view utf8, double size) {
+  const MemoryReserve reserve;
   return flat_renderer().text_width(std::string(utf8), size);
 }
 
 Pixels image_of(const Plate& plate, int scale, bool transparent) {
+  const double supersampled = scale == 1 ? 9 : 4.0 * scale * scale; // pixels per pixel, as in vtk/image.cpp
+  demand_memory(image_memory + pixel_memory * supersampled * plate.drawing.size[0] * plate.drawing.size[1]);
+  const MemoryReserve reserve;
   return renderer().image(plate, scale, transparent);
 }
 

@@ -5,8 +5,8 @@ local check = require "check"
 
 check.case("every name of core in the Lua part is registered or assigned there", function()
   local used = {}
-  -- after an error; the options --on and --chunk; what a notebook offers (src/repl/kernel.cpp)
-  local assigned = { traceback = true, on = true, chunk = true, front_end = true }
+  -- after an error; the options --on, --chunk and --sandbox; what a notebook offers (src/repl/kernel.cpp)
+  local assigned = { traceback = true, on = true, chunk = true, sandbox = true, front_end = true }
   for file in io.popen(("find '%s/lua' -name '*.lua'"):format(core.home)):lines() do
     local text = core.read_file(file)
     for name in text:gmatch "%f[%w_.]core%.([%a_][%w_]*)" do used[name] = file end

@@ -137,13 +137,17 @@ local function method(study, options)
   end
   local on = core.on and require("signorini.study.engine").place(core.on) or options.on
   local here = core.chunk or on == "local"
+  if not here and core.sandbox then
+    core.fail(where .. [[: on must be "local" in the sandbox (--sandbox), from which no other machine is reached. ]]
+      .. "Hint: leave out on")
+  end
   local whole
   if here then
     whole = execute(where, study, options)
   else
     whole = execute_elsewhere(study, lists.merged(options, { on = on }))
   end
-  if not whole then core.fail "interrupted" end
+  if not whole then core.fail(core.interruption()) end
   return study
 end
 
