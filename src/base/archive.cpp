@@ -47,7 +47,7 @@ void write_archive(const std::string& file, const ArchiveKind& kind, const Archi
   remove_leftovers(file);
 }
 
-std::string read_archive(const std::string& file, const ArchiveKind& kind) {
+ArchiveBytes read_archive(const std::string& file, const ArchiveKind& kind) {
   const std::string bytes = read_file(file), line = first_line(kind);
   require(bytes.starts_with(line), "base.archive.kind", {{"file", file}, {"kind", kind.name}});
   const auto damaged = [&](const Message& damage) {
@@ -57,8 +57,9 @@ std::string read_archive(const std::string& file, const ArchiveKind& kind) {
   ArchiveReader reader(std::string_view(bytes).substr(line.size()));
   if (reader.remaining() < sizeof(kind.version)) damaged(cut_off);
   const auto version = reader.get<std::uint32_t>();
-  require(version == kind.version, "base.archive.version",
+  require(version <= kind.version, "base.archive.newer",
           {{"file", file}, {"written", version}, {"known", kind.version}});
+  require(version >= kind.oldest, "base.archive.older", {{"file", file}, {"written", version}, {"known", kind.oldest}});
   if (reader.remaining() < sizeof(std::uint64_t)) damaged(cut_off);
   const auto length = reader.get<std::uint64_t>();
   const std::size_t rest = reader.remaining(), tail = sizeof(std::uint64_t);
@@ -67,7 +68,7 @@ std::string read_archive(const std::string& file, const ArchiveKind& kind) {
   std::string body(reader.take(static_cast<std::size_t>(length)));
   if (reader.get<std::uint64_t>() != checksum(std::string_view(bytes).substr(0, bytes.size() - tail)))
     damaged(Message("base.archive.checksum"));
-  return body;
+  return {std::move(body), version};
 }
 
 } // namespace signorini

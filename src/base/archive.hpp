@@ -12,7 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,10 +41,18 @@ private:
   std::string bytes_;
 };
 
+/// What a reader requires of values besides their form.
+struct ArchiveLimits {
+  bool finite = false; ///< numbers are neither nan nor infinite
+  /// Most elements of a body: a few bytes can describe any number of them, those of a damaged file more than fit in
+  /// memory.
+  std::size_t elements = std::numeric_limits<std::size_t>::max();
+};
+
 /// Reads values from bytes that it does not own. Throws Error instead of reading beyond their end.
 class ArchiveReader {
 public:
-  explicit ArchiveReader(std::string_view bytes) : rest_(bytes) {}
+  explicit ArchiveReader(std::string_view bytes, ArchiveLimits limits = {}) : rest_(bytes), limits_(limits) {}
 
   template <class T> T get() { return read(*this, std::type_identity<T>()); }
   template <class... T> void into(T&... values) { ((values = get<T>()), ...); }
@@ -52,9 +62,11 @@ public:
   /// Number of elements that follow, each of at least one byte.
   std::size_t count();
   std::size_t remaining() const { return rest_.size(); }
+  const ArchiveLimits& limits() const { return limits_; }
 
 private:
   std::string_view rest_;
+  ArchiveLimits limits_;
 };
 
 template <class T>
@@ -65,15 +77,29 @@ template <Plain T> void write(ArchiveWriter& to, T value) {
   if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
   to.append(bytes.data(), bytes.size());
 }
-template <Plain T> T read(ArchiveReader& from, std::type_identity<T>) {
+template <class T>
+requires std::is_arithmetic_v<T> T read(ArchiveReader& from, std::type_identity<T>) {
   std::array<char, sizeof(T)> bytes{};
   const std::string_view taken = from.take(sizeof(T));
   std::copy(taken.begin(), taken.end(), bytes.begin());
   if constexpr (std::endian::native == std::endian::big) std::reverse(bytes.begin(), bytes.end());
-  if constexpr (std::is_same_v<T, bool>)
+  if constexpr (std::is_same_v<T, bool>) {
     return bytes[0] != 0;
-  else
-    return std::bit_cast<T>(bytes);
+  } else {
+    const T value = std::bit_cast<T>(bytes);
+    if constexpr (std::is_floating_point_v<T>)
+      require(!from.limits().finite || std::isfinite(value), "base.archive.finite", {{"value", value}});
+    return value;
+  }
+}
+
+/// The values of an enumeration are 0 … last_value(std::type_identity<T>()), a function in its namespace.
+template <class T>
+requires std::is_enum_v<T> T read(ArchiveReader& from, std::type_identity<T>) {
+  const auto number = static_cast<long>(from.get<std::underlying_type_t<T>>());
+  const auto last = static_cast<long>(last_value(std::type_identity<T>()));
+  require(number >= 0 && number <= last, "base.archive.enumeration", {{"number", number}, {"last", last}});
+  return static_cast<T>(number);
 }
 
 inline void write(ArchiveWriter& to, const std::string& value) {
@@ -91,7 +117,7 @@ template <class T> void write(ArchiveWriter& to, const std::vector<T>& values) {
 template <class T> std::vector<T> read(ArchiveReader& from, std::type_identity<std::vector<T>>) {
   const std::size_t count = from.count();
   std::vector<T> values;
-  values.reserve(count);
+  values.reserve(std::min(count, from.remaining() / sizeof(T))); // a damaged file must not take memory
   for (std::size_t i = 0; i < count; ++i) values.push_back(from.get<T>());
   return values;
 }
@@ -127,8 +153,9 @@ auto read(ArchiveReader& from, std::type_identity<Eigen::Matrix<double, Rows, Co
   };
   require(fits(Rows, rows) && fits(Columns, columns), "base.archive.matrix",
           {{"rows", rows}, {"columns", columns}, {"expected_rows", Rows}, {"expected_columns", Columns}});
-  require(columns == 0 || rows <= from.remaining() / sizeof(double) / columns, "base.archive.matrix_cut_off",
-          {{"rows", rows}, {"columns", columns}});
+  constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<int>::max()); // also of rows without columns
+  require(rows <= most && columns <= most && rows * columns <= from.remaining() / sizeof(double),
+          "base.archive.matrix_cut_off", {{"rows", rows}, {"columns", columns}});
   Eigen::Matrix<double, Rows, Columns> matrix(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
   for (Eigen::Index i = 0; i < matrix.size(); ++i) matrix.data()[i] = from.get<double>();
   return matrix;
@@ -150,7 +177,14 @@ template <Record T> T read(ArchiveReader& from, std::type_identity<T>) {
 
 /// A type of file: a line that names the type, the version of its format, length, bytes, and a checksum of all.
 struct ArchiveKind {
-  std::string name; ///< "checkpoint"
+  std::string name;      ///< "checkpoint"
+  std::uint32_t version; ///< of files that are written
+  std::uint32_t oldest;  ///< version that is read
+};
+
+/// Bytes of a file of an archive and the version of its format.
+struct ArchiveBytes {
+  std::string bytes;
   std::uint32_t version;
 };
 
@@ -158,8 +192,9 @@ struct ArchiveKind {
 /// on return. Throws Error if it cannot be written.
 void write_archive(const std::string& file, const ArchiveKind& kind, const ArchiveWriter& archive, bool durable = true);
 
-/// The bytes of a file for an ArchiveReader. Throws Error if the file is of another type or version, or damaged.
-std::string read_archive(const std::string& file, const ArchiveKind& kind);
+/// The bytes of a file for an ArchiveReader. Throws Error if the file is of another type, of an older version than the
+/// oldest or of a newer one, or damaged.
+ArchiveBytes read_archive(const std::string& file, const ArchiveKind& kind);
 
 /// FNV-1a, 64 bits: changing any one byte changes it.
 std::uint64_t checksum(std::string_view bytes);

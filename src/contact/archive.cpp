@@ -2,7 +2,25 @@
 
 #include "nurbs/archive.hpp"
 
+#include <cmath>
+
 namespace signorini::contact {
+
+constexpr ContactState last_value(std::type_identity<ContactState>) {
+  return ContactState::bonded;
+}
+constexpr Foot last_value(std::type_identity<Foot>) {
+  return Foot::corner;
+}
+constexpr TractionArea last_value(std::type_identity<TractionArea>) {
+  return TractionArea::reference;
+}
+constexpr Enforcement last_value(std::type_identity<Enforcement>) {
+  return Enforcement::multipliers;
+}
+constexpr Softening last_value(std::type_identity<Softening>) {
+  return Softening::bilinear;
+}
 
 template <int D> auto members(Plane<D>& plane) {
   auto& [point, normal] = plane;
@@ -101,6 +119,34 @@ template <int D> auto members(MultiplierHistory<D>& multiplier) {
 
 namespace {
 
+/// Throws Error unless a direction has the length 1.
+template <class Direction> void check_unit(const Direction& direction) {
+  require(std::abs(direction.norm() - 1) < 1e-9, "contact.archive.unit", {{"direction", direction}});
+}
+
+/// Throws Error unless the shape could have been made by a script.
+template <int D> void check(const Plane<D>& plane) {
+  make_plane(plane.point, plane.normal);
+  check_unit(plane.normal);
+}
+template <int D> void check(const Ball<D>& ball) {
+  make_ball(ball.center, ball.radius);
+}
+void check(const Cylinder& cylinder) {
+  make_cylinder(cylinder.point, cylinder.axis, cylinder.radius);
+  check_unit(cylinder.axis);
+}
+void check(const Torus& torus) {
+  make_torus(torus.center, torus.axis, torus.ring, torus.radius);
+  check_unit(torus.axis);
+}
+
+template <class Shape> Shape checked_shape(ArchiveReader& from) {
+  auto shape = from.get<Shape>();
+  check(shape);
+  return shape;
+}
+
 template <int D> void write_obstacle(ArchiveWriter& to, const Obstacle<D>& obstacle) {
   to.put(static_cast<int>(obstacle.index()));
   std::visit([&](const auto& shape) { to.put(shape); }, obstacle);
@@ -108,13 +154,18 @@ template <int D> void write_obstacle(ArchiveWriter& to, const Obstacle<D>& obsta
 
 template <int D> Obstacle<D> read_obstacle(ArchiveReader& from) {
   const int form = from.get<int>();
-  if (form == 0) return from.get<Plane<D>>();
-  if (form == 1) return from.get<Ball<D>>();
+  if (form == 0) return checked_shape<Plane<D>>(from);
+  if (form == 1) return checked_shape<Ball<D>>(from);
   if constexpr (D == 3) {
-    if (form == 2) return from.get<Cylinder>();
-    if (form == 5) return from.get<Torus>();
+    if (form == 2) return checked_shape<Cylinder>(from);
+    if (form == 5) return checked_shape<Torus>(from);
   }
-  if (form == D) return from.get<nurbs::Patch>();
+  if (form == D) {
+    auto patch = from.get<nurbs::Patch>();
+    require(patch.dimension() == D && patch.parametric_dimension() == D - 1, "contact.archive.surface",
+            {{"directions", patch.parametric_dimension()}, {"dimension", patch.dimension()}});
+    return patch;
+  }
   require(form == D + 1, "contact.archive.obstacle", {{"number", form}});
   return read_level_set<D>(from);
 }
@@ -173,7 +224,20 @@ template <int D> void write_history(ArchiveWriter& to, const History<D>& history
   for (const PointBond<D>& bond : bonds) to.put(bond);
 }
 
-template <int D> void read_history(ArchiveReader& from, History<D>& history) {
+namespace {
+
+/// Throws Error unless a point's last closest point and slip point are on the master.
+template <int D> void check_feet(const PointHistory<D>& point, const Surface<D>* master) {
+  const auto& [foot, element, along, xi, gap, last] = point.projection;
+  const int elements = master ? master->elements() : 1;
+  require(element >= -1 && element < elements && along >= 0 && along < D - 1, "contact.archive.element",
+          {{"element", element}, {"count", elements}});
+  if (point.slips && master) master->find_element(point.slip.xi); // throws if there is none
+}
+
+} // namespace
+
+template <int D> void read_history(ArchiveReader& from, const Formulation<D>& formulation, History<D>& history) {
   auto& [points, results, multipliers, multiplier_results, bonds, sparse, changes, dissipated, growth, offset_work,
          debonding] = history;
   from.into(changes, dissipated, growth, offset_work, debonding);
@@ -182,6 +246,7 @@ template <int D> void read_history(ArchiveReader& from, History<D>& history) {
   for (char& element : sparse) element = from.get<bool>();
   for (std::size_t i = 0; i < points.size(); ++i) {
     std::apply([&](auto&... parts) { from.into(parts...); }, members(points[i]));
+    check_feet(points[i], formulation.master().surface());
     results[i] = from.get<bool>() ? from.get<PointResult<D>>() : PointResult<D>{};
   }
   for (std::size_t a = 0; a < multipliers.size(); ++a) {
@@ -195,7 +260,7 @@ template <int D> void read_history(ArchiveReader& from, History<D>& history) {
   template void write(ArchiveWriter&, const Method<D>&);                                                               \
   template Method<D> read_method<D>(ArchiveReader&);                                                                   \
   template void write_history(ArchiveWriter&, const History<D>&);                                                      \
-  template void read_history(ArchiveReader&, History<D>&);
+  template void read_history(ArchiveReader&, const Formulation<D>&, History<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

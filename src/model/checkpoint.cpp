@@ -2,16 +2,27 @@
 
 #include "base/whole_file.hpp"
 #include "contact/archive.hpp"
+#include "model/changed_contact.hpp"
 #include "model/following.hpp"
 #include "model/scene_archive.hpp"
 
 #include <algorithm>
 
-namespace signorini::model {
+namespace signorini {
+
+namespace solve {
+
+constexpr LinearKind last_value(std::type_identity<LinearKind>) {
+  return LinearKind::mumps;
+}
+
+} // namespace solve
+
+namespace model {
 
 namespace {
 
-const ArchiveKind kind{"checkpoint", 7};
+const ArchiveKind kind{"checkpoint", 7, 7};
 
 using Parts = std::vector<ScenePart>;
 
@@ -26,7 +37,7 @@ template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& saved) {
 }
 
 /// Reads the state into a snapshot of a model of the same scene.
-template <int D> void read_state(ArchiveReader& from, Snapshot<D>& saved) {
+template <int D> void read_state(ArchiveReader& from, const System<D>& system, Snapshot<D>& saved) {
   auto& [displacement, targets, force, factor, contacts, internal] = saved.state;
   auto& [increment, previous, before, targets_before, bend, curved, force_scale, work] = saved.path;
   const Eigen::Index dofs = displacement.size(), components = targets.size();
@@ -35,7 +46,13 @@ template <int D> void read_state(ArchiveReader& from, Snapshot<D>& saved) {
   require(displacement.size() == dofs && increment.size() == dofs && before.size() == dofs && force.size() == dofs &&
               targets.size() == components && previous.size() == components && targets_before.size() == components,
           "model.checkpoint.size", {{"saved", displacement.size()}, {"dofs", dofs}});
-  for (auto& history : contacts) contact::read_history<D>(from, history);
+  using solve::LinearKind; // a path begins with one of two
+  require(saved.linear == LinearKind::automatic || saved.linear == LinearKind::reuse, "model.checkpoint.solver",
+          {{"number", static_cast<int>(saved.linear)}});
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    contact::read_history<D>(from, *system.contacts[k], contacts[k]);
+    check_changes(system.scene.contacts[k], contacts[k].changes);
+  }
   for (auto& values : internal) {
     const std::size_t count = values.size();
     if (count > 0) from.into(values);
@@ -45,11 +62,18 @@ template <int D> void read_state(ArchiveReader& from, Snapshot<D>& saved) {
 }
 
 template <int D> void take_state(Model<D>& model, std::string_view bytes) {
-  Snapshot<D> saved = snapshot(model);
-  ArchiveReader from(bytes);
-  read_state(from, saved);
-  restore(model, saved);
-  settle(model);
+  const Snapshot<D> before = snapshot(model);
+  Snapshot<D> saved = before;
+  ArchiveReader from(bytes, {.finite = true});
+  read_state(from, model.system, saved);
+  try {
+    restore(model, saved);
+    settle(model);
+    require(model.present.force.allFinite(), "model.checkpoint.not_finite");
+  } catch (const Error&) {
+    restore(model, before);
+    throw;
+  }
 }
 
 /// Parts of a file.
@@ -62,7 +86,7 @@ struct Content {
 using Layers = std::vector<nurbs::RaisedElements>;
 
 Content open(const std::string& file) {
-  Content content{read_archive(file, kind), 0, {}, {}, {}, {}};
+  Content content{read_archive(file, kind).bytes, 0, {}, {}, {}, {}};
   ArchiveReader from(content.bytes);
   content.dimension = from.get<int>();
   content.text = from.section("text");
@@ -75,6 +99,8 @@ Content open(const std::string& file) {
 /// Brings a model of the file's scene into the state of the file; it is replaced if the layers are elsewhere.
 template <int D> void take(std::shared_ptr<Model<D>>& model, const Content& content) {
   if (const auto places = ArchiveReader(content.layers).get<Layers>(); places != layers(*model)) {
+    const std::size_t bodies = model->system.scene.bodies.size();
+    require(places.size() == bodies, "model.checkpoint.bodies", {{"saved", places.size()}, {"count", bodies}});
     rollback(*model);
     auto other = with_layers(*model, places);
     require(other != nullptr, "model.checkpoint.layers");
@@ -83,8 +109,10 @@ template <int D> void take(std::shared_ptr<Model<D>>& model, const Content& cont
   take_state(*model, content.state);
 }
 
+/// A state has more numbers than its bodies have elements.
 template <int D> std::shared_ptr<Model<D>> load_model(const Content& content) {
-  auto model = std::make_shared<Model<D>>(read_scene<D>(ArchiveReader(content.scene).get<Parts>()));
+  const ArchiveLimits limits{.finite = true, .elements = content.state.size() / sizeof(double)};
+  auto model = std::make_shared<Model<D>>(read_scene<D>(ArchiveReader(content.scene).get<Parts>(), limits));
   take(model, content);
   return model;
 }
@@ -125,6 +153,8 @@ template <int D> std::string content(const Model<D>& model, const Snapshot<D>& s
 
 AnyModel load(const std::string& file) {
   const Content content = open(file);
+  require(content.dimension == 2 || content.dimension == 3, "model.checkpoint.no_dimension",
+          {{"dimension", content.dimension}});
   if (content.dimension == 3) return load_model<3>(content);
   return load_model<2>(content);
 }
@@ -150,4 +180,6 @@ template std::string content(const Model<3>&, const Snapshot<3>&);
 template void restore(std::shared_ptr<Model<2>>&, const std::string&);
 template void restore(std::shared_ptr<Model<3>>&, const std::string&);
 
-} // namespace signorini::model
+} // namespace model
+
+} // namespace signorini

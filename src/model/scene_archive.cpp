@@ -3,10 +3,18 @@
 #include "base/index.hpp"
 #include "contact/archive.hpp"
 #include "model/region.hpp"
+#include "model/scene_check.hpp"
 #include "nurbs/archive.hpp"
 #include "solid/archive.hpp"
 
 namespace signorini::model {
+
+constexpr Constraint last_value(std::type_identity<Constraint>) {
+  return Constraint::driven;
+}
+constexpr LoadKind last_value(std::type_identity<LoadKind>) {
+  return LoadKind::moment;
+}
 
 auto members(FaceReference& face) {
   auto& [body, side] = face;
@@ -141,11 +149,11 @@ template <int D> std::vector<ScenePart> scene_parts(const Model<D>& model) {
   return parts;
 }
 
-template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts) {
+template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts, const ArchiveLimits& limits) {
   std::size_t next = 0;
   const auto part = [&] {
     require(next < parts.size(), "model.archive.parts", {{"count", parts.size()}});
-    return ArchiveReader(parts[next++].bytes);
+    return ArchiveReader(parts[next++].bytes, limits);
   };
   Scene<D> scene;
   const auto counts = part().template get<Counts>();
@@ -163,12 +171,13 @@ template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts) {
   }
   fill(scene.ties, counts.ties);
   fill(scene.joins, counts.joins);
+  check_scene(scene);
   return scene;
 }
 
 template std::vector<ScenePart> scene_parts<2>(const Model<2>&);
 template std::vector<ScenePart> scene_parts<3>(const Model<3>&);
-template Scene<2> read_scene<2>(const std::vector<ScenePart>&);
-template Scene<3> read_scene<3>(const std::vector<ScenePart>&);
+template Scene<2> read_scene<2>(const std::vector<ScenePart>&, const ArchiveLimits&);
+template Scene<3> read_scene<3>(const std::vector<ScenePart>&, const ArchiveLimits&);
 
 } // namespace signorini::model

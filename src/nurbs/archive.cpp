@@ -34,8 +34,11 @@ void write(ArchiveWriter& to, const Space1D& space) {
 Space1D read(ArchiveReader& from, std::type_identity<Space1D>) {
   const int degree = from.get<int>();
   if (degree != no_knots) return spline_space({degree, from.get<std::vector<double>>()});
-  std::vector<Element1D> elements(from.count());
-  for (auto& [p, functions, extraction] : elements) from.into(p, functions, extraction);
+  std::vector<Element1D> elements;
+  for (std::size_t count = from.count(); elements.size() < count;) {
+    auto& [p, functions, extraction] = elements.emplace_back();
+    from.into(p, functions, extraction);
+  }
   auto breaks = from.get<std::vector<double>>();
   return {std::move(breaks), from.get<std::vector<int>>(), elements};
 }
@@ -55,6 +58,32 @@ auto members(Grading& grading) {
   return std::tie(elements, length, at_end);
 }
 
+Side read(ArchiveReader& from, std::type_identity<Side>) {
+  const int direction = from.get<int>();
+  require(direction >= 0 && direction < 3, "nurbs.archive.side", {{"direction", direction}});
+  return {direction, from.get<bool>()};
+}
+
+namespace {
+
+/// Throws Error if there are more elements than the reader accepts; `counts`: per direction.
+void check_elements(const ArchiveReader& from, const std::vector<int>& counts) {
+  std::size_t left = from.limits().elements;
+  for (const int count : counts) {
+    require(count >= 1 && static_cast<std::size_t>(count) <= left, "nurbs.archive.elements",
+            {{"most", from.limits().elements}});
+    left /= static_cast<std::size_t>(count);
+  }
+}
+
+/// Throws Error if one of the sides does not exist.
+void check_sides(const std::vector<Side>& sides, int directions) {
+  for (const Side& side : sides)
+    require(side.direction < directions, "nurbs.archive.side", {{"direction", side.direction}});
+}
+
+} // namespace
+
 void write(ArchiveWriter& to, const Recipe& recipe) {
   const auto& [elements, grading, labels, contact, thickness_degree, raised, layer_knots] = recipe.plan;
   to.put(recipe.patch, elements, grading, texts(labels), contact, thickness_degree, raised, layer_knots);
@@ -66,6 +95,8 @@ Recipe read(ArchiveReader& from, std::type_identity<Recipe>) {
   from.into(elements, grading);
   for (const std::string& text : from.get<std::vector<std::string>>()) labels.push_back(parse_label(text));
   from.into(contact, thickness_degree, raised, layer_knots);
+  check_elements(from, elements);
+  check_sides(contact, recipe.patch.parametric_dimension());
   return recipe;
 }
 
@@ -82,7 +113,13 @@ Discretization read(ArchiveReader& from, std::type_identity<Discretization>) {
   }
   auto stack = from.get<Space1D>();
   auto rows = from.get<std::vector<Row>>();
-  return {through, std::move(stack), std::move(rows), from.get<std::vector<Side>>()};
+  auto contact = from.get<std::vector<Side>>();
+  require(!rows.empty(), "nurbs.body.rows", {{"expected", stack.functions()}, {"count", 0}});
+  std::vector<int> counts{stack.elements()};
+  for (const Space1D& space : rows.front().directions()) counts.push_back(space.elements());
+  check_elements(from, counts);
+  check_sides(contact, static_cast<int>(counts.size()));
+  return {through, std::move(stack), std::move(rows), std::move(contact)};
 }
 
 } // namespace signorini::nurbs

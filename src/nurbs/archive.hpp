@@ -22,10 +22,10 @@ TensorProduct<Direction> read(ArchiveReader& from, std::type_identity<TensorProd
   return {std::move(directions), from.get<MatrixX>()};
 }
 
-inline auto members(Side& side) {
-  auto& [direction, at_end] = side;
-  return std::tie(direction, at_end);
+inline void write(ArchiveWriter& to, const Side& side) {
+  to.put(side.direction, side.at_end);
 }
+Side read(ArchiveReader& from, std::type_identity<Side>);
 
 /// Writes the patch and the plan if it has its recipe, otherwise its parts.
 void write(ArchiveWriter& to, const Discretization& space);

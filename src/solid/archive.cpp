@@ -7,10 +7,26 @@
 #include "symbolic/archive.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini::solid {
 
+constexpr Volumetric last_value(std::type_identity<Volumetric>) {
+  return Volumetric::projected;
+}
+constexpr Measure last_value(std::type_identity<Measure>) {
+  return Measure::stretches;
+}
+
 namespace {
+
+/// Throws Error unless λ and μ are those of E and ν.
+void check(const ElasticConstants& constants) {
+  const auto [E, nu, lambda, mu] = elastic_constants(constants.youngs_modulus, constants.poissons_ratio);
+  const auto differs = [](double a, double b) { return !(std::abs(a - b) <= 1e-12 * std::abs(b)); };
+  require(!differs(constants.lambda, lambda) && !differs(constants.mu, mu), "solid.archive.constants",
+          {{"youngs_modulus", E}, {"poissons_ratio", nu}});
+}
 
 /// A law in files: its number, which is its index in the table below, and what it consists of.
 struct LawRow {
@@ -24,7 +40,11 @@ template <Law T> constexpr LawRow row() {
   using Members = std::array<double, sizeof(T) / sizeof(double)>;
   return {T::name,
           [](ArchiveWriter& to, const void* law) { to.put(std::bit_cast<Members>(*static_cast<const T*>(law))); },
-          [](ArchiveReader& from) -> Material { return std::bit_cast<T>(from.get<Members>()); }};
+          [](ArchiveReader& from) -> Material {
+            const T law = std::bit_cast<T>(from.get<Members>());
+            check(law);
+            return law;
+          }};
 }
 
 void write_formula(ArchiveWriter& to, const void* law) {

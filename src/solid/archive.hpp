@@ -6,6 +6,10 @@
 
 namespace signorini::solid {
 
+constexpr Kind last_value(std::type_identity<Kind>) {
+  return Kind::plane_stress;
+}
+
 void write(ArchiveWriter& to, const Material& material);
 Material read(ArchiveReader& from, std::type_identity<Material>);
 

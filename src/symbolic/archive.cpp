@@ -2,6 +2,10 @@
 
 namespace signorini::symbolic {
 
+constexpr Operation last_value(std::type_identity<Operation>) {
+  return Operation::sign;
+}
+
 void write(ArchiveWriter& to, const Formula& formula) {
   const Graph& graph = formula.graph;
   to.put(graph.size(), formula.node);

@@ -13,7 +13,7 @@ namespace archive_test {
 
 using test::message_of;
 
-const ArchiveKind trial{"trial", 7};
+const ArchiveKind trial{"trial", 7, 6};
 
 /// A value of each type.
 ArchiveWriter example() {
@@ -77,6 +77,9 @@ TEST(Archive, NeverReadsBeyondTheEnd) {
   EXPECT_THROW(ArchiveReader(vast.bytes()).get<std::vector<double>>(), Error);
   EXPECT_THROW(ArchiveReader(vast.bytes()).get<std::string>(), Error);
   EXPECT_THROW(ArchiveReader(vast.bytes()).get<MatrixX>(), Error);
+  ArchiveWriter empty; // of 2^63 rows without columns, which would be a negative number
+  empty.put(std::uint64_t(1) << 63, std::uint64_t(0));
+  EXPECT_THROW(ArchiveReader(empty.bytes()).get<MatrixX>(), Error);
 }
 
 TEST(Archive, ChecksSectionsAndSizes) {
@@ -87,10 +90,29 @@ TEST(Archive, ChecksSectionsAndSizes) {
   EXPECT_THROW(ArchiveReader(ArchiveReader(out.bytes()).section("one")).get<Vec<3>>(), Error);
 }
 
+enum class Color { red, green };
+constexpr Color last_value(std::type_identity<Color>) {
+  return Color::green;
+}
+
+TEST(Archive, ChecksEnumerationsAndOnRequestNumbers) {
+  ArchiveWriter out;
+  out.put(Color::green, 2, -1);
+  ArchiveReader in(out.bytes());
+  EXPECT_EQ(in.get<Color>(), Color::green);
+  EXPECT_EQ(message_of([&] { in.get<Color>(); }), "base.archive.enumeration: number = 2, last = 1");
+  EXPECT_THROW(in.get<Color>(), Error);
+  ArchiveWriter numbers;
+  numbers.put(1.5, std::numeric_limits<double>::infinity());
+  ArchiveReader finite(numbers.bytes(), {.finite = true});
+  EXPECT_EQ(finite.get<double>(), 1.5);
+  EXPECT_THROW(finite.get<double>(), Error);
+}
+
 TEST(ArchiveFile, ReturnsItsBytes) {
   const test::ScratchFolder folder;
   write_archive(folder.file("a"), trial, example());
-  read_example(read_archive(folder.file("a"), trial));
+  read_example(read_archive(folder.file("a"), trial).bytes);
   EXPECT_TRUE(read_file(folder.file("a")).starts_with("SIGNORINI trial\n"));
   EXPECT_EQ(folder.count(), 1);
 }
@@ -109,9 +131,12 @@ TEST(ArchiveFile, ReportsDamagedAndWrongFiles) {
   const std::string good = read_file(file);
   holds(message("PK\3\4 something else"), "base.archive.kind: file = " + file + ", kind = trial");
   holds(message(""), "base.archive.kind");
-  std::string newer = good;
-  newer[std::strlen("SIGNORINI trial\n")] = 8;
-  holds(message(newer), "written = 8, known = 7");
+  std::string other = good;
+  char& version = other[std::strlen("SIGNORINI trial\n")];
+  version = 8;
+  holds(message(other), "base.archive.newer: file = " + file + ", written = 8, known = 7");
+  version = 5;
+  holds(message(other), "base.archive.older: file = " + file + ", written = 5, known = 6");
   holds(message(good + "x"), "damage = (base.archive.trailing: count = 1)");
   for (std::size_t length = std::strlen("SIGNORINI trial\n"); length < good.size(); ++length)
     holds(message(good.substr(0, length)), "damage = (base.archive.cut_off: length = ");

@@ -210,7 +210,7 @@ check.case("invalid files are errors at the user's line, with a hint", function(
     refused "is damaged: its checksum is wrong"
   end
   write(good:gsub("^(SIGNORINI checkpoint\n)\7", "%1\8"))
-  refused "was written in format 8, but this program reads format 7"
+  refused "was written by a newer version of the program, in format 8; this one reads formats up to 7"
   os.remove(file)
   refused("cannot read", "No such file")
   check.fails(function() sg.load(3) end, "path must be a string")
