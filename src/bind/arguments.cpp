@@ -104,10 +104,12 @@ void Arguments::each(const char* key,
                      const std::function<void(const std::string&, int, const std::string&)>& visit) const {
   const int table = push(key);
   std::vector<std::string> names;
-  for (lua_pushnil(L_); lua_next(L_, table); lua_pop(L_, 1)) names.emplace_back(lua_tostring(L_, -2));
+  for (lua_pushnil(L_); lua_next(L_, table); lua_pop(L_, 1))
+    names.push_back(to<std::string>(L_, -2)); // may contain zeros
   std::sort(names.begin(), names.end());
   for (const auto& entry : names) {
-    lua_getfield(L_, table, entry.c_str());
+    bind::push(L_, entry);
+    lua_rawget(L_, table);
     visit(entry, table + 1, text(name(key), ".", entry));
     lua_settop(L_, table);
   }

@@ -27,7 +27,7 @@ namespace {
 /// core.fail(message): raises an error at the line of the user's script.
 int core_fail(lua_State* L) {
   luaL_tolstring(L, 1, nullptr);
-  push(L, user_position(L) + lua_tostring(L, -1));
+  push(L, printable(user_position(L) + to<std::string>(L, -1)));
   return lua_error(L);
 }
 
@@ -48,6 +48,7 @@ bool sleep(double seconds) {
 
 /// core.mkdir(path), sg.mkdir(path): creates a folder and its parents; existing folders are accepted.
 void mkdir(const std::string& path) {
+  check_name(path);
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error || !std::filesystem::is_directory(path))

@@ -150,7 +150,7 @@ int raise(lua_State* L, const std::exception& error) {
     // Errors of lower modules lack the name of the function.
     message += std::string(function_name(L)) + ": ";
   }
-  push(L, message + reason);
+  push(L, printable(message + reason));
   return 1;
 }
 

@@ -27,13 +27,29 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return previous.back();
 }
 
+/// The longest beginning of at most so many bytes that does not cut a character of UTF-8.
+std::string_view beginning(std::string_view string, std::size_t most) {
+  if (string.size() <= most) return string;
+  while (most > 0 && (static_cast<unsigned char>(string[most]) & 0xC0) == 0x80) --most;
+  return string.substr(0, most);
+}
+
+/// A string in quotes, of a long one its beginning.
+std::string quoted(lua_State* L, int index) {
+  constexpr std::size_t longest = 200;
+  std::size_t size = 0;
+  const char* bytes = lua_tolstring(L, index, &size);
+  const std::string_view shown = beginning({bytes, size}, longest);
+  return text("'", shown, shown.size() < size ? "…'" : "'");
+}
+
 std::string describe_table(lua_State* L, int index) {
   const auto length = lua_rawlen(L, index);
   bool empty = true;
   std::string key;
   for (lua_pushnil(L); lua_next(L, index); lua_pop(L, 1)) {
     empty = false;
-    if (key.empty() && lua_type(L, -2) == LUA_TSTRING) key = text("the key '", lua_tostring(L, -2), "'");
+    if (key.empty() && lua_type(L, -2) == LUA_TSTRING) key = text("the key ", quoted(L, -2));
   }
   if (length > 0) return text("a list of ", counted(length, "value"), key.empty() ? "" : " with ", key);
   return empty ? "an empty table" : text("a table with ", key.empty() ? "keys" : key);
@@ -99,19 +115,41 @@ std::string describe(lua_State* L, int index) {
   case LUA_TNUMBER:
     return describe_number(L, index);
   case LUA_TSTRING:
-    return text("the string '", lua_tostring(L, index), "'");
+    return text("the string ", quoted(L, index));
   case LUA_TTABLE:
   case LUA_TUSERDATA: {
     if (const int type = luaL_getmetafield(L, index, "__name"); type != LUA_TNIL) {
-      const std::string name = type == LUA_TSTRING ? lua_tostring(L, -1) : "userdata";
+      const bool named = type == LUA_TSTRING && lua_rawlen(L, -1) > 0;
+      const std::string name = named ? std::string(lua_tostring(L, -1)) : luaL_typename(L, index);
       lua_pop(L, 1);
-      return with_article(name);
+      return with_article(std::string(beginning(name, 40)));
     }
     return lua_istable(L, index) ? describe_table(L, index) : "userdata";
   }
   default:
     return text("a ", luaL_typename(L, index));
   }
+}
+
+std::string printable(const std::string& message) {
+  constexpr std::size_t longest = 4000, start = 3000, end = 600;
+  std::string whole(message);
+  if (whole.size() > longest) {
+    std::size_t last = whole.size() - end;
+    while ((static_cast<unsigned char>(whole[last]) & 0xC0) == 0x80) ++last;
+    whole = text(beginning(whole, start), "…", whole.substr(last));
+  }
+  std::string shown;
+  for (const char c : whole) {
+    const auto code = static_cast<unsigned char>(c);
+    if ((code >= 0x20 && code != 0x7F) || c == '\n' || c == '\t') {
+      shown += c;
+      continue;
+    }
+    constexpr const char* digits = "0123456789abcdef";
+    shown += text("\\x", digits[code / 16], digits[code % 16]);
+  }
+  return shown;
 }
 
 std::string with_article(const std::string& noun) {

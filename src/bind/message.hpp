@@ -46,6 +46,10 @@ const char* function_name(lua_State* L);
 /// A value as text: "the string '1000'", "nan", "a list of 3 values", "a patch", "nothing".
 std::string describe(lua_State* L, int index);
 
+/// A message as a terminal can show it: control characters other than line breaks as \x1b, and without the middle part
+/// of a message of more than a few thousand bytes, which quotes a long value.
+std::string printable(const std::string& message);
+
 /// "a body", "an obstacle".
 std::string with_article(const std::string& noun);
 
