@@ -50,6 +50,7 @@ Patch read_patch(TextReader& from, const Sizes& sizes) {
   }
   std::vector<KnotVector> directions;
   for (std::size_t d = 0; d < degrees.size(); ++d) directions.push_back(read_knots(from, degrees[d], counts[d]));
+  from.expect_numbers(static_cast<long>(sizes.dimension + 1) * size);
   MatrixX homogeneous(sizes.dimension + 1, size);
   for (int i = 0; i <= sizes.dimension; ++i)
     for (int a = 0; a < size; ++a)

@@ -15,10 +15,14 @@ namespace {
 /// Text of a file and the lines of its positions.
 struct Document {
   const std::string& file;
-  const std::string& text;
+  std::vector<std::ptrdiff_t> ends = {}; ///< of its lines
 
+  Document(const std::string& name, const std::string& text) : file(name) {
+    for (std::size_t i = text.find('\n'); i != std::string::npos; i = text.find('\n', i + 1))
+      ends.push_back(static_cast<std::ptrdiff_t>(i));
+  }
   int line(std::ptrdiff_t offset) const {
-    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + std::max<std::ptrdiff_t>(0, offset), '\n'));
+    return 1 + static_cast<int>(std::lower_bound(ends.begin(), ends.end(), offset) - ends.begin());
   }
   [[noreturn]] void wrong(const pugi::xml_node& node, const char* code, std::initializer_list<Datum> data) const {
     fail_at(file, line(node.offset_debug()), Message(code, data));
@@ -104,6 +108,7 @@ Patch read_patch(const Document& document, const pugi::xml_node& geometry) {
   const int dimension = whole_number(document, coefficients, "geoDim", 2, 3);
   const auto read = [&](const pugi::xml_node& node, int rows, const char* expected) {
     TextReader from = document.inside(node);
+    from.expect_numbers(static_cast<long>(rows) * size);
     MatrixX values(rows, size);
     for (int a = 0; a < size; ++a)
       for (int i = 0; i < rows; ++i) {

@@ -31,6 +31,7 @@ Patch read_patch(TextReader& from) {
   const bool cartesian = kind == "controlpoints_cartesian";
   if (!cartesian && kind != "controlpoints" && kind != "controlpoints_homogeneous")
     from.wrong("exchange.mfem.points", {{"word", kind}});
+  from.expect_numbers(static_cast<long>(dimension + 1) * size);
   MatrixX homogeneous(dimension + 1, size);
   for (int a = 0; a < size; ++a) {
     for (int i = 0; i < dimension; ++i) homogeneous(i, a) = from.number("exchange.expected.coordinate");
@@ -129,15 +130,19 @@ Vertices read_elements(TextReader& from) {
 std::vector<Boundary> read_boundary_section(TextReader& from, const FacesOf& faces) {
   const int count = from.integer(0, most_functions, "exchange.expected.sides");
   std::vector<Boundary> boundaries;
+  std::map<int, std::size_t> of_attribute;
   for (int i = 0; i < count; ++i) {
-    const std::string name = text(read_number(from));
+    const int attribute = read_number(from);
     const int type = read_number(from);
     if (type != 0 && type != 1 && type != 3) from.wrong("exchange.mfem.element", {{"type", type}});
     const std::vector<int> own = read_vertices(from, type == 0 ? 1 : type == 1 ? 2 : 4);
-    auto found = std::find_if(boundaries.begin(), boundaries.end(), [&](const auto& one) { return one.name == name; });
-    if (found == boundaries.end()) found = boundaries.insert(found, {name, {}});
-    if (const auto named = faces.find(sorted(own)); named != faces.end())
-      found->faces.insert(found->faces.end(), named->second.begin(), named->second.end());
+    const auto [found, added] = of_attribute.emplace(attribute, boundaries.size());
+    if (added) boundaries.push_back({text(attribute), {}});
+    std::vector<PatchFace>& all = boundaries[found->second].faces;
+    const auto named = faces.find(sorted(own));
+    if (named == faces.end()) continue;
+    if (named->second.size() > 2) from.wrong("exchange.mfem.shared", {{"count", named->second.size()}});
+    all.insert(all.end(), named->second.begin(), named->second.end());
   }
   return boundaries;
 }

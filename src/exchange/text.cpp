@@ -82,6 +82,12 @@ int TextReader::integer(int low, int high, const char* code, std::initializer_li
   return value;
 }
 
+void TextReader::expect_numbers(long count) const {
+  constexpr long harmless = 10'000;                                   // readers say better what is missing
+  const auto most = static_cast<long>(text_.size() - place_ + 1) / 2; // a digit and a blank each
+  if (count > harmless && count > most) wrong("exchange.text.too_short", {{"count", count}});
+}
+
 void TextReader::wrong(const char* code, std::initializer_list<Datum> data) const {
   fail_at(file_, taken_line_, Message(code, data));
 }

@@ -42,6 +42,8 @@ public:
   void keyword(std::string_view word);
   double number(const char* code);
   int integer(int low, int high, const char* code, std::initializer_list<Datum> data = {});
+  /// Throws Error if the text is too short for so many numbers, before memory is taken for them.
+  void expect_numbers(long count) const;
   /// Reads the rest of the current line.
   std::string_view rest_of_line();
   /// Throws Error at the line of the last word read.

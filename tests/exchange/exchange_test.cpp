@@ -225,6 +225,33 @@ TEST(Exchange, DamagedFilesAreReadOrRejectedWithoutCrash) {
   EXPECT_GT(taken, 50);
 }
 
+/// A file of a few kilobytes can claim any number of control points; memory is taken only for those that it can hold.
+TEST(Exchange, RejectsMoreControlPointsThanTheFileHolds) {
+  ScratchFolder folder;
+  const std::string file = folder.file("f");
+  std::string knots = "0 0";
+  for (int i = 1; i < 199; ++i) knots += " " + std::to_string(i);
+  knots += " 199 199";
+  std::string vectors;
+  for (int d = 0; d < 3; ++d) vectors += "1 200 " + knots + "\n";
+  std::ofstream(file) << "MFEM NURBS mesh v1.0\nelements\n1\n1 5 0 1 2 3 4 5 6 7\npatches\nknotvectors\n3\n"
+                      << vectors << "dimension\n3\ncontrolpoints\n0 0 0 1\n";
+  EXPECT_NE(message_of([&] { read_geometry(file); }).find("exchange.text.too_short: count = 32000000"),
+            std::string::npos);
+  std::ofstream(file) << "3 3 1 0 1\n1 1 1\n200 200 200\n" << knots << "\n" << knots << "\n" << knots << "\n0 0 0\n";
+  EXPECT_NE(message_of([&] { read_geometry(file); }).find("exchange.text.too_short"), std::string::npos);
+}
+
+/// Sides of the boundary with one attribute of many elements with the same vertices would be a list of all pairs.
+TEST(Exchange, RejectsSidesOfManyElements) {
+  ScratchFolder folder;
+  const std::string file = folder.file("f");
+  std::ofstream(file)
+      << "MFEM NURBS mesh v1.0\nelements\n3\n1 3 0 1 2 3\n1 3 0 1 2 3\n1 3 0 1 2 3\nboundary\n1\n1 1 0 1\n"
+      << "patches\n";
+  EXPECT_NE(message_of([&] { read_geometry(file); }).find("exchange.mfem.shared: count = 3"), std::string::npos);
+}
+
 TEST(Exchange, RejectsWhatAFormatCannotRepresent) {
   ScratchFolder folder;
   const Patch square = rectangle(1, 1, Vec<2>::Zero());
