@@ -152,6 +152,10 @@ Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, c
         });
       });
 
+  if (!(nearest < std::numeric_limits<double>::infinity())) { // squares of distances overflow
+    surface.locate(0, FaceCoordinates<2>(surface.interval(0, 0)[0]), 2, point);
+    return {Foot::none, 0, 0, point.xi, std::numeric_limits<double>::max(), 0};
+  }
   best.element = point.element;
   best.xi = point.xi;
   best.gap = signed_gap(surface, x, best.foot, point);

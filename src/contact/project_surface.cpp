@@ -350,6 +350,10 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
     });
   });
 
+  if (!(nearest < std::numeric_limits<double>::infinity())) { // squares of distances overflow
+    surface.locate(0, Coordinates(surface.interval(0, 0)[0], surface.interval(0, 1)[0]), 2, point);
+    return {Foot::none, 0, 0, point.xi, std::numeric_limits<double>::max(), 0};
+  }
   best.element = point.element;
   best.xi = point.xi;
   best.gap = signed_gap(surface, x, best.foot, point);

@@ -229,6 +229,8 @@ TEST(ProjectionOnSurface, HasNoContactAtOpenBorders) {
   ElementBoxes<3> boxes;
   boxes.update(flat);
   FacePoint<3> point;
+  // Squares of such distances overflow, so that no element is near.
+  EXPECT_EQ(project(flat, boxes, Vec<3>(0, -1e200, 0), {}, point).foot, Foot::none);
   for (const Vec<3>& x : {Vec<3>(-0.1, 1, -0.1), Vec<3>(3.1, 1, 0), Vec<3>(1, 2.2, 0.3), Vec<3>(3.2, 2.2, -0.1)})
     EXPECT_EQ(project(flat, boxes, x, {}, point).foot, Foot::none) << x.transpose();
   const Projection<3> inside = project(flat, boxes, Vec<3>(2.99, 0.01, -0.1), {}, point);

@@ -50,6 +50,14 @@ Projection<2> project_from(const Surface<2>& surface, const Vec<2>& x, const Pro
   return project(surface, boxes, x, seed, point);
 }
 
+/// Squares of such distances overflow, so that no element is near.
+TEST(Projection, FindsNoContactBeyondTheRangeOfSquares) {
+  Random random(4);
+  const Surface<2> surface(wavy(random, 3, 0.6, 2, 1), nurbs::side_of("north", 2));
+  EXPECT_EQ(project_from(surface, Vec<2>(1e200, 0)).foot, Foot::none);
+  EXPECT_EQ(project_from(surface, Vec<2>(1, std::numeric_limits<double>::quiet_NaN())).foot, Foot::none);
+}
+
 TEST(Projection, IsTheGlobalMinimumFromAnySeed) {
   Random random(1);
   int regular = 0, corners = 0, ends = 0;
