@@ -1,6 +1,8 @@
 #include "terminal/answers.hpp"
 
+#include <algorithm>
 #include <sstream>
+#include <string_view>
 
 namespace signorini::terminal {
 namespace {
@@ -14,9 +16,9 @@ std::vector<int> numbers_of(const std::string& parameters) {
 }
 
 /// Whether a control sequence, "\033[" with parameters and a final character, is an answer; then reads it.
-bool read_sequence(const std::string& parameters, char last, Answers& answers) {
+bool read_sequence(std::string_view parameters, char last, Answers& answers) {
   const bool is_private = parameters.starts_with('?');
-  const std::vector<int> numbers = numbers_of(parameters.substr(is_private));
+  const std::vector<int> numbers = numbers_of(std::string(parameters.substr(is_private)));
   const bool three = numbers.size() == 3;
   if (last == 'c' && is_private) {
     answers.attributes = numbers;
@@ -31,7 +33,7 @@ bool read_sequence(const std::string& parameters, char last, Answers& answers) {
 }
 
 /// The length of the answer at the beginning of the text; 0 if there is none.
-std::size_t read_answer(const std::string& text, Answers& answers) {
+std::size_t read_answer(std::string_view text, Answers& answers) {
   if (text.starts_with("\033_G")) {
     const std::size_t end = text.find("\033\\");
     if (end == std::string::npos) return 0;
@@ -47,11 +49,17 @@ std::size_t read_answer(const std::string& text, Answers& answers) {
 } // namespace
 
 void take_answers(std::string& input, Answers& answers) {
-  for (std::size_t begin = input.find('\033'); begin != std::string::npos;) {
-    const std::size_t length = read_answer(input.substr(begin), answers);
-    input.erase(begin, length);
-    begin = input.find('\033', length > 0 ? begin : begin + 1);
+  const std::string_view text = input;
+  std::string rest; // what is not an answer; pasted text may contain any number of escape characters
+  std::size_t place = 0;
+  while (place < text.size()) {
+    const std::size_t escape = std::min(text.find('\033', place), text.size());
+    rest += text.substr(place, escape - place);
+    const std::size_t length = escape < text.size() ? read_answer(text.substr(escape), answers) : 0;
+    if (length == 0 && escape < text.size()) rest += text[escape];
+    place = escape + std::max<std::size_t>(length, 1);
   }
+  input = std::move(rest);
 }
 
 } // namespace signorini::terminal
