@@ -6,9 +6,13 @@ local on_behalf_of = require "signorini.on_behalf_of"
 local core = require "signorini.core"
 local counted = require "signorini.counted"
 local describe = require "signorini.describe"
+local is_record = require "signorini.run_record"
 local lists = require "signorini.lists"
 
 local where = "model:run"
+
+--- The format of the record of a run; the first versions wrote none, which is format 0.
+local format = 1
 
 --- Fields of a run that are rebuilt or written in another form; all others are saved as they are.
 local apart = { "failed", "reason", "cause", "failure", "recorders", "before", "step", "names", "values", "histories",
@@ -69,8 +73,8 @@ function Checkpoint:text(model, run, path, place, policy)
     if not lists.holds(apart, key) then record[key] = value end
   end
   local stage = path[place.stage]
-  local rest = core.pack { path = run.outline, place = place, starts = stage.starts or {}, fits = stage.fits or {},
-                           memory = policy.memory or {}, names = run.names, record = record,
+  local rest = core.pack { format = format, path = run.outline, place = place, starts = stage.starts or {},
+                           fits = stage.fits or {}, memory = policy.memory or {}, names = run.names, record = record,
                            spent = seconds_spent(model, run.before) }
   return list { rest, grow(self.rows, run.rows, function(i) return row_of(run, i) end),
                 grow(self.histories, #run.histories, function(i) return run.histories[i] end) }
@@ -94,6 +98,12 @@ end
 
 -- ── Resuming ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
+--- The format of unpacked data, if they name one.
+local function format_of(saved)
+  local state = type(saved) == "table" and saved[1]
+  return type(state) == "table" and math.type(state.format) == "integer" and state.format
+end
+
 --- The state of the run in a file, checked against the present path.
 function Checkpoint:read(run)
   local text = call("checkpoint_text", self.file)
@@ -102,7 +112,12 @@ function Checkpoint:read(run)
       :format(where, self.file))
   end
   local ok, saved = pcall(core.unpack, text)
-  if not ok then
+  local written = ok and format_of(saved)
+  if written and written > format then
+    core.fail(("%s: '%s' was written by a newer version of the program, in format %d of runs; this one reads formats "
+      .. "up to %d. Hint: install that version"):format(where, self.file, written, format))
+  end
+  if not ok or not is_record(saved) then
     core.fail(("%s: '%s' cannot be read as a run: it is damaged, or another version of " ..
       "the program saved it. Hint: name another file, or remove this one to start again"):format(where, self.file))
   end

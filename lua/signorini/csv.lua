@@ -109,20 +109,20 @@ Data.__name = "data"
 core.types.data = Data
 
 --- Position of a column; an unknown name is an error that lists the known ones.
-local function position(data, name)
+local function position(data, name, where)
   for j, known in ipairs(data.columns) do
     if known == name then return j end
   end
-  core.fail(("a CSV table: there is no column '%s'; known: %s"):format(name, table.concat(data.columns, ", ")))
+  core.fail(("%s: there is no column '%s'; known: %s"):format(where, name, table.concat(data.columns, ", ")))
 end
 
 function Data:column(name)
-  local j = position(self, name)
+  local j = position(self, name, "data:column")
   return lists.map(self.rows, function(row) return row[j] end)
 end
 
 function Data:by(name)
-  local key, rows = position(self, name), {}
+  local key, rows = position(self, name, "data:by"), {}
   for _, row in ipairs(self.rows) do
     local named = {}
     for j, column in ipairs(self.columns) do named[column] = row[j] end

@@ -33,7 +33,12 @@ local function read_list(series)
       .. "another name"):format(series.file))
   end
   for time, name in text:gmatch '<DataSet timestep="([^"]*)" part="0" file="([^"]*)"/>' do
-    series[#series + 1] = { time = tonumber(time), name = unescaped(name) }
+    local number, last = tonumber(time), series[#series]
+    if not number or number ~= number or last and number <= last.time then
+      core.fail(("sg.pvd: '%s' is damaged: state %d has the time '%s'. Hint: leave out resume, or choose another name")
+        :format(series.file, #series + 1, time))
+    end
+    series[#series + 1] = { time = number, name = unescaped(name) }
   end
   series.taken_up = #series
 end

@@ -21,7 +21,7 @@ end
 local function check_formats(formats)
   for key, format in pairs(formats) do
     local fits, text = pcall(string.format, format, 1)
-    if not fits or text == format then
+    if type(format) ~= "string" or not fits or text == format then
       check.reject("sg.table", ("formats.%s"):format(key), "a pattern of string.format for a number", format,
         "such as \"%.3g\"")
     end

@@ -500,7 +500,7 @@ function sg.shapes.hollow_hemisphere(arguments) end
 ---@field height number
 ---radius: radius of the cap (a positive number; length)
 ---@field radius number
----elements: spans of the cap in each direction (a whole number, 1 or more)
+---elements: spans of the cap in each direction (a whole number from 1 to 200)
 ---@field elements integer
 ---corner: x, y of the corner and z of the lowest point (a list of 3 numbers {x, y, z}; length; default {0, 0, 0})
 ---@field corner? [number, number, number]

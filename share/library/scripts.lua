@@ -121,8 +121,8 @@ function sg.mkdir(path) end
 ---@field rows table<integer|string, (number|string|boolean)[]>
 ---units: second header line (a list of strings; optional)
 ---@field units? string[]
----formats: patterns of string.format by position or name of a column (any value; optional)
----@field formats? any
+---formats: patterns of string.format by position or name of a column (a table of patterns; optional)
+---@field formats? table
 ---@field [string] sg.unknown_argument
 
 ---Returns the text of an aligned table, numbers aligned to the right, with a dash for missing values.

@@ -161,7 +161,7 @@ approximated by biquadratic spans that interpolate the sphere. west, east, south
               { "depth", t.positive, "size along y", unit = "length" },
               { "height", t.positive, "from the cap's lowest point to the flat top", unit = "length" },
               { "radius", t.positive, "radius of the cap", unit = "length" },
-              { "elements", t.count, "spans of the cap in each direction" },
+              { "elements", t.integer(1, 200), "spans of the cap in each direction" },
               { "corner", t.space_point, "x, y of the corner and z of the lowest point", default = { 0, 0, 0 },
                 unit = "length" } },
     returns = a_patch,

@@ -27,7 +27,9 @@ function slurm.seconds(text)
   local days, rest = text:match "^(%d+)%-(.+)$"
   local parts = {}
   for part in ((rest or text) .. ":"):gmatch "(%d+):" do parts[#parts + 1] = tonumber(part) end
-  if table.concat(parts, ":"):gsub("%d+", "0") ~= (rest or text):gsub("%d+", "0") or #parts > 3 then return nil end
+  if table.concat(parts, ":"):gsub("%d+", "0") ~= (rest or text):gsub("%d+", "0") or #parts > 3 or #parts == 0 then
+    return nil
+  end
   local a, b, c = parts[1], parts[2] or 0, parts[3] or 0
   if days then return ((tonumber(days) * 24 + a) * 60 + b) * 60 + c end
   if #parts == 3 then return (a * 60 + b) * 60 + c end

@@ -8,6 +8,10 @@ local outcomes = require "signorini.study.outcomes"
 
 local store = {}
 
+-- The format of study.json and of the records of cases, which is in each of them; files of the first versions have
+-- none, which is format 0. Files of all formats up to this one are read.
+store.format = 1
+
 -- When the disk is full this file is removed, which leaves space for the results of the running cases.
 local reserve_name, reserve_size = "reserve", 1 << 20
 
@@ -20,26 +24,53 @@ local function read(file)
   return ok and type(value) == "table" and value or nil, not ok
 end
 
+--- Raises an error if a file was written in a format that this program does not know.
+local function check_format(where, file, value)
+  local format = value and value.format or 0
+  if math.type(format) ~= "integer" or format > store.format then
+    core.fail(("%s: '%s' was written by a newer version of the program, in format %s; this one, %s, reads formats up "
+      .. "to %d. Hint: install that version, or choose another folder"):format(where, file, tostring(format),
+      core.versions.signorini, store.format))
+  end
+end
+
 local function case_file(study, entry) return ("%s/cases/%s.json"):format(study.folder, entry.id) end
 
---- Whether a folder already holds this study. If it holds another one, this is an error.
+--- Whether a folder already holds this study, in this format. If it holds another one, this is an error.
 local function check_owner(where, study)
-  local owner = read(study.folder .. "/study.json")
+  local file = study.folder .. "/study.json"
+  local owner = read(file)
+  check_format(where, file, owner)
   if owner and owner.study ~= study.name then
     core.fail(("%s: the folder '%s' holds the study '%s', not '%s': give this one another folder, or remove the "
       .. "old one"):format(where, study.folder, tostring(owner.study), study.name))
   end
-  return owner ~= nil
+  return owner ~= nil and owner.format == store.format
+end
+
+--- Whether all entries of a table have names; an empty list of JSON is also an empty table.
+local function is_named(value)
+  if type(value) ~= "table" then return false end
+  for name in next, value do
+    if type(name) ~= "string" then return false end
+  end
+  return true
+end
+
+--- Whether data of JSON are the record of a case.
+local function is_record(record)
+  local made, reason = record.made, record.reason
+  return is_named(record.case) and is_named(record.results) and type(record.outcome) == "string"
+    and (record.inputs == nil or is_named(record.inputs)) and (made == nil or is_named(made))
+    and (reason == nil or type(reason) == "string") and (record.wall == nil or type(record.wall) == "number")
 end
 
 --- The record of a case, or nil; and whether its file exists but cannot be read.
 function store.read(study, entry)
   if not study.folder then return nil end
   local record, damaged = read(case_file(study, entry))
-  if record and type(record.case) == "table" and type(record.results) == "table"
-    and type(record.outcome) == "string" then
-    return record, false
-  end
+  check_format("sg.study", case_file(study, entry), record)
+  if record and is_record(record) then return record, false end
   return nil, damaged or record ~= nil
 end
 
@@ -78,7 +109,9 @@ function store.open(where, study)
   local ok, message = pcall(function()
     if study.fresh then clear(study.folder) end
     local file = study.folder .. "/study.json"
-    if not check_owner(where, study) then call(where, "write_file", file, core.write_json { study = study.name }) end
+    if not check_owner(where, study) then
+      call(where, "write_file", file, core.write_json { study = study.name, format = store.format })
+    end
   end)
   if ok then return setmetatable(handle, { __index = store }) end
   lock:release()
@@ -105,6 +138,7 @@ end
 --- Writes a case's record. If the disk is full, the reserve is released. A checkpoint is of no further use.
 function store.write(handle, entry, record)
   if not handle.saves then return end
+  record.format = store.format
   local file, text = case_file(handle.study, entry), core.write_json(record, "the case's record")
   handle.leftovers = handle.leftovers or leftovers(handle.study)
   if handle.leftovers[entry.id .. ".json"] then core.remove_leftovers(file) end
