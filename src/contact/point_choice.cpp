@@ -16,6 +16,7 @@ struct ElementState {
   int listed = 0;                    ///< number of points of both rules
   std::optional<ContactState> state; ///< of the first
   bool mixed = false;
+  bool touching = false, apart = false;                             ///< whether a point is
   double least = std::numeric_limits<double>::infinity(), most = 0; ///< pressure
 };
 
@@ -33,6 +34,7 @@ std::vector<char> choose_sparse(const ContactPoints<D>& points, const Surface<D>
     element.points.push_back(i);
     if (!element.state) element.state = result.state;
     element.mixed = element.mixed || result.state != *element.state;
+    (touches(result.state) ? element.touching : element.apart) = true;
     element.least = std::min(element.least, result.pressure);
     element.most = std::max(element.most, result.pressure);
   }
@@ -45,8 +47,8 @@ std::vector<char> choose_sparse(const ContactPoints<D>& points, const Surface<D>
     for (int alpha = 0; alpha < D - 1 && !full; ++alpha)
       for (const bool at_end : {false, true}) {
         const int next = slave.neighbor(e, alpha, at_end);
-        if (next < 0 || !elements[at(next)].state) continue;
-        full = full || touches(*elements[at(next)].state) != touches(*element.state);
+        if (next < 0) continue;
+        full = full || (touches(*element.state) ? elements[at(next)].apart : elements[at(next)].touching);
       }
     const double caution = sparse[at(e)] ? 1 : rule_hysteresis;
     if (!full && touches(*element.state)) full = element.least < caution * border_pressure * element.most;

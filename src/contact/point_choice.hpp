@@ -20,7 +20,7 @@ using IsNear = std::function<bool(std::span<const std::size_t> points, double di
 ///  - it is closed and its least pressure is below a fraction of its largest, so that the border is near;
 ///  - it is open and a point is nearer to contact than a multiple of `moved`, by which slave and master have approached
 ///    each other in the last step, or a fraction of its diagonal;
-///  - its state differs from a neighbor's;
+///  - a point of a neighbor is open where it is closed, or the reverse;
 ///  - the region of the contact cuts it.
 /// Both limits are higher for elements that have their full rule (hysteresis), so that rules do not alternate.
 /// `is_near(points, distance)`: whether one of these open points is nearer to contact than the distance.

@@ -72,6 +72,33 @@ TEST(PointChoice, RulesDoNotAlternate) {
   for (int e = 0; e < elements; ++e) EXPECT_LE(changes[at(e)], 5) << e; // full at first
 }
 
+/// Next to an element in which the contact ends, at either end of the face's direction.
+TEST(PointChoice, ChoicesDoNotDependOnTheDirectionOfTheFace) {
+  for (const double border : {12.5, 27.5}) { // in the middle of an element, which is mixed
+    Strip strip;
+    const double half_width = 7.5, middle = border < 20 ? border + half_width : border - half_width;
+    strip.step(middle, half_width, 0.001);
+    const int mixed = static_cast<int>(border), inside = border < 20 ? mixed + 1 : mixed - 1,
+              outside = border < 20 ? mixed - 1 : mixed + 1;
+    for (const int e : {mixed, inside, outside}) EXPECT_FALSE(strip.history.sparse[at(e)]) << e;
+  }
+  // Pressures without a border, as of a flat punch, so that the neighbors' states alone decide.
+  for (const bool reversed : {false, true}) {
+    Strip strip;
+    for (std::size_t i = 0; i < strip.points.size(); ++i) {
+      const double x = strip.points.reference[i](0), s = reversed ? elements - x : x;
+      strip.history.results[i].state = s < 20.5 ? ContactState::stick : ContactState::open;
+      strip.history.results[i].pressure = s < 20.5 ? 1 : 0;
+    }
+    const std::vector<char> sparse =
+        choose_sparse(strip.points, strip.face, strip.history, 0.001, [](auto, double) { return false; });
+    for (int e = 0; e < elements; ++e) {
+      const int s = reversed ? elements - 1 - e : e;
+      EXPECT_EQ(sparse[at(e)], s < 19 || s > 21) << e;
+    }
+  }
+}
+
 TEST(PointChoice, ElementsThatTheRegionCutsAreFull) {
   const Strip strip;
   const ContactPoints<2> cut(
