@@ -1,0 +1,53 @@
+-- Counts what becomes of many generated scenes, and of each in other words (variants.lua).
+
+local checks = require "robustness.checks"
+local dice = require "stability.generated.dice"
+local scenes = require "robustness.scenes"
+local variants = require "robustness.variants"
+
+local survey = {}
+
+local function count(list, key) list[key] = (list[key] or 0) + 1 end
+
+--- A message without the line, with # in place of numbers.
+local function general(message)
+  return (message:gsub("^[^:\n]*:%d+: ", ""):gsub("%-?%d[%d.e+-]*", "#"):gsub("%. Hint: .*", ""))
+end
+
+--- The names of the variants that a scene is compared with: all, none, or two that depend on the seed.
+local function chosen(scene, how)
+  if how == "all" then return variants.names end
+  if how == "none" then return {} end
+  local roll = dice(scene.seed + 104729)
+  local first = roll.integer(1, #variants.names)
+  return { variants.names[first], variants.names[(first + roll.integer(0, #variants.names - 2)) % #variants.names + 1] }
+end
+
+--- Solves the scenes of the seeds first … first + count - 1. `how`: "some", "all" or "none" of the variants; `begin`:
+--- called with each seed. Returns counts: outcomes (of the scenes; "ended" with the reason), refusals (by message),
+--- compared and different (by variant; different ones with "outcome" or "forces"), and lists of texts: found, apart.
+function survey.run(first, how_many, how, begin)
+  local result = { scenes = how_many, outcomes = {}, refusals = {}, compared = {}, different = {}, found = {},
+                   apart = {} }
+  for seed = first, first + how_many - 1 do
+    if begin then begin(seed) end
+    local scene = scenes.describe(seed)
+    local account = checks.solve(scene)
+    count(result.outcomes, account.outcome == "ended" and "ended: " .. account.detail or account.outcome)
+    if account.outcome == "refused" then count(result.refusals, general(account.detail)) end
+    for _, text in ipairs(account.found) do
+      result.found[#result.found + 1] = ("%s\n  %s"):format(scenes.text(scene), text)
+    end
+    for _, name in ipairs(account.reason ~= "stopped" and chosen(scene, how) or {}) do
+      local text, kind, other = variants.compare(scene, account, name)
+      if other then count(result.compared, name) end
+      if text then
+        count(result.different, ("%s: %s"):format(name, kind))
+        result.apart[#result.apart + 1] = ("%s\n  %s: %s"):format(scenes.text(scene), name, text)
+      end
+    end
+  end
+  return result
+end
+
+return survey
