@@ -168,9 +168,11 @@ template <int D> void Formulation<D>::settle(History<D>& accepted) {
 template <int D> std::vector<double> Formulation<D>::gaps(const History<D>& history) const {
   std::vector<double> gaps;
   FacePoint<D> foot;
-  for (std::size_t i = 0; i < points_.size(); ++i)
-    gaps.push_back(master().project(history.results[i].position, history.points[i].projection, foot).gap -
-                   offset(i, history));
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Projection<D> found = master().project(history.results[i].position, history.points[i].projection, foot);
+    // Beyond an open end the distance has no sign.
+    gaps.push_back((found.foot == Foot::none ? std::abs(found.gap) : found.gap) - offset(i, history));
+  }
   return gaps;
 }
 

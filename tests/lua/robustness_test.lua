@@ -24,4 +24,34 @@ check.case("generated scenes: nothing infinite, no forces that do not cancel, no
   assert(refused > 10 and completed > 10, ("%d refused, %d completed"):format(refused, completed))
 end)
 
+-- ── Errors that the generator has found ──────────────────────────────────────────────────────────────────────────────
+
+local soft = sg.neo_hookean{ E = 1, nu = 0.3 }
+
+--- A slab of the width 4 and a narrower block above it, which overlaps it by 0.001.
+local function pair(contact)
+  local function box(width, height, bottom)
+    return sg.shapes.rectangle{ width = width, height = height, corner = { -width / 2, bottom } }
+  end
+  local slab = sg.body{ patch = box(4, 1, -1), elements = { 8, 1 }, order = "N2", material = soft }
+  local block = sg.body{ patch = box(1, 1, -0.001), elements = { 2, 1 }, order = "N2", material = soft }
+  contact.slave, contact.master, contact.penalty = slab:face "north", block:face "south", 100
+  return sg.model{
+    bodies = { slab = slab, block = block }, contacts = { touch = contact },
+    supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = block:face "north", drive = "xy" } },
+  }
+end
+
+check.case("beyond an end of the master nothing overlaps: gaps are distances, without a sign", function()
+  for _, method in ipairs{ "gpts", "mortar" } do
+    local model = pair{ method = method, overlap = "interference" }
+    local profile = model:profile "touch"
+    for i, gap in ipairs(profile.gap) do
+      local beyond = math.abs(profile.X[i]) - 0.65 -- the extension included
+      if beyond > 0.2 then check.within("gap", gap, math.sqrt(beyond ^ 2 + 1e-6), 1e-9) end
+    end
+    check.equal(model:run{ { steps = 1, grip = { 0, -0.01 } } }.reason, "completed")
+  end
+end)
+
 check.done()
