@@ -1,5 +1,6 @@
 #include "model/system.hpp"
 
+#include "base/dense.hpp"
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "model/contact_faces.hpp"
@@ -8,19 +9,37 @@
 #include "model/path_norm.hpp"
 #include "model/ties.hpp"
 #include "model/turning.hpp"
+#include "nurbs/constants.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace signorini::model {
 
 namespace {
 
-/// Throws Error if a list of a contact's faces has one twice, or if they do not form one surface.
+/// Whether a face collapses to a point, in 3D also to a line: the scatter of its control points has too few directions.
+template <int D> bool is_collapsed(const Scene<D>& scene, const FaceReference& face) {
+  const nurbs::Discretization& space = scene.bodies[at(face.body)].body->space();
+  const MatrixX all = space.points();
+  const std::vector<int> functions = space.face_functions(face.side);
+  MatrixX points(D, functions.size());
+  for (std::size_t i = 0; i < functions.size(); ++i) points.col(static_cast<Eigen::Index>(i)) = all.col(functions[i]);
+  const MatrixX arms = points.colwise() - points.rowwise().mean().eval();
+  const double size = (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
+  const VectorX squares = dense::symmetric_eigenvalues(arms * arms.transpose());
+  return squares(1) <= std::pow(nurbs::same_place * size, 2); // of the D − 1 largest ones the least
+}
+
+/// Throws Error if a list of a contact's faces has one twice or a collapsed one, or if they do not form one surface.
 template <int D> void check_list(const Scene<D>& scene, const Faces& faces, const Message& list) {
   for (auto face = faces.begin(); face != faces.end(); ++face)
     require(std::find(faces.begin(), face, *face) == face, "model.contact.face_twice",
             {{"list", list}, {"face", face_message(scene, *face)}});
+  for (const FaceReference& face : faces)
+    require(!is_collapsed(scene, face), "model.contact.collapsed",
+            {{"list", list}, {"face", face_message(scene, face)}});
   if (faces.size() > 1) surface_of(scene, faces, list);
 }
 

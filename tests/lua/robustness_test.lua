@@ -54,4 +54,24 @@ check.case("beyond an end of the master nothing overlaps: gaps are distances, wi
   end
 end)
 
+check.case("a collapsed face in contact is an error", function()
+  local points = {}
+  for j = 0, 2 do
+    for i = 0, 2 do points[#points + 1] = { j == 2 and 0 or i, j - 2 } end
+  end
+  local cone = sg.body{
+    patch = sg.nurbs.surface{ degrees = { 2, 2 }, knots = { { 0, 0, 0, 1, 1, 1 }, { 0, 0, 0, 1, 1, 1 } },
+                              points = points },
+    elements = { 1, 1 }, order = "N2", material = soft,
+  }
+  local function touch(face)
+    return sg.model{ bodies = { cone = cone }, supports = { bed = { on = cone:face "south", fix = "xy" } },
+                     contacts = { tip = { slave = cone:face(face), penalty = 1,
+                                          master = sg.rigid.plane{ point = { 0, 1 }, normal = { 0, -1 } } } } }
+  end
+  check.holds(check.fails(function() touch "north" end),
+    "contacts.tip.slave: face 'north' of body 'cone' is collapsed and has no area")
+  check.equal(#touch("east"):warnings(), 0)
+end)
+
 check.done()
