@@ -211,6 +211,18 @@ local function unstable(run)
       found.steps == 1 and "is" or "are", counted(found.most, "negative eigenvalue"))
 end
 
+-- Above this rounding error, as a fraction of the forces of the run, forces may be wrong in their first digits.
+local coarse_rounding = 1e-3
+
+--- A sentence for loads that are not far above the rounding errors of the forces, up to which equilibrium is found.
+local function lost_in_rounding(model)
+  local rounding, forces, loaded = core.rounding(model)
+  if not loaded or rounding <= coarse_rounding * forces then return nil end
+  return ("rounding errors of forces, about %.2g, are %.2g %% of the forces of supports and loads, at most %.2g, and "
+    .. "equilibrium is not found more exactly than that. Hint: very narrow elements, very stiff bodies and places far "
+    .. "from the origin cause them"):format(rounding, 100 * rounding / forces, forces)
+end
+
 --- The warnings of a run; those of model:warnings() and about the path come first.
 function run_warnings.of_run(run, model, early)
   local texts = lists.joined(model:warnings(), early)
@@ -220,6 +232,7 @@ function run_warnings.of_run(run, model, early)
     texts[#texts + 1] = unbalanced(run, model, contact)
   end
   texts = lists.joined(texts, run.overlaps)
+  texts[#texts + 1] = lost_in_rounding(model)
   texts[#texts + 1] = held(run)
   texts[#texts + 1] = path_controls.warning(run)
   texts[#texts + 1] = unstable(run)

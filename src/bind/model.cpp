@@ -3,6 +3,7 @@
 #include "base/words.hpp"
 #include "bind/open.hpp"
 #include "bind/wording/wording.hpp"
+#include "model/equilibrium.hpp"
 #include "model/joins.hpp"
 
 #include <algorithm>
@@ -148,8 +149,24 @@ int smallest_body(lua_State* L) {
   return 0;
 }
 
+template <int D> int push_rounding(lua_State* L, const model::Model<D>& model) {
+  push(L, model::rounding_floor(model));
+  push(L, model::force_norm(model));
+  push(L, model.external.norm() > 0);
+  return 3;
+}
+
+/// core.rounding(model): the estimated rounding error of the residual, the largest norm of the forces of supports and
+/// loads in all accepted states, and whether loads act at present.
+int rounding(lua_State* L) {
+  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_rounding(L, **plane);
+  if (const auto* space = test_object<Model<3>>(L, 1)) return push_rounding(L, **space);
+  return 0;
+}
+
 constexpr Function model_core[] = {{"contact_problem", wrap<contact_problem>},
                                    {"contact_warnings", wrap<contact_warnings>},
+                                   {"rounding", rounding},
                                    {"smallest_body", smallest_body}};
 
 template <int D> constexpr Function snapshot_entries[] = {{"__tostring", call<snapshot_text<D>>}};

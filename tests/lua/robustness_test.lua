@@ -74,4 +74,19 @@ check.case("a collapsed face in contact is an error", function()
   check.equal(#touch("east"):warnings(), 0)
 end)
 
+check.case("loads that rounding errors exceed are a warning", function()
+  local function warnings(knots)
+    local patch = sg.shapes.rectangle{ width = 1, height = 1 }:insert(1, knots)
+    local slab = sg.body{ patch = patch, elements = { #knots + 1, 1 }, order = "N2", material = soft }
+    local model = sg.model{
+      bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" } },
+      loads = { push = { on = slab:face "north", traction = { 0, 0 } } },
+    }
+    return model:run{ { steps = 1, push = { 1e-6, 0 } } }.warnings
+  end
+  check.equal(#warnings{ 0.5 }, 0)
+  check.holds(warnings{ 1e-10 }[1], "rounding errors of forces, about", "% of the forces of supports and loads",
+    "very narrow elements")
+end)
+
 check.done()
