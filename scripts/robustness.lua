@@ -9,8 +9,8 @@
 --          Each scene must be refused at the line of its script, or complete, or end early with a reason; all results
 --          are finite, no open point penetrates, and external forces cancel. Variants must have the same outcome and
 --          forces: solved again, turned, moved by 1e6, mirrored, in other units (1e-9 to 1e9), with other directions of
---          the patches, other names, slave and master exchanged (half passes), on two threads, continued from a
---          checkpoint, returned to a snapshot.
+--          the patches, other names, slave and master exchanged (half passes), on two threads, by
+--          another linear solver, continued from a checkpoint, returned to a snapshot.
 -- Source: chosen here.
 -- Units: those of the scene, E of the slab 1 and its width 2; tolerances are relative to the forces.
 -- Expected: nothing is found. Outcomes of variants differ in some scenes whose iterations are near a border between

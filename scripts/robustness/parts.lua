@@ -34,7 +34,7 @@ local function body(scene, roll, name, shape, contact, E)
   end
   local least
   result.order, least = order_of(scene, roll, result.patch or result.patches[1])
-  for i = 1, count do result.elements[i] = roll.integer(1, i == 3 and 1 or space and 2 or 4) end
+  for i = 1, count do result.elements[i] = roll.integer(1, not space and 4 or i == 1 and 2 or 1) end
   local patch = result.patch or result.patches[1]
   for i, knots in ipairs(patch.knots) do -- a multiple of those of the patch, so that mirrored meshes are mirror images
     local spans = 0

@@ -1,5 +1,6 @@
 -- The same scene in other words: turned, moved, mirrored, in other units, with other directions of the patches, other
--- names, two threads, continued from a checkpoint. Each variant must have the same outcome and the same forces.
+-- names, two threads, another linear solver, continued from a checkpoint, returned to a snapshot. Each variant must
+-- have the same outcome and the same forces.
 
 local checks = require "robustness.checks"
 local dice = require "stability.generated.dice"
@@ -46,14 +47,8 @@ local function turned(scene, roll)
   return { matrix = turns_freely(scene) and rotation(size, roll.uniform(0, 360)) or quarter[size - 1] }
 end
 
--- Oddities whose details are not larger than the rounding error of coordinates of 1e6.
-local tiny = { ["extreme aspect"] = true, ["extreme obstacle"] = true, ["narrow knot span"] = true,
-               ["thin slab"] = true, ["points far away"] = true, ["huge gap"] = true }
-
 local function moved(scene, _)
-  for _, name in ipairs(scene.oddities) do
-    if tiny[name] then return nil end
-  end
+  if checks.has_tiny_parts(scene) then return nil end
   if scene.kind == "axisymmetric" then return { shift = { 0, -1e6 } } end
   return { shift = { 1e6, -0.7e6, scene.space and 0.4e6 or nil } }
 end
@@ -97,6 +92,10 @@ local function in_frame(options_of)
 end
 
 local function with_threads(scene) return checks.solve(scene, nil, { threads = 2 }) end
+
+local function with_other_solver(scene)
+  return checks.solve(scene, nil, { linear = scene.options.linear == "umfpack" and "klu" or "umfpack" })
+end
 
 --- A run with checkpoints, killed by an error in a step and continued, and the same run without the kill.
 local function resumed(scene, roll)
@@ -145,6 +144,7 @@ variants.all = {
   { name = "renamed", tolerance = 1e-6, run = in_frame(function() return { renamed = true } end) },
   { name = "swapped", tolerance = 1e-6, run = in_frame(swapped) },
   { name = "threads", tolerance = 0, run = with_threads },
+  { name = "solver", tolerance = 1e-6, run = with_other_solver },
   { name = "resumed", tolerance = 0, run = resumed },
   { name = "restored", tolerance = 1e-6, run = restored },
 }
