@@ -1,5 +1,5 @@
 #pragma once
-// What lib/signorini/signorini_sandbox.so exports under the name signorini_sandbox: filters of system calls.
+// What lib/signorini/modules/signorini_sandbox.so exports under the name signorini_sandbox: filters of system calls.
 
 #include <string>
 
