@@ -308,7 +308,7 @@ end
 
 -- ── All of them ──────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local calls = { owner_of = owner_of }
+local calls = { owner_of = owner_of, value = right_value, rows = right_named, type_of = type_in_call }
 
 --- Calls f(page) of every function that has its arguments checked.
 local function each_page(f)

@@ -1,5 +1,5 @@
--- Arguments and files that the fuzzers have found (tests/fuzz): each was a crash, an endless call, or a message that did
--- not help.
+-- Arguments and files that the fuzzers have found (tests/fuzz): each was a crash, an endless call, or a message that
+-- did not help.
 
 local core = require "signorini.core"
 local sg = require "signorini"
