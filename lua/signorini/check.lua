@@ -78,7 +78,7 @@ local function resembles(of, value)
   if of.kind == "either" and lists.any(of, function(one) return resembles(one, value) end) then return true end
   if fits[of.kind] then return (fits[of.kind](of, value)) end
   if type(value) ~= "table" or pages.kind(value) ~= "table" then return false end
-  local list = #value > 0
+  local list = rawlen(value) > 0
   if of.kind == "named" or of.kind == "map" then return not list or (of.rest ~= nil) end
   local entry = of.kind == "list" and of.of
   if list and entry and not fits[entry.kind] then return resembles(entry, value[1]) end
@@ -191,7 +191,7 @@ function reads.points(of, value, where, name, row)
   local count = length(value)
   if not count then mismatch(of, value, where, name, row, list_cure(of, value)) end
   if count == 0 then reject(where, name, "a list of at least one point {{x, y}, …}", value, nil, row) end
-  local point = type(value[1]) == "table" and #value[1] == 3 and types.space_point or types.plane_point
+  local point = type(value[1]) == "table" and rawlen(value[1]) == 3 and types.space_point or types.plane_point
   for i = 1, count do
     if not is_point(point, value[i]) then reads.point(point, value[i], where, ("%s[%d]"):format(name, i)) end
   end
@@ -235,7 +235,7 @@ end
 --- Reads named arguments: those of the rows, checked, with defaults where they are not given, and others of the type
 --- `rest`. `owner`: of a method; `entries`: of a page. The rows' `conflict` checks the values against each other.
 function read_named(rows, value, where, name, rest, owner, entries)
-  local count = entries and #value or 0
+  local count = entries and rawlen(value) or 0
   if not rest then check_keys(rows, value, where, name, count) end
   local whole, prefix = {}, name == "" and "" or name .. "."
   for i = 1, count do whole[i] = read_entry(entries[2], value, i, where, name) end
@@ -326,7 +326,7 @@ function reads.either(of, value, where, name, row)
     if count > most then best, most = one, count end
   end
   for _, one in ipairs(best and {} or of) do -- if the first entry of a list is wrong, the message names that entry
-    if one.kind == "list" and length(value) and #value > 0 then best = one end
+    if one.kind == "list" and length(value) and rawlen(value) > 0 then best = one end
   end
   if best then return read(best, value, where, name, row) end
   local finite = type(value) ~= "number" or math.abs(value) < math.huge

@@ -11,7 +11,7 @@ function list_shape.length(value, fields)
   for key in next, value do
     if not fields or math.type(key) then count = count + 1 end
   end
-  return count == #value and count or nil
+  return count == rawlen(value) and count or nil
 end
 
 --- A list with the entries of the lists in it in their place.

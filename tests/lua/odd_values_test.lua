@@ -48,6 +48,12 @@ check.case("counts have limits where the work grows with their power", function(
   end, "elements must be a whole number from 1 to 200")
 end)
 
+check.case("tables with a length of their own are described", function()
+  local odd = setmetatable({}, { __len = function() return "x" end })
+  check.fails(function() sg.rigid.surface(odd) end, "odd_values_test.lua", "must be a patch")
+  check.fails(function() sg.neo_hookean{ E = odd, nu = 0 } end, "E must be a positive number")
+end)
+
 check.case("formats of a table are patterns", function()
   local columns = { columns = { "x" }, rows = { { 1 } } }
   for _, wrong in ipairs{ 3, print, "%.3g" } do

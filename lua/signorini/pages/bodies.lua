@@ -46,7 +46,7 @@ local name_of_face = "west, east (ends of xi1), south, north (xi2), front, back 
 local driven = [[A support can move it: see help "obstacle".]]
 --- A curve or surface as a tool.
 local boundary = { kind = "object", name = "patch", cure = function(value)
-  if type(value) == "table" and #value > 0 then
+  if type(value) == "table" and rawlen(value) > 0 then
     return "make one obstacle per patch of the list; sg.nurbs.read(file)[1] is the first patch of a file"
   end
 end }
