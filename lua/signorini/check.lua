@@ -101,6 +101,13 @@ local function read_alone(of, value, whole, where, name, row)
   return value
 end
 
+--- Products of large integers overflow in Lua.
+function reads.number(of, value, where, name, row)
+  value = read_alone(of, value, of, where, name, row)
+  local large = math.type(value) == "integer" and (value > 1 << 53 or value < -(1 << 53))
+  return large and value + 0.0 or value
+end
+
 --- The list of a single entry that was given without braces.
 local function read_single(of, value, where, name, row)
   if fits[of.of.kind] then return { read_alone(of.of, value, of, where, name, row) } end

@@ -48,6 +48,11 @@ check.case("counts have limits where the work grows with their power", function(
   end, "elements must be a whole number from 1 to 200")
 end)
 
+check.case("large integers are numbers, whose products do not overflow", function()
+  local _, _, exact = sg.scenes.hertz{ load = math.maxinteger }
+  check.within_share("half-width", exact.a, math.sqrt(4 * 2.0 ^ 63 * 0.91 / math.pi), 1e-12)
+end)
+
 check.case("tables with a length of their own are described", function()
   local odd = setmetatable({}, { __len = function() return "x" end })
   check.fails(function() sg.rigid.surface(odd) end, "odd_values_test.lua", "must be a patch")
