@@ -97,7 +97,7 @@ local function spoil(arguments, page)
     elseif roll == 3 then
       local one, other = places[math.random(#places)], places[math.random(#places)]
       one[1][one[2]], other[1][other[2]] = other[1][other[2]], one[1][one[2]]
-    elseif roll <= 5 and page.named and type(arguments[1]) == "table" then
+    elseif roll <= 5 and page.named and type(arguments[1]) == "table" and not getmetatable(arguments[1]) then
       local rows = pages.rows(page.named)
       local row = #rows > 0 and rows[math.random(#rows)]
       if type(row) == "table" then arguments[1][row[1]] = hostile.value(objects) end
@@ -112,7 +112,7 @@ end
 local function exaggerate(arguments, page, owner)
   local rows = pages.rows(page.named or page.arguments or {})
   local given = page.named and arguments[1] or arguments
-  if #rows == 0 or type(given) ~= "table" then return end
+  if #rows == 0 or type(given) ~= "table" or getmetatable(given) then return end
   for _ = 1, math.random(3) do
     local i = math.random(#rows)
     if type(rows[i]) == "table" then

@@ -51,6 +51,8 @@ end)
 check.case("large integers are numbers, whose products do not overflow", function()
   local _, _, exact = sg.scenes.hertz{ load = math.maxinteger }
   check.within_share("half-width", exact.a, math.sqrt(4 * 2.0 ^ 63 * 0.91 / math.pi), 1e-12)
+  _, _, exact = sg.scenes.hertz{ load = 1e308 }
+  check.within_share("pressure", exact.p0, math.sqrt(1e308 / (math.pi * 0.91)), 1e-12) -- Johnson, 4.44
 end)
 
 check.case("tables with a length of their own are described", function()

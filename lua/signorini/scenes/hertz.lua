@@ -9,12 +9,12 @@ local above = 1e-4 -- The unconstrained body begins in contact: the plane is so 
 --- Half-width (radius) a and peak pressure p0 of a cylinder under a force per depth, and of a ball.
 local closed_forms = {
   cylinder = function(load)
-    local a = math.sqrt(4 * load * outer * (1 - poisson ^ 2) / (math.pi * young))
-    return { a = a, p0 = 2 * load / (math.pi * a), load = load }
+    local a = math.sqrt(load) * math.sqrt(4 * outer * (1 - poisson ^ 2) / (math.pi * young)) -- of any finite load
+    return { a = a, p0 = 2 / math.pi * (load / a), load = load }
   end,
   ball = function(load)
-    local a = (3 * load * outer * (1 - poisson ^ 2) / (4 * young)) ^ (1 / 3)
-    return { a = a, p0 = 3 * load / (2 * math.pi * a ^ 2), load = load }
+    local a = load ^ (1 / 3) * (3 * outer * (1 - poisson ^ 2) / (4 * young)) ^ (1 / 3)
+    return { a = a, p0 = 3 / (2 * math.pi) * (load / a / a), load = load }
   end,
 }
 
