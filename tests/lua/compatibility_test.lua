@@ -72,6 +72,36 @@ check.case("checkpoints of a newer format are errors that say so", function()
   check.fails(function() sg.load(with_format("space.sgn", 6)) end, "older version of the program, in format 6")
 end)
 
+check.case("records of runs that cannot be those of a run are errors, not errors of a later step", function()
+  local sample, model = samples .. "run.sgn", scenes.plane()
+  core.restore(model, sample)
+  for _, damage in ipairs{
+    function(state) state.memory.length = {} end, function(state) state.spent.contact = true end,
+    function(state) state.record.rows = {} end, function(state) state.record.stages = {} end,
+    function(state) state.place.stage = 3 end, function(_, rows) rows[2][3] = "x" end,
+    function(_, _, histories) histories[1][1] = 5 end,
+  } do
+    local saved = core.unpack(core.checkpoint_text(sample))
+    damage(table.unpack(saved))
+    local file = folder .. "/record.sgn"
+    core.save(model, file, core.pack(saved), false)
+    check.fails(function() scenes.plane():run(scenes.path, { checkpoint = file, resume = true }) end,
+      "compatibility_test.lua", "cannot be read as a run")
+  end
+  local saved = core.unpack(core.checkpoint_text(sample))
+  saved[1].format = 2
+  core.save(model, folder .. "/record.sgn", core.pack(saved), false)
+  check.fails(function() scenes.plane():run(scenes.path, { checkpoint = folder .. "/record.sgn", resume = true }) end,
+    "was written by a newer version of the program, in format 2 of runs")
+end)
+
+check.case("records of cases that cannot be those of a case count as damaged", function()
+  local place = copy "study"
+  local case = place .. "/cases/" .. core.list_folder(place .. "/cases")[1]
+  core.write_file(case, (core.read_file(case):gsub('"results": {', '"reason": 5, "results": {', 1)))
+  check.equal(#scenes.study(place):read().rows, 3)
+end)
+
 check.case("studies of a newer format are errors that say so", function()
   local place = copy "study"
   core.write_file(place .. "/study.json", '{"study": "samples", "format": 2}')
