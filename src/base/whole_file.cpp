@@ -104,12 +104,12 @@ bool write_all(int handle, std::string_view bytes) {
   return true;
 }
 
-void check_name(const std::string& file) {
+void check_file_name(const std::string& file) {
   require(file.find('\0') == std::string::npos, "base.file.zero", {{"file", file}});
 }
 
 void write_atomically(const std::string& file, std::string_view bytes, bool durable) {
-  check_name(file);
+  check_file_name(file);
   require(fs::path(file).has_filename(), "base.file.no_name", {{"file", file}});
   std::error_code ignored;
   if (fs::is_other(file, ignored)) return write_into(file, bytes);
@@ -143,7 +143,7 @@ std::vector<std::string> files_with_leftovers(const std::string& folder) {
 }
 
 std::string read_file(const std::string& file) {
-  check_name(file);
+  check_file_name(file);
   std::error_code ignored;
   require(!fs::is_directory(file, ignored), "base.file.read_folder", {{"file", file}});
   std::ifstream in(file, std::ios::binary);

@@ -8,7 +8,7 @@
 namespace signorini {
 
 /// Throws Error if the name of a file contains a zero byte, at which the system would cut it off.
-void check_name(const std::string& file);
+void check_file_name(const std::string& file);
 
 /// Writes the bytes to a temporary file next to `file`, then renames it; `durable`: they are on the disk before the old
 /// file is replaced. The target of a link is replaced, not the link; devices and pipes are written to. Throws Error if

@@ -48,7 +48,7 @@ bool sleep(double seconds) {
 
 /// core.mkdir(path), sg.mkdir(path): creates a folder and its parents; existing folders are accepted.
 void mkdir(const std::string& path) {
-  check_name(path);
+  check_file_name(path);
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error || !std::filesystem::is_directory(path))
