@@ -10,6 +10,7 @@ local contact_changes = require "signorini.contact_changes"
 local controls = require "signorini.controls"
 local jumps = require "signorini.jumps"
 local lists = require "signorini.lists"
+local on_behalf_of = require "signorini.on_behalf_of"
 local progress = require "signorini.progress"
 local read_stages = require "signorini.run_stages"
 local run_warnings = require "signorini.run_warnings"
@@ -101,13 +102,18 @@ function Step:set_penalty(to)
   self.model:set_penalty_factor(part == 1 and 1 or penalty.start ^ (1 - part))
 end
 
+--- The result of a low-level method, whose errors are those of model:run.
+local function call(model, method, solver)
+  return on_behalf_of("model:run", "model:" .. method, model[method], model, solver)
+end
+
 --- Solves for the present targets; on_iteration is called after each iteration and may end the attempt.
 function Step:solve(solver, to)
   local on_iteration = self.options.on_iteration
-  if not on_iteration then return self.model:solve_step(solver) end
+  if not on_iteration then return call(self.model, "solve_step", solver) end
   local result
   repeat
-    result = self.model:iterate(solver)
+    result = call(self.model, "iterate", solver)
     if result.reason == "interrupted" then return result end
     local residuals, energies = result.residuals, result.energies
     local ok, answer = pcall(on_iteration, {
