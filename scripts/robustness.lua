@@ -69,7 +69,10 @@ end
 local function print_counts(title, counts)
   local names = {}
   for name in pairs(counts) do names[#names + 1] = name end
-  table.sort(names, function(a, b) return counts[a] ~= counts[b] and counts[a] > counts[b] or a < b end)
+  table.sort(names, function(a, b)
+    if counts[a] ~= counts[b] then return counts[a] > counts[b] end
+    return a < b
+  end)
   if #names == 0 then return end
   local rows = {}
   for i, name in ipairs(names) do rows[i] = { name, counts[name] } end

@@ -9,9 +9,10 @@ local survey = {}
 
 local function count(list, key) list[key] = (list[key] or 0) + 1 end
 
---- A message without the line, with # in place of numbers.
+--- The beginning of a message without the line, with # in place of numbers.
 local function general(message)
-  return (message:gsub("^[^:\n]*:%d+: ", ""):gsub("%-?%d[%d.e+-]*", "#"):gsub("%. Hint: .*", ""))
+  local text = message:gsub("^[^:\n]*:%d+: ", ""):gsub("%-?%d[%d.e+-]*", "#"):gsub(" Hint: .*", "")
+  return #text <= 100 and text or text:sub(1, 100):match "^(.*) %S*$" .. " …"
 end
 
 --- The names of the variants that a scene is compared with: all, none, or two that depend on the seed.
