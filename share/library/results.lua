@@ -26,13 +26,13 @@ local model = {}
 ---where the point touches; 0 at an open point, so that the sum is the area in contact; with adhesion the reference
 ---area, of bonds also where they are open), pressure, traction (of friction, along the chord from slip point to foot
 ---point, which is tangential on a straight master; in the plane positive along the slave face's xi; on the slave it
----acts in the opposite direction), gap, state ("open", "stick", also of a closed point without friction, "slip",
----"adhesion", "bonded": not closed, held by a bond). At a slipping point |traction| = mu pressure (mortar: at each
----multiplier). A cohesive contact also has damage, from 0 to 1 (no bond); its pressure, negative in tension, and
----traction include those of the bonds. Pressure and traction are forces per current area, whatever `per` of the contact
----is; with method = "mortar" and with adhesion `area`, pressure and traction refer to the reference area. In 3D also z,
----Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is `traction`; -t_T acts on the
----slave. Reading any other field is an error.
+---acts in the opposite direction), gap (beyond an open end of the master the distance), state ("open", "stick", also of
+---a closed point without friction, "slip", "adhesion", "bonded": not closed, held by a bond). At a slipping point
+---\|traction| = mu pressure (mortar: at each multiplier). A cohesive contact also has damage, from 0 to 1 (no bond); its
+---pressure, negative in tension, and traction include those of the bonds. Pressure and traction are forces per current
+---area, whatever `per` of the contact is; with method = "mortar" and with adhesion `area`, pressure and traction refer
+---to the reference area. In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude
+---is `traction`; -t_T acts on the slave. Reading any other field is an error.
 ---
 ---Example:
 ---```lua
