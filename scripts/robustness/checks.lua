@@ -91,9 +91,11 @@ local function missed_point(model, scene, frame)
     local formulation, name = contact.law.formulation or "", frame:name(contact.name)
     local names = formulation == "gpts" and { name } or formulation == "half-passes" and { name, name .. ".master" }
     for _, one in ipairs(names or {}) do
-      local profile = model:contact_law(one).active and model:profile(one)
+      local law = model:contact_law(one)
+      local profile = law.active and model:profile(one)
+      local least = math.min(0, -law.offset) - 1e-7 * frame.length -- of points beyond the master's end
       for i, gap in ipairs(profile and profile.gap or {}) do
-        if profile.state[i] == "open" and gap < -1e-7 * frame.length then
+        if profile.state[i] == "open" and gap < least then
           return ("a point of contact %s is open, but its gap is %.3g"):format(contact.name, gap / frame.length)
         end
       end
@@ -126,7 +128,8 @@ local force_names = { "fx", "fy", "fz" }
 
 --- The magnitude of the sum of all external forces, and that of the largest; nil where the sum need not vanish.
 local function imbalance(model, scene, frame)
-  if scene.supports.all then return nil end -- corners that two supports hold are part of both reactions
+  local supports = scene.supports -- corners that two of them hold are part of both reactions
+  if supports.all or (supports.held_top and supports.left) then return nil end
   local size, sum, most = scene.space and 3 or 2, { 0, 0, 0 }, 0
   local function add(force, sign)
     for i = 1, size do
