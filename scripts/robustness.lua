@@ -65,7 +65,9 @@ for _, row in ipairs(study.rows) do
   end
 end
 
---- Prints counts, the largest first.
+local outcomes = {} -- rows of the file: kind of count, name, number
+
+--- Prints counts, the largest first, and adds them to the rows.
 local function print_counts(title, counts)
   local names = {}
   for name in pairs(counts) do names[#names + 1] = name end
@@ -75,7 +77,10 @@ local function print_counts(title, counts)
   end)
   if #names == 0 then return end
   local rows = {}
-  for i, name in ipairs(names) do rows[i] = { name, counts[name] } end
+  for i, name in ipairs(names) do
+    rows[i] = { name, counts[name] }
+    outcomes[#outcomes + 1] = { title, name, counts[name] }
+  end
   print(sg.table{ columns = { title, "scenes" }, rows = rows })
 end
 
@@ -84,7 +89,10 @@ print_counts("outcome", total.outcomes)
 print_counts("refused", total.refusals)
 print_counts("compared", total.compared)
 print_counts("different", total.different)
-for title, list in pairs{ found = found, ["differ from a variant"] = apart, ["processes that ended"] = lost } do
+for _, entry in ipairs{ { "found", found }, { "differ from a variant", apart }, { "processes that ended", lost } } do
+  local title, list = entry[1], entry[2]
   if #list > 0 then print(("%s: %d\n%s"):format(title, #list, table.concat(list, "\n"))) end
 end
+sg.csv.write(files "outcomes.csv", { columns = { "count", "name", "scenes" }, rows = outcomes })
+files:report()
 return { scenes = scenes, total = total, found = found, apart = apart, lost = lost, study = study }

@@ -49,7 +49,8 @@ core.write_file(top .. "/study.lua", script)
 
 local function start(folder, how)
   core.mkdir(folder)
-  return check.shell(("setsid '%s' '%s/study.lua' '%s' %s %s"):format(arg[-1], top, folder, with_hdf5 and "hdf5" or "", how))
+  return check.shell(("setsid '%s' '%s/study.lua' '%s' %s %s"):format(arg[-1], top, folder,
+    with_hdf5 and "hdf5" or "", how))
 end
 
 -- ── Files that are whole ─────────────────────────────────────────────────────────────────────────────────────────────
@@ -111,8 +112,8 @@ check.case(("killed at %d random moments"):format(kills), function()
     repeat
       -- The cases' processes die with the study or go on until they notice; in half of the trials all are killed.
       local group = math.random(2) == 1
-      local kill = ("& p=$!; sleep %.3f; kill -KILL %s$p 2>/dev/null; wait $p"):format(
-        length * (0.1 + 0.9 * math.random()), group and "-" or "")
+      local kill = ("& p=$!; { sleep %.3f; kill -KILL %s$p; } >/dev/null 2>&1 & wait $p; s=$?; kill $!; exit $s")
+        :format(length * (0.1 + 0.9 * math.random()), group and "-" or "")
       output, status = start(folder, sent < kills and kill or "")
       if status ~= 0 then sent = sent + 1 end
       local now = look(folder)
