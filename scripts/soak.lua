@@ -20,7 +20,7 @@ local options = sg.arguments{
                 choices = { "run", "runs", "models", "errors", "pictures" } },
   steps = 100000, models = 10000, pictures = 300, out = "out/soak",
 }
-sg.mkdir(options.out)
+local files = sg.files(options.out)
 
 -- ── The scene ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -87,17 +87,18 @@ function workloads.errors(tick)
 end
 
 function workloads.pictures(tick)
+  local drawn = options.out .. "/drawn.png"
   local model = scene()
   model:run{ down }
   for i = 1, options.pictures do
     if i % 2 == 0 then
-      sg.chart{ { x = {0, 1, 2}, y = {0, i, 1} }, file = options.out .. "/drawn.png" }
+      sg.chart{ { x = {0, 1, 2}, y = {0, i, 1} }, file = drawn }
     else
-      sg.picture{ model = model, field = "von_mises", file = options.out .. "/drawn.png" }
+      sg.picture{ model = model, field = "von_mises", file = drawn }
     end
     tick(1)
   end
-  os.remove(options.out .. "/drawn.png")
+  os.remove(drawn)
 end
 
 local totals = { run = options.steps // 10 * 10, runs = options.steps // 100 * 100, models = options.models,
@@ -148,10 +149,11 @@ local columns = { "workload", "count", "time", "memory, half way", "at the end",
 print(sg.table{ columns = columns, units = { "", "", "s", "MB", "MB", "bytes" }, rows = rows,
                 formats = { time = "%.1f", ["memory, half way"] = "%.1f", ["at the end"] = "%.1f",
                             ["growth each"] = "%.0f" } })
-sg.csv.write(options.out .. "/soak.csv", { columns = columns, rows = rows })
-curves.file = options.out .. "/soak.png"
+sg.csv.write(files "soak.csv", { columns = columns, rows = rows })
+curves.file = files "soak.png"
 curves.title = "Memory of one process over long use"
 curves.xlabel, curves.ylabel = "done / %", "resident memory / MB"
 sg.chart(curves)
+files:report()
 
 return rows

@@ -9,7 +9,8 @@ local function drag(dimension)
   local plane = dimension == 2
   local size = plane and { width = 2, height = 0.5 } or { size = { 2, 1, 0.5 } }
   local shape = plane and sg.shapes.rectangle or sg.shapes.block
-  local slab = sg.body{ patch = shape(size), elements = plane and { 6, 2 } or { 4, 2, 2 }, order = plane and "N2-N2.1" or { "N2-N2.1", "N2-N2.1" },
+  local slab = sg.body{ patch = shape(size), elements = plane and { 6, 2 } or { 4, 2, 2 },
+                        order = plane and "N2-N2.1" or { "N2-N2.1", "N2-N2.1" },
                         contact = plane and "north" or "back", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local names = plane and "xy" or "xyz"
   local tool = plane and sg.rigid.cylinder{ center = { 0.8, 0.8 }, radius = 0.3 }
