@@ -122,10 +122,10 @@ check.case("a locale with commas, no HOME, no environment, no standard input", f
   check.holds(output, "1")
 end)
 
-check.case("20,000 other files in a study's folder cost no time for each case", function()
+check.case("2,000 other files in a study's folder cost no time for each case", function()
   local folder = top .. "/many"
   core.mkdir(folder .. "/study/cases")
-  check.shell(("cd %s && seq -f 'f%%06g.json' 20000 | xargs touch"):format(quoted(folder .. "/study/cases")))
+  check.shell(("cd %s && seq -f 'f%%06g.json' 2000 | xargs touch"):format(quoted(folder .. "/study/cases")))
   check.equal((writes(folder)), usual)
 end)
 
