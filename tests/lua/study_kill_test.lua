@@ -112,8 +112,10 @@ check.case(("killed at %d random moments"):format(kills), function()
     repeat
       -- The cases' processes die with the study or go on until they notice; in half of the trials all are killed.
       local group = math.random(2) == 1
-      local kill = ("& p=$!; { sleep %.3f; kill -KILL %s$p; } >/dev/null 2>&1 & wait $p; s=$?; kill $!; exit $s")
-        :format(length * (0.1 + 0.9 * math.random()), group and "-" or "")
+      -- The killer may have ended when the study has.
+      local kill = "& p=$!; { sleep %.3f; kill -KILL %s$p; } >/dev/null 2>&1 & wait $p; s=$?; kill $! 2>/dev/null; "
+        .. "exit $s"
+      kill = kill:format(length * (0.1 + 0.9 * math.random()), group and "-" or "")
       output, status = start(folder, sent < kills and kill or "")
       if status ~= 0 then sent = sent + 1 end
       local now = look(folder)
