@@ -13,23 +13,11 @@ require "signorini.core".quiet = true
 local folder = arg[1]
 local hdf5 = arg[2] == "hdf5"
 local function solve(case, checkpoint)
-  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
-                       elements = {6, 2}, order = "N2", contact = "south",
-                       material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2",
-                        contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local model = sg.model{
-    bodies = { die = die, slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" },
-                 grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
-    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
-                               friction = { mu = case.mu, penalty = 100 } } },
-  }
+  local model, path = sg.scenes.ironing{ order = "N2", mu = case.mu, depth = 0.1, distance = 0.1 }
+  path[1].steps, path[2].steps = 10, 10
   local name = ("%s/mu %g"):format(folder, case.mu)
-  local run = model:run({ { name = "press", steps = 10, grip = {0, -0.1} },
-                          { name = "slide", steps = 10, grip = {0.1, -0.1} } },
-    { checkpoint = checkpoint, resume = true, states = {5, 15, 20},
-      hdf5 = hdf5 and { file = name .. ".h5", every = 4 } or nil })
+  local run = model:run(path, { checkpoint = checkpoint, resume = true, states = {5, 15, 20},
+    hdf5 = hdf5 and { file = name .. ".h5", every = 4 } or nil })
   sg.picture{ states = run:states(), field = "uy", size = {240, 160}, fps = 2, file = name .. ".ogv" }
   sg.picture{ model = model, field = "von_mises", size = {240, 160}, file = name .. ".png" }
   sg.chart{ { x = run:column "step", y = run:column "grip.fx" }, size = {240, 160}, file = name .. ".svg" }
