@@ -451,7 +451,8 @@ local snapshot = {}
 
 ---Returns the unbalanced force f_int + f_c - f_ext at the current displacements and the current targets' loads: one
 ---number for each unknown (see model:unknowns). Prescribed displacements that no iteration has applied yet are not
----included.
+---included. Of the accepted state it is that of the next step, whose slips start there; results stay those of the step
+---that led to the state.
 ---
 ---Example:
 ---```lua

@@ -131,20 +131,21 @@ template <int D> void save(model::Model<D>& model, const std::string& file) {
 
 // ── Parts of Newton's method for user-defined loops, and diagnosis ───────────────────────────────────────────────────
 
-/// Evaluates the present state. Throws when the residual cannot be evaluated.
-template <int D> void evaluate(model::Model<D>& model) {
+/// The residual by unknown, after an evaluation of the present state. That of an accepted state begins a step, with
+/// slips that start there; afterwards results are again those of the step that led there. Throws when the residual
+/// cannot be evaluated.
+template <int D> VectorX residual(model::Model<D>& model) {
+  const bool accepted = model::settled(model);
   Message why;
   const solve::Outcome outcome = model::evaluate(model, why);
+  VectorX unbalanced = model.unbalanced;
+  if (accepted) model::rollback(model);
   signorini::require(outcome == solve::Outcome::converged, "model.step.no_residual", {{"why", why}});
-}
-
-template <int D> VectorX residual(model::Model<D>& model) {
-  evaluate(model);
-  return model.unbalanced;
+  return unbalanced;
 }
 
 template <int D> int tangent(model::Model<D>& model, lua_State* L) {
-  evaluate(model);
+  residual(model);
   const solve::Pattern& pattern = model.system.assembly.pattern();
   std::vector<int> rows, columns;
   for (std::size_t j = 0; j < at(pattern.size); ++j)

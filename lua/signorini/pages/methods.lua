@@ -125,7 +125,8 @@ between steps.]],
   { "snapshot", "A saved state of a model, made by model:snapshot, for model:restore." },
   { "model:residual", [[Returns the unbalanced force f_int + f_c - f_ext at the current displacements and the current
 targets' loads: one number for each unknown (see model:unknowns). Prescribed displacements that no iteration has applied
-yet are not included.]],
+yet are not included. Of the accepted state it is that of the next step, whose slips start there; results stay those of
+the step that led to the state.]],
     returns = t.numbers(),
     example = "#model:residual()" },
   { "model:tangent", [[Returns the consistent tangent, the derivative of model:residual, as triplets { size, rows,
