@@ -212,7 +212,6 @@ function hdf5.start(where, model, run, options, stage)
   local record = make(where, model, run, wants)
   record.path, record.wants, record.saves = wants.file, wants, options.checkpoint and options.checkpoint.every
   record.began = core.now()
-  core.remove_leftovers(wants.file)
   if options.resume and core.exists(wants.file) then record:continue(run) end
   record:add_state(run, stage, stored_last(run))
   record:write(run, "running") -- a file that cannot be written is reported now, not after a step

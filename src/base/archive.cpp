@@ -44,7 +44,6 @@ void write_archive(const std::string& file, const ArchiveKind& kind, const Archi
   whole.put(kind.version, archive.bytes());
   whole.put(checksum(whole.bytes()));
   write_atomically(file, whole.bytes(), durable);
-  remove_leftovers(file);
 }
 
 ArchiveBytes read_archive(const std::string& file, const ArchiveKind& kind) {

@@ -3,15 +3,13 @@
 #include "base/error.hpp"
 
 #include <cerrno>
-#include <charconv>
-#include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <sys/stat.h>
 #include <unistd.h>
-#include <utility>
 
 namespace signorini {
 
@@ -19,15 +17,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Removes the temporary file unless it was renamed.
+/// An open file, which is removed unless it was renamed.
 struct Temporary {
   std::string path;
   int handle;
   bool kept = false;
 
   ~Temporary() {
-    if (handle >= 0) ::close(handle);
     if (!kept) ::unlink(path.c_str());
+    if (handle >= 0) ::close(handle);
   }
 };
 
@@ -35,32 +33,45 @@ struct Temporary {
   fail("base.file.write", {{"file", file}, {"reason", std::strerror(error)}});
 }
 
-/// Temporary files of a file `name` are called .name.<process number>.part.
-constexpr std::string_view ending = ".part";
-
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : ".";
 }
 
-/// The file to which a temporary file belongs whose process no longer exists; empty for other files.
-std::string_view left_by(std::string_view name) {
-  if (!name.starts_with('.') || !name.ends_with(ending)) return {};
-  const std::string_view stem = name.substr(0, name.size() - ending.size());
-  const std::size_t dot = stem.rfind('.');
-  if (dot == 0) return {};
-  int process = 0;
-  const auto [end, error] = std::from_chars(stem.data() + dot + 1, stem.data() + stem.size(), process);
-  if (error != std::errc() || end != stem.data() + stem.size() || process <= 0) return {};
-  return ::kill(process, 0) != 0 && errno == ESRCH ? stem.substr(1, dot - 1) : std::string_view();
+/// Locks an open file for as long as it is open; false if another process has locked it, or has renamed or removed it
+/// since it was opened. The lock ends with the process, and counts on all machines that see the folder. It is none of
+/// flock(), by which readers of HDF5 lock the renamed file.
+bool take(int handle, const std::string& name) {
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  if (::fcntl(handle, F_OFD_SETLK, &whole) != 0) {
+    if (errno != EAGAIN && errno != EACCES) ::unlink(name.c_str()); // files cannot be locked here: nobody holds it
+    return false;
+  }
+  struct stat opened, there;
+  return ::fstat(handle, &opened) == 0 && ::lstat(name.c_str(), &there) == 0 && opened.st_dev == there.st_dev &&
+         opened.st_ino == there.st_ino && opened.st_nlink == 1 && S_ISREG(opened.st_mode);
 }
 
-/// Calls visit(path, file) for each such temporary file in a folder.
-template <class Visit> void each_leftover(const fs::path& folder, const Visit& visit) {
-  std::error_code ignored;
-  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
-    const std::string name = entry->path().filename().string();
-    if (const std::string_view file = left_by(name); !file.empty()) visit(entry->path(), file);
+/// The empty temporary file for a file: .name.part, so that what a killed process has left is written anew by the next
+/// one; while another process writes that, or where files cannot be locked, .name.<process number>.part.
+Temporary temporary_for(const fs::path& path) {
+  const auto name = [&](const std::string& owner) {
+    return (folder_of(path) / text(".", path.filename().string(), owner, ".part")).string();
+  };
+  const std::string common = name("");
+  const int handle = ::open(common.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (handle >= 0) {
+    if (take(handle, common) && ::ftruncate(handle, 0) == 0) return {common, handle};
+    ::close(handle);
   }
+  const std::string own = name(text(".", ::getpid()));
+  return {own, ::open(own.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
+}
+
+/// Some file systems report a full disk only on closing. Closing a duplicate makes them report, and keeps the lock.
+bool is_complete(int handle) {
+  const int same = ::dup(handle);
+  return same >= 0 && ::close(same) == 0;
 }
 
 /// Throws Error unless the file's folder exists; the message says what is in its place or how to create it.
@@ -113,33 +124,15 @@ void write_atomically(const std::string& file, std::string_view bytes, bool dura
   require(fs::path(file).has_filename(), "base.file.no_name", {{"file", file}});
   std::error_code ignored;
   if (fs::is_other(file, ignored)) return write_into(file, bytes);
-  const fs::path path = target_of(file), folder = folder_of(path);
-  check_folder(file, folder);
+  const fs::path path = target_of(file);
+  check_folder(file, folder_of(path));
   require(!fs::is_directory(path, ignored), "base.file.write_folder", {{"file", file}});
 
-  const std::string name = (folder / text(".", path.filename().string(), ".", ::getpid(), ending)).string();
-  Temporary temporary{name, ::open(name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
+  Temporary temporary = temporary_for(path);
   if (temporary.handle < 0 || !write_all(temporary.handle, bytes)) cannot_write(file, errno);
   if (durable && ::fsync(temporary.handle) != 0) cannot_write(file, errno);
-  // Some file systems report a full disk only on closing.
-  const int closed = ::close(std::exchange(temporary.handle, -1));
-  if (closed != 0 || ::rename(name.c_str(), path.c_str()) != 0) cannot_write(file, errno);
+  if (!is_complete(temporary.handle) || ::rename(temporary.path.c_str(), path.c_str()) != 0) cannot_write(file, errno);
   temporary.kept = true;
-}
-
-void remove_leftovers(const std::string& file) {
-  const fs::path path(file);
-  const std::string name = path.filename().string();
-  each_leftover(folder_of(path), [&](const fs::path& temporary, std::string_view of) {
-    std::error_code ignored;
-    if (of == name) fs::remove(temporary, ignored);
-  });
-}
-
-std::vector<std::string> files_with_leftovers(const std::string& folder) {
-  std::vector<std::string> files;
-  each_leftover(folder, [&](const fs::path&, std::string_view file) { files.emplace_back(file); });
-  return files;
 }
 
 std::string read_file(const std::string& file) {

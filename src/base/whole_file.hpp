@@ -3,7 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace signorini {
 
@@ -11,18 +10,13 @@ namespace signorini {
 void check_file_name(const std::string& file);
 
 /// Writes the bytes to a temporary file next to `file`, then renames it; `durable`: they are on the disk before the old
-/// file is replaced. The target of a link is replaced, not the link; devices and pipes are written to. Throws Error if
-/// the folder does not exist or the file cannot be written.
+/// file is replaced. What a process that was killed while writing has left is replaced by the next write of the same
+/// file. The target of a link is replaced, not the link; devices and pipes are written to. Throws Error if the folder
+/// does not exist or the file cannot be written.
 void write_atomically(const std::string& file, std::string_view bytes, bool durable = false);
 
 /// Writes all bytes to an open file or pipe, also if signals interrupt it; false leaves the error in errno.
 bool write_all(int handle, std::string_view bytes);
-
-/// Removes temporary files of `file` left by processes that were killed while writing.
-void remove_leftovers(const std::string& file);
-
-/// Names of the files in a folder for which there are such temporary files: one pass over a folder with many files.
-std::vector<std::string> files_with_leftovers(const std::string& folder);
 
 /// All bytes of a file. Throws Error if it cannot be read.
 std::string read_file(const std::string& file);

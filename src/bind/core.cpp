@@ -160,8 +160,6 @@ constexpr Function core_entries[] = {
     {"write_file", call<write_file>},
     {"read_file", call<read_file>},
     {"list_folder", call<list_folder>},
-    {"remove_leftovers", call<remove_leftovers>}, // temporary files for a file that killed processes left
-    {"files_with_leftovers", call<files_with_leftovers>},
     {"hash", call<hash>},
     {"lock", call<lock>},
     {"create_claim", call<create_claim>}, // (file, content): creates a file unless it exists; whether it did

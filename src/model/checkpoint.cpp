@@ -170,7 +170,6 @@ template <int D> void restore(std::shared_ptr<Model<D>>& model, const std::strin
   const auto differ = differences(scene_parts(*model), ArchiveReader(content.scene).get<Parts>());
   require(differ.empty(), "model.checkpoint.scene", {{"file", file}, {"differences", differ}});
   take(model, content);
-  remove_leftovers(file); // of a run that was interrupted while writing
 }
 
 template void save(Model<2>&, const std::string&, const std::string&, bool);

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fcntl.h>
+#include <filesystem>
 #include <fstream>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -88,33 +90,71 @@ TEST(WholeFile, ErrorsNameAFileThatItCannotRead) {
   EXPECT_NE(message_of([&] { read_file(folder.file("folder")); }).find("base.file.read_folder"), std::string::npos);
 }
 
-/// Files of processes that have ended are removed; those of running processes and files of other names stay.
-TEST(WholeFile, RemovesFilesOfKilledProcesses) {
+/// What a killed process has left is used again; while another process holds it, and where it is a link, a file of
+/// another name is.
+TEST(WholeFile, WritesOverWhatAKilledProcessHasLeft) {
   const test::ScratchFolder folder;
-  const pid_t gone = ::fork();
-  if (gone == 0) ::_exit(0);
-  ASSERT_EQ(::waitpid(gone, nullptr, 0), gone);
-  const auto temporary = [&](const std::string& name, int process) {
-    const std::string file = folder.file("." + name + "." + std::to_string(process) + ".part");
-    std::ofstream(file) << "half of i";
-    return file;
+  const std::string file = folder.file("a.sgn"), left = folder.file(".a.sgn.part");
+  const auto names = [&] {
+    std::vector<std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.file("")))
+      found.push_back(entry.path().filename().string());
+    std::sort(found.begin(), found.end());
+    return found;
   };
-  const std::string left = temporary("a.sgn", gone), other = temporary("b.sgn", gone),
-                    writing = temporary("a.sgn", ::getppid());
-  write_atomically(folder.file("a.sgn"), "x");
-  EXPECT_TRUE(std::filesystem::exists(left));
-  std::vector<std::string> files = files_with_leftovers(folder.file(""));
-  std::sort(files.begin(), files.end());
-  EXPECT_EQ(files, (std::vector<std::string>{"a.sgn", "b.sgn"}));
-  remove_leftovers(folder.file("a.sgn"));
-  EXPECT_FALSE(std::filesystem::exists(left));
-  EXPECT_TRUE(std::filesystem::exists(other));
-  EXPECT_TRUE(std::filesystem::exists(writing));
-  for (const char* name :
-       {".part", ".a.part", "a.1.part", ".a.x.part", ".a.-7.part", ".a.7x.part", "..part", ".1.part"})
-    std::ofstream(folder.file(name)) << "not a temporary file";
-  EXPECT_EQ(files_with_leftovers(folder.file("")), std::vector<std::string>{"b.sgn"});
-  EXPECT_TRUE(files_with_leftovers(folder.file("missing")).empty());
+  std::ofstream(left) << "half of it, and longer";
+  write_atomically(file, "x");
+  EXPECT_EQ(read_file(file), "x");
+  EXPECT_EQ(names(), std::vector<std::string>{"a.sgn"});
+
+  const int held = ::open(left.c_str(), O_WRONLY | O_CREAT, 0666);
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  ASSERT_EQ(::fcntl(held, F_OFD_SETLK, &whole), 0);
+  write_atomically(file, "y");
+  EXPECT_EQ(read_file(file), "y");
+  EXPECT_EQ(names(), (std::vector<std::string>{".a.sgn.part", "a.sgn"}));
+  ::close(held);
+
+  std::ofstream(folder.file("other")) << "kept";
+  for (const bool symbolic : {true, false}) {
+    std::filesystem::remove(left);
+    if (symbolic)
+      std::filesystem::create_symlink("other", left);
+    else
+      std::filesystem::create_hard_link(folder.file("other"), left);
+    write_atomically(file, "z");
+    EXPECT_EQ(read_file(file), "z");
+    EXPECT_EQ(read_file(folder.file("other")), "kept");
+  }
+}
+
+/// Files of processes that write the same one at the same time are whole.
+TEST(WholeFile, IsWholeWhileOthersWriteIt) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("a");
+  constexpr int writers = 4, times = 50;
+  const auto content = [](int writer) {
+    return std::string(static_cast<std::size_t>(20'000 * (writer + 1)), static_cast<char>('a' + writer));
+  };
+  write_atomically(file, content(0));
+  std::vector<pid_t> processes;
+  for (int writer = 0; writer < writers; ++writer) {
+    processes.push_back(::fork());
+    if (processes.back() != 0) continue;
+    for (int k = 0; k < times; ++k) {
+      write_atomically(file, content(writer));
+      const std::string bytes = read_file(file);
+      if (bytes.empty() || bytes != content(bytes[0] - 'a')) ::_exit(1);
+    }
+    ::_exit(0);
+  }
+  for (const pid_t process : processes) {
+    int status = -1;
+    ASSERT_EQ(::waitpid(process, &status, 0), process);
+    EXPECT_EQ(status, 0);
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.file("")), {}), 1);
 }
 
 } // namespace whole_file_test

@@ -54,10 +54,11 @@ local function run(how, signal, seconds)
   return status
 end
 
---- Names of the temporary files that writes have left behind.
+--- The temporary files that writes have left behind, each with its time.
 local function leftovers()
   local names = {}
-  for name in check.shell("ls -A " .. folder):gmatch "[^\n]+%.part" do names[#names + 1] = name end
+  local listing = check.shell("ls -lA --time-style=full-iso " .. folder)
+  for name in listing:gmatch "[^\n]+%.part" do names[#names + 1] = name end
   return names
 end
 

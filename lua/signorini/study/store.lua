@@ -82,13 +82,6 @@ function store.checkpoint(study, entry, now)
   return ("%s/cases/%s.%s.sgn"):format(study.folder, entry.id, key:sub(1, 8))
 end
 
---- Names of case files that killed processes were writing, as keys.
-local function leftovers(study)
-  local names = {}
-  for _, name in ipairs(core.files_with_leftovers(study.folder .. "/cases")) do names[name] = true end
-  return names
-end
-
 local case_files = { json = "result", sgn = "checkpoint", claim = "claim" }
 
 --- Removes the cases from a folder.
@@ -131,7 +124,6 @@ function store.check(where, study) check_owner(where, study) end
 --- Reserves the space that the last results will need, before any case runs.
 function store.take_reserve(handle)
   if not handle.saves then return end
-  core.remove_leftovers(handle.reserve)
   call(handle.where, "write_file", handle.reserve, (" "):rep(reserve_size))
 end
 
@@ -140,8 +132,6 @@ function store.write(handle, entry, record)
   if not handle.saves then return end
   record.format = store.format
   local file, text = case_file(handle.study, entry), core.write_json(record, "the case's record")
-  handle.leftovers = handle.leftovers or leftovers(handle.study)
-  if handle.leftovers[entry.id .. ".json"] then core.remove_leftovers(file) end
   if not pcall(core.write_file, file, text, true) then
     os.remove(handle.reserve)
     call(handle.where, "write_file", file, text, true)
