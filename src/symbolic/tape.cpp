@@ -69,6 +69,7 @@ int Compiler::power(int base, double exponent, bool shared) {
 
 int Compiler::new_power(int base, double exponent, bool shared) {
   constexpr double most_by_products = 32;
+  if (exponent == 0) return put(Code::constant, 0, 0, 1); // only in graphs of files: others have no such node
   if (exponent == -1) return put(Code::reciprocal, base);
   if (exponent == 0.5) return put(Code::root, base);
   const bool whole = exponent == std::round(exponent) && std::abs(exponent) <= most_by_products;

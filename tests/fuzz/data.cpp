@@ -1,3 +1,4 @@
+#include "bind/functions.hpp"
 #include "bind/open.hpp"
 #include "targets.hpp"
 
