@@ -233,7 +233,7 @@ function run_warnings.of_run(run, model, early)
   end
   texts = lists.joined(texts, run.overlaps)
   texts[#texts + 1] = lost_in_rounding(model)
-  texts[#texts + 1] = held(run)
+  texts[#texts + 1] = held(run) or not run.failed and core.weak_hold(model) or nil
   texts[#texts + 1] = path_controls.warning(run)
   texts[#texts + 1] = unstable(run)
   texts[#texts + 1] = unstable_law(run)

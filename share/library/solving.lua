@@ -955,10 +955,11 @@ function sg.plain(arguments) end
 ---warnings: a list of strings. Those of model:warnings(), and about: loads that act in full from the first step;
 ---```text
 ---          newton.tolerance above 1e-3; contacts that never touched; penetration above 2 % of the smallest body's size;
----          a last step whose position damping alone determines; loads that are not far above rounding errors of forces;
----          closest points that were not found; points that passed through the master in one step; steps that may have
----          jumped to another branch of solutions (solved by certain fallbacks) or probably have (judged by
----          displacements and released energy); stages whose energy balance lacks more than a tenth of the work
+---          a last step whose position damping alone determines; bodies that contacts without friction do not hold or
+---          hold in unstable equilibrium; loads that are not far above rounding errors of forces; closest points that
+---          were not found; points that passed through the master in one step; steps that may have jumped to another
+---          branch of solutions (solved by certain fallbacks) or probably have (judged by displacements and released
+---          energy); stages whose energy balance lacks more than a tenth of the work
 ---```
 ---@field warnings string[]
 local run = {}

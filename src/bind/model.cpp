@@ -5,6 +5,7 @@
 #include "bind/wording/wording.hpp"
 #include "model/equilibrium.hpp"
 #include "model/joins.hpp"
+#include "model/weak_hold.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -164,10 +165,25 @@ int rounding(lua_State* L) {
   return 0;
 }
 
+template <int D> int push_weak_hold(lua_State* L, model::Model<D>& model) {
+  const auto warning = model::weak_hold(model);
+  if (!warning) return 0;
+  push(L, worded(*warning));
+  return 1;
+}
+
+/// core.weak_hold(model): a warning if contacts alone hold a body and hold it weakly; nothing otherwise.
+int weak_hold(lua_State* L) {
+  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_weak_hold(L, **plane);
+  if (const auto* space = test_object<Model<3>>(L, 1)) return push_weak_hold(L, **space);
+  return 0;
+}
+
 constexpr Function model_core[] = {{"contact_problem", wrap<contact_problem>},
                                    {"contact_warnings", wrap<contact_warnings>},
                                    {"rounding", rounding},
-                                   {"smallest_body", smallest_body}};
+                                   {"smallest_body", smallest_body},
+                                   {"weak_hold", weak_hold}};
 
 template <int D> constexpr Function snapshot_entries[] = {{"__tostring", call<snapshot_text<D>>}};
 

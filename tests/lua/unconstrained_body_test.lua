@@ -75,4 +75,39 @@ check.case("pushed sideways it stays as long as friction suffices, and the run r
   check.holds(run.failure, "rigid-body translation of body 'block' along (", ", 0)")
 end)
 
+--- A block on a rigid obstacle without friction, which alone holds it.
+local function resting(obstacle, friction)
+  local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 0.5, corner = {-0.5, 0} }, elements = {8, 2},
+                         order = "N2", contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  return sg.model{
+    bodies = { block = block }, supports = {}, loads = { push = { on = block:face "north", traction = {0, 0} } },
+    contacts = { rest = { slave = block:face "south", master = obstacle, penalty = 100, friction = friction } } }
+end
+
+check.case("a completed run tells whether contacts alone hold a body, and stably", function()
+  local round = sg.rigid.cylinder{ center = {0, -0.4}, radius = 0.4 }
+  local flat = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }
+  local cup = sg.rigid.cylinder{ center = {0, 2.96}, radius = 3, inside = true }
+  local function warnings(obstacle, controls, friction)
+    local model = resting(obstacle, friction)
+    local run = model:run({ { steps = 1, push = {0, -0.01} } }, controls)
+    check.equal(run.reason, "completed")
+    check.equal(model:reaction("push").fy, run:column "push.fy"[1]) -- the state is as it was
+    return run.warnings
+  end
+  local damped = sg.plain{ damping = true }
+  -- On a cylinder any motion to the side lowers the load; in a cup it lifts it.
+  local found = warnings(round, damped)
+  check.equal(#found, 1)
+  check.holds(found[1], "'block'", "is in unstable equilibrium", "Hint: add a support, or a weak spring")
+  found = warnings(flat, damped)
+  check.equal(#found, 1)
+  check.holds(found[1], "nothing determines the position of 'block'", "but rounding errors", "Hint: add a support")
+  check.equal(warnings(cup, damped), {})
+  check.equal(warnings(flat, damped, { mu = 0.3, penalty = 100 }), {})
+  found = warnings(flat, {})
+  check.equal(#found, 1)
+  check.holds(found[1], "damping alone determines the position in step 1")
+end)
+
 check.done()

@@ -153,9 +153,10 @@ contacts), wall } each]] },
       { "controls", t.list(t.any), "where arc length began or ended: { step, to, place, reason } each" },
       { "warnings", t.list(t.text), [[those of model:warnings(), and about: loads that act in full from the first step;
 newton.tolerance above 1e-3; contacts that never touched; penetration above 2 % of the smallest body's size; a last step
-whose position damping alone determines; loads that are not far above rounding errors of forces; closest
-points that were not found; points that passed through the master in one step; steps that may have jumped to another
-branch of solutions (solved by certain fallbacks) or probably have (judged by displacements and released energy); stages
+whose position damping alone determines; bodies that contacts without friction do not hold or hold in unstable
+equilibrium; loads that are not far above rounding errors of forces; closest points that were not found; points that
+passed through the master in one step; steps that may have jumped to another branch of solutions (solved by certain
+fallbacks) or probably have (judged by displacements and released energy); stages
 whose energy balance lacks more than a tenth of the work]] },
     } },
   { "run:columns", "Returns the names of all columns, in order.",
