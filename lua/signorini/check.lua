@@ -157,8 +157,10 @@ function reads.cells(of, value, where, name, row)
 end
 
 function reads.rows(of, value, where, name, row)
-  if type(value) ~= "table" then mismatch(of, value, where, name, row) end
-  for i, cells in ipairs(value) do
+  local count = type(value) == "table" and rawlen(value)
+  if not count or count == 0 and next(value) ~= nil then mismatch(of, value, where, name, row) end
+  for i = 1, count do
+    local cells = value[i]
     if type(cells) ~= "table" or wrong_cell(cells) then
       reads.cells(types.cells, cells, where, ("%s[%d]"):format(name, i))
     end

@@ -25,6 +25,14 @@ local function has_compound(bodies)
   return false
 end
 
+--- An entry of named arguments; nil for other values, such as a study, whose names are checked.
+local function entry(values, key)
+  if type(values) ~= "table" then return nil end
+  local of = getmetatable(values)
+  if type(of) == "table" and rawget(of, "__name") then return nil end
+  return values[key]
+end
+
 --- Replaces a function of sg by one of the same name, which calls the original.
 local function replace(sg, key, make)
   local name = "sg." .. key
@@ -35,14 +43,14 @@ end
 return function(sg)
   replace(sg, "body", function(body)
     return function(values, ...)
-      local several = type(values) == "table" and type(values.patch) == "table"
+      local several = type(entry(values, "patch")) == "table"
       if several and select("#", ...) == 0 then return require("signorini.compound").new(body, values) end
       return body(values, ...)
     end
   end)
   replace(sg, "model", function(model)
     return function(values, ...)
-      local bodies = type(values) == "table" and values.bodies
+      local bodies = entry(values, "bodies")
       local several = type(bodies) == "table" and has_compound(bodies)
       if several and select("#", ...) == 0 then values = require("signorini.compound").expanded(values) end
       return model(values, ...)

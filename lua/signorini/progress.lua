@@ -12,6 +12,7 @@ local redraw_after = 0.1 -- seconds
 
 local function seconds_text(seconds)
   if seconds < 60 then return ("%.1f s"):format(seconds) end
+  if not (seconds < 1e9) then return "years" end -- too large for a whole number, or infinite
   local whole = math.floor(seconds)
   return ("%d:%02d min"):format(whole // 60, whole % 60)
 end

@@ -261,7 +261,9 @@ return function(defaults, words)
   local common, texts, odd = declare(defaults), {}, nil
   local chooser = chooser_of(common)
   local further = declare_variants(chooser)
-  for _, word in ipairs(words or words_of_script()) do
+  words = words or words_of_script()
+  for i = 1, rawlen(words) do
+    local word = words[i]
     if word == "help" or word == "--help" then help(common, chooser, further) end
     local name, text = word:match "^([%w_]+)=(.*)$"
     if name then texts[name] = text else odd = odd or word end -- of repeated arguments the last counts

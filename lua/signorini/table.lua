@@ -36,7 +36,7 @@ return function(options)
   local lines = lists.map(lists.joined(heads, options.rows), function() return {} end)
   for j, name in ipairs(columns) do
     local texts = lists.joined(lists.map(heads, function(head) return head[j] or "" end),
-      lists.map(options.rows, function(row) return cell_text(row[j], formats[name] or formats[j]) end))
+      lists.map(options.rows, function(row) return cell_text(row[j], rawget(formats, name) or rawget(formats, j)) end))
     local right = lists.any(options.rows, function(row) return type(row[j]) == "number" end)
     local width = 0
     for _, text in ipairs(texts) do width = math.max(width, utf8.len(text) or #text) end

@@ -11,6 +11,9 @@ namespace signorini::nurbs {
 
 namespace {
 
+/// Of elements and of length: below it, knots are as close as rounding errors.
+constexpr double least_share = 1e-9;
+
 /// The piecewise linear map of [0, 1] onto itself with one kink, and its inverse.
 struct Kink {
   double from = 0.5, to = 0.5; ///< the kink maps `from` to `to`
@@ -22,7 +25,8 @@ struct Kink {
 Kink kink_of(const std::optional<Grading>& grading) {
   if (!grading) return {};
   const auto check = [](const char* name, double share) {
-    require(share > 0 && share < 1, "nurbs.grading.share", {{"argument", name}, {"share", share}});
+    require(share >= least_share && share <= 1 - least_share, "nurbs.grading.share",
+            {{"argument", name}, {"least", least_share}, {"share", share}});
   };
   check("elements", grading->elements);
   check("length", grading->length);

@@ -271,7 +271,7 @@ check.case("sg.robust turns on controls that cost nothing in easy runs", functio
     "sg.robust takes a table of named arguments, got the number 7")
   for _, case in ipairs {
     { { step = { adaptive = true, miin = 0.1 } }, "step: unknown argument 'miin'", "did you mean 'min'?" },
-    { { step = { min = 2 } }, "step.min must be a number above 0 and at most 1", "got the number 2" },
+    { { step = { min = 2 } }, "step.min must be a number from 1e-09 to 1", "got the number 2" },
     { { newton = { tolerence = 1e-8 } }, "newton: unknown argument 'tolerence'", "did you mean 'tolerance'?" },
     { { linear = "kul" }, "linear must be 'auto'" },
     { { checkpoint = { file = "a.sgn", evry = 2 } }, "checkpoint: unknown argument 'evry'", "did you mean 'every'?" },

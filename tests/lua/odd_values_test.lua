@@ -69,6 +69,22 @@ check.case("formats of a table are patterns", function()
   end
   columns.formats = { x = 5 }
   check.fails(function() sg.table(columns) end, "formats.x must be a pattern", "got the number 5")
+  columns.formats = setmetatable({}, { __index = function() return 5 end })
+  check.equal(sg.table(columns), "x\n1")
+end)
+
+check.case("objects of the library in place of tables are errors of the function", function()
+  local model = sg.scenes.hertz{}
+  local profile = model:profile(model:contact_names()[1])
+  local study = sg.study{ name = "odd", cases = { { a = 1 } }, run = function() return {} end }
+  check.fails(function() sg.table{ columns = { "x" }, rows = profile } end, "sg.table: rows must be")
+  check.fails(function() sg.body(study) end, "sg.body: ")
+  check.fails(function() sg.model(study) end, "sg.model: ")
+end)
+
+check.case("a bar that hardly moves shows that years remain", function()
+  local display = require "signorini.progress"(1)
+  for _, part in ipairs{ 1e-30, 5e-324 } do check.equal(display:to_go(part), "years left") end
 end)
 
 check.case("damaged lists of ParaView and times of Slurm", function()

@@ -179,8 +179,12 @@ TEST(ElementKnots, GradingDistributesElementsToExistingSpans) {
 
 TEST(ElementKnots, InvalidGradingIsRejected) {
   const KnotVector knots = KnotVector::single(1);
-  EXPECT_ERROR(element_knots(knots, 4, Grading{0, 0.5, false}), "nurbs.grading.share: argument = elements, share = 0");
-  EXPECT_ERROR(element_knots(knots, 4, Grading{0.5, 1, false}), "nurbs.grading.share: argument = length, share = 1");
+  EXPECT_ERROR(element_knots(knots, 4, Grading{0, 0.5, false}),
+               "nurbs.grading.share: argument = elements, least = 1e-09, share = 0");
+  EXPECT_ERROR(element_knots(knots, 4, Grading{0.5, 1, false}),
+               "nurbs.grading.share: argument = length, least = 1e-09, share = 1");
+  // Its inverse overflows.
+  EXPECT_ERROR(element_knots(knots, 4, Grading{0.5, 5e-324, false}), "nurbs.grading.share: argument = length");
   EXPECT_ERROR(element_knots(knots, 4, Grading{std::nan(""), 0.5, false}), "nurbs.grading.share");
 }
 

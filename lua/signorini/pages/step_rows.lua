@@ -108,11 +108,12 @@ local function control(key, type, text)
 end
 
 local shortest = 1 / 64 -- increment
+local increment = t.range(1e-9, 1) -- smaller ones are lost in rounding errors of the step
 local cutting = {
   { "adaptive", t.flag, "whether failed steps are cut; false: each step is solved as a whole, also by fallbacks",
     default = true },
-  { "max", t.share, "largest increment, a fraction of the step", default = 1 },
-  { "min", t.share, "smallest increment, a fraction of the step", otherwise = "1/64, at most max",
+  { "max", increment, "largest increment, a fraction of the step", default = 1 },
+  { "min", increment, "smallest increment, a fraction of the step", otherwise = "1/64, at most max",
     derived = function(values) return math.min(values.max, shortest) end },
   { "growth", t.range(1), "growth factor after an increment that took at most half of newton.iterations", default = 2 },
 }
