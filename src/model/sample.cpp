@@ -60,24 +60,25 @@ template <int D> BodyPoint<D> with_gradients(const BodyPoint<D>& point, BodyPoin
   return nearby;
 }
 
-/// xi clamped to the box of an element's Gauss points and, if it lies outside in two or more directions, the
-/// corresponding point of the element's border.
+/// xi clamped to the box of an element's Gauss points, the nearest one of these, and, if xi lies outside of the box in
+/// two or more directions, the corresponding point of the element's border.
 template <int D> struct GaussBox {
-  VectorX inside;
+  VectorX inside, nearest;
   std::optional<VectorX> border;
 };
 template <int D> GaussBox<D> gauss_box(const nurbs::Discretization& space, int e, const VectorX& xi) {
-  VectorX inside = xi, border = xi;
+  VectorX inside = xi, nearest = xi, border = xi;
   int outside = 0;
   for (int d = 0; d < D; ++d) {
     const auto [from, to] = space.interval(e, d);
     const std::vector<double> points = solid::gauss_legendre(space.degree(e, d) + 1, from, to).points;
     inside(d) = std::clamp(xi(d), points.front(), points.back());
+    nearest(d) = *std::ranges::min_element(points, {}, [&](double point) { return std::abs(point - xi(d)); });
     if (inside(d) == xi(d)) continue;
     border(d) = xi(d) < inside(d) ? from : to;
     ++outside;
   }
-  return {inside, outside > 1 ? std::optional(border) : std::nullopt};
+  return {inside, nearest, outside > 1 ? std::optional(border) : std::nullopt};
 }
 
 /// Whether the columns of ∂X/∂ξ are nonzero (unlike at a pole) but parallel, as at the corners of a disc of four arcs.
@@ -92,11 +93,16 @@ template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int
   BodyPoint<D> point = body_point(model, body, e, xi);
   const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
   const nurbs::Discretization& space = solid.space();
-  // F is unbounded towards a flat corner, and det F may be negative between Gauss points.
+  // F is unbounded towards a flat corner, and det F may be negative beside and between the Gauss points.
+  const auto is_inverted = [&](const BodyPoint<D>& at) {
+    return !solid.linear() && (at.state.deformation.determinant() <= 0 || at.state.hoop <= 0); // not where it is nan
+  };
   const GaussBox<D> box = gauss_box<D>(space, e, xi);
   const bool flat = box.border && is_flat_corner<D>(body_point(model, body, e, *box.border).jacobian);
-  if (flat || (!solid.linear() && point.state.deformation.determinant() <= 0))
-    return with_gradients(point, body_point(model, body, e, box.inside));
+  if (flat || is_inverted(point)) {
+    const BodyPoint<D> inside = body_point(model, body, e, box.inside);
+    return with_gradients(point, is_inverted(inside) ? body_point(model, body, e, box.nearest) : inside);
+  }
   const double size = point.jacobian.colwise().norm().maxCoeff();
   if (std::abs(point.jacobian.determinant()) > 1e-10 * std::pow(size, D)) return point;
   VectorX inwards(D);

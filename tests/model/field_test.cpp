@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace signorini::model {
@@ -78,6 +79,40 @@ TEST(Field, StressesAreContinuousUpToTheAxis) {
     for (const char* field : {"sxx", "syy", "szz", "von_mises"})
       EXPECT_NEAR(value(model, field, 1e-7, eta), value(model, field, 0, eta), 1e-6) << field;
     EXPECT_GT(std::abs(value(model, "szz", 0.9, eta) - value(model, "szz", 0, eta)), 1e-2);
+  }
+}
+
+/// u_x(x) with u_x′ = −1 + 200 ((x − a)² − 0.003) inverts the body around a = 0.365, between Gauss points, where the
+/// law is evaluated and det F is positive: stresses there are those of the nearest Gauss point.
+TEST(Field, StressesAreFiniteBetweenGaussPointsWhereTheBodyIsInverted) {
+  nurbs::Plan plan;
+  plan.elements = {1, 1};
+  plan.contact = {nurbs::side_of("north", 2)};
+  plan.labels = {nurbs::parse_label("N4")};
+  const auto space = std::make_shared<const nurbs::Discretization>(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), plan);
+  Scene<2> scene;
+  scene.bodies.push_back(
+      {"block", std::make_shared<const solid::Body<2>>(space, solid::neo_hookean(1, 0.3), solid::Kind::plane_strain)});
+  scene.supports.push_back({"bed", {face_points(scene, 0, "south")}, {Constraint::fixed, Constraint::fixed}});
+  Model<2> model(std::move(scene));
+  // u = Σ p_j xʲ with Bézier coefficients Σ_j C(i, j)/C(4, j) p_j
+  constexpr double a = 0.365;
+  const std::array<double, 5> power{0, -1 + 200 * (a * a - 0.003), -200 * a, 200 / 3.0, 0};
+  const auto choose = [](int n, int k) { return std::tgamma(n + 1) / std::tgamma(k + 1) / std::tgamma(n - k + 1); };
+  const solid::Body<2>& body = *model.system.scene.bodies[0].body;
+  for (int k = 0; k < body.functions(); ++k) {
+    const int i = static_cast<int>(std::lround(4 * body.space().points()(0, k)));
+    double u = 0;
+    for (int j = 0; j <= i; ++j) u += choose(i, j) / choose(4, j) * power[at(j)];
+    model.present.displacement(2 * k) = u;
+  }
+  EXPECT_NEAR(value(model, "ux", 0.5, 0.5), power[1] / 2 + power[2] / 4 + power[3] / 8, 1e-13);
+  EXPECT_NEAR(value(model, "F11", 0.45, 0.5), 200 * (0.085 * 0.085 - 0.003), 1e-10);
+  const double gauss = 0.5 - std::sqrt(5 - 2 * std::sqrt(10.0 / 7)) / 6; // the second of five
+  for (const char* field : {"sxx", "szz", "von_mises"}) {
+    EXPECT_TRUE(std::isfinite(value(model, field, a, 0.5)));
+    EXPECT_NEAR(value(model, field, 0.4, 0.5), value(model, field, 0.5, 0.5), 1e-9) << field;
+    EXPECT_NEAR(value(model, field, 0.34, 0.5), value(model, field, gauss, 0.5), 1e-9) << field;
   }
 }
 
