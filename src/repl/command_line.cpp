@@ -219,7 +219,7 @@ const char* usage() {
          "124 after the time of --time, 130 after Ctrl-C.\n"
          "SIGNORINI_HOME: the folder that contains lua/, if it differs from that of the installation.\n"
          "SIGNORINI_KERNEL: sse2, avx2 or avx512, the widest vector instructions of the element kernels "
-         "(default: those of the processor).\n";
+         "(default: those of the processor; plain on processors other than x86-64).\n";
 }
 
 } // namespace signorini::repl

@@ -19,7 +19,7 @@ Instructions widest_of_processor() {
   if (fma && __builtin_cpu_supports("avx512f")) return Instructions::avx512;
   if (fma && __builtin_cpu_supports("avx2")) return Instructions::avx2;
 #endif
-  return Instructions::sse2;
+  return Instructions::baseline;
 }
 
 } // namespace
@@ -27,14 +27,14 @@ Instructions widest_of_processor() {
 Instructions widest_instructions(const char* wanted) {
   const Instructions widest = widest_of_processor();
   if (!wanted || !*wanted) return widest;
-  for (Instructions known : {Instructions::sse2, Instructions::avx2, Instructions::avx512}) {
+  for (Instructions known : {Instructions::baseline, Instructions::avx2, Instructions::avx512}) {
     const char* name = instruction_names[static_cast<int>(known)];
     if (std::string_view(name) != wanted) continue;
     require(known <= widest, "solid.kernel.lacking",
             {{"name", name}, {"widest", instruction_names[static_cast<int>(widest)]}});
     return known;
   }
-  fail("solid.kernel.unknown", {{"name", wanted}});
+  fail("solid.kernel.unknown", {{"name", wanted}, {"baseline", instruction_names[0]}});
 }
 
 Instructions widest_instructions() {

@@ -70,9 +70,13 @@ struct Kernels {
   Respond respond = nullptr; ///< for an element kernel of moduli_kernels()
 };
 
-/// Vector instructions, from narrow to wide; sse2: those that every supported machine has.
-enum class Instructions { sse2, avx2, avx512 };
+/// Vector instructions, from narrow to wide; baseline: those that every processor of the architecture has.
+enum class Instructions { baseline, avx2, avx512 };
+#ifdef __x86_64__
 constexpr const char* instruction_names[] = {"sse2", "avx2", "avx512"};
+#else
+constexpr const char* instruction_names[] = {"plain", "avx2", "avx512"};
+#endif
 
 /// The widest instructions that kernels may use: those of this processor, or of the environment variable
 /// SIGNORINI_KERNEL if it is set.
