@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 
 namespace signorini::model {
 
@@ -78,16 +79,19 @@ double percent(double part) {
 
 /// The deepest point of a contact.
 template <int D> struct Overlap {
-  double depth; ///< at most 0 without overlap
+  double depth; ///< at most 0 without overlap, −∞ without a point
   Vec<D> position;
 };
 
+/// Of all points that act: the mean gap of a multiplier may be open although some of its points are deep in the master.
 template <int D> Overlap<D> overlap_of(const contact::Formulation<D>& contact, const contact::History<D>& history) {
   const double shim = std::max(0.0, contact.offset(history)); // on purpose
-  Overlap<D> deepest{0, Vec<D>::Zero()};
-  for (std::size_t i = 0; i < history.results.size(); ++i) {
-    const double depth = contact.overlap().empty() ? -history.results[i].gap - shim : contact.overlap()[i];
-    if (i == 0 || depth > deepest.depth) deepest = {depth, history.results[i].position};
+  const std::vector<double> gaps = contact.gaps(history);
+  Overlap<D> deepest{-std::numeric_limits<double>::infinity(), Vec<D>::Zero()};
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (!acts(contact.points(), history, i)) continue; // its position is unknown
+    const double depth = contact.overlap().empty() ? -gaps[i] - shim : contact.overlap()[i];
+    if (depth > deepest.depth) deepest = {depth, history.results[i].position};
   }
   return deepest;
 }

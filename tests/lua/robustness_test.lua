@@ -74,6 +74,19 @@ check.case("a collapsed face in contact is an error", function()
   check.equal(#touch("east"):warnings(), 0)
 end)
 
+check.case("a roller deep in a slab is an error, also where multipliers are open in the mean", function()
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = { -1, -1 } }, elements = { 1, 1 },
+                        order = "N4", material = soft }
+  for _, keys in ipairs{ { penalty = 30 }, { penalty = 30, method = "mortar" },
+                          { method = "mortar", multipliers = "equal", enforcement = "multipliers" } } do
+    keys.slave, keys.master = slab:face "north", sg.rigid.cylinder{ center = { 0, 0.02 }, radius = 0.1 }
+    check.fails(function()
+      sg.model{ bodies = { slab = slab }, contacts = { touch = keys },
+                supports = { bed = { on = slab:face "south", fix = "xy" } } }
+    end, "the obstacle is inside body 'slab' at the start", "deep inside the obstacle")
+  end
+end)
+
 check.case("loads that rounding errors exceed are a warning", function()
   local function warnings(knots)
     local patch = sg.shapes.rectangle{ width = 1, height = 1 }:insert(1, knots)
