@@ -7,24 +7,30 @@
 --          scenes has nothing absurd, others up to ten oddities: no supports, contradictory ones, E of 1e-9 to 1e9,
 --          obstacles inside out, gaps of 1e6, paths a thousand times as long as the body, …
 --          Each scene must be refused at the line of its script, or complete, or end early with a reason; all results
---          are finite, no open point penetrates, and external forces cancel. Variants must have the same outcome and
---          forces: solved again, turned, moved by 1e6, mirrored, in other units (1e-9 to 1e9), with other directions of
---          the patches, other names, slave and master exchanged (half passes), on two threads, by
---          another linear solver, continued from a checkpoint, returned to a snapshot.
+--          are finite, no open point penetrates, no contact without adhesion pulls, and external forces cancel. Deep
+--          overlaps at the start, resultants of loads, inverted linear bodies and contacts given twice are found by
+--          other means than the program's (robustness/oracles.lua). Variants must have the same outcome and forces:
+--          solved again, turned, moved by 1e6, mirrored, in other units (1e-9 to 1e9), with other directions of the
+--          patches, other names, slave and master exchanged (half passes), on two threads, by another linear solver,
+--          continued from a checkpoint, returned to a snapshot, saved after every step.
 -- Source: chosen here.
 -- Units: those of the scene, E of the slab 1 and its width 2; tolerances are relative to the forces.
 -- Expected: nothing is found. Outcomes of variants differ in some scenes whose iterations are near a border between
 --           convergence and none.
--- Run: signorini scripts/robustness.lua [first=1] [count=2000] [chunk=50] [variants=some] [jobs=2] [limit=900]
---      [out=out/robustness]; first, count: seeds; chunk: scenes per process; variants: none, some (two per scene) or
---      all; limit: seconds per process. A second call continues from the results in the folder. If a process crashes
---      or exceeds its limit, the file seed_<first seed of its chunk> in the folder has the seed of the scene.
+-- Run: signorini scripts/robustness.lua [first=1] [count=2000] [family=any] [chunk=50] [variants=some] [jobs=2]
+--      [limit=900] [out=out/robustness]; first, count: seeds; family: any scene, or scenes that look at one thing:
+--      motion, strip, disc, placed, load, loose, ends (robustness/families.lua); chunk: scenes per process; variants:
+--      none, some (two or three per scene) or all; limit: seconds per process. A second call continues from the results
+--      in the folder. If a process crashes or exceeds its limit, the file seed_<first seed of its chunk> in the folder
+--      has the seed of the scene.
 
 local sg = require "signorini"
+local families = require "robustness.families"
 local survey = require "robustness.survey"
 
 local options = sg.arguments{
   first = 1, count = { 2000, at_least = 1 }, chunk = { 50, at_least = 1 },
+  family = { "any", choices = { "any", table.unpack(families.names) } },
   variants = { "some", choices = { "none", "some", "all" } }, jobs = 2, limit = 900.0, out = "out/robustness",
 }
 local files = sg.files(options.out)
@@ -35,14 +41,14 @@ local function solve(case)
     local file = assert(io.open(name, "w"))
     file:write(seed, "\n")
     file:close()
-  end)
+  end, case.family ~= "any" and case.family or nil)
   os.remove(name)
   return result
 end
 
 local cases = {}
 for first = options.first, options.first + options.count - 1, options.chunk do
-  cases[#cases + 1] = { first = first, variants = options.variants,
+  cases[#cases + 1] = { first = first, family = options.family, variants = options.variants,
                         count = math.min(options.chunk, options.first + options.count - first) }
 end
 local study = sg.study{ name = "robustness", folder = options.out .. "/chunks", cases = cases, run = solve }

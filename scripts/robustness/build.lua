@@ -128,7 +128,7 @@ local function load_of(frame, load, on)
     end
     result.factor = 0.0
   else
-    result[load.kind] = load_value(frame, load, load.of == "obstacle" and 1 or 0)
+    result[load.kind] = load_value(frame, load, (load.of == "obstacle" or load.constant) and 1 or 0)
   end
   return result
 end

@@ -4,6 +4,7 @@
 local sg = require "signorini"
 local build = require "robustness.build"
 local frames = require "robustness.frame"
+local oracles = require "robustness.oracles"
 
 local checks = {}
 
@@ -32,6 +33,15 @@ end
 local function is_finite(value) return value == value and value ~= math.huge and value ~= -math.huge end
 
 local fields = { "ux", "sxx", "von_mises", "I1" }
+
+-- Where fields are evaluated: within the patch, in all corners and in the middle of edges.
+local places = { plane = { { 0.3, 0.6 } }, space = { { 0.3, 0.6, 0.4 } } }
+for i = 0, 1, 0.5 do
+  for j = 0, 1, 0.5 do
+    if i ~= 0.5 or j ~= 0.5 then table.insert(places.plane, { i, j }) end
+    for k = 0, 1 do table.insert(places.space, { i, j, k }) end
+  end
+end
 
 --- The first result of an accepted state that is not a finite number; nil if there is none.
 local function infinite_result(model, run, scene, frame)
@@ -62,10 +72,11 @@ local function infinite_result(model, run, scene, frame)
     end
   end
   for _, body in ipairs(scene.bodies) do
-    if body.patch then
+    for _, xi in ipairs(body.patch and places[scene.space and "space" or "plane"] or {}) do
       for _, field in ipairs(fields) do
-        local value = model:sample(frame:name(body.name), field, scene.space and { 0.3, 0.6, 0.4 } or { 0.3, 0.6 })
-        if not is_finite(value) then return ("field %s of %s"):format(field, body.name) end
+        if not is_finite(model:sample(frame:name(body.name), field, xi)) then
+          return ("field %s of %s at %s"):format(field, body.name, table.concat(xi, ", "))
+        end
       end
     end
   end
@@ -182,11 +193,12 @@ function checks.solve(scene, frame, more, before)
   local ok, message = pcall(function() model, stages = build.model(scene, frame) end)
   if ok then
     local options, iterations = copy(scene.options), 0
+    local limit = most_iterations[scene.space and "space" or "plane"] * (scene.patience or 1)
     options.threads = 1
     for key, value in pairs(more or {}) do options[key] = value end
     options.on_iteration = function()
       iterations = iterations + 1
-      if iterations > most_iterations[scene.space and "space" or "plane"] then return "stop" end
+      if iterations > limit then return "stop" end
     end
     ok, message = pcall(function()
       if before then stages = before(model, stages, options) end
@@ -205,12 +217,15 @@ function checks.solve(scene, frame, more, before)
   account.outcome = run.reason == "completed" and "completed" or "ended"
   account.detail = run.failed and (run.cause or run.reason) or run.reason
   account.steps, account.run, account.model = run.steps, run, model
+  if scene.must == "complete" and run.reason ~= "completed" then find("it must complete: %s", account.detail) end
   local infinite = infinite_result(model, run, scene, frame)
   if infinite then find("%s is not finite", infinite) end
   if not frame.shift and not checks.has_tiny_parts(scene) then
     local missed = missed_point(model, scene, frame)
     if missed then find("%s", missed) end
   end
+  local flaws = oracles.flaws(model, run, scene, frame)
+  table.move(flaws, 1, #flaws, #account.found + 1, account.found)
   local rest, most = imbalance(model, scene, frame)
   -- A sum of n rows is wrong by √n times their error, and residuals within ten times the level have converged. The
   -- tangent comes last: forces are those of the last evaluation, which starts slips at the accepted state.

@@ -2,6 +2,7 @@
 -- or an obstacle above it, any supports, loads, contacts, paths and controls. A seed always gives the same scene.
 
 local dice = require "stability.generated.dice"
+local families = require "robustness.families"
 local laws = require "robustness.laws"
 local parts = require "robustness.parts"
 
@@ -145,8 +146,10 @@ end
 -- ── Scenes ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The scene of a seed, as plain data: kind, layout, oddities (the names of what is absurd), bodies, obstacles,
---- supports, loads, contacts, joins, ties, stages and options.
-function scenes.describe(seed)
+--- supports, loads, contacts, joins, ties, stages and options. `family`: one of
+--- families.names (default: any scene).
+function scenes.describe(seed, family)
+  if family then return families[family](seed) end
   local roll = dice(seed)
   local scene = setmetatable({ seed = seed, kind = roll.one_of(kinds), layout = roll.one_of(layouts),
                                wild = roll.one_of{ 0, 0, 1, 1, 2, 6 }, roll = roll, oddities = {}, bodies = {},

@@ -15,24 +15,27 @@ local function general(message)
   return #text <= 100 and text or text:sub(1, 100):match "^(.*) %S*$" .. " …"
 end
 
---- The names of the variants that a scene is compared with: all, none, or two that depend on the seed.
+--- The names of the variants that a scene is compared with: all, none, or two or three that depend on the seed.
 local function chosen(scene, how)
   if how == "all" then return variants.names end
   if how == "none" then return {} end
-  local roll = dice(scene.seed + 104729)
-  local first = roll.integer(1, #variants.names)
-  return { variants.names[first], variants.names[(first + roll.integer(0, #variants.names - 2)) % #variants.names + 1] }
+  local roll, names = dice(scene.seed + 104729), variants.names
+  local count = #names - 1 -- all but the last, "saved", which one scene in six has besides
+  local first = roll.integer(1, count)
+  return { names[first], names[(first + roll.integer(0, count - 2)) % count + 1],
+           dice(scene.seed + 15485863).uniform(0, 1) < 1 / 6 and names[#names] or nil }
 end
 
 --- Solves the scenes of the seeds first … first + count - 1. `how`: "some", "all" or "none" of the variants; `begin`:
---- called with each seed. Returns counts: outcomes (of the scenes; "ended" with the reason), refusals (by message),
---- compared and different (by variant; different ones with "outcome" or "forces"), and lists of texts: found, apart.
-function survey.run(first, how_many, how, begin)
+--- called with each seed; `family`: of the scenes (families.lua; default: any scene). Returns counts: outcomes (of the
+--- scenes; "ended" with the reason), refusals (by message), compared and different (by variant; different ones with
+--- "outcome" or "forces"), and lists of texts: found, apart.
+function survey.run(first, how_many, how, begin, family)
   local result = { scenes = how_many, outcomes = {}, refusals = {}, compared = {}, different = {}, found = {},
                    apart = {} }
   for seed = first, first + how_many - 1 do
     if begin then begin(seed) end
-    local scene = scenes.describe(seed)
+    local scene = scenes.describe(seed, family)
     local account = checks.solve(scene)
     count(result.outcomes, account.outcome == "ended" and "ended: " .. account.detail or account.outcome)
     if account.outcome == "refused" then count(result.refusals, general(account.detail)) end

@@ -77,7 +77,7 @@ local function units(scene, roll)
 end
 
 local function swapped(scene, _)
-  local formulation = scene.contacts[1].law.formulation
+  local formulation = scene.contacts[1] and scene.contacts[1].law.formulation
   if not (formulation and formulation:find("half", 1, true)) then return nil end
   return { swapped = true }
 end
@@ -110,6 +110,14 @@ local function resumed(scene, roll)
   local rest = checks.solve(scene, nil, { checkpoint = file, resume = true })
   os.remove(file)
   return rest, whole
+end
+
+--- A run that writes a checkpoint after every step, which drops all that is known of past evaluations.
+local function saved(scene)
+  local file = os.tmpname()
+  local account = checks.solve(scene, nil, { checkpoint = file })
+  os.remove(file)
+  return account
 end
 
 --- The stages after the first in a second run, after a detour: their end, a save, and back to a snapshot.
@@ -147,6 +155,7 @@ variants.all = {
   { name = "solver", tolerance = 1e-6, run = with_other_solver },
   { name = "resumed", tolerance = 0, run = resumed },
   { name = "restored", tolerance = 1e-6, run = restored },
+  { name = "saved", tolerance = 1e-6, run = saved },
 }
 variants.names = {}
 for i, variant in ipairs(variants.all) do variants.names[i], variants[variant.name] = variant.name, variant end

@@ -5,6 +5,7 @@ local core = require "signorini.core"
 package.path = core.home .. "/scripts/?.lua;" .. package.path
 local check = require "check"
 local sg = require "signorini"
+local families = require "robustness.families"
 local scenes = require "robustness.scenes"
 local survey = require "robustness.survey"
 
@@ -22,6 +23,13 @@ check.case("generated scenes: nothing infinite, no forces that do not cancel, no
   check.equal(result.apart, {})
   local refused, completed = result.outcomes.refused or 0, result.outcomes.completed or 0
   assert(refused > 10 and completed > 10, ("%d refused, %d completed"):format(refused, completed))
+end)
+
+check.case("scenes that look at one thing each", function()
+  for i, family in ipairs(families.names) do
+    local result = survey.run(10 * i, 3, "none", nil, family)
+    check.equal({ family, result.found, result.apart }, { family, {}, {} })
+  end
 end)
 
 -- ── Errors that the generator has found ──────────────────────────────────────────────────────────────────────────────

@@ -1,0 +1,189 @@
+-- Checks of generated scenes by other means than the program's: overlaps at the start by brute force, resultants of
+-- loads, pressures without tension, inverted linear bodies, contacts given twice.
+
+local geometry = require "robustness.geometry"
+
+local oracles = {}
+
+local function has_warning(warnings, ...)
+  for _, text in ipairs(warnings) do
+    local all = true
+    for _, part in ipairs{ ... } do all = all and text:find(part, 1, true) ~= nil end
+    if all then return true end
+  end
+  return false
+end
+
+-- ── Overlap at the start ─────────────────────────────────────────────────────────────────────────────────────────────
+
+-- The program warns from 1 % of the mean thickness of the thinner body on and refuses from 20 % on. Depths and
+-- thicknesses of samples differ from those of contact points: what is between is not judged.
+local worth_a_warning, refused = 0.05, 0.4
+
+--- A contact that lies so deep in its master before the first step that it must be a warning or an error. Returns the
+--- contact, the depth, and what it must be; nil if there is none.
+local function deep_contact(scene)
+  for _, contact in ipairs(scene.contacts) do
+    local law = contact.law
+    if law.active == false or law.where or contact.slave[1].obstacle then goto next end
+    local slave = geometry.faces(scene, contact.slave, scene.space and 5 or 17)
+    if not slave then goto next end
+    local allowed, thick = math.max(0, -(law.offset or 0)), geometry.thickness(slave)
+    if contact.master[1].obstacle then
+      local obstacle
+      for _, one in ipairs(scene.obstacles) do
+        if one.name == contact.master[1].obstacle then obstacle = one end
+      end
+      local depth = geometry.depth_in(obstacle, slave)
+      if depth and depth - allowed > (law.overlap and 2 or refused) * thick then return contact, depth, "error" end
+    else
+      local master = geometry.faces(scene, contact.master, scene.space and 12 or 200)
+      if not master then goto next end
+      thick = math.max(thick, geometry.thickness(master))
+      local depth = geometry.depth(slave, master)
+      local must = depth - allowed > (law.overlap and 2 or refused) * thick and "error"
+        or depth - allowed > (law.overlap and 2 or worth_a_warning) * thick and "warning" or nil
+      if must then return contact, depth, must end
+    end
+    ::next::
+  end
+end
+
+--- A deep overlap of a scene that the program has not refused, without a warning.
+local function unsaid_overlap(scene, warnings)
+  local contact, depth, must = deep_contact(scene)
+  if not contact then return nil end
+  if must == "warning" and has_warning(warnings, "contacts.", "before the first step") then return nil end
+  return ("contact %s begins %.3g deep in its master, which must be an %s"):format(contact.name, depth, must)
+end
+
+-- ── Loads ────────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- ∫ t dA over the faces of a dead load of a scene, in its units: samples' areas times the value at the last stage.
+local function expected_load(scene, load)
+  if load.follower or not (load.kind == "traction" or load.kind == "pressure") then return nil end
+  local factor = load.constant and 1 or 0
+  for _, stage in ipairs(scene.stages) do
+    factor = stage.loads.push or factor
+  end
+  local sum, seen = { 0, 0, 0 }, {}
+  for _, reference in ipairs(load.on) do
+    local key = reference.body .. reference.face
+    local faces = not seen[key] and geometry.faces(scene, { reference }, scene.space and 12 or 200)
+    seen[key] = true
+    if faces == nil then return nil end
+    for _, sample in ipairs(faces or {}) do
+      local area = sample.area * (1 + (load.slope or 0) * sample.x[1])
+      if scene.kind == "axisymmetric" then area = area * 2 * math.pi * sample.x[1] end
+      for i = 1, #sample.x do
+        local t = load.kind == "traction" and load.value[i] or -load.value * sample.normal[i]
+        sum[i] = sum[i] + factor * area * t
+      end
+    end
+  end
+  if scene.kind == "axisymmetric" then sum[1] = 0 end
+  return sum
+end
+
+--- A load whose resultant is not that of its faces; the run has completed.
+local function wrong_load(model, scene, frame)
+  local load = scene.loads.push
+  local expected = load and expected_load(scene, load)
+  if not expected then return nil end
+  local force, size = model:reaction(frame:name "push"), scene.space and 3 or 2
+  local difference, most = 0, 0
+  for i = 1, size do
+    local sum = 0
+    for j = 1, size do sum = sum + frame.matrix[j][i] * force[j] / frame:force() end
+    if scene.kind ~= "axisymmetric" or i > 1 then difference = math.max(difference, math.abs(sum - expected[i])) end
+    most = math.max(most, math.abs(expected[i]))
+  end
+  local size_of_value = type(load.value) == "table" and math.abs(load.value[size]) or math.abs(load.value)
+  if difference > 0.02 * most + 1e-9 * size_of_value then
+    return ("the load is off by %.3g of %.3g"):format(difference, most)
+  end
+end
+
+-- ── Pressures ────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- A contact without adhesion that pulls.
+local function tension(model, scene, frame)
+  local stiffest = 0
+  for _, body in ipairs(scene.bodies) do stiffest = math.max(stiffest, body.material.E * frame.stress) end
+  for _, contact in ipairs(scene.contacts) do
+    local law = contact.law
+    if law.adhesion or law.cohesive then goto next end
+    local half = (law.formulation or ""):find("half", 1, true)
+    for _, name in ipairs{ frame:name(contact.name), half and frame:name(contact.name) .. ".master" or nil } do
+      local least, most = 0, 0
+      for _, p in ipairs(model:profile(name).pressure) do least, most = math.min(least, p), math.max(most, p) end
+      if least < -1e-9 * (most + stiffest) then
+        return ("contact %s pulls by %.3g of %.3g"):format(contact.name, least, most)
+      end
+    end
+    ::next::
+  end
+end
+
+-- ── Warnings ─────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- A linear elastic body that is inverted at a sample although no warning says so.
+local function unsaid_inversion(model, scene, frame, warnings)
+  for _, body in ipairs(scene.bodies) do
+    if body.patch and body.material.law == "linear_elastic" and not scene.space then
+      local patch = frame:patch(body.patch, body.name)
+      for i = 1, 5 do
+        for j = 1, 5 do
+          local xi, F = geometry.parameters(patch, { (i - 0.5) / 5, (j - 0.5) / 5 }), {}
+          for _, field in ipairs{ "F11", "F12", "F21", "F22" } do
+            F[field] = model:sample(frame:name(body.name), field, xi)
+          end
+          local J = F.F11 * F.F22 - F.F12 * F.F21
+          if J < -0.5 and not has_warning(warnings, frame:name(body.name), "is inverted") then
+            return ("linear elastic body %s is inverted (J = %.3g) without a warning"):format(body.name, J)
+          end
+        end
+      end
+    end
+  end
+end
+
+local function same(a, b)
+  if #a ~= #b then return false end
+  for i = 1, #a do
+    if a[i].body ~= b[i].body or a[i].face ~= b[i].face or a[i].obstacle ~= b[i].obstacle then return false end
+  end
+  return true
+end
+
+--- Two contacts of the same faces without a warning.
+local function unsaid_twins(scene, warnings)
+  for i, one in ipairs(scene.contacts) do
+    for k = i + 1, #scene.contacts do
+      local other = scene.contacts[k]
+      local alike = same(one.slave, other.slave) and same(one.master, other.master)
+      local a, b = one.law, other.law
+      local comparable = not (a.where or b.where or a.adhesion or b.adhesion or a.cohesive or b.cohesive
+        or a.active == false or b.active == false) and a.formulation == b.formulation
+      if alike and comparable and not has_warning(warnings, "act between the same faces") then
+        return ("contacts %s and %s are the same without a warning"):format(one.name, other.name)
+      end
+    end
+  end
+end
+
+-- ── All of them ──────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- What is wrong with a run that was not refused: a list of texts.
+function oracles.flaws(model, run, scene, frame)
+  local found, warnings = {}, model:warnings()
+  table.move(run.warnings, 1, #run.warnings, #warnings + 1, warnings)
+  found[#found + 1] = unsaid_overlap(scene, warnings)
+  found[#found + 1] = unsaid_twins(scene, warnings)
+  found[#found + 1] = unsaid_inversion(model, scene, frame, warnings)
+  found[#found + 1] = tension(model, scene, frame)
+  found[#found + 1] = run.reason == "completed" and wrong_load(model, scene, frame) or nil
+  return found
+end
+
+return oracles
