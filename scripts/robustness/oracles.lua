@@ -1,5 +1,5 @@
 -- Checks of generated scenes by other means than the program's: overlaps at the start by brute force, resultants of
--- loads, pressures without tension, inverted linear bodies, contacts given twice.
+-- loads, pressures without tension, inverted linear bodies, contacts given twice, constants far from usual ones.
 
 local geometry = require "robustness.geometry"
 
@@ -172,6 +172,32 @@ local function unsaid_twins(scene, warnings)
   end
 end
 
+--- A constant far from any that is usual, or a load that acts in full from the first step, without a warning.
+local function unsaid_constant(scene, frame, warnings)
+  for _, contact in ipairs(scene.contacts) do
+    if contact.law.mu >= 5 and not contact.law.adhesion and not has_warning(warnings, "friction.mu") then
+      return ("mu = %g without a warning"):format(contact.law.mu)
+    end
+  end
+  for _, body in ipairs(scene.bodies) do
+    local material = body.material
+    local locks = material.nu >= 0.4999 and not body.volumetric and scene.kind ~= "plane_stress"
+    if locks and material.law ~= "fibers" and not material.unstable
+      and not has_warning(warnings, "bodies." .. frame:name(body.name), "Poisson's ratio") then
+      return ("nu = %g of body %s without a warning"):format(material.nu, body.name)
+    end
+  end
+  local newton = scene.options.newton
+  if newton and (newton.tolerance or 0) >= 0.5 and not has_warning(warnings, "newton.tolerance") then
+    return "a tolerance without a warning"
+  end
+  for name, load in pairs(scene.loads) do
+    if load.constant and not has_warning(warnings, "no stage changes", frame:name(name)) then
+      return ("load %s acts in full without a warning"):format(name)
+    end
+  end
+end
+
 -- ── All of them ──────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- What is wrong with a run that was not refused: a list of texts.
@@ -181,6 +207,7 @@ function oracles.flaws(model, run, scene, frame)
   found[#found + 1] = unsaid_overlap(scene, warnings)
   found[#found + 1] = unsaid_twins(scene, warnings)
   found[#found + 1] = unsaid_inversion(model, scene, frame, warnings)
+  found[#found + 1] = unsaid_constant(scene, frame, warnings)
   found[#found + 1] = tension(model, scene, frame)
   found[#found + 1] = run.reason == "completed" and wrong_load(model, scene, frame) or nil
   return found
