@@ -157,7 +157,7 @@ function reads.cells(of, value, where, name, row)
 end
 
 function reads.rows(of, value, where, name, row)
-  local count = type(value) == "table" and rawlen(value)
+  local count = type(value) == "table" and rawlen(value) -- strict tables raise errors of their own on value[1]
   if not count or count == 0 and next(value) ~= nil then mismatch(of, value, where, name, row) end
   for i = 1, count do
     local cells = value[i]

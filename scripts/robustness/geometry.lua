@@ -21,8 +21,6 @@ local function cross(a, b)
   return { a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1] }
 end
 
-geometry.difference, geometry.dot = difference, dot
-
 -- ── Samples ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Calls visit(u, inner) with parameters of the face { direction, side } of a patch, the fractions of which are the
@@ -63,7 +61,7 @@ local function samples(patch, size, face, n)
     opposite[face[1]] = 1 - face[2]
     near[face[1]] = face[2] == 0 and 1e-3 or 1 - 1e-3
     local x = patch:evaluate(parameters(patch, at))
-    local tangents, area = {}, 0
+    local tangents = {}
     for d = 1, size do
       if d ~= face[1] then
         local ahead, behind = table.move(at, 1, size, 1, {}), table.move(at, 1, size, 1, {})
@@ -73,7 +71,7 @@ local function samples(patch, size, face, n)
       end
     end
     local normal = size == 2 and { tangents[1][2], -tangents[1][1] } or cross(tangents[1], tangents[2])
-    area = math.sqrt(dot(normal, normal))
+    local area = math.sqrt(dot(normal, normal))
     local outward = difference(x, patch:evaluate(parameters(patch, near)))
     local sign = dot(normal, outward) < 0 and -1 or 1
     for i = 1, size do normal[i] = area > 0 and sign * normal[i] / area or 0 end

@@ -54,7 +54,7 @@ local function unsaid_overlap(scene, warnings)
   local contact, depth, must = deep_contact(scene)
   if not contact then return nil end
   if must == "warning" and has_warning(warnings, "contacts.", "before the first step") then return nil end
-  return ("contact %s begins %.3g deep in its master, which must be an %s"):format(contact.name, depth, must)
+  return ("contact %s begins %.3g deep in its master: no %s"):format(contact.name, depth, must)
 end
 
 -- ── Loads ────────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -202,8 +202,7 @@ end
 
 --- What is wrong with a run that was not refused: a list of texts.
 function oracles.flaws(model, run, scene, frame)
-  local found, warnings = {}, model:warnings()
-  table.move(run.warnings, 1, #run.warnings, #warnings + 1, warnings)
+  local found, warnings = {}, run.warnings
   found[#found + 1] = unsaid_overlap(scene, warnings)
   found[#found + 1] = unsaid_twins(scene, warnings)
   found[#found + 1] = unsaid_inversion(model, scene, frame, warnings)

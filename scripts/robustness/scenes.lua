@@ -146,8 +146,7 @@ end
 -- ── Scenes ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The scene of a seed, as plain data: kind, layout, oddities (the names of what is absurd), bodies, obstacles,
---- supports, loads, contacts, joins, ties, stages and options. `family`: one of
---- families.names (default: any scene).
+--- supports, loads, contacts, joins, ties, stages and options. `family`: one of families.names (default: any scene).
 function scenes.describe(seed, family)
   if family then return families[family](seed) end
   local roll = dice(seed)

@@ -52,8 +52,8 @@ bool take(int handle, const std::string& name) {
          opened.st_ino == there.st_ino && opened.st_nlink == 1 && S_ISREG(opened.st_mode);
 }
 
-/// The empty temporary file for a file: .name.part, so that what a killed process has left is written anew by the next
-/// one; while another process writes that, or where files cannot be locked, .name.<process number>.part.
+/// The empty temporary file for a file: .name.part, so that the next process overwrites what a killed one has left;
+/// while another process writes that, or where files cannot be locked, .name.<process number>.part.
 Temporary temporary_for(const fs::path& path) {
   const auto name = [&](const std::string& owner) {
     return (folder_of(path) / text(".", path.filename().string(), owner, ".part")).string();

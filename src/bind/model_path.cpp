@@ -205,11 +205,8 @@ template <int D> std::vector<std::string> unconstrained_bodies(model::Model<D>& 
     const std::string& name = model.system.scene.bodies[at(unconstrained.body)].name;
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
-  const auto& numbers = model.system.unknowns;
-  for (const auto& [obstacle, dof] : model.system.unconstrained_obstacles()) {
-    const int component = dof - numbers.obstacle_offset(obstacle);
-    const std::string& name =
-        model::support_of(model.system.scene, obstacle, component < D ? model::component_name(component) : "angle");
+  for (const model::UnconstrainedObstacle& motion : model.system.unconstrained_obstacles()) {
+    const std::string& name = model::support_of(model.system.scene, model.system.unknowns, motion);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;

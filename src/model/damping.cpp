@@ -4,6 +4,7 @@
 #include "model/constants.hpp"
 #include "model/rigid_motions.hpp"
 #include "model/springs.hpp"
+#include "model/turning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -133,6 +134,12 @@ std::vector<UnconstrainedObstacle> unconstrained_obstacles(const Scene<D>& scene
 }
 
 template <int D>
+const std::string& support_of(const Scene<D>& scene, const Unknowns<D>& unknowns, const UnconstrainedObstacle& motion) {
+  const int component = motion.dof - unknowns.obstacle_offset(motion.obstacle);
+  return support_of(scene, motion.obstacle, component < D ? component_name(component) : "angle");
+}
+
+template <int D>
 void damp_obstacles(const Scene<D>& scene, const Unknowns<D>& unknowns,
                     const std::vector<UnconstrainedObstacle>& motions, const VectorX& diagonal, const VectorX& force,
                     const contact::Formulations<D>& contacts, const State<D>& state, double small, VectorX& shift) {
@@ -153,6 +160,7 @@ void damp_obstacles(const Scene<D>& scene, const Unknowns<D>& unknowns,
                            const VectorX&, const VectorX&, const std::vector<double>&);                                \
   template std::vector<double> strides(const Scene<D>&, const contact::Formulations<D>&, const State<D>&, double);     \
   template std::vector<UnconstrainedObstacle> unconstrained_obstacles(const Scene<D>&, const Unknowns<D>&);            \
+  template const std::string& support_of(const Scene<D>&, const Unknowns<D>&, const UnconstrainedObstacle&);           \
   template void damp_obstacles(const Scene<D>&, const Unknowns<D>&, const std::vector<UnconstrainedObstacle>&,         \
                                const VectorX&, const VectorX&, const contact::Formulations<D>&, const State<D>&,       \
                                double, VectorX&);

@@ -41,6 +41,9 @@ struct UnconstrainedObstacle {
 };
 template <int D>
 std::vector<UnconstrainedObstacle> unconstrained_obstacles(const Scene<D>& scene, const Unknowns<D>& unknowns);
+/// Name of the support that frees it.
+template <int D>
+const std::string& support_of(const Scene<D>& scene, const Unknowns<D>& unknowns, const UnconstrainedObstacle& motion);
 
 /// Adds the shift of the diagonal at their unknowns, by which the residual force moves none of them farther than the
 /// smallest gap of its contacts, or `small`, as for bodies: |f| / stride.

@@ -66,16 +66,19 @@ template <int D> bool has_unconstrained(System<D>& system, const Contact<D>& con
 
 } // namespace
 
+template <int D> Tangent tangent_of(const Assembly<D>& assembly) {
+  return {assembly.values(),          assembly.pattern(),          assembly.pattern_version(),
+          assembly.constant_values(), assembly.contact_unknowns(), assembly.contact_version()};
+}
+
 template <int D> bool factor(Model<D>& model, const StepOptions& options) {
   ScopedTimer timer(model.timings.factorization);
   if (options.damping) damp(model);
   const Assembly<D>& assembly = model.system.assembly;
-  const Tangent tangent{assembly.values(),          assembly.pattern(),          assembly.pattern_version(),
-                        assembly.constant_values(), assembly.contact_unknowns(), assembly.contact_version()};
   // The viscosity of pseudo-transient continuation acts on all unknowns; constant factors of the bodies do not have it.
   const bool viscous = !assembly.constant_values().empty() && model.step->pseudo_time.damping() > 0;
   const bool chosen = !viscous || options.linear != solve::LinearKind::condensed;
-  return model.linear.factor(tangent,
+  return model.linear.factor(tangent_of(assembly),
                              {chosen ? options.linear : solve::LinearKind::automatic,
                               viscous || (options.damping && model.system.has_unconstrained()), options.mumps});
 }
@@ -152,6 +155,7 @@ template <int D> void judge_lead(Model<D>& model) {
   template solve::Outcome evaluate(Model<D>&, const VectorX*, bool, Message&);                                         \
   template void set_loads(Model<D>&, const VectorX&);                                                                  \
   template void take_residual(Model<D>&);                                                                              \
+  template Tangent tangent_of(const Assembly<D>&);                                                                     \
   template bool factor(Model<D>&, const StepOptions&);                                                                 \
   template bool solve_for(Model<D>&, VectorX&);                                                                        \
   template solve::NewtonSystem newton_system(Model<D>&, std::function<solve::Outcome(bool, Message&)>,                 \

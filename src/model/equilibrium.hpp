@@ -15,6 +15,8 @@ template <int D> void set_loads(Model<D>& model, const VectorX& targets);
 /// Computes the residual from the present state's force and displacement.
 template <int D> void take_residual(Model<D>& model);
 
+/// The assembled tangent, for a linear solver.
+template <int D> Tangent tangent_of(const Assembly<D>& assembly);
 /// Factors the tangent, with damping if options.damping; returns false if it is singular.
 template <int D> bool factor(Model<D>& model, const StepOptions& options);
 /// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular.

@@ -93,7 +93,7 @@ template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int
   BodyPoint<D> point = body_point(model, body, e, xi);
   const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
   const nurbs::Discretization& space = solid.space();
-  // F is unbounded towards a flat corner, and det F may be negative beside and between the Gauss points.
+  // F is unbounded towards a flat corner, and det F may be negative next to and between the Gauss points.
   const auto is_inverted = [&](const BodyPoint<D>& at) {
     return !solid.linear() && (at.state.deformation.determinant() <= 0 || at.state.hoop <= 0); // not where it is nan
   };

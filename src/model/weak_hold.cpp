@@ -3,7 +3,6 @@
 #include "base/index.hpp"
 #include "base/orthonormal.hpp"
 #include "model/equilibrium.hpp"
-#include "model/turning.hpp"
 #include "solve/least_eigenpair.hpp"
 
 #include <algorithm>
@@ -30,11 +29,9 @@ template <int D> FreeMotions free_motions(System<D>& system) {
         motions.columns(unknown, column) = motion(i);
     motions.names.push_back(system.scene.bodies[at(body)].name);
   }
-  for (const auto& [obstacle, dof] : obstacles) {
-    motions.columns(unknowns.unknown(dof), static_cast<Eigen::Index>(motions.names.size())) = 1;
-    const int component = dof - unknowns.obstacle_offset(obstacle);
-    motions.names.push_back(
-        support_of(system.scene, obstacle, component < D ? component_name(component) : std::string("angle")));
+  for (const UnconstrainedObstacle& motion : obstacles) {
+    motions.columns(unknowns.unknown(motion.dof), static_cast<Eigen::Index>(motions.names.size())) = 1;
+    motions.names.push_back(support_of(system.scene, unknowns, motion));
   }
   return motions;
 }
@@ -43,14 +40,12 @@ template <int D> FreeMotions free_motions(System<D>& system) {
 template <int D> std::optional<MatrixX> compliance(Model<D>& model, const MatrixX& motions) {
   Message why;
   if (evaluate(model, nullptr, true, why) != solve::Outcome::converged) return std::nullopt;
-  const Assembly<D>& assembly = model.system.assembly;
-  const Tangent tangent{assembly.values(),          assembly.pattern(),          assembly.pattern_version(),
-                        assembly.constant_values(), assembly.contact_unknowns(), assembly.contact_version()};
   // Another solver than the path's, whose choices depend on what it has solved.
   LinearSolution solution(linear_facts(model.system));
   const bool by_mumps = model.linear.kind() == solve::LinearKind::mumps;
   const solve::MumpsOptions mumps;
-  if (!solution.factor(tangent, {by_mumps ? solve::LinearKind::mumps : solve::LinearKind::automatic, true, mumps}))
+  if (!solution.factor(tangent_of(model.system.assembly),
+                       {by_mumps ? solve::LinearKind::mumps : solve::LinearKind::automatic, true, mumps}))
     return std::nullopt;
   MatrixX moved = motions;
   for (Eigen::Index j = 0; j < motions.cols(); ++j) {

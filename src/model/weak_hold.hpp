@@ -10,7 +10,7 @@ namespace signorini::model {
 /// eigenvalues μ of the symmetric part of Mᵀ K⁻¹ M. If all are positive, the smallest stiffness is 1/max μ, and zero up
 /// to rounding error where nothing holds the body. A negative one has a motion K⁻¹ M c of negative second-order work
 /// (R. Hill, J. Mech. Phys. Solids 6, 1958). Friction holds as long as it sticks, and its tangent has no potential:
-/// with friction there is no warning. The model is as before; nothing while a step is pending.
+/// models with friction get no warning, nor do models with a pending step. Does not change the model's state.
 template <int D> std::optional<Message> weak_hold(Model<D>& model);
 
 } // namespace signorini::model
