@@ -6,10 +6,10 @@
 #include "base/whole_file.hpp"
 #include "view/figure.hpp"
 #include "view/ogg.hpp"
+#include "view/parts_folder.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
 namespace signorini::view {
@@ -37,27 +37,6 @@ Pattern pattern_of(const std::string& file) {
   return {(path.parent_path() / found[1]).string(), found[4], found[3].empty() ? 1 : std::stoi(found[3])};
 }
 
-/// A folder next to a file, which is removed with its contents.
-class Folder {
-public:
-  explicit Folder(const std::string& file) : name_(file + ".XXXXXX") {
-    const fs::path place = fs::path(file).parent_path();
-    require(fs::is_directory(place), "view.series.no_folder", {{"file", file}, {"folder", place.string()}});
-    require(::mkdtemp(name_.data()) != nullptr, "view.series.folder", {{"file", file}});
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(name_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string path(const std::string& name) const { return name_ + "/" + name; }
-
-private:
-  std::string name_;
-};
-
 void write_pictures(const Pattern& name, int count, const PictureMaker& picture) {
   for (int i = 0; i < count; ++i) write_atomically(name(i + 1), picture(i));
 }
@@ -65,7 +44,7 @@ void write_pictures(const Pattern& name, int count, const PictureMaker& picture)
 void write_by_vtk(const std::string& file, int count, double rate, const PictureMaker& picture) {
   require(renderer().ogv != nullptr, "view.film.theora", {{"file", file}});
   require(rate == std::round(rate) && rate >= 1 && rate <= 5000, "view.film.rate", {{"rate", rate}});
-  const Folder folder(fs::absolute(file).string());
+  const PartsFolder folder(file);
   renderer().ogv(folder.path("film.ogv"), count, static_cast<int>(rate), picture);
   // VTK's writer does not report that the disk was full.
   require(is_whole_ogg(read_file(folder.path("film.ogv"))), "view.film.write", {{"file", file}});
@@ -74,7 +53,7 @@ void write_by_vtk(const std::string& file, int count, double rate, const Picture
 
 void write_by_ffmpeg(const std::string& file, int count, double rate, const PictureMaker& picture) {
   require(has_program("ffmpeg"), "view.film.ffmpeg", {{"file", file}});
-  const Folder folder(fs::absolute(file).string());
+  const PartsFolder folder(file);
   write_pictures({folder.path(""), ".png", 1}, count, picture);
   // H.264 with chroma subsampling, which all players support, requires even sizes.
   try {
