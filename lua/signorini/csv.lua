@@ -9,6 +9,7 @@ local core = require "signorini.core"
 local counted = require "signorini.counted"
 local on_behalf_of = require "signorini.on_behalf_of"
 local lists = require "signorini.lists"
+local no_column = require "signorini.no_column"
 local format_table = require "signorini.table"
 
 local csv = {}
@@ -113,7 +114,7 @@ local function position(data, name, where)
   for j, known in ipairs(data.columns) do
     if known == name then return j end
   end
-  core.fail(("%s: there is no column '%s'; known: %s"):format(where, name, table.concat(data.columns, ", ")))
+  no_column(where, name, data.columns)
 end
 
 function Data:column(name)

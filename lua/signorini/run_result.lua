@@ -11,6 +11,7 @@ local layer_moves = require "signorini.layer_moves"
 local lists = require "signorini.lists"
 local format_table = require "signorini.table"
 local named = require "signorini.named"
+local no_column = require "signorini.no_column"
 local path_controls = require "signorini.path_controls"
 local run_warnings = require "signorini.run_warnings"
 local states = require "signorini.states"
@@ -316,9 +317,7 @@ function Run:columns() return copy(self.names) end
 
 function Run:column(name)
   local values = self.values[name]
-  if not values then
-    core.fail(("run:column: there is no column '%s'; known: %s"):format(name, table.concat(self.names, ", ")))
-  end
+  if not values then no_column("run:column", name, self.names) end
   local list = {}
   for row = 1, self.rows do list[row] = values[row] or 0 / 0 end
   return list

@@ -124,8 +124,10 @@ check.case("invalid files are rejected with file and line", function()
   end
   check.fails(function() sg.csv.read(folder .. "/none.csv") end, "cannot read", "none.csv")
   check.fails(function() sg.csv.read(folder) end, "sg.csv.read")
-  write_text "a\n1\n"
-  check.fails(function() sg.csv.read(file):column "b" end, "no column 'b'; known: a")
+  write_text "a,force\n1,2\n"
+  check.fails(function() sg.csv.read(file):column "b" end, "no column 'b'; known: a, force")
+  check.fails(function() sg.csv.read(file):column "forse" end,
+    "no column 'forse'; did you mean 'force'? known: a, force")
 end)
 
 check.case("published tables name their source", function()

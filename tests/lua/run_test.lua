@@ -118,7 +118,7 @@ check.case("columns: their names, and what is not one", function()
   check.equal(run:columns(), { "step", "increments", "iterations", "wall", "bed.fx", "bed.fy", "edge.fx", "edge.fy",
     "edge.moment", "grip.fx", "grip.fy", "gas.fx", "gas.fy", "edge.angle", "grip.ux", "grip.uy", "gas.pressure",
     "interface.fx", "interface.fy", "interface.area", "interface.max_pressure", "interface.max_penetration" })
-  check.fails(function() run:column "grip.fz" end, "run_test.lua:", "'grip.fz'", "grip.fy")
+  check.fails(function() run:column "grip.fz" end, "run_test.lua:", "'grip.fz'; did you mean 'grip.f", "grip.fy")
   check.fails(function() run:residuals(7) end, "run:residuals: there is no step 7; the run has steps 1 to 6")
   check.fails(function() run:attempts(0) end, "run:attempts: step must be a whole number, 1 or more")
   run:column("step")[1] = 99 -- a copy
