@@ -87,6 +87,12 @@ template <int D> bool is_flat_corner(const Mat<D>& jacobian) {
   return lengths.minCoeff() > 1e-6 * lengths.maxCoeff() && std::abs(jacobian.determinant()) < 1e-8 * lengths.prod();
 }
 
+/// Whether an edge or a face of the patch is collapsed to a point or a line there.
+template <int D> bool is_pole(const Mat<D>& jacobian) {
+  const double size = jacobian.colwise().norm().maxCoeff();
+  return !(std::abs(jacobian.determinant()) > 1e-10 * std::pow(size, D));
+}
+
 } // namespace
 
 template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int e, const VectorX& xi) {
@@ -99,18 +105,18 @@ template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int
   };
   const GaussBox<D> box = gauss_box<D>(space, e, xi);
   const bool flat = box.border && is_flat_corner<D>(body_point(model, body, e, *box.border).jacobian);
-  if (flat || is_inverted(point)) {
-    const BodyPoint<D> inside = body_point(model, body, e, box.inside);
-    return with_gradients(point, is_inverted(inside) ? body_point(model, body, e, box.nearest) : inside);
+  if (!flat && !is_inverted(point)) {
+    if (!is_pole(point.jacobian)) return point;
+    VectorX inwards(D);
+    for (int d = 0; d < D; ++d) {
+      const auto [from, to] = space.interval(e, d);
+      inwards(d) = 0.5 * (from + to) - xi(d);
+    }
+    const BodyPoint<D> nearby = body_point(model, body, e, xi + 1e-4 * inwards);
+    if (!is_inverted(nearby)) return with_gradients(point, nearby);
   }
-  const double size = point.jacobian.colwise().norm().maxCoeff();
-  if (std::abs(point.jacobian.determinant()) > 1e-10 * std::pow(size, D)) return point;
-  VectorX inwards(D);
-  for (int d = 0; d < D; ++d) {
-    const auto [from, to] = space.interval(e, d);
-    inwards(d) = 0.5 * (from + to) - xi(d);
-  }
-  return with_gradients(point, body_point(model, body, e, xi + 1e-4 * inwards));
+  const BodyPoint<D> inside = body_point(model, body, e, box.inside);
+  return with_gradients(point, is_inverted(inside) ? body_point(model, body, e, box.nearest) : inside);
 }
 
 template <int D> double sample(const Model<D>& model, int body, const Field<D>& field, const VectorX& xi) {

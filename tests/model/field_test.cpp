@@ -82,22 +82,22 @@ TEST(Field, StressesAreContinuousUpToTheAxis) {
   }
 }
 
-/// u_x(x) with u_x′ = −1 + 200 ((x − a)² − 0.003) inverts the body around a = 0.365, between Gauss points, where the
-/// law is evaluated and det F is positive: stresses there are those of the nearest Gauss point.
-TEST(Field, StressesAreFiniteBetweenGaussPointsWhereTheBodyIsInverted) {
+/// A block of one element of order N4.
+Scene<2> block(const nurbs::Patch& patch) {
   nurbs::Plan plan;
   plan.elements = {1, 1};
   plan.contact = {nurbs::side_of("north", 2)};
   plan.labels = {nurbs::parse_label("N4")};
-  const auto space = std::make_shared<const nurbs::Discretization>(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0)), plan);
+  const auto space = std::make_shared<const nurbs::Discretization>(patch, plan);
   Scene<2> scene;
   scene.bodies.push_back(
       {"block", std::make_shared<const solid::Body<2>>(space, solid::neo_hookean(1, 0.3), solid::Kind::plane_strain)});
   scene.supports.push_back({"bed", {face_points(scene, 0, "south")}, {Constraint::fixed, Constraint::fixed}});
-  Model<2> model(std::move(scene));
-  // u = Σ p_j xʲ with Bézier coefficients Σ_j C(i, j)/C(4, j) p_j
-  constexpr double a = 0.365;
-  const std::array<double, 5> power{0, -1 + 200 * (a * a - 0.003), -200 * a, 200 / 3.0, 0};
+  return scene;
+}
+
+/// Displaces the block by u_x = Σ power_j ξ₁ʲ, whose Bézier coefficients are Σ_j C(i, j)/C(4, j) power_j.
+void stretch(Model<2>& model, const std::array<double, 5>& power) {
   const auto choose = [](int n, int k) { return std::tgamma(n + 1) / std::tgamma(k + 1) / std::tgamma(n - k + 1); };
   const solid::Body<2>& body = *model.system.scene.bodies[0].body;
   for (int k = 0; k < body.functions(); ++k) {
@@ -106,6 +106,15 @@ TEST(Field, StressesAreFiniteBetweenGaussPointsWhereTheBodyIsInverted) {
     for (int j = 0; j <= i; ++j) u += choose(i, j) / choose(4, j) * power[at(j)];
     model.present.displacement(2 * k) = u;
   }
+}
+
+/// u_x(x) with u_x′ = −1 + 200 ((x − a)² − 0.003) inverts the body around a = 0.365, between Gauss points, where the
+/// law is evaluated and det F is positive: stresses there are those of the nearest Gauss point.
+TEST(Field, StressesAreFiniteBetweenGaussPointsWhereTheBodyIsInverted) {
+  constexpr double a = 0.365;
+  const std::array<double, 5> power{0, -1 + 200 * (a * a - 0.003), -200 * a, 200 / 3.0, 0};
+  Model<2> model(block(nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0))));
+  stretch(model, power);
   EXPECT_NEAR(value(model, "ux", 0.5, 0.5), power[1] / 2 + power[2] / 4 + power[3] / 8, 1e-13);
   EXPECT_NEAR(value(model, "F11", 0.45, 0.5), 200 * (0.085 * 0.085 - 0.003), 1e-10);
   const double gauss = 0.5 - std::sqrt(5 - 2 * std::sqrt(10.0 / 7)) / 6; // the second of five
@@ -113,6 +122,21 @@ TEST(Field, StressesAreFiniteBetweenGaussPointsWhereTheBodyIsInverted) {
     EXPECT_TRUE(std::isfinite(value(model, field, a, 0.5)));
     EXPECT_NEAR(value(model, field, 0.4, 0.5), value(model, field, 0.5, 0.5), 1e-9) << field;
     EXPECT_NEAR(value(model, field, 0.34, 0.5), value(model, field, gauss, 0.5), 1e-9) << field;
+  }
+}
+
+/// A triangle whose west side is a point, with u_x′ = −1.5 + 40 x: gradients at the pole are those a little inside,
+/// where det F = −0.5, too; stresses are those of the first Gauss points.
+TEST(Field, StressesAreFiniteAtAPoleWhereTheBodyIsInverted) {
+  const nurbs::Patch triangle = nurbs::make_patch({nurbs::KnotVector::single(1), nurbs::KnotVector::single(1)},
+                                                  (MatrixX(2, 4) << 0, 1, 0, 1, 0, -0.5, 0, 0.5).finished());
+  Model<2> model(block(triangle));
+  stretch(model, {0, -1.5, 20, 0, 0});
+  const double gauss = 0.5 - std::sqrt(5 + 2 * std::sqrt(10.0 / 7)) / 6; // the first of five
+  EXPECT_NEAR(value(model, "F11", gauss, 0.5), -0.5 + 40 * gauss, 1e-10);
+  for (const char* field : {"sxx", "szz", "von_mises"}) {
+    EXPECT_TRUE(std::isfinite(value(model, field, gauss, 0.5)));
+    EXPECT_NEAR(value(model, field, 0, 0.5), value(model, field, gauss, 0.5), 1e-9) << field;
   }
 }
 
