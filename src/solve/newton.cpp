@@ -63,14 +63,20 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
   const Iteration acknowledged;
   Message why;
   // If quadratic convergence predicts the last iteration, the residual without the tangent is enough to confirm it.
-  const bool tangent = predicted_residual(report.residuals) > surely_below * report.tolerance;
+  bool tangent = predicted_residual(report.residuals) > surely_below * report.tolerance;
   if (const Outcome state = system.assemble(tangent, why); state != Outcome::converged) return stop(state, why);
   const double residual = system.residual();
   report.residuals.push_back(residual);
   if (!std::isfinite(residual)) return stop(Outcome::not_finite, Message("solve.newton.not_finite"));
 
+  // The rounding level is that of the present tangent: contact that has opened since the last one may have been stiff.
+  const double tolerance = options.tolerance * system.scale();
+  if (!tangent && residual > tolerance) {
+    if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);
+    tangent = true;
+  }
   const double floor = system.floor();
-  report.tolerance = options.tolerance * system.scale() + floor;
+  report.tolerance = tolerance + floor;
   const bool small_energy = residual <= floor || report.energies.empty() ||
                             report.energies.back() <= options.tolerance * report.energies.front();
   const bool waiting = pending && report.iterations == 0;

@@ -137,6 +137,20 @@ TEST(Newton, ResidualThatStillDecreasesNearTheRoundingLevelIsNotStagnating) {
   EXPECT_LE(problem.x, 1.001 * problem.floor);
 }
 
+TEST(Newton, TheRoundingLevelIsThatOfThePresentTangent) {
+  // As a contact that opens: the residual 5e-6 is predicted to vanish, and below the level of the former, stiff
+  // tangent.
+  Scalar problem{[](double x) { return x < 0.9e-4 ? 0.1 * x : x; },
+                 [](double x) { return x < 0.9e-4 ? 0.1
+                                       : x < 1    ? 2.0
+                                                  : 1 / 0.9999; }, 1.0};
+  NewtonSystem system = problem.system();
+  system.floor = [&problem] { return problem.slope(problem.tangent_at) == 2 ? 1e-5 : 1e-12; };
+  const NewtonReport report = newton(system, {1e-10, 25}, false);
+  EXPECT_EQ(report.outcome, Outcome::converged);
+  EXPECT_LE(report.residuals.back(), 1e-10);
+}
+
 TEST(Newton, IterationLimitIsReported) {
   Scalar problem = root_of_two();
   const NewtonReport report = problem.solve({1e-14, 2});
