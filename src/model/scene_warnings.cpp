@@ -5,6 +5,7 @@
 #include "model/constants.hpp"
 #include "model/element_size.hpp"
 #include "model/thickness.hpp"
+#include "solid/volume_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -97,6 +98,29 @@ void warn_of_stiff_slave(const Scene<D>& scene, const Contact<D>& contact, std::
                                                            {"slave", scene.bodies[at(contact.slave.front().body)].name},
                                                            {"master", scene.bodies[at(face->front().body)].name},
                                                            {"ratio", ratio}}));
+}
+
+/// Bodies whose control points have weights so different that Gauss points miss their geometry.
+template <int D> void warn_of_weights(const Scene<D>& scene, std::vector<Message>& warnings) {
+  for (const NamedBody<D>& named : scene.bodies) {
+    const nurbs::Discretization& space = named.body->space();
+    const double ratio = solid::weight_ratio(space);
+    if (ratio <= usual_weights) continue;
+    if (const double error = solid::volume_error(space); error > most_volume_error)
+      warnings.push_back(
+          Message("model.warning.weights", {{"body", named.name}, {"ratio", ratio}, {"percent", 100 * error}}));
+  }
+}
+
+/// Between few points a face is free to bend into the master.
+template <int D>
+void warn_of_few_points(const Contact<D>& contact, const contact::Surface<D>& slave, std::vector<Message>& warnings) {
+  int degree = 0;
+  for (int e = 0; e < slave.elements(); ++e)
+    for (int alpha = 0; alpha < D - 1; ++alpha) degree = std::max(degree, slave.degree(e, alpha));
+  if (contact.points < degree)
+    warnings.push_back(Message("model.warning.few_points",
+                               {{"contact", contact.name}, {"points", contact.points}, {"degree", degree}}));
 }
 
 /// Length of the cohesive zone: E G/σ² in a thick body, where A. Turon et al. (Eng. Fract. Mech. 74, 2007) compare
@@ -218,10 +242,12 @@ std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formul
                                     const std::vector<contact::History<D>>& histories) {
   std::vector<Message> warnings;
   warn_of_locking(scene, warnings);
+  warn_of_weights(scene, warnings);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     warn_of_friction(scene.contacts[k].name, contacts[k]->friction(histories[k]), warnings);
     warn_of_stiffness(scene, scene.contacts[k], contacts[k]->penalty(histories[k]), warnings);
     warn_of_stiff_slave(scene, scene.contacts[k], warnings);
+    warn_of_few_points(scene.contacts[k], contacts[k]->slave(), warnings);
     warn_of_coarse_bonds(scene, scene.contacts[k], warnings);
     warn_of_missing_bonds(scene, scene.contacts[k], *contacts[k], warnings);
     warn_of_offset(scene, scene.contacts[k], contacts[k]->offset(histories[k]), warnings);

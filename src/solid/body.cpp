@@ -14,9 +14,9 @@ namespace signorini::solid {
 
 namespace {
 
-QuadratureRule element_rule(const nurbs::Discretization& space, int e, int d) {
+QuadratureRule element_rule(const nurbs::Discretization& space, int e, int d, int times = 1) {
   const auto [a, b] = space.interval(e, d);
-  return gauss_legendre(space.degree(e, d) + 1, a, b);
+  return gauss_legendre(times * (space.degree(e, d) + 1), a, b);
 }
 
 void require_radius(double least, const Vec<2>& point) {
@@ -44,9 +44,9 @@ void check_radii(const nurbs::Discretization& space) {
 
 } // namespace
 
-ElementQuadrature element_quadrature(const nurbs::Discretization& space, int e) {
+ElementQuadrature element_quadrature(const nurbs::Discretization& space, int e, int times) {
   std::vector<QuadratureRule> rules;
-  for (int d = 0; d < space.parametric_dimension(); ++d) rules.push_back(element_rule(space, e, d));
+  for (int d = 0; d < space.parametric_dimension(); ++d) rules.push_back(element_rule(space, e, d, times));
   return tensor_product(rules);
 }
 

@@ -115,7 +115,7 @@ std::shared_ptr<const Body<2>> revolved(const Body<2>& body);
 /// The body of unit thickness under plane stress with the same shape, space and material.
 std::shared_ptr<const Body<2>> in_plane_stress(const Body<2>& body);
 
-/// Tensor-product Gauss points of an element.
-ElementQuadrature element_quadrature(const nurbs::Discretization& space, int e);
+/// Tensor-product Gauss points of an element, degree + 1 per direction, or `times` as many.
+ElementQuadrature element_quadrature(const nurbs::Discretization& space, int e, int times = 1);
 
 } // namespace signorini::solid

@@ -291,4 +291,31 @@ check.case("faces in coordinate planes are named where a patch is shown", functi
   check.holds(text, "faces: west in y = 0; east in x = 0; south in z = 0; north in x = 0, y = 0")
 end)
 
+check.case("fewer contact points per element than the degree of the slave face", function()
+  local function warnings(order, points)
+    local upper = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {0, 1} }, elements = {4, 4},
+                           order = order, contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    return sg.model{ bodies = { upper = upper }, supports = { lid = { on = upper:face "north", fix = "xy" } },
+      contacts = { touch = { slave = upper:face "south", penalty = 10, points = points,
+                             master = sg.rigid.plane{ point = {0, 1}, normal = {0, 1} } } } }:warnings()
+  end
+  check.equal({ warnings("N1", 1), warnings("N2", 2), warnings("N2-N4", 4), warnings("N2-N4") }, { {}, {}, {}, {} })
+  check.holds(warnings("N2", 1)[1], "contacts.touch: points = 1 per element and direction is less than the degree 2")
+  check.holds(warnings("N2-N4", 3)[1], "less than the degree 4 of the slave face", "Hint: leave points out")
+end)
+
+check.case("weights so different that Gauss points miss the geometry", function()
+  local function warnings(weight, elements)
+    local patch = sg.nurbs.surface{ degrees = {1, 1}, knots = { {0, 0, 1, 1}, {0, 0, 1, 1} },
+                                    points = { {0, 0}, {1, 0}, {0, 1}, {1, 1} }, weights = { 1, weight, 1, weight } }
+    local slab = sg.body{ patch = patch, elements = elements, order = "N2",
+                          material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    return sg.model{ bodies = { slab = slab },
+                     supports = { bed = { on = slab:face "south", fix = "xy" } } }:warnings()
+  end
+  check.equal({ warnings(3, {1, 1}), warnings(50, {32, 1}) }, { {}, {} })
+  check.holds(warnings(50, {1, 1})[1], "bodies.slab: the weights of its control points differ by a factor of 50",
+    "Gauss points find its volume with an error of", "Hint: more elements")
+end)
+
 check.done()

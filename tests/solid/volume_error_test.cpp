@@ -1,0 +1,55 @@
+// Errors of a body's volume by Gauss points, against closed forms.
+
+#include "solid/quadrature.hpp"
+#include "solid/volume_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace signorini::solid {
+namespace volume_error_test {
+
+/// A rectangle of width 1 whose control points at its right end have the weight w.
+nurbs::Discretization rectangle(double w, int elements) {
+  const nurbs::Patch patch =
+      nurbs::make_patch({nurbs::KnotVector::single(1), nurbs::KnotVector::single(1)},
+                        (MatrixX(2, 4) << 0, 1, 0, 1, 0, 0, 1, 1).finished(), (VectorX(4) << 1, w, 1, w).finished());
+  nurbs::Plan plan;
+  plan.elements = {elements, 1};
+  plan.contact = {nurbs::side_of("north", 2)};
+  plan.labels = {nurbs::parse_label("N1")};
+  return {patch, plan};
+}
+
+/// x = w ξ/W with W = 1 − ξ + w ξ, hence dx/dξ = w/W², and the area is ∫ w/W² dξ = 1.
+double error_of(double w, int points) {
+  const QuadratureRule rule = gauss_legendre(points, 0, 1);
+  double area = 0;
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    const double weight = 1 - rule.points[q] + w * rule.points[q];
+    area += rule.weights[q] * w / (weight * weight);
+  }
+  return area - 1;
+}
+
+TEST(VolumeError, IsThatOfTheGaussPoints) {
+  for (const double w : {3.0, 10.0, 50.0, 0.02}) {
+    const nurbs::Discretization space = rectangle(w, 1);
+    EXPECT_NEAR(weight_ratio(space), std::max(w, 1 / w), 1e-12);
+    EXPECT_NEAR(volume_error(space), std::abs((1 + error_of(w, 2)) / (1 + error_of(w, 4)) - 1), 1e-12) << w;
+  }
+  EXPECT_GT(volume_error(rectangle(50, 1)), 0.3);
+  EXPECT_EQ(weight_ratio(rectangle(1, 2)), 1);
+  EXPECT_LT(volume_error(rectangle(1, 2)), 1e-14);
+}
+
+TEST(VolumeError, FallsWithRefinement) {
+  // Two points per direction: of fourth order
+  const double coarse = volume_error(rectangle(5, 8)), fine = volume_error(rectangle(5, 16));
+  EXPECT_GT(fine, 0);
+  EXPECT_GT(std::log2(coarse / fine), 3.7);
+}
+
+} // namespace volume_error_test
+} // namespace signorini::solid
