@@ -214,10 +214,10 @@ end
 -- Above this rounding error, as a fraction of the forces of the run, forces may be wrong in their first digits.
 local coarse_rounding = 1e-3
 
---- A sentence for loads that are not far above the rounding errors of the forces, up to which equilibrium is found.
+--- A sentence for loads or contact whose forces are not far above rounding errors, up to which equilibrium is found.
 local function lost_in_rounding(model)
-  local rounding, forces, loaded = core.rounding(model)
-  if not loaded or rounding <= coarse_rounding * forces then return nil end
+  local rounding, forces, acts = core.rounding(model)
+  if not acts or rounding <= coarse_rounding * forces then return nil end
   return ("rounding errors of forces, about %.2g, are %.2g %% of the forces of supports and loads, at most %.2g, and "
     .. "equilibrium is not found more exactly than that. Hint: very narrow elements, very stiff bodies and places far "
     .. "from the origin cause them"):format(rounding, 100 * rounding / forces, forces)

@@ -53,7 +53,7 @@ local function parameters(patch, at)
 end
 geometry.parameters = parameters
 
---- Positions of a face, of the one opposite, tangents and the outward normal there, area per sample.
+--- Positions of a face and the middles of its chords, the outward normals there, areas and thicknesses of samples.
 local function samples(patch, size, face, n)
   local list = {}
   each_sample(size, face, n, function(at, inner)
@@ -61,13 +61,14 @@ local function samples(patch, size, face, n)
     opposite[face[1]] = 1 - face[2]
     near[face[1]] = face[2] == 0 and 1e-3 or 1 - 1e-3
     local x = patch:evaluate(parameters(patch, at))
-    local tangents = {}
+    local tangents, middle = {}, x
     for d = 1, size do
       if d ~= face[1] then
         local ahead, behind = table.move(at, 1, size, 1, {}), table.move(at, 1, size, 1, {})
         ahead[d], behind[d] = at[d] + 0.5 / n, at[d] - 0.5 / n
-        tangents[#tangents + 1] = difference(patch:evaluate(parameters(patch, ahead)),
-          patch:evaluate(parameters(patch, behind)))
+        local to, from = patch:evaluate(parameters(patch, ahead)), patch:evaluate(parameters(patch, behind))
+        tangents[#tangents + 1] = difference(to, from)
+        if size == 2 then middle = { (to[1] + from[1]) / 2, (to[2] + from[2]) / 2 } end
       end
     end
     local normal = size == 2 and { tangents[1][2], -tangents[1][1] } or cross(tangents[1], tangents[2])
@@ -76,7 +77,7 @@ local function samples(patch, size, face, n)
     local sign = dot(normal, outward) < 0 and -1 or 1
     for i = 1, size do normal[i] = area > 0 and sign * normal[i] / area or 0 end
     local through = difference(x, patch:evaluate(parameters(patch, opposite)))
-    list[#list + 1] = { x = x, normal = normal, area = area, inner = inner,
+    list[#list + 1] = { x = x, middle = middle, normal = normal, area = area, inner = inner,
                         thickness = math.sqrt(dot(through, through)) }
   end)
   return list

@@ -151,14 +151,18 @@ int smallest_body(lua_State* L) {
 }
 
 template <int D> int push_rounding(lua_State* L, const model::Model<D>& model) {
+  const bool touches = std::ranges::any_of(model.present.contacts, [](const contact::History<D>& history) {
+    const contact::Resultant<D> sum = contact::resultant(history);
+    return sum.active > 0 || sum.force != Vec<D>::Zero(); // adhesive forces have no active points
+  });
   push(L, model::rounding_floor(model));
   push(L, model::force_norm(model));
-  push(L, model.external.norm() > 0);
+  push(L, touches || model.external.norm() > 0);
   return 3;
 }
 
 /// core.rounding(model): the estimated rounding error of the residual, the largest norm of the forces of supports and
-/// loads in all accepted states, and whether loads act at present.
+/// loads in all accepted states, and whether loads or contacts act at present.
 int rounding(lua_State* L) {
   if (const auto* plane = test_object<Model<2>>(L, 1)) return push_rounding(L, **plane);
   if (const auto* space = test_object<Model<3>>(L, 1)) return push_rounding(L, **space);

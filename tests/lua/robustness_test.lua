@@ -110,4 +110,22 @@ check.case("loads that rounding errors exceed are a warning", function()
     "very narrow elements")
 end)
 
+check.case("contact whose forces rounding errors exceed is a warning", function()
+  local function warnings(knots)
+    local slab = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
+                          material = soft, contact = "north" }
+    local patch = sg.shapes.rectangle{ width = 0.5, height = 0.5, corner = { 0.25, 1 } }:insert(1, knots)
+    local block = sg.body{ patch = patch, elements = { #knots + 1, 1 }, order = "N2",
+                           material = sg.neo_hookean{ E = 1e6, nu = 0.3 }, contact = "south" }
+    local model = sg.model{
+      bodies = { slab = slab, block = block },
+      supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = block:face "north", drive = "xy" } },
+      contacts = { touch = { slave = block:face "south", master = slab:face "north", penalty = 100 } },
+    }
+    return model:run{ { steps = 2, grip = { 0, -0.01 } } }.warnings
+  end
+  check.equal(#warnings{ 0.5 }, 0)
+  check.holds(warnings{ 1e-10 }[1], "rounding errors of forces, about", "% of the forces of supports and loads")
+end)
+
 check.done()

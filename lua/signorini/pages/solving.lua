@@ -49,8 +49,9 @@ parts, their positions and the contacts that touch; tostring(model) shows its si
 path; help "results" and help "methods" list the other methods.]] },
   { "model:warnings", [[Returns a list of sentences on what is probably unintended. About the scene (sg.model prints
 these, too): bodies that overlap before the first step by more than 1 % of the thickness of the thinner one, Poisson's
-ratios that lock, mu above 3, penalties above 1e8 times the stiffness of an element, contacts that act twice. About the
-current state: inverted linear elastic bodies. run.warnings starts with these.]],
+ratios that lock, mu above 3, penalties above 1e8 times the stiffness of an element, fewer contact points per element
+than the degree of the face, weights so different that Gauss points miss a body's volume by 1 %, contacts that act
+twice. About the current state: inverted linear elastic bodies. run.warnings starts with these.]],
     returns = t.list(t.text),
     example = "model:warnings()  --> {}" },
   { "model:run", [[Solves a model along its load path and returns a run. A further run continues from the
@@ -154,8 +155,8 @@ contacts), wall } each]] },
       { "warnings", t.list(t.text), [[those of model:warnings(), and about: loads that act in full from the first step;
 newton.tolerance above 1e-3; contacts that never touched; penetration above 2 % of the smallest body's size; a last step
 whose position damping alone determines; bodies that contacts without friction do not hold or hold in unstable
-equilibrium; loads that are not far above rounding errors of forces; closest points that were not found; points that
-passed through the master in one step; steps that may have jumped to another branch of solutions (solved by certain
+equilibrium; loads or contact whose forces are not far above rounding errors; closest points that were not found; points
+that passed through the master in one step; steps that may have jumped to another branch of solutions (solved by certain
 fallbacks) or probably have (judged by displacements and released energy); stages
 whose energy balance lacks more than a tenth of the work]] },
     } },
