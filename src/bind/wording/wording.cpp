@@ -5,6 +5,7 @@
 #include "bind/message.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fmt/args.h>
 #include <fmt/format.h>
@@ -17,13 +18,18 @@ namespace signorini::bind {
 
 namespace {
 
+/// A number with the given count of significant digits.
+std::string rounded(double value, int digits) {
+  std::ostringstream out;
+  out.precision(digits);
+  out << value;
+  return out.str();
+}
+
 /// "0.25 … 2", four digits each; bounds that are zero up to rounding error are printed as 0.
 std::string extent(double low, double high) {
-  std::ostringstream out;
-  out.precision(4);
   const double least = 1e-9 * (high - low);
-  out << (std::abs(low) < least ? 0 : low) << " … " << (std::abs(high) < least ? 0 : high);
-  return out.str();
+  return rounded(std::abs(low) < least ? 0 : low, 4) + " … " + rounded(std::abs(high) < least ? 0 : high, 4);
 }
 
 /// A value as text, in the format of its placeholder.
@@ -34,7 +40,10 @@ struct Shown {
     if (how == "+1") return std::to_string(value + 1);
     return how.empty() ? std::to_string(value) : counted(static_cast<std::size_t>(value), how);
   }
-  std::string operator()(double value) const { return how == "6" ? number(value) : text(value); }
+  std::string operator()(double value) const {
+    const bool digits = how.size() == 1 && std::isdigit(static_cast<unsigned char>(how[0]));
+    return digits ? rounded(value, how[0] - '0') : text(value);
+  }
   std::string operator()(const std::string& value) const { return value; }
   std::string operator()(const std::vector<double>& values) const {
     if (how == "list") return "{" + listed(values) + "}";
