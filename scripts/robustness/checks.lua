@@ -137,14 +137,21 @@ local function rounding_of_rows(model, scene, frame)
   return (size == 2 and 1 or 4) * 0x1p-52 * math.sqrt(squares) * (place + way)
 end
 
+local function is_odd(scene, name)
+  for _, one in ipairs(scene.oddities) do
+    if one == name then return true end
+  end
+  return false
+end
+
 -- ── Equilibrium ──────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local force_names = { "fx", "fy", "fz" }
 
 --- The magnitude of the sum of all external forces, and that of the largest; nil where the sum need not vanish.
 local function imbalance(model, scene, frame)
-  local supports = scene.supports -- corners that two of them hold are part of both reactions
-  if supports.all or (supports.held_top and supports.left) then return nil end
+  local supports = scene.supports -- corners and poles that two of them hold are part of both reactions
+  if supports.all or supports.held_top and (supports.left or is_odd(scene, "collapsed side")) then return nil end
   local size, sum, most = scene.space and 3 or 2, { 0, 0, 0 }, 0
   local function add(force, sign)
     for i = 1, size do
@@ -239,7 +246,7 @@ function checks.solve(scene, frame, more, before)
   if account.outcome == "completed" and not infinite and not told then
     local tolerance = scene.options.newton and scene.options.newton.tolerance or 1e-10
     local unit = frame:force()
-    if rest and rest > math.max(1e-8, 100 * tolerance) * most + account.rounding then
+    if rest and rest > math.max(1e-8 * most, 100 * tolerance * account.most * unit) + account.rounding then
       find("external forces do not cancel: %.3g of %.3g", rest / unit, most / unit)
     end
   end
