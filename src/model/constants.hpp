@@ -71,11 +71,11 @@ inline constexpr double whole_depth = 0.9;
 /// Overlap with a rigid obstacle relative to the body's size that is due to rounding error and inexact geometry.
 inline constexpr double obstacle_overlap = 0.01;
 
-// ── Weights ──────────────────────────────────────────────────────────────────────────────────────────────────────────
+// ── Quadrature ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Ratio of weights up to which a body's volume is not examined (those of arcs differ by a factor of 2 up to 120°), and
-/// the relative error of the volume above which a warning is given.
-inline constexpr double usual_weights = 4, most_volume_error = 0.01;
+/// the relative error of volumes and areas above which a warning is given.
+inline constexpr double usual_weights = 4, most_quadrature_error = 0.01;
 
 // ── Ties ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 

@@ -5,7 +5,7 @@
 #include "model/constants.hpp"
 #include "model/element_size.hpp"
 #include "model/thickness.hpp"
-#include "solid/volume_error.hpp"
+#include "solid/quadrature_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -106,10 +106,23 @@ template <int D> void warn_of_weights(const Scene<D>& scene, std::vector<Message
     const nurbs::Discretization& space = named.body->space();
     const double ratio = solid::weight_ratio(space);
     if (ratio <= usual_weights) continue;
-    if (const double error = solid::volume_error(space); error > most_volume_error)
+    if (const double error = solid::volume_error(space); error > most_quadrature_error)
       warnings.push_back(
           Message("model.warning.weights", {{"body", named.name}, {"ratio", ratio}, {"percent", 100 * error}}));
   }
+}
+
+/// Loads on faces that bend too sharply within their elements for the points of loads.
+template <int D> void warn_of_areas(const Scene<D>& scene, std::vector<Message>& warnings) {
+  for (const Load& load : scene.loads)
+    for (int b = 0; b < std::ssize(scene.bodies); ++b) {
+      std::vector<nurbs::Side> faces;
+      for (const FaceReference& face : load.on)
+        if (face.body == b) faces.push_back(face.side);
+      if (faces.empty()) continue;
+      if (const double error = solid::area_error(*scene.bodies[at(b)].body, faces); error > most_quadrature_error)
+        warnings.push_back(Message("model.warning.area", {{"load", load.name}, {"percent", 100 * error}}));
+    }
 }
 
 /// Between few points a face is free to bend into the master.
@@ -243,6 +256,7 @@ std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formul
   std::vector<Message> warnings;
   warn_of_locking(scene, warnings);
   warn_of_weights(scene, warnings);
+  warn_of_areas(scene, warnings);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     warn_of_friction(scene.contacts[k].name, contacts[k]->friction(histories[k]), warnings);
     warn_of_stiffness(scene, scene.contacts[k], contacts[k]->penalty(histories[k]), warnings);

@@ -7,20 +7,21 @@ namespace signorini::solid {
 
 namespace {
 
-ElementQuadrature face_quadrature(const nurbs::Discretization& space, int e, nurbs::Side side) {
+ElementQuadrature face_quadrature(const nurbs::Discretization& space, int e, nurbs::Side side, int times) {
   std::vector<QuadratureRule> rules;
   for (int d = 0; d < space.parametric_dimension(); ++d) {
     const auto [a, b] = space.interval(e, d);
     rules.push_back(d == side.direction ? QuadratureRule{{side.at_end ? b : a}, {1}}
-                                        : gauss_legendre(2 * (space.degree(e, d) + 1), a, b));
+                                        : gauss_legendre(times * (space.degree(e, d) + 1), a, b));
   }
   return tensor_product(rules);
 }
 
 template <int D>
-FacePoints<D> points_of(const Body<D>& body, nurbs::Side side, int e, const std::vector<int>& face_functions) {
+FacePoints<D> points_of(const Body<D>& body, nurbs::Side side, int e, int times,
+                        const std::vector<int>& face_functions) {
   const nurbs::Discretization& space = body.space();
-  const ElementQuadrature rule = face_quadrature(space, e, side);
+  const ElementQuadrature rule = face_quadrature(space, e, side, times);
   FacePoints<D> part{{}, rule.weights, {}, {}, nurbs::outward_sign(side), body.kind() == Kind::axisymmetric};
   std::vector<int> own; // of the element's functions
   for (int q = 0; q < rule.weights.size(); ++q) {
@@ -56,19 +57,19 @@ template <int D> double FacePoints<D>::weight(const MatrixX& x, int q) const {
   return revolved ? weights(q) * 2 * std::numbers::pi * x.row(0).dot(values.col(q)) : weights(q);
 }
 
-template <int D> std::vector<FacePoints<D>> face_points(const Body<D>& body, nurbs::Side side) {
+template <int D> std::vector<FacePoints<D>> face_points(const Body<D>& body, nurbs::Side side, int times) {
   const nurbs::Discretization& space = body.space();
   std::vector<int> functions = space.face_functions(side);
   std::sort(functions.begin(), functions.end());
   std::vector<FacePoints<D>> parts;
   for (int f = 0; f < space.elements_on(side); ++f)
-    parts.push_back(points_of(body, side, space.element_behind(side, f), functions));
+    parts.push_back(points_of(body, side, space.element_behind(side, f), times, functions));
   return parts;
 }
 
 template struct FacePoints<2>;
 template struct FacePoints<3>;
-template std::vector<FacePoints<2>> face_points<2>(const Body<2>&, nurbs::Side);
-template std::vector<FacePoints<3>> face_points<3>(const Body<3>&, nurbs::Side);
+template std::vector<FacePoints<2>> face_points<2>(const Body<2>&, nurbs::Side, int);
+template std::vector<FacePoints<3>> face_points<3>(const Body<3>&, nurbs::Side, int);
 
 } // namespace signorini::solid

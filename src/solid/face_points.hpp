@@ -23,7 +23,8 @@ template <int D> struct FacePoints {
 };
 
 /// The elements of a face, which may cross a layer, where it is not a tensor product. There are twice as many Gauss
-/// points per direction as in the elements: faces are curved and rational, so that no rule is exact.
-template <int D> std::vector<FacePoints<D>> face_points(const Body<D>& body, nurbs::Side side);
+/// points per direction as in the elements: faces are curved and rational, so that no rule is exact. `times`: how many
+/// times as many.
+template <int D> std::vector<FacePoints<D>> face_points(const Body<D>& body, nurbs::Side side, int times = 2);
 
 } // namespace signorini::solid

@@ -1,6 +1,6 @@
-#include "solid/volume_error.hpp"
+#include "solid/quadrature_error.hpp"
 
-#include "solid/body.hpp"
+#include "solid/face_points.hpp"
 
 #include <cmath>
 
@@ -21,6 +21,16 @@ double volume(const nurbs::Discretization& space, const MatrixX& points, int e, 
   return sum;
 }
 
+template <int D> double area(const Body<D>& body, nurbs::Side face, int times) {
+  const MatrixX points = body.space().points();
+  double sum = 0;
+  for (const FacePoints<D>& part : face_points(body, face, times)) {
+    const MatrixX x = points(Eigen::all, part.functions);
+    for (int q = 0; q < part.weights.size(); ++q) sum += part.weight(x, q) * part.area_vector(x, q).norm();
+  }
+  return sum;
+}
+
 } // namespace
 
 double weight_ratio(const nurbs::Discretization& space) {
@@ -37,5 +47,17 @@ double volume_error(const nurbs::Discretization& space) {
   }
   return std::abs(usual / fine - 1);
 }
+
+template <int D> double area_error(const Body<D>& body, const std::vector<nurbs::Side>& faces) {
+  double usual = 0, fine = 0;
+  for (const nurbs::Side face : faces) {
+    usual += area(body, face, 2);
+    fine += area(body, face, 4);
+  }
+  return std::abs(usual / fine - 1);
+}
+
+template double area_error(const Body<2>&, const std::vector<nurbs::Side>&);
+template double area_error(const Body<3>&, const std::vector<nurbs::Side>&);
 
 } // namespace signorini::solid

@@ -1,14 +1,15 @@
-// Errors of a body's volume by Gauss points, against closed forms.
+// Errors of volumes and areas by Gauss points, against closed forms.
 
+#include "solid/material.hpp"
 #include "solid/quadrature.hpp"
-#include "solid/volume_error.hpp"
+#include "solid/quadrature_error.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 namespace signorini::solid {
-namespace volume_error_test {
+namespace quadrature_error_test {
 
 /// A rectangle of width 1 whose control points at its right end have the weight w.
 nurbs::Discretization rectangle(double w, int elements) {
@@ -51,5 +52,32 @@ TEST(VolumeError, FallsWithRefinement) {
   EXPECT_GT(std::log2(coarse / fine), 3.7);
 }
 
-} // namespace volume_error_test
+/// A block on a parabola, whose length is ∫ √(1 + y′²) dx.
+TEST(AreaError, IsThatOfTheGaussPoints) {
+  for (const double height : {0.5, 40.0}) {
+    // South side: control points (0, 0), (0.5, −h), (1, 0), that is y = −2 h ξ (1 − ξ), y′ = −2 h (1 − 2 ξ)
+    const nurbs::Patch patch =
+        nurbs::make_patch({nurbs::KnotVector::single(2), nurbs::KnotVector::single(1)},
+                          (MatrixX(2, 6) << 0, 0.5, 1, 0, 0.5, 1, 0, -height, 0, 1, 1, 1).finished());
+    nurbs::Plan plan;
+    plan.elements = {1, 1};
+    plan.contact = {nurbs::side_of("north", 2)};
+    plan.labels = {nurbs::parse_label("N2")};
+    const Body<2> body(std::make_shared<const nurbs::Discretization>(patch, plan), neo_hookean(1, 0.3),
+                       Kind::plane_strain);
+    const auto length = [&](int points) {
+      const QuadratureRule rule = gauss_legendre(points, 0, 1);
+      double sum = 0;
+      for (std::size_t q = 0; q < rule.points.size(); ++q)
+        sum += rule.weights[q] * std::hypot(1, 2 * height * (1 - 2 * rule.points[q]));
+      return sum;
+    };
+    const double error = area_error(body, {nurbs::side_of("south", 2)});
+    EXPECT_NEAR(error, std::abs(length(6) / length(12) - 1), 1e-12);
+    EXPECT_EQ(error > 0.01, height == 40) << error;
+    EXPECT_LT(area_error(body, {nurbs::side_of("west", 2), nurbs::side_of("east", 2)}), 1e-13);
+  }
+}
+
+} // namespace quadrature_error_test
 } // namespace signorini::solid
