@@ -93,9 +93,6 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
     present.growth += growth(accepted.multiplier_results[a], present.multiplier_results[a]);
   return_to_accepted();
   if (points_.sparse > 0) choose_points(present, farthest, penalty_factor);
-  // Beyond an end, another part of a master that is bent may be nearer in the next step: from behind, too.
-  for (PointHistory<D>& point : present.points)
-    if (point.projection.foot == Foot::none) point.cleared = 0;
 }
 
 /// Changes the rules of elements for the next step. Points that begin to act take over histories and are evaluated;

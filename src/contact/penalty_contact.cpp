@@ -29,20 +29,16 @@ std::optional<FixedContactState> PenaltyContact<D>::close(std::size_t i, const T
   const double travel = this->travel_;
   FixedContactState fixed = controls.fixed_states.empty() ? FixedContactState::free : controls.fixed_states[i];
   if (fixed == FixedContactState::open) return {};
-  if (fixed == FixedContactState::free && travel + controls.guessed < point.cleared) {
-    trial.present.results[i].beyond = point.projection.foot == Foot::none;
-    return {};
-  }
+  if (fixed == FixedContactState::free && travel + controls.guessed < point.cleared) return {};
   const bool opposite = this->find_foot(i, trial, part, at);
   const PenaltyLaw law = this->law(trial.present, trial.penalty_factor);
   const Foot foot = point.projection.foot;
   const double gap = point.projection.gap;
   // t_N = λ_N − ε_N (g − o) > 0 below a gap of o + λ_N/ε_N
   const double distance = gap - this->offset(i, trial.present) - point.multiplier / law.normal;
-  // Beyond an end of the master the gap is the distance to the end, which a point has to cover whatever the offset is.
-  const double way = foot == Foot::none ? std::min(distance, gap) : distance;
-  const bool clear = (foot == Foot::regular || foot == Foot::none) && at.foot.settled && way > 0;
-  point.cleared = clear ? travel + way : 0;
+  // A point beyond an end of the master comes behind it without a way when the end turns.
+  const bool clear = foot == Foot::regular && at.foot.settled && distance > 0;
+  point.cleared = clear ? travel + distance : 0;
   if (!opposite) return {};
   if (fixed == FixedContactState::free && std::abs(distance) < controls.guessed) fixed = FixedContactState::stick;
   if (fixed == FixedContactState::free && distance >= 0) return {};
