@@ -131,7 +131,9 @@ local function rounding_of_rows(model, scene, frame)
     end
   end
   for _, obstacle in ipairs(scene.obstacles or {}) do
-    for _, x in ipairs(obstacle.center or {}) do place = math.max(place, math.abs(x) * frame.length) end
+    for _, point in ipairs(obstacle.patch and obstacle.patch.points or { obstacle.center or obstacle.point }) do
+      for _, x in ipairs(point) do place = math.max(place, math.abs(x) * frame.length) end
+    end
   end
   for _, u in ipairs(model:displacements()) do way = math.max(way, math.abs(u)) end
   return (size == 2 and 1 or 4) * 0x1p-52 * math.sqrt(squares) * (place + way)

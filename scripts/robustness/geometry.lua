@@ -55,11 +55,11 @@ geometry.parameters = parameters
 
 --- Positions of a face and the middles of its chords, the outward normals there, areas and thicknesses of samples.
 local function samples(patch, size, face, n)
-  local list = {}
+  -- Patches are right-handed. A face that folds back has one side that is outside all the same.
+  local list, sign = {}, (face[2] == 0 and -1 or 1) * (face[1] == 2 and -1 or 1)
   each_sample(size, face, n, function(at, inner)
-    local opposite, near = table.move(at, 1, size, 1, {}), table.move(at, 1, size, 1, {})
+    local opposite = table.move(at, 1, size, 1, {})
     opposite[face[1]] = 1 - face[2]
-    near[face[1]] = face[2] == 0 and 1e-3 or 1 - 1e-3
     local x = patch:evaluate(parameters(patch, at))
     local tangents, middle = {}, x
     for d = 1, size do
@@ -73,8 +73,6 @@ local function samples(patch, size, face, n)
     end
     local normal = size == 2 and { tangents[1][2], -tangents[1][1] } or cross(tangents[1], tangents[2])
     local area = math.sqrt(dot(normal, normal))
-    local outward = difference(x, patch:evaluate(parameters(patch, near)))
-    local sign = dot(normal, outward) < 0 and -1 or 1
     for i = 1, size do normal[i] = area > 0 and sign * normal[i] / area or 0 end
     local through = difference(x, patch:evaluate(parameters(patch, opposite)))
     list[#list + 1] = { x = x, middle = middle, normal = normal, area = area, inner = inner,
