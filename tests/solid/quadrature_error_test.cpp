@@ -73,9 +73,15 @@ TEST(AreaError, IsThatOfTheGaussPoints) {
       return sum;
     };
     const double error = area_error(body, {nurbs::side_of("south", 2)});
-    EXPECT_NEAR(error, std::abs(length(6) / length(12) - 1), 1e-12);
-    EXPECT_EQ(error > 0.01, height == 40) << error;
-    EXPECT_LT(area_error(body, {nurbs::side_of("west", 2), nurbs::side_of("east", 2)}), 1e-13);
+    const double expected = std::abs(length(6) / length(12) - 1);
+    if (height > 1) {
+      EXPECT_NEAR(error, expected, 1e-12);
+      EXPECT_GT(error, 0.01);
+    } else { // nearly straight: not examined
+      EXPECT_LT(expected, 1e-5);
+      EXPECT_EQ(error, 0);
+    }
+    EXPECT_EQ(area_error(body, {nurbs::side_of("west", 2), nurbs::side_of("east", 2)}), 0);
   }
 }
 
