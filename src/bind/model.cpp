@@ -151,13 +151,10 @@ int smallest_body(lua_State* L) {
 }
 
 template <int D> int push_rounding(lua_State* L, const model::Model<D>& model) {
-  const bool touches = std::ranges::any_of(model.present.contacts, [](const contact::History<D>& history) {
-    const contact::Resultant<D> sum = contact::resultant(history);
-    return sum.active > 0 || sum.force != Vec<D>::Zero(); // adhesive forces have no active points
-  });
-  push(L, model::rounding_floor(model));
+  const double rounding = model::rounding_floor(model);
+  push(L, rounding);
   push(L, model::force_norm(model));
-  push(L, touches || model.external.norm() > 0);
+  push(L, model.external.norm() > 0 || model::contact_acts(model, rounding));
   return 3;
 }
 

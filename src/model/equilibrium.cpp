@@ -126,6 +126,19 @@ template <int D> double rounding_floor(const Model<D>& model) {
   return (D == 2 ? 1 : 4) * std::numeric_limits<double>::epsilon() * stiffness * position;
 }
 
+template <int D> bool contact_acts(const Model<D>& model, double rounding) {
+  constexpr double noticeable = 1e-9; // strain
+  double softest = std::numeric_limits<double>::infinity(), force = 0, pressure = 0;
+  for (const NamedBody<D>& named : model.system.scene.bodies)
+    softest = std::min(softest, named.body->material().constants().youngs_modulus);
+  for (const contact::History<D>& history : model.present.contacts)
+    for (const contact::PointResult<D>& point : history.results) {
+      force += std::abs(point.pressure) * point.area;
+      pressure = std::max(pressure, std::abs(point.pressure));
+    }
+  return force > rounding || pressure > noticeable * softest;
+}
+
 template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& options, bool damping) {
   System<D>& system = model.system;
   model.controls.assign(system.contacts.size(), {});
@@ -163,6 +176,7 @@ template <int D> void judge_lead(Model<D>& model) {
   template double force_norm(const Model<D>&);                                                                         \
   template double largest_position(const Model<D>&);                                                                   \
   template double rounding_floor(const Model<D>&);                                                                     \
+  template bool contact_acts(const Model<D>&, double);                                                                 \
   template bool begin_contacts(Model<D>&, const ActiveSetOptions&, bool);                                              \
   template void judge_lead(Model<D>&);
 SIGNORINI_INSTANTIATE(2)

@@ -33,6 +33,9 @@ template <int D> double force_norm(const Model<D>& model);
 template <int D> double largest_position(const Model<D>& model);
 /// Estimated rounding error of the residual.
 template <int D> double rounding_floor(const Model<D>& model);
+/// Whether a contact presses or pulls: with forces above their rounding error, or with pressures that strain a body by
+/// more than 1e-9. Faces that only touch have neither.
+template <int D> bool contact_acts(const Model<D>& model, double rounding);
 
 /// Starts the active set of a step. With damping, sets Controls::landing of open contacts of unconstrained bodies;
 /// returns whether there are any.
