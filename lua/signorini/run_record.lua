@@ -44,7 +44,8 @@ local state = fields {
     jumps = fields { energy = maybe(each(number)), found = each(data), steps = each(each(number)) },
     unstable = fields { most = count, steps = count }, unstable_law = flag, used = maybe(data), warnings = each(text),
     adaptations = each(data), contact_zones = data, controls = data, crossed = data, fallbacks = data, overlaps = data,
-    places = data, unsettled = data },
+    places = data, state_findings = maybe(each(fields { subject = text, stage = text, text = text })),
+    unsettled = data },
 }
 
 --- Whether state, rows and histories can be those of a run.

@@ -116,7 +116,7 @@ function Run.new(model, path)
     wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, stored_states = {}, before = model:timings(),
     warnings = {}, unsettled = {}, crossed = {}, unstable = { steps = 0, most = 0 }, unstable_law = false,
-    jumps = jumps.record(), overlaps = {}, adaptations = {}, contact_zones = {},
+    jumps = jumps.record(), overlaps = {}, state_findings = {}, adaptations = {}, contact_zones = {},
   }, Run)
   layer_moves.begin(run, model)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")

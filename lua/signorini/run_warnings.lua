@@ -193,6 +193,23 @@ local function unstable_law(run)
     position(found.at))
 end
 
+--- Notes in run.state_findings the warnings about the state at the end of a stage; of each subject the first.
+function run_warnings.note_state(run, model, stage)
+  if run.reason == "interrupted" then return end
+  for _, found in ipairs(core.state_warnings(model)) do
+    if not lists.any(run.state_findings, function(earlier) return earlier.subject == found.subject end) then
+      run.state_findings[#run.state_findings + 1] = { subject = found.subject, stage = stage.name, text = found.text }
+    end
+  end
+end
+
+--- Sentences on the states at the ends of stages.
+local function states(run)
+  return lists.map(run.state_findings, function(found)
+    return ("at the end of stage '%s': %s"):format(found.stage, found.text)
+  end)
+end
+
 --- A sentence for a last step whose equilibrium is not unique, so that damping has selected one.
 local function held(run)
   local attempts = run.histories[#run.histories] or {}
@@ -232,6 +249,7 @@ function run_warnings.of_run(run, model, early)
     texts[#texts + 1] = unbalanced(run, model, contact)
   end
   texts = lists.joined(texts, run.overlaps)
+  texts = lists.joined(texts, states(run))
   texts[#texts + 1] = lost_in_rounding(model)
   texts[#texts + 1] = held(run) or not run.failed and core.weak_hold(model) or nil
   texts[#texts + 1] = path_controls.warning(run)

@@ -4,7 +4,7 @@
 #include "bind/model.hpp"
 #include "bind/wording/wording.hpp"
 #include "model/changed_contact.hpp"
-#include "model/scene_warnings.hpp"
+#include "model/checks/scene_warnings.hpp"
 
 namespace signorini::bind {
 

@@ -3,6 +3,7 @@
 #include "base/words.hpp"
 #include "bind/open.hpp"
 #include "bind/wording/wording.hpp"
+#include "model/checks/state_warnings.hpp"
 #include "model/equilibrium.hpp"
 #include "model/joins.hpp"
 #include "model/weak_hold.hpp"
@@ -180,11 +181,42 @@ int weak_hold(lua_State* L) {
   return 0;
 }
 
-constexpr Function model_core[] = {{"contact_problem", wrap<contact_problem>},
-                                   {"contact_warnings", wrap<contact_warnings>},
-                                   {"rounding", rounding},
-                                   {"smallest_body", smallest_body},
-                                   {"weak_hold", weak_hold}};
+/// The code of a warning and the names in it.
+std::string subject(const Message& warning) {
+  std::string all = warning.code;
+  for (const auto& [name, value] : warning.data) {
+    if (const auto* word = std::get_if<std::string>(&value)) all += " " + *word;
+    if (const auto* parts = std::get_if<std::vector<Message>>(&value))
+      for (const Message& part : *parts) all += " " + subject(part);
+  }
+  return all;
+}
+
+template <int D> int push_state_warnings(lua_State* L, model::Model<D>& model) {
+  lua_newtable(L);
+  int count = 0;
+  for (const Message& warning : model::state_warnings(model)) {
+    lua_createtable(L, 0, 2);
+    push(L, subject(warning));
+    lua_setfield(L, -2, "subject");
+    push(L, worded(warning));
+    lua_setfield(L, -2, "text");
+    lua_rawseti(L, -2, ++count);
+  }
+  return 1;
+}
+
+/// core.state_warnings(model): the warnings about its accepted state as a list of { subject, text }; those of two
+/// states with the same subject differ in figures only.
+int state_warnings(lua_State* L) {
+  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_state_warnings(L, **plane);
+  if (const auto* space = test_object<Model<3>>(L, 1)) return push_state_warnings(L, **space);
+  return 0;
+}
+
+constexpr Function model_core[] = {
+    {"contact_problem", wrap<contact_problem>}, {"contact_warnings", wrap<contact_warnings>}, {"rounding", rounding},
+    {"smallest_body", smallest_body},           {"state_warnings", state_warnings},           {"weak_hold", weak_hold}};
 
 template <int D> constexpr Function snapshot_entries[] = {{"__tostring", call<snapshot_text<D>>}};
 

@@ -5,7 +5,7 @@
 #include "base/orthonormal.hpp"
 #include "model/constants.hpp"
 #include "model/rigid_motions.hpp"
-#include "model/scene_warnings.hpp"
+#include "model/checks/scene_warnings.hpp"
 #include "model/turning.hpp"
 #include "model/weak_directions.hpp"
 

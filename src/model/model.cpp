@@ -3,12 +3,12 @@
 #include "base/error.hpp"
 #include "base/timer.hpp"
 #include "model/changed_contact.hpp"
-#include "model/clearance.hpp"
+#include "model/checks/clearance.hpp"
 #include "model/constants.hpp"
 #include "model/equilibrium.hpp"
 #include "model/first_guess.hpp"
-#include "model/idle_actions.hpp"
-#include "model/scene_warnings.hpp"
+#include "model/checks/idle_actions.hpp"
+#include "model/checks/scene_warnings.hpp"
 #include "model/ties.hpp"
 
 #include <algorithm>

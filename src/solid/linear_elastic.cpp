@@ -1,4 +1,5 @@
 #include "solid/linear_elastic.hpp"
+#include "base/index.hpp"
 
 #include "solid/neo_hookean.hpp"
 

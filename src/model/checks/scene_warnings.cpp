@@ -1,4 +1,4 @@
-#include "model/scene_warnings.hpp"
+#include "model/checks/scene_warnings.hpp"
 
 #include "base/error.hpp"
 #include "base/index.hpp"

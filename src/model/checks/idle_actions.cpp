@@ -1,4 +1,4 @@
-#include "model/idle_actions.hpp"
+#include "model/checks/idle_actions.hpp"
 
 #include "base/index.hpp"
 #include "model/turning.hpp"

@@ -1,4 +1,4 @@
-#include "model/clearance.hpp"
+#include "model/checks/clearance.hpp"
 
 #include "base/error.hpp"
 #include "base/index.hpp"

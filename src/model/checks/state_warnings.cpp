@@ -1,0 +1,14 @@
+#include "model/checks/state_warnings.hpp"
+
+namespace signorini::model {
+
+template <int D> std::vector<Message> state_warnings(Model<D>& model) {
+  std::vector<Message> warnings;
+  if (!settled(model)) return warnings;
+  return warnings;
+}
+
+template std::vector<Message> state_warnings(Model<2>&);
+template std::vector<Message> state_warnings(Model<3>&);
+
+} // namespace signorini::model
