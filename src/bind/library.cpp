@@ -16,6 +16,8 @@
 #include "solve/mumps.hpp"
 #include "terminal/screen.hpp"
 #include "view/camera.hpp"
+#include "view/chart.hpp"
+#include "view/colorbar.hpp"
 #include "view/picture.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "terminal/screen.hpp"
 
+#include "base/error.hpp"
 #include "bind/open.hpp"
 #include "bind/picture.hpp"
 

@@ -254,14 +254,16 @@ Points worth_showing(const Outline& outline, const Bounds& box) {
   if (line.cols() < 2) return {};
   if (!outline.endless) {
     const Vec<3> extent = line.rowwise().maxCoeff() - line.rowwise().minCoeff();
-    return extent.maxCoeff() <= size.maxCoeff() ? line : Points();
+    if (extent.maxCoeff() <= size.maxCoeff()) return line;
+    return {};
   }
   // Closest-point projection of the center of the box onto the straight line through the ends
   const Vec<2> start = line.col(0).head<2>(), along = (line.col(line.cols() - 1).head<2>() - start).normalized();
   Points foot = Points::Zero(3, 1);
   foot.col(0).head<2>() = start + along.dot(center - start) * along;
   const Vec<2> away = (foot.col(0).head<2>() - center).cwiseAbs() - 0.5 * size;
-  return away.maxCoeff() <= 0.5 * size.maxCoeff() ? foot : Points();
+  if (away.maxCoeff() <= 0.5 * size.maxCoeff()) return foot;
+  return {};
 }
 
 std::optional<Rigid> mirrored(const Rigid& rigid, int axis) {
