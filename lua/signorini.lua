@@ -82,19 +82,12 @@ methods.guard("files", "draw report")
 methods.guard("data", "by column")
 methods.offer(sg, "sg")
 
--- A misspelled name is an error, not nil; print(sg) lists the names.
-local language = require "signorini.show.language"
-local sorted_names = require("signorini.lists").sorted_names
-local function strict(entries, path)
-  setmetatable(entries, { __index = function(_, key)
-    core.fail(("there is no %s.%s%s"):format(path, tostring(key),
-      require "signorini.meant"(tostring(key), sorted_names(entries))))
-  end, __tostring = function() return language.of_table(entries, path) end })
-end
+-- Their names cannot be misspelled or overwritten; print(sg) lists them.
+local sealed, text = require "signorini.sealed", require("signorini.show.language").of_table
 for _, name in ipairs { "shapes", "nurbs", "rigid", "csv", "json", "scenes" } do
-  strict(sg[name], "sg." .. name)
+  sealed.seal(sg[name], "sg." .. name, text)
 end
-strict(sg, "sg")
+sealed.seal(sg, "sg", text)
 
 print = core.offered(require "signorini.print")
 require "signorini.prompt" -- has a help page too

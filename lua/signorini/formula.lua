@@ -4,6 +4,7 @@ local core = require "signorini.core"
 local check = require "signorini.check"
 local counted = require "signorini.counted"
 local lists = require "signorini.lists"
+local sealed = require "signorini.sealed"
 
 local formula = {}
 
@@ -11,7 +12,7 @@ local formula = {}
 local function cure(message)
   local name = message:match "'(%w+)' %(number expected, got symbol%)"
   if not name then return "" end
-  if not rawget(core.sg, name) then return ". Hint: help 'formulas' lists the functions of symbols" end
+  if not rawget(sealed.entries(core.sg), name) then return ". Hint: help 'formulas' lists the functions of symbols" end
   return (". Hint: use sg.%s, which accepts symbols"):format(name)
 end
 

@@ -5,6 +5,7 @@ local core = require "signorini.core"
 local cut = require "signorini.cut"
 local pages = require "signorini.pages"
 local scripts = require "signorini.help.scripts"
+local sealed = require "signorini.sealed"
 local show = require "signorini.show"
 local lists = require "signorini.lists"
 local meant = require "signorini.meant"
@@ -47,7 +48,7 @@ end
 local function table_page(value)
   local names = {}
   local function collect(entries, depth)
-    for _, entry in next, entries do
+    for _, entry in next, sealed.entries(entries) do
       local name = core.names[entry]
       if name then names[name] = true elseif type(entry) == "table" and depth < 2 then collect(entry, depth + 1) end
     end
@@ -222,7 +223,7 @@ end
 --- Whether a value is a function of the library, or a table of them such as sg.shapes.
 local function is_of_library(value)
   if value == core.sg or core.names[value] then return true end
-  for _, entry in next, core.sg do
+  for _, entry in next, sealed.entries(core.sg) do
     if entry == value then return true end
   end
   return false

@@ -334,12 +334,12 @@ local function take(step, run, options)
   end
 end
 
---- Ends a run and prints its warnings except those in `said`. `early`: warnings about the path.
-local function close(run, model, display, said, early, record)
+--- Ends a run and prints its warnings except those of sg.model. `early`: warnings about the path.
+local function close(run, model, display, early, record)
   run:finish(model, early)
   if record then record:finish(run) end
   for _, warning in ipairs(run.warnings) do
-    if not said[warning] then display:line(warning) end
+    if not lists.holds(model:warnings(), warning) then display:line(warning) end
   end
   return run
 end
@@ -349,8 +349,7 @@ return function(model, stages, options)
   local path, total = read_stages(model, stages, options)
   options = read_options(model, options, path, total)
   local policy, checkpoints = options.policy, options.checkpoints
-  local said, early = {}, run_warnings.of_path(model, path, options.solver)
-  for _, warning in ipairs(model:warnings()) do said[warning] = true end
+  local early = run_warnings.of_path(model, path, options.solver)
   local run = Run.new(model, path)
   local place = checkpoints:begin(model, run, path, policy)
   run.used = { predictor = options.predictor, fallback = options.fallback, adaptive = options.step.adaptive,
@@ -388,7 +387,7 @@ return function(model, stages, options)
         display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, number, stage.steps))
         if options.states.last then run:store_state(model, stage.name) end
         run_warnings.note_state(run, model, stage)
-        return close(run, model, display, said, early, record)
+        return close(run, model, display, early, record)
       end
     end
     place.number = 0
@@ -397,5 +396,5 @@ return function(model, stages, options)
   end
   display:clear()
   if options.states.last then run:store_state(model, path[#path].name) end
-  return close(run, model, display, said, early, record)
+  return close(run, model, display, early, record)
 end

@@ -2,6 +2,7 @@
 
 local check = require "signorini.check"
 local core = require "signorini.core"
+local counted = require "signorini.counted"
 local csv = require "signorini.csv"
 local drives = require "signorini.drives"
 local energy_balance = require "signorini.energy_balance"
@@ -355,6 +356,16 @@ local function work_row(name, work, cutbacks)
   return row
 end
 
+--- A line on the attempts that were not accepted and their part of the iterations, if there were any.
+local function failed_attempts(run)
+  local failed = lists.filter(lists.flat(run.histories), function(attempt) return not attempt.converged end)
+  if #failed == 0 then return {} end
+  local spent = 0
+  for _, attempt in ipairs(failed) do spent = spent + attempt.iterations end
+  return { ("%s took %d of the %s"):format(counted(#failed, "failed attempt"), spent,
+    counted(run.iterations, "iteration")) }
+end
+
 --- A short table: steps, iterations and wall time by stage, and shares of the time; cut-backs if there were any.
 function Run:__tostring()
   local columns, cutbacks = { "stage", "steps", "iterations", "per step", "wall" }, self.cutbacks > 0
@@ -366,7 +377,9 @@ function Run:__tostring()
   local spent = self.timings
   text = ("%s\ntime: bulk %.3f s, contact %.3f s, factorization and solve %.3f s, rest %.3f s")
     :format(text, spent.bulk, spent.contact, spent.linear, spent.rest)
-  for _, line in ipairs(lists.joined(path_controls.lines(self), self.warnings)) do text = text .. "\n" .. line end
+  for _, line in ipairs(lists.joined(failed_attempts(self), path_controls.lines(self), self.warnings)) do
+    text = text .. "\n" .. line
+  end
   if self.reason == "completed" then return text end
   return ("%s\n%s: %s"):format(text, self.reason, self.failure or "on_step ended the run")
 end

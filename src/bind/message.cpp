@@ -158,7 +158,8 @@ std::string with_article(const std::string& noun) {
 
 std::string nearest(const std::string& word, const std::vector<std::string>& words) {
   std::string best;
-  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  constexpr std::size_t most_edits = 2; // three letters turn wear into near, pretension into retention
+  std::size_t least = std::clamp<std::size_t>(word.size() / 3, 1, most_edits) + 1;
   for (const auto& candidate : words)
     if (const auto d = distance(word, candidate); d < least && d < candidate.size()) {
       least = d;

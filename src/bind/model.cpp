@@ -211,7 +211,8 @@ template <int D> int push_state_warnings(lua_State* L, model::Model<D>& model) {
 int state_warnings(lua_State* L) {
   if (const auto* plane = test_object<Model<2>>(L, 1)) return push_state_warnings(L, **plane);
   if (const auto* space = test_object<Model<3>>(L, 1)) return push_state_warnings(L, **space);
-  return 0;
+  lua_newtable(L);
+  return 1;
 }
 
 constexpr Function model_core[] = {

@@ -94,8 +94,9 @@ inline constexpr double dependent_modes = 1e-8;
 
 // ── Diagnosis ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// Limit of places in a diagnosis.
+/// Limit of places in a diagnosis, and the least share of a control point in a vector that it names.
 inline constexpr std::size_t most_places = 5;
+inline constexpr double least_share = 1e-6;
 /// A direction belongs to a body with more than the first fraction of its norm, and is a rigid-body mode if the
 /// fraction that deforms the body is below the second.
 inline constexpr double own_part = 0.5, deformed_part = 0.01;

@@ -3,9 +3,9 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "base/orthonormal.hpp"
+#include "model/checks/scene_warnings.hpp"
 #include "model/constants.hpp"
 #include "model/rigid_motions.hpp"
-#include "model/checks/scene_warnings.hpp"
 #include "model/turning.hpp"
 #include "model/weak_directions.hpp"
 
@@ -37,7 +37,8 @@ template <int D> FailurePlace control_point(const Model<D>& model, int body, int
           {}};
 }
 
-/// The three control points with the largest shares of a vector of unknowns, and these shares.
+/// The control points with the largest shares of a vector of unknowns, at most three, and these shares. Where an
+/// obstacle's motion or a multiplier has nearly all of it, what is left are rounding errors.
 template <int D, class What>
 std::vector<FailurePlace> largest(const Model<D>& model, const VectorX& values, What what) {
   struct Share {
@@ -53,7 +54,7 @@ std::vector<FailurePlace> largest(const Model<D>& model, const VectorX& values, 
   std::partial_sort(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(count), shares.end(),
                     [](const Share& a, const Share& b) { return a.size > b.size; });
   std::vector<FailurePlace> spots;
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < count && shares[k].size > least_share * values.norm(); ++k) {
     FailurePlace spot = control_point(model, shares[k].body, shares[k].function);
     spot.value = shares[k].size;
     spot.what = what(spot.value);
@@ -178,11 +179,12 @@ template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model,
   diagnosis.places = largest(model, weak.direction, [](double part) {
     return Message("model.place.direction", {{"part", part}});
   });
-  const FailurePlace& first = diagnosis.places.front();
   Message rigid = rigid_part(model, weak.direction);
-  if (rigid.code.empty())
+  if (rigid.code.empty() && !diagnosis.places.empty()) {
+    const FailurePlace& first = diagnosis.places.front();
     rigid = Message("model.diagnosis.moves_most",
                     {{"point", first.index}, {"body", first.where}, {"place", first.reference}});
+  }
   diagnosis.messages.push_back(std::move(rigid));
 }
 

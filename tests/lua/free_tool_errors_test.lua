@@ -42,6 +42,13 @@ check.case("loads on obstacles that do not follow them", function()
           "moment", "number")
 end)
 
+check.case("a tool that a force pulls away: no control point of the body is among the worst places", function()
+  local pulled = model({ t = { on = disc, free = "y" } }, { w = { on = disc, force = { 0, 0.1 } } })
+  local run = pulled:run { { steps = 1 } }
+  check.holds(run.failure, "nothing holds the y of the obstacle that supports.t frees")
+  check.equal({ #run.places, run.failure:find "Worst places" }, { 0, nil })
+end)
+
 check.case("components that are free and held", function()
   refused({ t = { on = disc, drive = "y", free = "y" } }, nil, nil, "frees y", "drives")
   refused({ t = { on = disc, free = "y" }, u = { on = disc, drive = "y" } }, nil, nil, "y", "drives", "frees")

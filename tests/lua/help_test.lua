@@ -203,7 +203,8 @@ check.case("terms of other programs lead to pages, none of which has the term as
   check.equal(count > 100, true)
   for _, term in ipairs { "dirichlet", "neumann", "gravity", "tied", "hyperelasticity", "rubber", "plot", "export",
     "output", "python", "restart", "plane stress", "mortar", "convergence", "progress", "verbose",
-    "boundary condition" } do
+    "boundary condition", "pressure load", "pretension", "delamination", "wear", "mesh import", "load curve",
+    "history output", "incompressible", "plastic" } do
     if not seen[term] then error("help has no answer to " .. term) end
   end
   local output = check.program({}, 'help "Boundary-Conditions"\nhelp "body force"\nhelp "mortar"\n?restart\n')

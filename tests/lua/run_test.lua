@@ -220,6 +220,7 @@ check.case("a failed step is halved; rows are the steps, work is all attempts", 
   check.equal(run.iterations, 3 + 62 + 12 + 12)
   check.equal(model.accepted, { 4, 0 }) -- met exactly
   check.holds(tostring(run), "cut-backs", "climb      4          2          89")
+  check.holds(tostring(run), "2 failed attempts took 50 of the 89 iterations")
   local attempts = run:attempts(2)
   check.equal({ #attempts, attempts[1].from, attempts[1].to, attempts[1].converged, attempts[1].reason,
                 attempts[1].iterations, attempts[3].to }, { 6, 0, 1, false, "diverged", 25, 0.25 })

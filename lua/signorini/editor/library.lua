@@ -9,6 +9,7 @@ local names = require "signorini.help.names"
 local page_text = require "signorini.help.page_text"
 local pages = require "signorini.pages"
 local prose = require "signorini.editor.prose"
+local sealed = require "signorini.sealed"
 
 local function add(lines, ...)
   for _, line in ipairs { ... } do lines[#lines + 1] = line end
@@ -194,7 +195,7 @@ return function()
   local files, made, globals = {}, {}, { prompt:format(note) }
   for _, group in ipairs(pages.groups()) do files[group.word .. ".lua"] = subject(group, made) end
   local fields = {}
-  for _, name in ipairs(lists.sorted_names(core.sg)) do
+  for _, name in ipairs(lists.sorted_names(sealed.entries(core.sg))) do
     if type(core.sg[name]) == "table" then fields[#fields + 1] = ("---@field %s sg.%s"):format(name, name) end
   end
   files["signorini.lua"] = module:format(note, table.concat(fields, "\n"))

@@ -12,8 +12,9 @@ return {
   { "gravity, body force, weight, self weight, volume force, body load",
     "`force` of a load acts on bodies per reference volume, as in { on = slab, force = {0, -9.81e-3} }.",
     "load" },
-  { "follower load, follower, live load, fluid pressure",
-    "`follower = true` of a pressure lets it act along the current normal, per current area. Other loads are dead.",
+  { "follower load, follower, live load, fluid pressure, pressure load, pressure, hydrostatic pressure, inflation",
+    "`pressure` of a load acts on faces: along the reference normal, or with `follower = true` along the current one, "
+      .. "per current area. Other loads are dead.",
     "load" },
   { "point load, concentrated force, nodal force",
     "`force` of a load acts on corners, in 3D also on edges per length, as in { on = slab:corner \"north-east\", "
@@ -27,6 +28,10 @@ return {
   { "multi point constraint, mpc, rigid coupling, kinematic coupling, remote displacement",
     "A support with `rotate` couples a face as a rigid body; other multi-point constraints are not available.",
     "support" },
+  { "pretension, bolt, bolt pretension, preload, pre tension",
+    "A pretension is a load or a driven displacement of a first stage, which later stages keep: list it in that stage "
+      .. "only. Bolts have no element of their own; an interference of a head is an `offset` of a contact.",
+    "stage", "load", "contact" },
   { "initial condition, prestress, residual stress, thermal, temperature",
     "Initial stresses and temperatures are not available. Models start from the stress-free reference shape.",
     "sg.model" },
@@ -47,7 +52,15 @@ return {
       .. "in which it is active; `offset` is a shim or a clearance, which stages change.", "contact", "stage" },
   { "model change, contact pair removal, birth and death, switch off contact, change friction, friction onset",
     "The key `contacts` of a stage changes friction, penalty, offset and `active` of contacts.", "stage", "contact" },
-  { "self contact", "Self-contact is not available. A contact is between the faces of two bodies, or with an obstacle.",
+  { "delamination, cohesive, cohesive zone, cohesive element, czm, fracture, crack, adhesive joint",
+    "Bonds between faces break by a cohesive law with the key `cohesive` of a contact; van der Waals forces act with "
+      .. "`adhesion`. Cracks within a body are not available: make it of two bodies with a bonded contact.",
+    "contact" },
+  { "wear, archard, abrasion",
+    "Wear is not available. The key `offset` of a contact, which stages change, sets a depth that is known.", "contact",
+    "stage" },
+  { "self contact, general contact, contact pair",
+    "Self-contact is not available. A contact is between the faces of two bodies, or with an obstacle.",
     "contact" },
   { "rigid body, rigid wall, analytical rigid surface, indenter, tool", "Rigid bodies are obstacles, the master of a "
     .. "contact.", "obstacle", "sg.rigid.plane", "sg.rigid.cylinder", "sg.rigid.sphere", "sg.rigid.surface" },
@@ -58,8 +71,12 @@ return {
   { "strain energy, energy function, fiber reinforced, anisotropic, orthotropic, user material, umat",
     "A function of the invariants or of the principal stretches defines an elastic law; `fibers` are its directions.",
     "sg.hyperelastic" },
-  { "incompressible, plasticity, plastic, viscoelastic, viscoelasticity, damage, steel",
-    "Materials are elastic, and nu must be below 0.5.", "sg.hyperelastic", "sg.linear_elastic" },
+  { "incompressible, nearly incompressible, incompressibility, hybrid element, volumetric locking",
+    "nu must be below 0.5; close to it, volumetric = \"projected\" of sg.body avoids locking, as share/doc/locking.md "
+      .. "shows.", "sg.body", "sg.neo_hookean" },
+  { "plasticity, plastic, yield, yield stress, viscoelastic, viscoelasticity, creep, damage, steel",
+    "Materials are elastic: plasticity, viscosity and damage are not available. Steel below its yield stress is "
+      .. "sg.linear_elastic at small rotations.", "sg.linear_elastic", "sg.hyperelastic" },
   { "plane stress, thin plate", "The key `kind` of sg.model chooses plane stress, for all bodies of a model.",
     "sg.model" },
   { "shell, beam, membrane, truss, plate", "Structural elements are not available. Bodies are plane, axisymmetric or "
@@ -67,7 +84,7 @@ return {
   { "mesh, meshing, node, element size, mesh refinement",
     "The mesh of a body is the knot spans of its NURBS patch: `elements`, `grading` and `order` of sg.body.", "sg.body",
     "patch:refine" },
-  { "cad, step file, iges, abaqus, stl, gmsh, import",
+  { "cad, step file, iges, abaqus, stl, gmsh, import, mesh import, import mesh, inp file, orphan mesh",
     "Geometry is read from NURBS files of G+Smo, GeoPDEs and MFEM; other CAD and mesh files are not supported.",
     "sg.nurbs.read" },
   -- Solution
@@ -83,8 +100,9 @@ return {
     "sg.study" },
   { "riks, arc length, snap through, snap back, limit point, continuation",
     "`arc_length = true` of model:run follows the path where steps fail.", "model:run", "model:solve_arc" },
-  { "load step, time step, increment, time, amplitude, step size",
-    "Stages divide the load path into steps; the option `step` of model:run controls increments.", "stage",
+  { "load step, time step, increment, time, amplitude, step size, load curve, load history, tabular amplitude",
+    "Targets of a stage are numbers, reached in equal steps, or functions of the fraction of the stage. Stages divide "
+      .. "the load path into steps; the option `step` of model:run controls increments.", "stage",
     "model:run" },
   { "restart, resume, checkpoint, load state",
     "`checkpoint` and `resume = true` of model:run continue a run; model:save and sg.load write and read a model.",
@@ -108,6 +126,9 @@ return {
   { "html page, web page, run report, dashboard, share results",
     "A report is one HTML page with charts, tables, failures and the script.", "study:report", "run:report",
     "map:report" },
+  { "history output, history variable, field output, time history, output request",
+    "Every run has columns with one value per step: forces, motions, contact areas and pressures; on_step adds own "
+      .. "ones. `states` of model:run stores states for pictures.", "run:column", "run:csv", "model:run" },
   { "reaction force, contact force, contact pressure, contact stress", "Forces and pressures are results of the model, "
     .. "and columns of a run.", "model:reaction", "model:contact_resultant", "model:profile", "run:column" },
   { "python, numpy, matlab, julia, api",

@@ -4,6 +4,7 @@
 local core = require "signorini.core"
 local pages = require "signorini.pages"
 local lists = require "signorini.lists"
+local sealed = require "signorini.sealed"
 local wrapped = require "signorini.show.wrapped"
 
 local width = 100 -- characters of a line
@@ -34,7 +35,8 @@ function language.of_table(entries, name)
   for _, key in ipairs(lists.sorted_names(entries)) do
     if type(entries[key]) == "function" then functions[#functions + 1] = key end
     if type(entries[key]) == "table" then
-      lines[#lines + 1] = ("  %s:\n%s"):format(key, language.row(lists.sorted_names(entries[key]), "    "))
+      local names = lists.sorted_names(sealed.entries(entries[key]))
+      lines[#lines + 1] = ("  %s:\n%s"):format(key, language.row(names, "    "))
     end
   end
   table.insert(lines, 1, ("%s: see help(%s)"):format(name, name))
