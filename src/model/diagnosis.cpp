@@ -7,6 +7,7 @@
 #include "model/constants.hpp"
 #include "model/rigid_motions.hpp"
 #include "model/turning.hpp"
+#include "model/unheld_motions.hpp"
 #include "model/weak_directions.hpp"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ std::vector<FailurePlace> largest(const Model<D>& model, const VectorX& values, 
   std::partial_sort(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(count), shares.end(),
                     [](const Share& a, const Share& b) { return a.size > b.size; });
   std::vector<FailurePlace> spots;
-  for (std::size_t k = 0; k < count && shares[k].size > least_share * values.norm(); ++k) {
+  for (std::size_t k = 0; k < count && shares[k].size > least_share * values.lpNorm<Eigen::Infinity>(); ++k) {
     FailurePlace spot = control_point(model, shares[k].body, shares[k].function);
     spot.value = shares[k].size;
     spot.what = what(spot.value);
@@ -161,6 +162,7 @@ template <int D> Message rigid_part(const Model<D>& model, const VectorX& direct
     // An axisymmetric body translates as a rigid one along its axis alone.
     const bool radial =
         model.system.scene.kind == solid::Kind::axisymmetric && std::abs(mean(0)) > deformed_part * mean.norm();
+    if (Message several = unheld_motions(model, static_cast<int>(b)); !several.code.empty()) return several;
     if (!radial && (own.colwise() - mean).norm() <= deformed_part * own.norm())
       return Message("model.diagnosis.moves", {{"body", named.name}, {"direction", Vec<D>(mean / mean.norm())}});
     // least-squares residual of u = Σ_m a_m m with the rigid-body modes m

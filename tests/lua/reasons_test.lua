@@ -215,7 +215,20 @@ check.case("singular: a fine block on a plane without friction, factored in sing
     contacts = { floor = { slave = block:face "front", master = plane, penalty = 100, points = 3 } } }
   local run = model:run({ { steps = 1, top = { -0.01 } } }, sg.plain{ linear = "reuse" })
   check.equal(run.reason, "singular")
-  check.holds(run.failure, "rigid-body translation of body 'block' along (")
+  check.holds(run.failure, "nothing holds body 'block' against translations along x and y")
+end)
+
+check.case("singular: all motions of a body that nothing holds", function()
+  local block = sg.body{ patch = sg.shapes.block{ size = { 1, 1, 1 } }, elements = { 1, 1, 1 }, order = "N2",
+                         material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local floor = sg.rigid.plane{ point = { 0, 0, 0 }, normal = { 0, 0, 1 } }
+  local lid = sg.rigid.plane{ point = { 0, 0, 1 }, normal = { 0, 0, -1 } }
+  local model = sg.model{ bodies = { block = block }, supports = { press = { on = lid, drive = "z" } },
+    contacts = { below = { slave = block:face "front", master = floor, penalty = 50 },
+                 above = { slave = block:face "back", master = lid, penalty = 50 } } }
+  local run = model:run({ { steps = 1, press = { -0.1 } } }, sg.plain{})
+  check.equal(run.reason, "singular")
+  check.holds(run.failure, "nothing holds body 'block' against translation along x and y and rotation about z")
 end)
 
 check.case("singular: a ring too wide for any hoop stress; a radial motion is not a rigid one", function()
