@@ -59,8 +59,9 @@ function jumps.note(record, model, step, length)
   if #steps > 2 * neighbors then table.remove(steps, 1) end
 end
 
---- A sentence on the steps that were found. `arc_length`: it is on, but is used only where a step fails.
-function jumps.warning(record, arc_length)
+--- A sentence on the steps that were found. `arc_length`: it is on, but is used only where a step fails; `options`:
+--- those that follow the path.
+function jumps.warning(record, arc_length, options)
   local found = record.found
   if #found == 0 then return nil end
   local most = lists.least(found, function(entry) return -entry.part end)
@@ -74,7 +75,7 @@ function jumps.warning(record, arc_length)
   return ("step %d has probably jumped to another branch of solutions: its displacements are %.2g times those of "
     .. "neighboring steps, and %.2g %% of its work was released%s. Hint: %s"):format(most.step, most.times,
     100 * most.part, rest, arc_length and "arc length is used only where a step fails; take shorter steps"
-      or "follow the path with arc_length = true")
+      or "follow the path with " .. options)
 end
 
 return jumps

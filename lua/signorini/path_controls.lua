@@ -23,6 +23,12 @@ function path_controls.counts(histories)
   return counts
 end
 
+--- The options that follow the path of a run by arc length: a step that needed damping, because contact did not hold a
+--- body yet, needs it there too.
+function path_controls.arc_options(histories)
+  return path_controls.counts(histories).damping and "arc_length = true, damping = true" or "arc_length = true"
+end
+
 --- Whether a shorter attempt from the same state had failed before: then the rest of the step was solved at once, as
 --- the last resort.
 local function is_leap(attempts, index)
@@ -63,7 +69,8 @@ function path_controls.warning(run)
   if #found == 0 then return nil end
   local texts = lists.map(found, function(one) return ("%s in step %d"):format(one.how, one.step) end)
   return ("fallbacks that may change to another branch of solutions were needed (%s). Hint: compare with more steps, "
-    .. "or follow the path with arc_length = true"):format(in_short(texts, 4, ", ", "run:attempts(step)"))
+    .. "or follow the path with %s"):format(in_short(texts, 4, ", ", "run:attempts(step)"),
+      path_controls.arc_options(run.histories))
 end
 
 --- Controls that differ from the defaults, fallbacks and cuts, in one line; nil if there are none.

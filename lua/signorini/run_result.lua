@@ -270,7 +270,8 @@ function Run:record_failure(step, result, turn)
       joined(result.residuals, "%.3g"), place)
   if turn then
     self.failure = ("%s The path has a turning point at %s; prescribed targets can pass it only by a jump to another "
-      .. "branch. Hint: model:run(stages, { arc_length = true }) follows the path"):format(self.failure, turn) .. "."
+      .. "branch. Hint: model:run(stages, { %s }) follows the path."):format(self.failure, turn,
+      path_controls.arc_options(self.histories))
   elseif diagnosis.cure ~= "" then
     self.failure = ("%s Hint: %s."):format(self.failure, diagnosis.cure)
   end

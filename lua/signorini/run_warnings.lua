@@ -255,7 +255,8 @@ function run_warnings.of_run(run, model, early)
   texts[#texts + 1] = path_controls.warning(run)
   texts[#texts + 1] = unstable(run)
   texts[#texts + 1] = unstable_law(run)
-  texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length)
+  texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length,
+    path_controls.arc_options(run.histories))
   texts[#texts + 1] = energy_balance.warning(run, run.energies)
   return texts
 end

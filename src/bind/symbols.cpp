@@ -43,7 +43,8 @@ int negative(lua_State* L) {
 int refuse_comparison(lua_State*) {
   throw ArgumentError(
       "a symbol has no value that could be compared: the function is called once, with symbols, to read "
-      "its formula, which must hold everywhere. Hint: write one formula without if, and, or");
+      "its formula, which must hold everywhere. Hint: write one formula without if, and, or; the "
+      "greater one of a and b, with a corner of radius about r, is (a + b + sg.sqrt((a - b)^2 + r^2))/2");
 }
 
 std::string symbol_text(const Symbol& symbol) {

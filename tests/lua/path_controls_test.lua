@@ -3,6 +3,7 @@
 
 local sg = require "signorini"
 local check = require "check"
+local path_controls = require "signorini.path_controls"
 local ironing = require "ironing"
 local spring = require "spring"
 local run_path = require "spring_run"
@@ -171,6 +172,14 @@ check.case("plain Newton passes the reversals of a die that is dragged back and 
   end
   local run = model:run(stages, sg.plain{})
   check.equal({ run.failed, run.reason, run.steps, #run.warnings }, { false, "completed", 1620, 0 })
+end)
+
+check.case("steps that needed damping need it by arc length, too", function()
+  local function options(fallback)
+    return path_controls.arc_options { { { converged = false }, { converged = true, fallback = fallback } } }
+  end
+  check.equal({ options "damping", options "line search", options() },
+    { "arc_length = true, damping = true", "arc_length = true", "arc_length = true" })
 end)
 
 check.done()
