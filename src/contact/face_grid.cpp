@@ -68,7 +68,8 @@ public:
   Grid(const std::vector<FacePart>& parts, const Message& list)
       : parts_(parts), list_(list), dimensions_(parts.front().row.parametric_dimension()), placed_(parts.size()) {
     place(0, nurbs::orientations(dimensions_).front(), {0, 0});
-    // In order of placement each part takes its neighbors; so a ring continues at the end of its first part.
+    // In order of placement each part takes its neighbors, behind its end first; so a ring of n parts is cut behind
+    // the (n/2 + 1)-th, n/2 rounded down.
     for (std::size_t i = 0; i < order_.size(); ++i)
       for (std::size_t d = 0; d < at(dimensions_); ++d)
         for (const bool at_end : {true, false}) take_neighbor(order_[i], d, at_end);

@@ -32,37 +32,45 @@ template <int D>
 MultiplierFunctions<D>::MultiplierFunctions(const Surface<D>& slave, const ContactPoints<D>& points, int per_direction,
                                             MultiplierSpace kind)
     : numbers_(at(slave.elements())) {
-  std::vector<nurbs::Space1D> spaces;
-  for (int d = 0; d < D - 1; ++d) spaces.push_back(multiplier_space(slave.direction(d), kind));
-  const nurbs::Space1D &u = spaces.front(), &v = spaces.back();
-  const int count = D == 2 ? u.functions() : u.functions() * v.functions();
-  supports_.resize(at(count));
-  largest_.assign(at(count), -1);
-  std::vector<double> most(at(count), 0.0);
+  const FaceMultipliers<D> face(slave, kind);
+  const nurbs::Space1D& u = face.along.front();
+  supports_.resize(at(face.count));
+  largest_.assign(at(face.count), -1);
+  std::vector<double> most(at(face.count), 0.0);
   std::size_t i = 0;
   for (int e = 0; e < slave.elements(); ++e) {
     nurbs::ElementFunctions functions;
     std::array<MatrixX, 2> along{MatrixX::Ones(1, per_direction), MatrixX::Ones(1, per_direction)};
     for (std::size_t d = 0; d < D - 1; ++d) {
       const int own = d == 0 ? e % u.elements() : e / u.elements();
-      functions.along[d] = spaces[d].functions_on(own);
+      functions.along[d] = face.along[d].functions_on(own);
       functions.stride[d] = d == 0 ? 1 : u.functions();
-      along[d] = values_on(spaces[d], own, per_direction);
+      along[d] = values_on(face.along[d], own, per_direction);
     }
-    functions.each([&](int multiplier, const std::array<int, 3>&) {
-      numbers_[at(e)].push_back(multiplier);
+    std::vector<int>& numbers = numbers_[at(e)];
+    std::vector<std::size_t> place; // of each product's function among the element's
+    functions.each([&](int product, const std::array<int, 3>&) {
+      const int multiplier = face.number[at(product)];
+      const auto found = std::find(numbers.begin(), numbers.end(), multiplier);
+      place.push_back(static_cast<std::size_t>(found - numbers.begin()));
+      if (found != numbers.end()) return;
+      numbers.push_back(multiplier);
       supports_[at(multiplier)].push_back(e);
     });
     for (; i < points.size() && points.list[i].element == e; ++i) {
       const int q = points.list[i].number;
       offsets_.push_back(values_.size());
-      functions.each([&](int multiplier, const std::array<int, 3>& a) {
-        const double value = along[0](a[0], q % per_direction) * along[1](a[1], q / per_direction);
-        values_.push_back(value);
-        if (value <= most[at(multiplier)]) return;
-        most[at(multiplier)] = value;
-        largest_[at(multiplier)] = static_cast<int>(i);
+      values_.resize(values_.size() + numbers.size(), 0.0);
+      double* const values = values_.data() + offsets_.back();
+      const std::size_t* own = place.data();
+      functions.each([&](int, const std::array<int, 3>& a) {
+        values[*own++] += along[0](a[0], q % per_direction) * along[1](a[1], q / per_direction);
       });
+      for (std::size_t k = 0; k < numbers.size(); ++k) {
+        if (values[k] <= most[at(numbers[k])]) continue;
+        most[at(numbers[k])] = values[k];
+        largest_[at(numbers[k])] = static_cast<int>(i);
+      }
     }
   }
   make_groups(slave);

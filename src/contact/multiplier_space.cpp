@@ -4,6 +4,7 @@
 #include "nurbs/multi_degree.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace signorini::contact {
@@ -23,5 +24,22 @@ nurbs::Space1D multiplier_space(const nurbs::Space1D& trace, MultiplierSpace kin
   for (const int k : trace.smoothness()) smoothness.push_back(std::max(k - 2, -1));
   return nurbs::multi_degree_space(trace.breaks(), degrees, std::move(smoothness));
 }
+
+template <int D> FaceMultipliers<D>::FaceMultipliers(const Surface<D>& slave, MultiplierSpace kind) {
+  int products = 1;
+  for (int d = 0; d < D - 1; ++d) {
+    along.push_back(multiplier_space(slave.direction(d), kind));
+    products *= along.back().functions();
+  }
+  std::map<int, int> numbers; // of functions, in the order of their first products
+  for (int i = 0; i < products; ++i)
+    number.push_back(
+        numbers.emplace(kind == MultiplierSpace::equal ? slave.shared(i) : i, static_cast<int>(numbers.size()))
+            .first->second);
+  count = static_cast<int>(numbers.size());
+}
+
+template struct FaceMultipliers<2>;
+template struct FaceMultipliers<3>;
 
 } // namespace signorini::contact

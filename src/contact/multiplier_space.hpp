@@ -1,7 +1,7 @@
 #pragma once
-// Function spaces of the multipliers of mortar contact along one direction of the slave face.
+// Function spaces of the multipliers of mortar contact and ties on the slave face.
 
-#include "nurbs/space1d.hpp"
+#include "contact/surface.hpp"
 
 namespace signorini::contact {
 
@@ -14,5 +14,17 @@ enum class MultiplierSpace { equal, reduced };
 /// own degree less two and are discontinuous where the trace is at most C¹. Throws Error for `reduced` if an element
 /// has a degree below 2.
 nurbs::Space1D multiplier_space(const nurbs::Space1D& trace, MultiplierSpace kind);
+
+/// The multipliers' functions on a face: the products of those along its directions. Where the face closes on itself or
+/// shrinks to a pole, control points share unknowns and the trace is a space of sums of products; `equal` has the same
+/// sums. Separate functions there would be more conditions than the displacements can satisfy. `reduced` has no
+/// function that needs a neighbor across a seam, where the trace is C⁰: its products are its functions.
+template <int D> struct FaceMultipliers {
+  FaceMultipliers(const Surface<D>& slave, MultiplierSpace kind);
+
+  std::vector<nurbs::Space1D> along; ///< by direction
+  std::vector<int> number;           ///< of the function that contains each product, ξ¹ fastest
+  int count;                         ///< of functions
+};
 
 } // namespace signorini::contact

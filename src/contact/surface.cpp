@@ -43,9 +43,10 @@ nurbs::Space1D extended(const nurbs::Space1D& space, double part, std::array<dou
 } // namespace
 
 template <int D>
-Surface<D>::Surface(const nurbs::Discretization& body, nurbs::Side side, int first)
+Surface<D>::Surface(const nurbs::Discretization& body, nurbs::Side side, int first, std::vector<int> shared)
     : Surface(body.face(side), body.face_functions(side), nurbs::outward_sign(side)) {
   for (int& function : functions_) function += first;
+  shared_ = std::move(shared);
 }
 
 template <int D> Surface<D>::Surface(FaceGrid grid) : Surface(grid.row, std::move(grid.nodes), grid.orientation) {

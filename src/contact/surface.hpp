@@ -68,9 +68,9 @@ template <int D> struct DerivativeBounds {
 /// A face of a body, or several faces with common borders; face-local indices number its control points.
 template <int D> class Surface {
 public:
-  /// `first`: number of the body's first function. Throws Error unless `side` is a tensor-product face of the body (see
-  /// Discretization::face).
-  Surface(const nurbs::Discretization& body, nurbs::Side side, int first = 0);
+  /// `first`: number of the body's first function; `shared`: see shared(), empty: no control points share unknowns.
+  /// Throws Error unless `side` is a tensor-product face of the body (see Discretization::face).
+  Surface(const nurbs::Discretization& body, nurbs::Side side, int first = 0, std::vector<int> shared = {});
   /// Several faces as one, with the numbers of their nodes.
   explicit Surface(FaceGrid grid);
   /// A patch without a body, with the outside on the right of its direction (2D), or with outward normal τ₁×τ₂ (3D).
@@ -89,6 +89,8 @@ public:
   const int* nodes(int element) const { return nodes_.data() + elements_[at(element)].nodes; }
   /// The body's function of face-local index i, in a scene numbered through all bodies.
   int body_function(int i) const { return functions_[at(i)]; }
+  /// A number that face-local indices have in common if their control points share unknowns: at a seam, at a pole.
+  int shared(int i) const { return shared_.empty() ? body_function(i) : shared_[at(i)]; }
   /// Degree of an element along the face's direction α.
   int degree(int element, int alpha) const { return direction(alpha).degree(index(element, alpha)); }
   const nurbs::Space1D& direction(int alpha) const { return spaces_[at(alpha)]; }
@@ -172,7 +174,7 @@ private:
   std::vector<nurbs::Space1D> spaces_;                ///< one per direction
   std::array<std::array<double, 2>, D - 1> ends_;     ///< of the face itself
   std::array<std::array<double, 2>, D - 1> beyond_{}; ///< parametric length of the extension at each end
-  std::vector<int> functions_, nodes_;
+  std::vector<int> functions_, shared_, nodes_;
   std::vector<FacePlace> places_;
   VectorX weights_;
   bool polynomial_; ///< all weights are equal: not rational

@@ -17,33 +17,31 @@ constexpr double least_support = 1e-6;
 /// The multiplier functions on the slave face.
 template <int D> class SeamFunctions {
 public:
-  SeamFunctions(const Surface<D>& slave, MultiplierSpace kind) {
-    for (int d = 0; d < D - 1; ++d) spaces_.push_back(multiplier_space(slave.direction(d), kind));
-  }
-  int count() const {
-    return D == 2 ? spaces_[0].functions() : spaces_.front().functions() * spaces_.back().functions();
-  }
-  /// Calls visit(function, value) for those that do not vanish on the element.
+  SeamFunctions(const Surface<D>& slave, MultiplierSpace kind) : face_(slave, kind) {}
+  int count() const { return face_.count; }
+  /// Calls visit(function, value) for those that do not vanish on the element; a function of several products is
+  /// visited for each of them.
   template <class Visit> void at_point(int element, const FaceCoordinates<D>& xi, Visit visit) const {
     nurbs::ElementFunctions functions;
     std::array<VectorX, 2> values{VectorX::Ones(1), VectorX::Ones(1)};
     for (int d = 0; d < D - 1; ++d) {
-      const nurbs::Space1D& space = spaces_[at(d)];
-      const int across = spaces_.front().elements(), own = d == 0 ? element % across : element / across;
+      const nurbs::Space1D& space = face_.along[at(d)];
+      const int across = face_.along.front().elements(), own = d == 0 ? element % across : element / across;
       const auto [from, to] = space.interval(own);
       const int degree = space.degree(own);
       VectorX bernsteins(degree + 1);
       nurbs::bernstein(degree, (xi(d) - from) / (to - from), 1, 0, bernsteins.data());
       values[at(d)] = space.extraction(own) * bernsteins;
       functions.along[at(d)] = space.functions_on(own);
-      functions.stride[at(d)] = d == 0 ? 1 : spaces_.front().functions();
+      functions.stride[at(d)] = d == 0 ? 1 : face_.along.front().functions();
     }
-    functions.each(
-        [&](int function, const std::array<int, 3>& a) { visit(function, values[0](a[0]) * values[1](a[1])); });
+    functions.each([&](int product, const std::array<int, 3>& a) {
+      visit(face_.number[at(product)], values[0](a[0]) * values[1](a[1]));
+    });
   }
 
 private:
-  std::vector<nurbs::Space1D> spaces_;
+  FaceMultipliers<D> face_;
 };
 
 /// ∫ M_A R dA as full blocks, by pair of elements: rows of the multiplier functions on the slave element, columns of a

@@ -29,17 +29,44 @@ template <int D> std::shared_ptr<const Origin<D>> origin_of(const Model<D>& mode
   return origin;
 }
 
-/// The spaces of a contact's multipliers along the slave face, none without multipliers.
+/// A contact's multipliers, none without.
 template <int D>
-std::vector<nurbs::Space1D> multiplier_spaces(const Contact<D>& contact, const contact::Formulation<D>& formulation) {
+std::optional<contact::FaceMultipliers<D>> multipliers_of(const Contact<D>& contact,
+                                                          const contact::Formulation<D>& formulation) {
   std::optional<contact::MultiplierSpace> kind;
   if (const auto* mortar = std::get_if<contact::MortarLaw>(&contact.method)) kind = mortar->multipliers;
   if (const auto* half = std::get_if<contact::HalfPass>(&contact.method)) kind = half->multipliers;
-  std::vector<nurbs::Space1D> spaces;
-  for (int a = 0; kind && a < D - 1; ++a)
-    spaces.push_back(contact::multiplier_space(formulation.slave().direction(a), *kind));
-  return spaces;
+  if (!kind) return {};
+  return contact::FaceMultipliers<D>(formulation.slave(), *kind);
 }
+
+/// The map of values of one face's multipliers to those of another one with other rows.
+template <int D> class MultiplierMap {
+public:
+  MultiplierMap(contact::FaceMultipliers<D> from, contact::FaceMultipliers<D> to)
+      : from_(std::move(from)), to_(std::move(to)) {
+    for (std::size_t d = 0; d < from_.along.size(); ++d) along_[d] = nurbs::projection(from_.along[d], to_.along[d]);
+  }
+  /// One column per multiplier.
+  MatrixX operator()(const MatrixX& values) const {
+    const auto& [first, second] = along_;
+    MatrixX result(values.rows(), to_.count);
+    VectorX products(static_cast<Eigen::Index>(from_.number.size()));
+    for (Eigen::Index i = 0; i < values.rows(); ++i) {
+      for (Eigen::Index k = 0; k < products.size(); ++k)
+        products(k) = values(i, from_.number[static_cast<std::size_t>(k)]);
+      const MatrixX carried = first * products.reshaped(first.cols(), second.cols()) * second.transpose();
+      // Products of one function, on a border, have equal values, which projections keep.
+      for (Eigen::Index k = 0; k < carried.size(); ++k)
+        result(i, to_.number[static_cast<std::size_t>(k)]) = carried.reshaped()(k);
+    }
+    return result;
+  }
+
+private:
+  contact::FaceMultipliers<D> from_, to_;
+  std::array<MatrixX, 2> along_{MatrixX::Identity(1, 1), MatrixX::Identity(1, 1)};
+};
 
 /// Carries values from one model to another one with other rows.
 template <int D> class Carrier {
@@ -49,13 +76,11 @@ public:
       const contact::Formulation<D>&old = *from.contacts[k], &own = *to.contacts[k];
       require(own.points().size() == old.points().size(), "model.adapt.points",
               {{"contact", from.scene.contacts[k].name}});
-      std::array<MatrixX, 2> along{MatrixX::Identity(1, 1), MatrixX::Identity(1, 1)};
-      const auto spaces = multiplier_spaces(from.scene.contacts[k], old);
-      const auto other = multiplier_spaces(to.scene.contacts[k], own);
-      for (std::size_t a = 0; a < spaces.size(); ++a) along[a] = nurbs::projection(spaces[a], other[a]);
-      require(!spaces.empty() || (old.multipliers() == 0 && old.extra_unknowns() == 0), "model.adapt.formulation",
+      auto before = multipliers_of(from.scene.contacts[k], old), after = multipliers_of(to.scene.contacts[k], own);
+      require(before || (old.multipliers() == 0 && old.extra_unknowns() == 0), "model.adapt.formulation",
               {{"contact", from.scene.contacts[k].name}});
-      multipliers_.push_back(std::move(along));
+      multipliers_.emplace_back();
+      if (before) multipliers_.back().emplace(std::move(*before), std::move(*after));
     }
   }
 
@@ -80,7 +105,7 @@ public:
       if (count == 0) continue;
       const int each = count / from_.contacts[k]->multipliers();
       const MatrixX part = values.segment(old.of_contact(k).extra, count).reshaped(each, count / each);
-      const VectorX carried = of_multipliers(k, part).reshaped();
+      const VectorX carried = (*multipliers_[k])(part).reshaped();
       result.segment(own.of_contact(k).extra, carried.size()) = carried;
     }
     for (std::size_t k = 0; k < from_.ties.size(); ++k)
@@ -103,7 +128,7 @@ public:
       values.col(static_cast<Eigen::Index>(a)) << one.pressure, one.friction, one.elastic,
           area > 0 ? one.limit / area : 0;
     }
-    const MatrixX carried = of_multipliers(k, values);
+    const MatrixX carried = (*multipliers_[k])(values);
     result.multipliers.assign(at(own.multipliers()), {});
     result.multiplier_results.assign(at(own.multipliers()), {});
     for (std::size_t a = 0; a < result.multipliers.size(); ++a) {
@@ -118,17 +143,8 @@ public:
   }
 
 private:
-  MatrixX of_multipliers(std::size_t k, const MatrixX& values) const {
-    const auto& [first, second] = multipliers_[k];
-    MatrixX result(values.rows(), first.rows() * second.rows());
-    for (Eigen::Index i = 0; i < values.rows(); ++i)
-      result.row(i) =
-          (first * values.row(i).reshaped(first.cols(), second.cols()) * second.transpose()).reshaped().transpose();
-    return result;
-  }
-
   const System<D>&from_, &to_;
-  std::vector<std::array<MatrixX, 2>> multipliers_; ///< projection of each contact's multipliers along the slave
+  std::vector<std::optional<MultiplierMap<D>>> multipliers_; ///< by contact
 };
 
 /// Makes the forces of the present state those of the equilibrium that it comes from: on free control points those of

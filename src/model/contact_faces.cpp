@@ -26,26 +26,29 @@ template <int D> Groups coincident_points(const Scene<D>& scene) {
 
 namespace {
 
-template <int D> contact::FaceGrid grid_of(const Scene<D>& scene, const Faces& faces, const Message& list) {
-  const Groups shared = coincident_points(scene);
-  std::vector<contact::FacePart> parts;
-  for (const FaceReference& face : faces) {
-    const nurbs::Discretization& space = scene.bodies[at(face.body)].body->space();
-    const int first = first_control_point(scene, face.body);
-    std::vector<int> nodes = space.face_functions(face.side);
-    for (int& node : nodes) node = shared.leader(first + node);
-    parts.push_back(
-        {space.face(face.side), std::move(nodes), nurbs::outward_sign(face.side), face_message(scene, face)});
-  }
-  return contact::arrange(parts, list);
+/// Numbers of a face's control points, equal for those that share unknowns.
+template <int D>
+std::vector<int> shared_numbers(const Scene<D>& scene, const FaceReference& face, const Groups& groups) {
+  const int first = first_control_point(scene, face.body);
+  std::vector<int> nodes = scene.bodies[at(face.body)].body->space().face_functions(face.side);
+  for (int& node : nodes) node = groups.leader(first + node);
+  return nodes;
 }
 
 } // namespace
 
 template <int D> contact::Surface<D> surface_of(const Scene<D>& scene, const Faces& faces, const Message& list) {
-  if (faces.size() > 1) return contact::Surface<D>(grid_of(scene, faces, list));
-  const FaceReference& face = faces.front();
-  return {scene.bodies[at(face.body)].body->space(), face.side, first_control_point(scene, face.body)};
+  const Groups groups = coincident_points(scene);
+  const auto space = [&](const FaceReference& face) -> const nurbs::Discretization& {
+    return scene.bodies[at(face.body)].body->space();
+  };
+  if (const FaceReference& face = faces.front(); faces.size() == 1)
+    return {space(face), face.side, first_control_point(scene, face.body), shared_numbers(scene, face, groups)};
+  std::vector<contact::FacePart> parts;
+  for (const FaceReference& face : faces)
+    parts.push_back({space(face).face(face.side), shared_numbers(scene, face, groups), nurbs::outward_sign(face.side),
+                     face_message(scene, face)});
+  return contact::Surface<D>(contact::arrange(parts, list));
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \

@@ -21,9 +21,11 @@ struct Couple {
         pair(Surface<2>(die, nurbs::side_of(side, 2)), Surface<2>(*base, nurbs::side_of("north", 2)), law, points,
              revolved),
         u(VectorX::Zero(die_dofs() + base_dofs() + pair.extra_unknowns())) {}
+  /// `shared`: see Surface.
   Couple(nurbs::Discretization slave, const std::string& side, const Obstacle<2>& master, const Law& law, int points,
-         bool revolved = false)
-      : die(std::move(slave)), pair(Surface<2>(die, nurbs::side_of(side, 2)), master, law, points, revolved),
+         bool revolved = false, std::vector<int> shared = {})
+      : die(std::move(slave)),
+        pair(Surface<2>(die, nurbs::side_of(side, 2), 0, std::move(shared)), master, law, points, revolved),
         u(VectorX::Zero(die_dofs() + base_dofs() + pair.extra_unknowns())) {}
   /// A half annulus of radius 0.5 whose lowest point is (x, y).
   template <class AnyMaster, class AnyLaw = PenaltyLaw>

@@ -1,7 +1,9 @@
 #pragma once
 // Bodies whose north or south face is a given curve, and dense assembly of a contact's blocks.
 
+#include "base/groups.hpp"
 #include "contact/pair.hpp"
+#include "nurbs/coincident.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 
@@ -19,6 +21,16 @@ inline nurbs::Discretization discretize(const nurbs::Patch& patch, std::vector<i
   plan.labels.assign(static_cast<std::size_t>(patch.dimension()) - 1, nurbs::parse_label(label));
   plan.thickness_degree = 1;
   return {patch, plan};
+}
+
+/// Numbers of a face's control points, equal where they share unknowns.
+inline std::vector<int> shared_numbers(const nurbs::Discretization& body, nurbs::Side side) {
+  Groups groups(body.functions());
+  for (const std::vector<int>& group : nurbs::coincident_functions(body))
+    for (const int function : group) groups.unite(group.front(), function);
+  std::vector<int> numbers = body.face_functions(side);
+  for (int& number : numbers) number = groups.leader(number);
+  return numbers;
 }
 
 /// A strip of unit thickness below a curve, without refinement. The curve is its north face, with the outside above for

@@ -30,6 +30,20 @@ TEST(Mortar, TangentIsTheForcesDerivativeInEveryState) {
   EXPECT_GT(sum.stick, 500);
 }
 
+/// A ring touches with its seam, where one multiplier function belongs to the first and the last element.
+TEST(Mortar, TangentIsTheForcesDerivativeAtASeam) {
+  Census census;
+  for (const double mu : {0.0, 0.3}) {
+    const Eigen::Vector2d center(1, 0.5);
+    auto ring = discretize(nurbs::rotate(nurbs::ring(0.3, 0.5, center), 180, center), {16, 2}, "N2", "south");
+    const std::vector<int> shared = shared_numbers(ring, nurbs::side_of("south", 2));
+    census.add(press_and_drag({std::move(ring), "south", make_plane<2>({0, 0}, {0.2, 2}),
+                               mortar(MultiplierSpace::equal, mu), 6, false, shared},
+                              3, 0.06, {0.02, 0.1}));
+  }
+  EXPECT_GE(census.states, 4) << census.stepped_over << " states lay on a change of state";
+}
+
 /// The slave is wider than the master, so that its outer points have no projection or a faded area.
 TEST(Mortar, TangentIsTheForcesDerivativeAtTheEndsOfTheMaster) {
   Random random(5);

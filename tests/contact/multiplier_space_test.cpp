@@ -168,5 +168,34 @@ TEST(MultiplierFunctions, SumToOneAtEveryContactPoint) {
   }
 }
 
+/// At a seam the first and the last function are one, at a pole all of those on the border.
+TEST(MultiplierFunctions, AreOneWhereControlPointsShareUnknowns) {
+  const auto surface = [](const auto& body, const char* side) {
+    constexpr int dimension = 3;
+    return Surface<3>(body, nurbs::side_of(side, dimension), 0, shared_numbers(body, nurbs::side_of(side, dimension)));
+  };
+  for (const MultiplierSpace kind : {MultiplierSpace::equal, MultiplierSpace::reduced})
+    for (const char* label : {"N2", "N3", "N2-N2.2"}) {
+      const bool equal = kind == MultiplierSpace::equal;
+      const auto ring = discretize(nurbs::ring(0.3, 0.5, Eigen::Vector2d(0, 0)), {8, 2}, label, "south");
+      const auto side = nurbs::side_of("south", 2);
+      const Surface<2> circle(ring, side, 0, shared_numbers(ring, side));
+      expect_partition_of_unity(circle, kind);
+      const MultiplierFunctions<2> functions(circle, ContactPoints<2>(circle, 3, false, {}), 3, kind);
+      const int products = multiplier_space(circle.direction(0), kind).functions();
+      EXPECT_EQ(functions.count(), products - (equal ? 1 : 0));
+      const auto support = functions.support(0);
+      EXPECT_EQ(support.back(), equal ? circle.elements() - 1 : 0) << label;
+
+      const auto pipe = discretize(nurbs::tube(0.3, 0.5, 1, Eigen::Vector3d(0, 0, 0)), {4, 2, 1}, label, "front");
+      expect_partition_of_unity(surface(pipe, "front"), kind);
+    }
+  const auto ball = discretize(nurbs::polar_ball(1, Eigen::Vector3d(0, 0, 0)), {4, 4, 1}, "N2", "front");
+  const Surface<3> sphere = surface(ball, "front");
+  expect_partition_of_unity(sphere, MultiplierSpace::equal);
+  const MultiplierFunctions<3> functions(sphere, ContactPoints<3>(sphere, 3, false, {}), 3, MultiplierSpace::equal);
+  EXPECT_EQ(functions.count(), (sphere.direction(0).functions() - 1) * (sphere.direction(1).functions() - 2) + 2);
+}
+
 } // namespace multiplier_space_test
 } // namespace signorini::contact
