@@ -99,7 +99,7 @@ template <int D> void Body<D>::add_macro_elements() {
     std::sort(macro.functions.begin(), macro.functions.end());
     macro.functions.erase(std::unique(macro.functions.begin(), macro.functions.end()), macro.functions.end());
     int modes = 1;
-    for (int degree : macros_.degrees) modes *= degree + 1;
+    for (int degree : macro.degrees) modes *= degree + 1;
     macro.weights = Eigen::Map<const VectorX>(weights.data(), std::ssize(weights));
     MatrixX polynomials(std::ssize(weights), modes);
     Eigen::Index row = 0;
@@ -110,7 +110,7 @@ template <int D> void Body<D>::add_macro_elements() {
             std::lower_bound(macro.functions.begin(), macro.functions.end(), function) - macro.functions.begin()));
       const ElementQuadrature rule = element_quadrature(*space_, e);
       for (Eigen::Index q = 0; q < rule.points.cols(); ++q)
-        polynomials.row(row++) = legendre_products(macro, macros_.degrees, rule.points.col(q));
+        polynomials.row(row++) = legendre_products(macro, rule.points.col(q));
     }
     orthonormalize(macro, polynomials);
   }
@@ -127,7 +127,7 @@ template <int D> int Body<D>::macro_of(int e) const {
 }
 
 template <int D> VectorX Body<D>::modes_at(int m, const VectorX& xi) const {
-  return macro(m).combine.transpose() * legendre_products(macro(m), macros_.degrees, xi);
+  return macro(m).combine.transpose() * legendre_products(macro(m), xi);
 }
 
 template <int D> int Body<D>::most_functions_of_macro() const {

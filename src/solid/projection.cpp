@@ -19,6 +19,20 @@ std::vector<int> lowest_degrees(const nurbs::Discretization& space) {
   return lowest;
 }
 
+/// Number of macro-elements along a direction.
+int macro_count(int elements, int degree) {
+  const int count = std::max(1, elements / degree);
+  if (count % 2 == 1 || elements % 2 == 0) return count;
+  return count == 2 ? 3 : count - 1;
+}
+
+/// The macro-element of the i-th of n elements, of count along this direction: boundary k is that of elements nearest
+/// to k n/count, and that of count − k its mirror image.
+int macro_along(int i, int n, int count) {
+  if (2 * i + 1 > n) return count - 1 - macro_along(n - 1 - i, n, count);
+  return ((2 * i + 1) * count - 1) / (2 * n); // the largest k with k n/count < i + 1/2
+}
+
 /// P_0 … P_degree at x.
 std::vector<double> legendre(int degree, double x) {
   std::vector<double> values{1};
@@ -33,12 +47,11 @@ std::vector<double> legendre(int degree, double x) {
 MacroElements macro_elements(const nurbs::Discretization& space) {
   const int dimensions = space.parametric_dimension();
   MacroElements result;
-  result.degrees = lowest_degrees(space);
+  const std::vector<int> lowest = lowest_degrees(space);
   int size = 1;
   for (int d = 0; d < dimensions; ++d) {
-    result.counts.push_back(std::max(1, space.elements(d) / result.degrees[at(d)]));
+    result.counts.push_back(macro_count(space.elements(d), lowest[at(d)]));
     size *= result.counts.back();
-    --result.degrees[at(d)];
   }
   result.list.resize(at(size));
   for (int e = 0; e < space.elements(); ++e) {
@@ -51,13 +64,24 @@ MacroElements macro_elements(const nurbs::Discretization& space) {
     }
     macro.elements.push_back(e);
   }
+  int index = 0;
+  for (MacroElement& macro : result.list) {
+    for (int d = 0, along = index; d < dimensions; along /= result.counts[at(d++)]) {
+      const int own = along % result.counts[at(d)], n = space.elements(d);
+      int elements = 0;
+      for (int i = 0; i < n; ++i) elements += macro_along(i, n, result.counts[at(d)]) == own;
+      const int degree = lowest[at(d)] - 1;
+      macro.degrees.push_back(result.counts[at(d)] == 1 ? degree : std::min(elements - 1, degree));
+    }
+    ++index;
+  }
   return result;
 }
 
 int macro_containing(const MacroElements& macros, const nurbs::Discretization& space, int e) {
   int index = 0, stride = 1;
   for (int d = 0; d < space.parametric_dimension(); ++d) {
-    index += stride * (space.element_index(e, d) * macros.counts[at(d)] / space.elements(d));
+    index += stride * macro_along(space.element_index(e, d), space.elements(d), macros.counts[at(d)]);
     stride *= macros.counts[at(d)];
   }
   return index;
@@ -68,17 +92,17 @@ std::size_t memory(const MacroElements& macros) {
   for (const MacroElement& macro : macros.list) {
     numbers +=
         static_cast<std::size_t>(macro.modes.size() + macro.weights.size() + macro.combine.size() + macro.box.size());
-    indices += macro.elements.size() + macro.functions.size();
+    indices += macro.elements.size() + macro.functions.size() + macro.degrees.size();
     for (const auto& places : macro.places) indices += places.size();
   }
   return sizeof(double) * numbers + sizeof(int) * indices;
 }
 
-VectorX legendre_products(const MacroElement& macro, const std::vector<int>& degrees, const VectorX& xi) {
+VectorX legendre_products(const MacroElement& macro, const VectorX& xi) {
   VectorX products = VectorX::Ones(1);
-  for (int d = 0; d < static_cast<int>(degrees.size()); ++d) {
+  for (int d = 0; d < static_cast<int>(macro.degrees.size()); ++d) {
     const double from = macro.box(0, d), to = macro.box(1, d);
-    const std::vector<double> values = legendre(degrees[at(d)], (2 * xi(d) - from - to) / (to - from));
+    const std::vector<double> values = legendre(macro.degrees[at(d)], (2 * xi(d) - from - to) / (to - from));
     VectorX next(products.size() * static_cast<Eigen::Index>(values.size()));
     for (std::size_t k = 0; k < values.size(); ++k)
       next.segment(static_cast<Eigen::Index>(k) * products.size(), products.size()) = values[k] * products;

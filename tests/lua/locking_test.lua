@@ -138,6 +138,28 @@ check.case("a loaded model continues with its projection", function()
   check.at_most("energy of the locked ring", locked:energy().stored / model:energy().stored, 0.9)
 end)
 
+--- A rigid cylinder in the middle of a slab: the lateral part of its force, and the motion of both ends of the surface.
+local function pressed(order, elements)
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1, corner = { -1.5, -1 } },
+                        elements = elements, order = order, volumetric = "projected",
+                        material = sg.neo_hookean{ E = 1, nu = 0.4999 } }
+  local tool = sg.rigid.cylinder{ center = { 0, 0.5 }, radius = 0.5 }
+  local model = sg.model{
+    bodies = { s = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" }, tool = { on = tool, drive = "y" } },
+    contacts = { c = { slave = slab:face "north", master = tool, penalty = 50 } },
+  }
+  assert(not model:run{ { steps = 2, tool = -0.1 } }.failed)
+  local force = model:reaction "tool"
+  return force.fx / force.fy, model:sample("s", "ux", { 0, 1 }) + model:sample("s", "ux", { 1, 1 })
+end
+
+check.case("symmetric scenes have symmetric solutions where the degree does not divide the elements", function()
+  for _, mesh in ipairs{ { "N2", { 9, 5 } }, { "N2", { 5, 3 } }, { "N3", { 11, 4 } }, { "N3", { 16, 4 } } } do
+    check.near({ pressed(table.unpack(mesh)) }, { 0, 0 }, 1e-10)
+  end
+end)
+
 check.case("wrong input", function()
   local function body(value)
     return function() block{ volumetric = value } end

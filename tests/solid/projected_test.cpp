@@ -69,6 +69,30 @@ TEST(Projected, ElementsFormMacroElementsOfAsManyAsTheDegree) {
   EXPECT_EQ(body.most_functions_of_macro(), (3 + 2) * 2);
 }
 
+/// The macro-elements of a direction and their polynomials are symmetric about the middle, also where the degree does
+/// not divide the number of elements; there is one constraint per element at most, except of fewer elements than the
+/// degree.
+TEST(Projected, MacroElementsAreSymmetricAboutTheMiddle) {
+  for (int degree = 1; degree <= 4; ++degree)
+    for (int count = 1; count <= 24; ++count) {
+      const nurbs::Patch square = nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0));
+      const Body<2> body = projected(make_body<2>(square, {count, 1}, text("N", degree), "north", rubber));
+      const int macros = body.macro_elements(0);
+      int covered = 0;
+      for (int m = 0; m < macros; ++m) {
+        const MacroElement &own = body.macro(m), &mirrored = body.macro(macros - 1 - m);
+        const int elements = static_cast<int>(own.elements.size());
+        ASSERT_EQ(mirrored.elements.size(), own.elements.size()) << degree << ' ' << count;
+        EXPECT_EQ(mirrored.degrees, own.degrees);
+        EXPECT_EQ(own.elements.front(), covered);
+        EXPECT_EQ(own.degrees[0], macros == 1 ? degree - 1 : std::min(elements, degree) - 1);
+        EXPECT_LE(elements, count < degree ? count : 2 * degree);
+        covered += elements;
+      }
+      EXPECT_EQ(covered, count);
+    }
+}
+
 template <int D> void same_in_homogeneous_states(const std::vector<Body<D>>& bodies, const Mat<D>& f) {
   for (const Body<D>& body : bodies) {
     const VectorX u = affine<D>(body, f);

@@ -1,6 +1,7 @@
 // Errors of volumes and areas by Gauss points, against closed forms.
 
 #include "solid/material.hpp"
+#include "solid/neo_hookean.hpp"
 #include "solid/quadrature.hpp"
 #include "solid/quadrature_error.hpp"
 
