@@ -159,7 +159,8 @@ end
 -- ── The edges ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 function profile.edges(o)
-  local part = stretch("sg.profile_edges", "profile", o.profile, o.coordinate, "pressure", "gap")
+  local value = rawget(o.profile, "inside") and "inside" or "pressure" -- profiles of other programs have no `inside`
+  local part = stretch("sg.profile_edges", "profile", o.profile, o.coordinate, value, "gap")
   local edges, s = { from = part.from, to = part.to }, part.s
   for i = 2, #s - 1 do
     if s[i] == part.from and part.v[i] == 0 then edges.from_spacing = s[i + 1] - s[i - 1] end

@@ -11,6 +11,7 @@ local model = {}
 ---@field X number[]
 ---@field Y number[]
 ---@field area number[]
+---@field inside number[]
 ---@field pressure number[]
 ---@field traction number[]
 ---@field gap number[]
@@ -22,17 +23,17 @@ local model = {}
 ---@field tz? number[]
 ---@field damage? number[]
 
----Returns lists along the slave face, one entry per contact point: x, y (current), X, Y (reference), area (current,
----where the point touches; 0 at an open point, so that the sum is the area in contact; with adhesion the reference
----area, of bonds also where they are open), pressure, traction (of friction, along the chord from slip point to foot
----point, which is tangential on a straight master; in the plane positive along the slave face's xi; on the slave it
----acts in the opposite direction), gap (beyond an open end of the master the distance), state ("open", "stick", also of
----a closed point without friction, "slip", "adhesion", "bonded": not closed, held by a bond). At a slipping point
----\|traction| = mu pressure (mortar: at each multiplier). A cohesive contact also has damage, from 0 to 1 (no bond); its
----pressure, negative in tension, and traction include those of the bonds. Pressure and traction are forces per current
----area, whatever `per` of the contact is; with method = "mortar" and with adhesion `area`, pressure and traction refer
----to the reference area. In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude
----is `traction`; -t_T acts on the slave. Reading any other field is an error.
+---Returns lists along the slave face, one entry per contact point: x, y (current), X, Y (reference), area (current, on
+---which the traction acts; 0 at an open point; with adhesion the reference area, of bonds also where they are open),
+---inside (1 in the contact area, see model:contact_resultant, otherwise 0), pressure, traction (of friction, along the
+---chord from slip point to foot point, which is tangential on a straight master; in the plane positive along the slave
+---face's xi; on the slave it acts in the opposite direction), gap (beyond an open end of the master the distance),
+---state ("open", "stick", also of a closed point without friction, "slip", "adhesion", "bonded": not closed, held by a
+---bond). At a slipping point |traction| = mu pressure (mortar: at each multiplier). A cohesive contact also has damage,
+---from 0 to 1 (no bond); its pressure, negative in tension, and traction include those of the bonds. Pressure and
+---traction are forces per current area, whatever `per` of the contact is; with method = "mortar" and with adhesion
+---`area`, pressure and traction refer to the reference area. In 3D also z, Z, and tx, ty, tz, the components of the
+---friction traction t_T, whose magnitude is `traction`; -t_T acts on the slave. Reading any other field is an error.
 ---
 ---Example:
 ---```lua
@@ -165,13 +166,14 @@ function model:contact_law(contact) end
 
 ---Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, per, unsettled, crossed }: the force on
 ---the slave (fz in 3D), the current area in contact (with method = "mortar" and with adhesion the reference area),
----extremes, the numbers of contact points that touch and slip, and the area, "current" or "reference", on which
----tractions act; with multipliers also weighted_penetration, the largest of the multipliers; of a cohesive contact
----debonded, the area of new surface: energy dissipated by bonds over energy of separation; with "half_passes" also
----imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how much action and reaction differ, 0
----without forces. unsettled: how often, in all accepted states so far, the search for a closest point or slip point
----ended at the limit of iterations; unsettled_at is the reference position of the latest such point. crossed,
----crossed_at: the same for points that passed through the master since the previous state without contact.
+---which is that inside gap = 0, linear between contact points, extremes, the numbers of contact points that touch and
+---slip, and the area, "current" or "reference", on which tractions act; with multipliers also weighted_penetration, the
+---largest of the multipliers; of a cohesive contact debonded, the area of new surface: energy dissipated by bonds over
+---energy of separation; with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other
+---pass: by how much action and reaction differ, 0 without forces. unsettled: how often, in all accepted states so far,
+---the search for a closest point or slip point ended at the limit of iterations; unsettled_at is the reference position
+---of the latest such point. crossed, crossed_at: the same for points that passed through the master since the previous
+---state without contact.
 ---
 ---Example:
 ---```lua
@@ -314,9 +316,9 @@ function sg.profile_error(arguments) end
 ---@field from_spacing? number
 ---@field to_spacing? number
 
----Returns the ends of the contact zone of a profile: { from, to, from_spacing, to_spacing }. An edge is where the gap,
----linear between the last point in contact and the first open one, is zero; the spacing is the distance of these two
----points, the accuracy of the edge. Without spacing, contact extends to the profile's end.
+---Returns the ends of the contact zone of a profile: { from, to, from_spacing, to_spacing }. An edge is where the gap
+---is zero, linear between the last point inside the contact area and the first one outside; the spacing is the distance
+---of these two points. Without spacing, contact extends to the profile's end.
 ---
 ---```text
 ---sg.profile_edges{ profile, coordinate = "x" }

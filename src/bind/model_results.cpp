@@ -95,7 +95,8 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
 template <int D> int contact_resultant(const model::Model<D>& model, const std::string& name, lua_State* L) {
   const std::size_t contact = at(find(model.system.scene.contacts, name, "contact"));
   const auto sum = contact::resultant(model.present.contacts[contact]);
-  push_fields(L, "area", sum.area, "max_pressure", sum.max_pressure, "max_penetration", sum.max_penetration, "active",
+  const double area = model::contact_area(model, contact, model.present.contacts[contact]).area;
+  push_fields(L, "area", area, "max_pressure", sum.max_pressure, "max_penetration", sum.max_penetration, "active",
               sum.active, "slipping", sum.slipping);
   const model::Contact<D>& named = model.system.scene.contacts[contact];
   const bool is_half = named.other_pass >= 0;
@@ -121,7 +122,7 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
 template <int D> int profile(const model::Model<D>& model, const std::string& name, lua_State* L) {
   const model::Profile all = model::profile<D>(model, find(model.system.scene.contacts, name, "contact"));
   push_fields(L, "x", all.x, "y", all.y, "X", all.reference_x, "Y", all.reference_y, "area", all.area, "pressure",
-              all.pressure, "traction", all.traction, "gap", all.gap, "state", all.state);
+              all.pressure, "traction", all.traction, "gap", all.gap, "inside", all.inside, "state", all.state);
   if (!all.damage.empty()) set_field(L, "damage", all.damage);
   if (D == 3)
     set_fields(L, "z", all.z, "Z", all.reference_z, "tx", all.traction_x, "ty", all.traction_y, "tz", all.traction_z);

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "model/profile.hpp"
 #include "model/sample.hpp"
 #include "solid/quadrature.hpp"
 
@@ -17,10 +18,6 @@ namespace signorini::model {
 namespace {
 
 using nurbs::Discretization;
-
-bool in_contact(contact::ContactState state) {
-  return state != contact::ContactState::open;
-}
 
 /// Index of a contact face in Discretization::contact(); −1 if it is another side.
 int contact_index(const Discretization& space, nurbs::Side side) {
@@ -165,6 +162,7 @@ template <int D> void mark(const Model<D>& model, std::size_t k, bool measured, 
   const Contact<D>& contact = model.system.scene.contacts[k];
   const contact::Formulation<D>& formulation = *model.system.contacts[k];
   const contact::History<D>& history = model.accepted.contacts[k];
+  const std::vector<char> inside = contact_area(model, k, history).inside;
   const auto* master = std::get_if<Faces>(&contact.master);
   Marks<D> marks(model.system.scene, lines);
   const FaceElements<D> on_slave(formulation.slave());
@@ -174,7 +172,7 @@ template <int D> void mark(const Model<D>& model, std::size_t k, bool measured, 
     if (result.area > 0) largest = std::max(largest, result.force.norm() / result.area);
   for (std::size_t i = 0; i < history.results.size(); ++i) {
     const contact::PointResult<D>& result = history.results[i];
-    if (!in_contact(result.state)) continue;
+    if (!inside[i]) continue;
     const auto [f, index] = on_slave.find(formulation.points().list[i].element);
     double value = 1;
     if (measured && f >= 0 && contact.slave.size() == 1 && result.area > 0 && largest > 0) {

@@ -1,5 +1,8 @@
 #include "model/profile.hpp"
 
+#include "model/element_size.hpp"
+
+#include <algorithm>
 #include <cmath>
 
 namespace signorini::model {
@@ -18,11 +21,13 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
   const contact::History<D>& history = model.present.contacts[at(contact)];
   Profile result;
   const std::vector<double> gaps = formulation.gaps(history), damage = formulation.damage(history);
+  const std::vector<char> inside = contact_area(model, at(contact), history).inside;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     if (!acts(formulation.points(), history, i)) continue;
     const auto& point = history.results[i];
     append<D>(formulation.points().reference[i], {&result.reference_x, &result.reference_y, &result.reference_z});
     result.gap.push_back(gaps[i]);
+    result.inside.push_back(inside[i]);
     if (!damage.empty()) result.damage.push_back(damage[i]);
     const bool is_held = touches(point.state) || point.state == contact::ContactState::bonded;
     append<D>(point.position, {&result.x, &result.y, &result.z});
@@ -41,7 +46,21 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
   return result;
 }
 
-template Profile profile<2>(const Model<2>&, int);
-template Profile profile<3>(const Model<3>&, int);
+template <int D>
+contact::ContactArea contact_area(const Model<D>& model, std::size_t contact, const contact::History<D>& history) {
+  const Scene<D>& scene = model.system.scene;
+  const Contact<D>& own = scene.contacts[contact];
+  double modulus = youngs_modulus(scene, own.slave);
+  if (const auto* master = std::get_if<Faces>(&own.master)) modulus = std::min(modulus, youngs_modulus(scene, *master));
+  const bool reference = std::holds_alternative<contact::MortarLaw>(own.method);
+  return contact::contact_area(*model.system.contacts[contact], history, reference, modulus);
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template Profile profile(const Model<D>&, int);                                                                      \
+  template contact::ContactArea contact_area(const Model<D>&, std::size_t, const contact::History<D>&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
 
 } // namespace signorini::model

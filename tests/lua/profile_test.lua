@@ -164,7 +164,7 @@ check.case("a profile has only its lists, and is read, written and stored as a t
       penalty = 10 } } }
   model:run{ { steps = 1, grip = {0, -0.1} } }
   local pr = model:profile "ground"
-  local known = "t has X, Y, area, gap, pressure, state, traction, x, y"
+  local known = "t has X, Y, area, gap, inside, pressure, state, traction, x, y"
   check.fails(function() return pr.presure end, "profile_test.lua:", "a contact profile has no 'presure'",
     "did you mean 'pressure'?", known)
   check.fails(function() return pr.z end, "a contact profile has no 'z'", known)
@@ -179,7 +179,7 @@ check.case("a profile has only its lists, and is read, written and stored as a t
   check.equal(sg.csv.read(file):column "pressure", pr.pressure)
   os.remove(file)
   for name in pairs(pr) do names[#names + 1] = name end
-  check.equal({ #names, rawlen(pr), #pr.x > 1, pr.pressure[1] > 0 }, { 9, 0, true, true })
+  check.equal({ #names, rawlen(pr), #pr.x > 1, pr.pressure[1] > 0 }, { 10, 0, true, true })
   local core = require "signorini.core"
   local saved = core.read_json(core.write_json(pr))
   check.near(saved.gap, pr.gap, 0)

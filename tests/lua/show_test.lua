@@ -53,7 +53,7 @@ check.case("a profile, a table, and plain tables as ever", function()
   for _, state in ipairs(profile.state) do touching = touching + (state == "open" and 0 or 1) end
   check.holds(show.text(profile), ("contact profile of %d points: "):format(#profile.x),
     ("%d %s"):format(touching, profile.state[30]),
-    "pressure ", "lists: X, Y, area, gap, pressure, state, traction, x, y")
+    "pressure ", "lists: X, Y, area, gap, inside, pressure, state, traction, x, y")
   local data = sg.reference "ironing2d_oscillation_table7_3"
   check.holds(show.text(data), "# " .. data.comments[1], data.columns[1])
   check.equal(show.text { x = { 1 }, gap = 2 }, "{gap = 2, x = {1}}")

@@ -21,6 +21,7 @@ local of_key = {
   wall = { "time", "wall time of the step, with failed attempts" },
   angle = { "angle", "rotation of the support" }, moment = { "moment", "moment about the center or the axis" },
   area = { "area", "area in contact; with mortar contact and adhesion the reference area" },
+  inside = { "count", "1 in the contact area, 0 outside" },
   pressure = { "stress", "pressure, positive in compression" },
   traction = { "stress", "tangential traction" },
   factor = { "count", "factor of the values of a function" },

@@ -44,8 +44,9 @@ return {
   title = "Results of a model",
   word = "results",
   { "model:profile", [[Returns lists along the slave face, one entry per contact point: x, y (current), X, Y
-(reference), area (current, where the point touches; 0 at an open point, so that the sum is the area in contact; with
-adhesion the reference area, of bonds also where they are open), pressure, traction (of friction, along the chord from
+(reference), area (current, on which the traction acts; 0 at an open point; with adhesion the reference area, of bonds
+also where they are open), inside (1 in the contact area, see model:contact_resultant, otherwise 0), pressure, traction
+(of friction, along the chord from
 slip point to foot point, which is tangential on a straight master; in the plane positive along the slave face's xi; on
 the slave it acts in the opposite direction), gap (beyond an open end of the master the distance), state ("open",
 "stick", also of a closed point without friction, "slip", "adhesion", "bonded": not closed, held by a bond). At a
@@ -57,8 +58,8 @@ area.
 In 3D also z, Z, and tx, ty, tz, the components of the friction traction t_T, whose magnitude is `traction`; -t_T acts
 on the slave. Reading any other field is an error.]],
     arguments = { a_contact },
-    returns = t.record("x y X Y area pressure traction gap", t.numbers(), "state", t.list(t.text), "z? Z? tx? ty? tz?",
-      t.numbers(), "damage?", t.numbers()),
+    returns = t.record("x y X Y area inside pressure traction gap", t.numbers(), "state", t.list(t.text),
+      "z? Z? tx? ty? tz?", t.numbers(), "damage?", t.numbers()),
     example = "model:profile(\"interface\").pressure" },
   { "model:sample", "Returns a field's value at a parametric point of a body.",
     arguments = {
@@ -106,8 +107,9 @@ points, active, hamaker, r0 }. print(model) shows them.]],
     example = "model:contact_law(\"interface\").penalty" },
   { "model:contact_resultant", [[Returns { fx, fy, fz, area, max_pressure, max_penetration, active, slipping, per,
 unsettled, crossed }: the force on the slave (fz in 3D), the current area in contact (with method = "mortar" and with
-adhesion the reference area), extremes, the numbers of contact points that touch and slip, and the area, "current" or
-"reference", on which tractions act; with multipliers also weighted_penetration, the largest of the multipliers;
+adhesion the reference area), which is that inside gap = 0, linear between contact points,
+extremes, the numbers of contact points that touch and slip, and the area, "current" or "reference", on which tractions
+act; with multipliers also weighted_penetration, the largest of the multipliers;
 of a cohesive contact debonded, the area of new surface: energy dissipated by bonds over energy of separation; with
 "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how much action and
 reaction differ, 0 without forces. unsettled: how often, in all accepted states so far, the search for a closest point
@@ -143,8 +145,8 @@ fraction of the zone (where either one touches) that the range covers. Ranges th
     example = [[
 sg.profile_error{ profile = model:profile "interface", reference = finer:profile "interface", normalize = "max" }]] },
   { "sg.profile_edges", [[Returns the ends of the contact zone of a profile: { from, to, from_spacing, to_spacing }. An
-edge is where the gap, linear between the last point in contact and the first open one, is zero; the spacing is the
-distance of these two points, the accuracy of the edge. Without spacing, contact extends to the profile's end.]],
+edge is where the gap is zero, linear between the last point inside the contact area and the first one outside; the
+spacing is the distance of these two points. Without spacing, contact extends to the profile's end.]],
     named = { { "profile", profile, "the measured profile" }, coordinate },
     returns = t.record("from to from_spacing? to_spacing?", t.number),
     example = "half_width = sg.profile_edges{ profile = model:profile \"interface\" }.to" },
