@@ -80,6 +80,33 @@ check.case("first contact applies friction over the whole closing step: an error
   end
 end)
 
+check.case("springs shorter than rounding errors of positions are no unfinished searches", function()
+  -- Two blocks on a slab, held by contact and friction alone, are pushed together: near the ends of the faces points
+  -- slip under pressures close to zero, where springs of the length mu p/penalty are below 1e-9.
+  local E, y, bodies, contacts = 210000, 0, {}, {}
+  local function block(width, bottom, elements)
+    return sg.body{ patch = sg.shapes.rectangle{ width = width, height = 2, corner = { -width / 2, bottom } },
+                    elements = { elements, 2 }, order = "N2", contact = { "south", "north" },
+                    material = sg.neo_hookean{ E = E, nu = 0.3 } }
+  end
+  bodies[0] = block(14, -2, 10)
+  for i = 1, 2 do
+    y = y + 0.01
+    bodies[i] = block(12 - 1.3 * i, y, 8 + i)
+    contacts["c" .. i] = { slave = bodies[i]:face "south", master = bodies[i - 1]:face "north", penalty = 10 * E,
+                           friction = { mu = 0.2, penalty = 10 * E } }
+    y = y + 2
+  end
+  local model = sg.model{
+    bodies = { base = bodies[0], b1 = bodies[1], b2 = bodies[2] }, contacts = contacts,
+    supports = { bed = { on = bodies[0]:face "south", fix = "xy" },
+                 push = { on = bodies[2]:face "north", drive = "y" } },
+  }
+  local run = model:run{ { steps = 4, push = -0.025 } }
+  check.equal(run.reason, "completed")
+  check.equal({ model:contact_resultant "c1".unsettled, model:contact_resultant "c2".unsettled }, { 0, 0 })
+end)
+
 check.case("energies are strict about names", function()
   check.fails(function() return slid(10):energy().frictoin end,
     "model:energy() has no 'frictoin'; did you mean 'friction'?")
