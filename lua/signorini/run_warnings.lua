@@ -25,9 +25,16 @@ local function ever_acts(run, model, contact)
   end)
 end
 
+--- Whether the obstacle of a contact was inside a body at the end of a stage, which state_warnings() report.
+local function passed_by(run, contact)
+  local subject = ("model.warning.obstacle_inside %s "):format(contact)
+  return lists.any(run.state_findings, function(found) return found.subject:sub(1, #subject) == subject end)
+end
+
 --- A sentence for an active contact that never touched in the rows of a run, with the smallest gap at its end.
 local function untouched(run, model, contact)
   if not model:contact_law(contact).active or ever_acts(run, model, contact) then return nil end
+  if passed_by(run, contact) then return nil end
   local least = math.huge
   for _, gap in ipairs(model:profile(contact).gap) do
     if gap < least then least = gap end -- false for nan, where the master is not opposite

@@ -2,10 +2,9 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
+#include "model/checks/outline.hpp"
 #include "model/constants.hpp"
 #include "model/thickness.hpp"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <limits>
@@ -18,58 +17,8 @@ double size_of(const MatrixX& points) {
   return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
 }
 
-/// Pieces of an element's border per direction. On an arc of 90° the sagitta of a chord is 0.5 % (2D) or 2 % (3D) of
-/// the radius.
-template <int D> constexpr int pieces = D == 2 ? 8 : 4;
-
-/// Angle subtended at the origin by a line of points, positive counter-clockwise.
-double angle_of(const std::vector<Vec<2>>& line) {
-  double angle = 0;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Vec<2>&a = line[i], &b = line[i + 1];
-    angle += std::atan2(a(0) * b(1) - a(1) * b(0), a.dot(b));
-  }
-  return angle;
-}
-
-/// Solid angle of a triangle at the origin (A. van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30, 1983).
-double solid_angle(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
-  const double la = a.norm(), lb = b.norm(), lc = c.norm();
-  return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-}
-
-/// The same for a grid of points, divided into triangles.
-double angle_of(const std::vector<Vec<3>>& grid) {
-  constexpr std::size_t columns = pieces<3> + 1;
-  double angle = 0;
-  for (std::size_t k = 0; k + columns + 1 < grid.size(); ++k)
-    if ((k + 1) % columns != 0) {
-      const Vec<3>&a = grid[k], &b = grid[k + 1], &c = grid[k + columns + 1], &d = grid[k + columns];
-      angle += solid_angle(a, b, c) + solid_angle(a, c, d);
-    }
-  return angle;
-}
-
-/// Whether x lies inside a body, by the winding number (2D) or solid angle (3D) of its boundary about x.
-template <int D> bool inside(const nurbs::Discretization& space, const Vec<D>& x) {
-  const MatrixX points = space.points();
-  double angle = 0;
-  for (int e = 0; e < space.elements(); ++e)
-    for (int across = 0; across < D; ++across)
-      for (const bool at_end : {false, true}) {
-        if (!space.touches(e, {across, at_end})) continue;
-        std::vector<Vec<D>> seen; // relative to x
-        for (int j = 0; j <= (D == 2 ? 0 : pieces<D>); ++j)
-          for (int i = 0; i <= pieces<D>; ++i) {
-            Vec<D> fractions;
-            for (int d = 0, along = 0; d < D; ++d)
-              fractions(d) = d == across ? at_end : static_cast<double>(along++ == 0 ? i : j) / pieces<D>;
-            const nurbs::ElementBasis basis = space.basis(e, space.parameter(e, fractions));
-            seen.push_back(points(Eigen::all, basis.functions) * basis.values - x);
-          }
-        angle += nurbs::outward_sign({across, at_end}) * angle_of(seen);
-      }
-  return std::abs(angle) > 1; // 2π or 4π inside, 0 outside
+template <int D> bool encloses(const solid::Body<D>& body, const Vec<D>& x) {
+  return Outline<D>(body.space(), body.space().points()).winding(x) > 0.5;
 }
 
 /// In percent, rounded to one decimal.
@@ -181,7 +130,7 @@ std::vector<Message> check_clearance(const Scene<D>& scene, const contact::Formu
               {{"contact", contact.name}, {"body", named.name}, {"at", middle}});
     }
     if (const auto* ball = std::get_if<contact::Ball<D>>(&obstacle); ball && !ball->hollow)
-      require(!inside<D>(named.body->space(), ball->center), "model.clearance.center",
+      require(!encloses(*named.body, ball->center), "model.clearance.center",
               {{"contact", contact.name}, {"body", named.name}, {"center", ball->center}});
   }
   return warnings;

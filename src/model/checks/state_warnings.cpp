@@ -1,10 +1,15 @@
 #include "model/checks/state_warnings.hpp"
 
+#include "model/checks/undeclared_obstacle.hpp"
+
 namespace signorini::model {
 
 template <int D> std::vector<Message> state_warnings(Model<D>& model) {
   std::vector<Message> warnings;
   if (!settled(model)) return warnings;
+  const PresentOutlines<D> outlines(model);
+  warn_of_overlaps(outlines, warnings);
+  warn_of_obstacles(model, outlines, warnings);
   return warnings;
 }
 

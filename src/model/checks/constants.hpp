@@ -1,0 +1,26 @@
+#pragma once
+// Numerical parameters of checks of states, with the reasons for their values. Apart from model/constants.hpp, which
+// every file of the module includes.
+
+namespace signorini::model {
+
+// ── Overlaps that no contact declares ────────────────────────────────────────────────────────────────────────────────
+
+/// Sides whose segments are shorter than this fraction of their coordinates are collapsed up to rounding errors.
+inline constexpr double outline_rounding = 1e-12;
+/// Distance of a point next to an outline, relative to the length of its pieces: far above rounding errors, far below
+/// gaps that the pieces resolve.
+inline constexpr double beside_outline = 1e-3;
+/// Pieces of an outline that are shorter than this fraction of the thickness are left to their neighbors: errors of
+/// positions within the tolerance of equilibrium turn their normals.
+inline constexpr double shortest_piece = 1e-6;
+/// Cosine between normals of a body's outline above which two places are parts of the same bend, not of two layers.
+inline constexpr double same_bend = 0.5;
+/// Multiple of a body's declared penetrations up to which its other faces may penetrate: faces next to a contact share
+/// its edge, where penetrations exceed those at contact points.
+inline constexpr double declared_slack = 2;
+/// Distance from a curve or surface, relative to a segment's length, up to which the place where the sign of the gap
+/// changes along the segment is on it.
+inline constexpr double crossing_distance = 0.1;
+
+} // namespace signorini::model

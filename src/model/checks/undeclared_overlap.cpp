@@ -1,0 +1,207 @@
+#include "model/checks/undeclared_overlap.hpp"
+
+#include "base/groups.hpp"
+#include "model/checks/constants.hpp"
+#include "model/results.hpp"
+#include "nurbs/coincident.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace signorini::model {
+
+namespace {
+
+/// What a contact declares of its faces' overlap: penetrations, gaps by negative offsets, and overlaps of the initial
+/// shapes that are allowed.
+template <int D> double declared_overlap(const contact::Formulation<D>& contact, const contact::History<D>& history) {
+  double overlap = 0;
+  for (const double depth : contact.overlap()) overlap = std::max(overlap, depth);
+  return contact::resultant(history).max_penetration + std::abs(contact.offset(history)) + overlap;
+}
+
+/// Whether a side lies on the axis of revolution, where the other half of the body is behind it.
+template <int D> bool on_axis(const Outline<D>& outline, nurbs::Side side) {
+  double size = 0, radius = 0;
+  for (const Facet<D>& facet : outline.facets())
+    for (const Vec<D>& corner : facet.corners) {
+      size = std::max(size, corner.cwiseAbs().maxCoeff());
+      if (facet.side == side) radius = std::max(radius, std::abs(corner(0)));
+    }
+  return radius <= outline_rounding * size;
+}
+
+/// Whether faces that satisfy two conditions are those of a contact or a tie.
+template <int D, class First, class Second>
+bool any_pair(const Scene<D>& scene, const First& first, const Second& second) {
+  const auto pairs = [&](const Faces& slave, const Faces& master) {
+    return (first(slave) && second(master)) || (first(master) && second(slave));
+  };
+  return std::any_of(scene.ties.begin(), scene.ties.end(),
+                     [&](const Tie& tie) { return pairs(tie.slave, tie.master); }) ||
+         std::any_of(scene.contacts.begin(), scene.contacts.end(), [&](const Contact<D>& contact) {
+           const auto* master = std::get_if<Faces>(&contact.master);
+           return master && pairs(contact.slave, *master);
+         });
+}
+
+template <int D> bool paired(const Scene<D>& scene, const FaceReference& a, const FaceReference& b) {
+  return any_pair(
+      scene, [&](const Faces& faces) { return faces.contains(a); },
+      [&](const Faces& faces) { return faces.contains(b); });
+}
+
+/// The sides of a body that are in contact with or tied to another one.
+template <int D> Sides<D> sides_against(const Scene<D>& scene, int body, int other) {
+  Sides<D> against;
+  for (const nurbs::Side side : nurbs::sides(D))
+    against[number_of(side)] = any_pair(
+        scene,
+        [&](const Faces& faces) {
+          return faces.contains({body, side});
+        },
+        [&](const Faces& faces) { return faces.on(other); });
+  return against;
+}
+
+/// How deep a corner of a facet lies in a body.
+template <int D> double depth_in(const Outline<D>& outline, const Facet<D>& facet) {
+  double depth = 0;
+  for (const Vec<D>& corner : facet.corners)
+    if (outline.boxes(corner) && outline.layers(corner) > 0)
+      depth = std::max(depth, outline.nearest(corner, [](const Facet<D>&) { return true; }).distance);
+  return depth;
+}
+
+/// The deepest place of an overlap.
+template <int D> struct Overlapping {
+  double depth;
+  FaceReference face, behind; ///< `face` lies behind `behind`
+  Vec<D> position;
+};
+
+/// Where a piece of one body's outline lies in a body deeper than allowed, or deeper than `least`.
+template <int D>
+std::optional<Overlapping<D>> overlapping(const PresentOutlines<D>& outlines, int body, const Facet<D>& facet,
+                                          int other, double least) {
+  const Outline<D>& outline = outlines[other];
+  const Vec<D> beside = facet.middle + beside_outline * facet.radius * facet.normal; // outside its own outline
+  if (!outline.boxes(beside) || outline.layers(beside) < 1) return {};
+  const auto nearest = outline.nearest(facet.middle, [&](const Facet<D>& behind) {
+    if (outlines.within(other, behind.side)) return false;
+    if (body != other) return true;
+    return behind.normal.dot(facet.normal) < same_bend && behind.normal.dot(facet.middle - behind.middle) < 0;
+  });
+  if (!nearest.facet || nearest.distance <= least) return {};
+  if (nearest.distance <= std::max(outlines.allowed(body, facet), outlines.allowed(other, *nearest.facet))) return {};
+  const FaceReference face{body, facet.side}, behind{other, nearest.facet->side};
+  if (paired(outlines.scene(), face, behind)) return {};
+  // At this depth a whole ball is covered. A tiny fold at an edge is not, far from all other faces.
+  const Vec<D> deeper = facet.middle + 0.5 * nearest.distance * facet.normal;
+  if (outline.layers(deeper) < 1 || outline.winding(beside) < 0.5) return {};
+  return Overlapping<D>{nearest.distance, face, behind, facet.middle};
+}
+
+/// A contact between two bodies, to whose faces one can be added.
+template <int D> Message remedy(const Scene<D>& scene, int first, int second) {
+  for (const Contact<D>& contact : scene.contacts)
+    if (const auto* master = std::get_if<Faces>(&contact.master);
+        master && ((contact.slave.on(first) && master->on(second)) || (contact.slave.on(second) && master->on(first))))
+      return Message("model.overlap.extend", {{"contact", contact.name}});
+  return Message("model.overlap.define");
+}
+
+} // namespace
+
+template <int D> PresentOutlines<D>::PresentOutlines(const Model<D>& model) : scene_(model.system.scene) {
+  const auto count = static_cast<int>(scene_.bodies.size());
+  Groups joined(count), connected(count);
+  for (int b = 0; b < count; ++b) {
+    const nurbs::Discretization& space = scene_.bodies[at(b)].body->space();
+    outlines_.emplace_back(space, space.points() + body_displacement(model, b));
+    within_.emplace_back();
+    for (const int d : nurbs::closed_directions(space))
+      within_.back()[at(2 * d)] = within_.back()[at(2 * d + 1)] = true;
+    if (scene_.kind == solid::Kind::axisymmetric)
+      for (const nurbs::Side side : nurbs::sides(D))
+        if (on_axis(outlines_.back(), side)) within_.back()[number_of(side)] = true;
+  }
+  for (const Join& join : scene_.joins) {
+    for (const FaceReference& face : {join.first, join.second}) within_[at(face.body)][number_of(face.side)] = true;
+    joined.unite(join.first.body, join.second.body);
+    connected.unite(join.first.body, join.second.body);
+  }
+  for (const Tie& tie : scene_.ties)
+    for (const Faces& faces : {tie.slave, tie.master})
+      for (const FaceReference& face : faces) {
+        connected.unite(tie.slave.front().body, face.body);
+        if (tie.from_join) joined.unite(tie.slave.front().body, face.body);
+      }
+  declared_.assign(at(count), 0);
+  std::vector<double> declared(at(count), 0);
+  for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
+    const double overlap = declared_slack * declared_overlap(*model.system.contacts[k], model.present.contacts[k]);
+    for (int b = 0; b < count; ++b)
+      if (acts_on(scene_.contacts[k], b)) {
+        double& most = declared[at(connected.leader(b))];
+        most = std::max(most, overlap);
+      }
+  }
+  for (int b = 0; b < count; ++b) {
+    parts_.push_back(joined.leader(b));
+    declared_[at(b)] = declared[at(connected.leader(b))];
+  }
+}
+
+template <int D> void warn_of_overlaps(const PresentOutlines<D>& outlines, std::vector<Message>& warnings) {
+  const Scene<D>& scene = outlines.scene();
+  std::map<std::array<int, 2>, Overlapping<D>> deepest; // of each two bodies
+  std::map<std::array<int, 2>, double> declared;        // the same of faces in contact, by parts
+  const auto parts = [&](int first, int second) -> std::array<int, 2> {
+    const auto [least, most] = std::minmax({outlines.part(first), outlines.part(second)});
+    return {least, most};
+  };
+  for (int b = 0; b < outlines.bodies(); ++b)
+    for (int other = 0; other < outlines.bodies(); ++other) {
+      if (!outlines[b].meets(outlines[other])) continue;
+      const Sides<D> against = sides_against(scene, b, other);
+      const auto [first, second] = std::minmax(b, other);
+      double least = deepest.contains({first, second}) ? deepest.at({first, second}).depth : 0;
+      for (std::size_t i = 0; i < outlines[b].facets().size(); i += Outline<D>::stride) {
+        const Facet<D>& facet = outlines[b].facets()[i];
+        if (facet.radius <= shortest_piece * outlines[b].thickness() || facet.normal.isZero(0)) continue;
+        if (outlines.within(b, facet.side)) continue;
+        if (against[number_of(facet.side)]) {
+          double& depth = declared[parts(b, other)];
+          depth = std::max(depth, depth_in(outlines[other], facet));
+        }
+        const auto overlap = overlapping(outlines, b, facet, other, least);
+        if (!overlap) continue;
+        deepest.insert_or_assign({first, second}, *overlap);
+        least = overlap->depth;
+      }
+    }
+  for (const auto& [bodies, overlap] : deepest) {
+    // What is declared includes the edges and corners of faces in contact, from which their neighbors start.
+    if (overlap.depth <= declared[parts(bodies[0], bodies[1])]) continue;
+    const Message face = face_message(scene, overlap.face), behind = face_message(scene, overlap.behind);
+    const double depth = overlap.depth;
+    if (outlines.joined(bodies[0], bodies[1]))
+      warnings.push_back(Message("model.warning.self_overlap",
+                                 {{"face", face}, {"behind", behind}, {"depth", depth}, {"at", overlap.position}}));
+    else
+      warnings.push_back(Message("model.warning.undeclared_overlap", {{"face", face},
+                                                                      {"behind", behind},
+                                                                      {"depth", depth},
+                                                                      {"at", overlap.position},
+                                                                      {"hint", remedy(scene, bodies[0], bodies[1])}}));
+  }
+}
+
+template class PresentOutlines<2>;
+template class PresentOutlines<3>;
+template void warn_of_overlaps<2>(const PresentOutlines<2>&, std::vector<Message>&);
+template void warn_of_overlaps<3>(const PresentOutlines<3>&, std::vector<Message>&);
+
+} // namespace signorini::model
