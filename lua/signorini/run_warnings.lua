@@ -25,16 +25,18 @@ local function ever_acts(run, model, contact)
   end)
 end
 
---- Whether the obstacle of a contact was inside a body at the end of a stage, which state_warnings() report.
-local function passed_by(run, contact)
-  local subject = ("model.warning.obstacle_inside %s "):format(contact)
-  return lists.any(run.state_findings, function(found) return found.subject:sub(1, #subject) == subject end)
+--- Whether the bodies of a contact overlapped at the end of a stage unseen by it, which state_warnings() report.
+local function unseen(run, contact)
+  return lists.any({ "obstacle_inside", "unseen_overlap" }, function(code)
+    local subject = ("model.warning.%s %s "):format(code, contact)
+    return lists.any(run.state_findings, function(found) return found.subject:sub(1, #subject) == subject end)
+  end)
 end
 
 --- A sentence for an active contact that never touched in the rows of a run, with the smallest gap at its end.
 local function untouched(run, model, contact)
   if not model:contact_law(contact).active or ever_acts(run, model, contact) then return nil end
-  if passed_by(run, contact) then return nil end
+  if unseen(run, contact) then return nil end
   local least = math.huge
   for _, gap in ipairs(model:profile(contact).gap) do
     if gap < least then least = gap end -- false for nan, where the master is not opposite

@@ -960,10 +960,10 @@ function sg.plain(arguments) end
 ---          a last step whose position damping alone determines; bodies that contacts without friction do not hold or
 ---          hold in unstable equilibrium; loads or contact whose forces are not far above rounding errors; closest
 ---          points that were not found; points that passed through the master in one step; bodies that pass through each
----          other, through themselves or through obstacles where no contact is defined, and obstacles that pass between
----          contact points (at the ends of stages); steps that may have jumped to another branch of solutions (solved by
----          certain fallbacks) or probably have (judged by displacements and released energy); stages whose energy
----          balance lacks more than a tenth of the work
+---          other, through themselves or through obstacles where no contact is defined, or pass between contact points
+---          (at the ends of stages); steps that may have jumped to another branch of solutions (solved by certain
+---          fallbacks) or probably have (judged by displacements and released energy); stages whose energy balance lacks
+---          more than a tenth of the work
 ---```
 ---@field warnings string[]
 local run = {}

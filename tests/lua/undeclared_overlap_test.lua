@@ -138,6 +138,15 @@ check.case("an obstacle between contact points", function()
     "use smaller elements on the slave face")
 end)
 
+check.case("a pin between the contact points of a face", function()
+  local slab, pin = box(2, 1, 0, 0, { 4, 4 }), box(0.02, 0.5, 1.14, 1.001, { 1, 4 })
+  local model = sg.model{ bodies = { slab = slab, pin = pin },
+    supports = { bed = { on = slab:face "south", fix = "xy" }, push = { on = pin:face "north", drive = "xy" } },
+    contacts = { c = { slave = slab:face "north", master = pin:face "south", penalty = 100, points = 3 } } }
+  check.holds(only(model:run{ { steps = 40, push = { 0, -0.3 } } }), "face 'south' of body 'pin' lies 0.29",
+    "behind face 'north' of body 'slab' at (1.1", "but no point of contacts.c is active")
+end)
+
 -- ── Silence ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- Presses a body of a disc's patches, or of a ring, between two planes.

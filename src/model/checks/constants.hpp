@@ -8,9 +8,9 @@ namespace signorini::model {
 
 /// Sides whose segments are shorter than this fraction of their coordinates are collapsed up to rounding errors.
 inline constexpr double outline_rounding = 1e-12;
-/// Distance of a point next to an outline, relative to the length of its pieces: far above rounding errors, far below
-/// gaps that the pieces resolve.
-inline constexpr double beside_outline = 1e-3;
+/// Distance of a point next to an outline, relative to the length of its pieces: above rounding errors of bodies at 1e6
+/// times their size, below the width of crevices in elements of very different sizes.
+inline constexpr double beside_outline = 1e-6;
 /// Pieces of an outline that are shorter than this fraction of the thickness are left to their neighbors: errors of
 /// positions within the tolerance of equilibrium turn their normals.
 inline constexpr double shortest_piece = 1e-6;

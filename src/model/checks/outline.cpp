@@ -1,6 +1,7 @@
 #include "model/checks/outline.hpp"
 
 #include "model/checks/constants.hpp"
+#include "nurbs/basis_grid.hpp"
 
 #include <Eigen/Geometry>
 
@@ -118,18 +119,28 @@ template <int D>
 void Outline<D>::add_face(const nurbs::Discretization& space, const MatrixX& points, nurbs::Side side) {
   constexpr int n = pieces<D>, rows = D == 2 ? 1 : n + 1;
   const bool reversed = nurbs::outward_sign(side) < 0;
+  nurbs::BasisGrid grid(space);
   nurbs::ElementBasis basis;
-  std::array<Vec<D>, static_cast<std::size_t>(rows * (n + 1))> grid;
-  const auto place = [&](int i, int j) -> const Vec<D>& { return grid[at(j * (n + 1) + i)]; };
+  std::vector<std::vector<double>> parameters(D);
+  std::array<Vec<D>, static_cast<std::size_t>(rows * (n + 1))> places;
+  const auto place = [&](int i, int j) -> const Vec<D>& { return places[at(j * (n + 1) + i)]; };
   for (int f = 0; f < space.elements_on(side); ++f) {
     const int e = space.element_behind(side, f);
+    for (int d = 0; d < D; ++d) {
+      const auto [from, to] = space.interval(e, d);
+      parameters[at(d)] = {side.at_end ? to : from};
+      if (d == side.direction) continue;
+      parameters[at(d)].clear();
+      for (int k = 0; k <= n; ++k) parameters[at(d)].push_back(from + (to - from) * k / n);
+    }
+    grid.choose(e, parameters);
     for (int j = 0; j < rows; ++j)
       for (int i = 0; i <= n; ++i) {
-        Vec<D> fractions;
+        std::array<int, 3> point{};
         for (int d = 0, along = 0; d < D; ++d)
-          fractions(d) = d == side.direction ? side.at_end : static_cast<double>(along++ == 0 ? i : j) / n;
-        space.basis(e, space.parameter(e, fractions), basis);
-        Vec<D>& x = grid[at(j * (n + 1) + i)];
+          if (d != side.direction) point[at(d)] = along++ == 0 ? i : j;
+        grid.evaluate(point, basis);
+        Vec<D>& x = places[at(j * (n + 1) + i)];
         x.setZero();
         for (std::size_t a = 0; a < basis.functions.size(); ++a)
           x += basis.values(static_cast<Eigen::Index>(a)) * points.col(basis.functions[a]);

@@ -8,7 +8,7 @@ template <int D> std::vector<Message> state_warnings(Model<D>& model) {
   std::vector<Message> warnings;
   if (!settled(model)) return warnings;
   const PresentOutlines<D> outlines(model);
-  warn_of_overlaps(outlines, warnings);
+  warn_of_overlaps(model, outlines, warnings);
   warn_of_obstacles(model, outlines, warnings);
   return warnings;
 }

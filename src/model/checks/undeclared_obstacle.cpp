@@ -136,24 +136,6 @@ double declared_behind(const PresentOutlines<D>& outlines, int body, const Place
   return depth;
 }
 
-/// Contacts between a body and an obstacle.
-struct Declared {
-  bool any = false, everywhere = false; ///< everywhere: one is switched on and has no region
-  int active = 0;                       ///< contact points
-};
-template <int D> Declared declared_between(const Model<D>& model, int body, int obstacle) {
-  Declared declared;
-  for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
-    const Contact<D>& contact = model.system.scene.contacts[k];
-    const auto* master = std::get_if<ObstacleReference>(&contact.master);
-    if (!master || master->obstacle != obstacle || !contact.slave.on(body)) continue;
-    declared.any = true;
-    if (!contact.where && model.system.contacts[k]->active(model.present.contacts[k])) declared.everywhere = true;
-    declared.active += contact::resultant(model.present.contacts[k]).active;
-  }
-  return declared;
-}
-
 /// Places of an obstacle that should not be in a body. Always its middle: of a ball its center, of a cylinder or torus
 /// the points of its axis or circle closest to the body. `all`: points of its surface, too.
 template <int D>
@@ -214,8 +196,12 @@ void warn_of(const Model<D>& model, const PresentOutlines<D>& outlines, int body
                                                                  {"at", found.position}}));
     return;
   }
-  const Declared declared = declared_between(model, body, obstacle.number);
-  if (declared.any && !declared.everywhere) return;
+  const DeclaredContacts declared = declared_contacts(model, [&](const Contact<D>& contact) {
+    const auto* master = std::get_if<ObstacleReference>(&contact.master);
+    return master && master->obstacle == obstacle.number && contact.slave.on(body);
+  });
+  const bool any = !declared.first.empty();
+  if (any && !declared.everywhere) return;
   if (const Penetrating<D> found = deepest_inside(outlines, body, obstacle, start, declared.active == 0);
       found.depth > 0)
     warnings.push_back(Message("model.warning.obstacle_inside",
@@ -224,7 +210,7 @@ void warn_of(const Model<D>& model, const PresentOutlines<D>& outlines, int body
                                 {"face", face_message(scene, {body, found.side})},
                                 {"depth", found.depth},
                                 {"at", found.position},
-                                {"hint", Message(declared.any ? "model.overlap.between" : "model.overlap.define")}}));
+                                {"hint", Message(any ? "model.overlap.between" : "model.overlap.define")}}));
 }
 
 } // namespace

@@ -74,17 +74,18 @@ template <int D> double depth_in(const Outline<D>& outline, const Facet<D>& face
   return depth;
 }
 
-/// The deepest place of an overlap.
+/// A place of an overlap.
 template <int D> struct Overlapping {
   double depth;
   FaceReference face, behind; ///< `face` lies behind `behind`
   Vec<D> position;
+  bool paired; ///< the faces are those of a contact or a tie
 };
 
-/// Where a piece of one body's outline lies in a body deeper than allowed, or deeper than `least`.
+/// The middle of a piece of one body's outline, if it lies in a body deeper than allowed.
 template <int D>
 std::optional<Overlapping<D>> overlapping(const PresentOutlines<D>& outlines, int body, const Facet<D>& facet,
-                                          int other, double least) {
+                                          int other) {
   const Outline<D>& outline = outlines[other];
   const Vec<D> beside = facet.middle + beside_outline * facet.radius * facet.normal; // outside its own outline
   if (!outline.boxes(beside) || outline.layers(beside) < 1) return {};
@@ -93,23 +94,30 @@ std::optional<Overlapping<D>> overlapping(const PresentOutlines<D>& outlines, in
     if (body != other) return true;
     return behind.normal.dot(facet.normal) < same_bend && behind.normal.dot(facet.middle - behind.middle) < 0;
   });
-  if (!nearest.facet || nearest.distance <= least) return {};
+  if (!nearest.facet) return {};
   if (nearest.distance <= std::max(outlines.allowed(body, facet), outlines.allowed(other, *nearest.facet))) return {};
-  const FaceReference face{body, facet.side}, behind{other, nearest.facet->side};
-  if (paired(outlines.scene(), face, behind)) return {};
   // At this depth a whole ball is covered. A tiny fold at an edge is not, far from all other faces.
-  const Vec<D> deeper = facet.middle + 0.5 * nearest.distance * facet.normal;
-  if (outline.layers(deeper) < 1 || outline.winding(beside) < 0.5) return {};
-  return Overlapping<D>{nearest.distance, face, behind, facet.middle};
+  if (outline.layers(facet.middle + 0.5 * nearest.distance * facet.normal) < 1) return {};
+  const FaceReference face{body, facet.side}, behind{other, nearest.facet->side};
+  return Overlapping<D>{nearest.distance, face, behind, facet.middle, paired(outlines.scene(), face, behind)};
 }
 
-/// A contact between two bodies, to whose faces one can be added.
-template <int D> Message remedy(const Scene<D>& scene, int first, int second) {
-  for (const Contact<D>& contact : scene.contacts)
-    if (const auto* master = std::get_if<Faces>(&contact.master);
-        master && ((contact.slave.on(first) && master->on(second)) || (contact.slave.on(second) && master->on(first))))
-      return Message("model.overlap.extend", {{"contact", contact.name}});
-  return Message("model.overlap.define");
+/// The deepest overlaps of two bodies.
+template <int D> struct Overlaps {
+  std::optional<Overlapping<D>> deepest, paired; ///< between other faces, and between paired ones
+
+  void add(const Overlapping<D>& found) {
+    auto& most = found.paired ? paired : deepest;
+    if (!most || found.depth > most->depth) most = found;
+  }
+};
+
+template <int D> DeclaredContacts contacts_between(const Model<D>& model, int first, int second) {
+  return declared_contacts(model, [&](const Contact<D>& contact) {
+    const auto* master = std::get_if<Faces>(&contact.master);
+    return master &&
+           ((contact.slave.on(first) && master->on(second)) || (contact.slave.on(second) && master->on(first)));
+  });
 }
 
 } // namespace
@@ -154,10 +162,11 @@ template <int D> PresentOutlines<D>::PresentOutlines(const Model<D>& model) : sc
   }
 }
 
-template <int D> void warn_of_overlaps(const PresentOutlines<D>& outlines, std::vector<Message>& warnings) {
-  const Scene<D>& scene = outlines.scene();
-  std::map<std::array<int, 2>, Overlapping<D>> deepest; // of each two bodies
-  std::map<std::array<int, 2>, double> declared;        // the same of faces in contact, by parts
+template <int D>
+void warn_of_overlaps(const Model<D>& model, const PresentOutlines<D>& outlines, std::vector<Message>& warnings) {
+  const Scene<D>& scene = model.system.scene;
+  std::map<std::array<int, 2>, Overlaps<D>> overlaps;
+  std::map<std::array<int, 2>, double> declared; // depth of the corners of faces in contact, by parts
   const auto parts = [&](int first, int second) -> std::array<int, 2> {
     const auto [least, most] = std::minmax({outlines.part(first), outlines.part(second)});
     return {least, most};
@@ -166,8 +175,6 @@ template <int D> void warn_of_overlaps(const PresentOutlines<D>& outlines, std::
     for (int other = 0; other < outlines.bodies(); ++other) {
       if (!outlines[b].meets(outlines[other])) continue;
       const Sides<D> against = sides_against(scene, b, other);
-      const auto [first, second] = std::minmax(b, other);
-      double least = deepest.contains({first, second}) ? deepest.at({first, second}).depth : 0;
       for (std::size_t i = 0; i < outlines[b].facets().size(); i += Outline<D>::stride) {
         const Facet<D>& facet = outlines[b].facets()[i];
         if (facet.radius <= shortest_piece * outlines[b].thickness() || facet.normal.isZero(0)) continue;
@@ -176,32 +183,40 @@ template <int D> void warn_of_overlaps(const PresentOutlines<D>& outlines, std::
           double& depth = declared[parts(b, other)];
           depth = std::max(depth, depth_in(outlines[other], facet));
         }
-        const auto overlap = overlapping(outlines, b, facet, other, least);
-        if (!overlap) continue;
-        deepest.insert_or_assign({first, second}, *overlap);
-        least = overlap->depth;
+        if (const auto found = overlapping(outlines, b, facet, other))
+          overlaps[{std::min(b, other), std::max(b, other)}].add(*found);
       }
     }
-  for (const auto& [bodies, overlap] : deepest) {
+  for (const auto& [bodies, found] : overlaps) {
+    const int first = bodies[0], second = bodies[1];
     // What is declared includes the edges and corners of faces in contact, from which their neighbors start.
-    if (overlap.depth <= declared[parts(bodies[0], bodies[1])]) continue;
+    const bool undeclared = found.deepest && found.deepest->depth > declared[parts(first, second)];
+    if (!undeclared && !found.paired) continue;
+    const Overlapping<D>& overlap = undeclared ? *found.deepest : *found.paired;
     const Message face = face_message(scene, overlap.face), behind = face_message(scene, overlap.behind);
     const double depth = overlap.depth;
-    if (outlines.joined(bodies[0], bodies[1]))
-      warnings.push_back(Message("model.warning.self_overlap",
-                                 {{"face", face}, {"behind", behind}, {"depth", depth}, {"at", overlap.position}}));
-    else
-      warnings.push_back(Message("model.warning.undeclared_overlap", {{"face", face},
-                                                                      {"behind", behind},
-                                                                      {"depth", depth},
-                                                                      {"at", overlap.position},
-                                                                      {"hint", remedy(scene, bodies[0], bodies[1])}}));
+    const Vec<D>& at = overlap.position;
+    const DeclaredContacts between = contacts_between(model, first, second);
+    if (!undeclared) {
+      if (between.everywhere && between.active == 0)
+        warnings.push_back(
+            Message("model.warning.unseen_overlap",
+                    {{"contact", between.first}, {"face", face}, {"behind", behind}, {"depth", depth}, {"at", at}}));
+    } else if (outlines.joined(first, second)) {
+      warnings.push_back(
+          Message("model.warning.self_overlap", {{"face", face}, {"behind", behind}, {"depth", depth}, {"at", at}}));
+    } else {
+      const Message hint = between.first.empty() ? Message("model.overlap.define")
+                                                 : Message("model.overlap.extend", {{"contact", between.first}});
+      warnings.push_back(Message("model.warning.undeclared_overlap",
+                                 {{"face", face}, {"behind", behind}, {"depth", depth}, {"at", at}, {"hint", hint}}));
+    }
   }
 }
 
 template class PresentOutlines<2>;
 template class PresentOutlines<3>;
-template void warn_of_overlaps<2>(const PresentOutlines<2>&, std::vector<Message>&);
-template void warn_of_overlaps<3>(const PresentOutlines<3>&, std::vector<Message>&);
+template void warn_of_overlaps<2>(const Model<2>&, const PresentOutlines<2>&, std::vector<Message>&);
+template void warn_of_overlaps<3>(const Model<3>&, const PresentOutlines<3>&, std::vector<Message>&);
 
 } // namespace signorini::model

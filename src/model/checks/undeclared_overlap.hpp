@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 namespace signorini::model {
@@ -40,10 +41,30 @@ private:
   std::vector<double> declared_;
 };
 
+/// Contacts of a scene for which `declares` returns true.
+struct DeclaredContacts {
+  std::string first;       ///< name; empty if there is none
+  bool everywhere = false; ///< one is switched on and has no region
+  int active = 0;          ///< points
+};
+template <int D, class Declares> DeclaredContacts declared_contacts(const Model<D>& model, const Declares& declares) {
+  DeclaredContacts declared;
+  for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
+    const Contact<D>& contact = model.system.scene.contacts[k];
+    if (!declares(contact)) continue;
+    if (declared.first.empty()) declared.first = contact.name;
+    if (!contact.where && model.system.contacts[k]->active(model.present.contacts[k])) declared.everywhere = true;
+    declared.active += contact::resultant(model.present.contacts[k]).active;
+  }
+  return declared;
+}
+
 /// Appends a warning for each two bodies that overlap deeper than allowed(), and for each body that overlaps itself, at
 /// the deepest place on faces between which there is neither a contact nor a tie, if it is deeper than the places of
-/// faces with one. Contacts that are switched off and regions without contact count as declared. Places are the middles
-/// of the outlines' pieces: in space a penetration narrower than these is not found.
-template <int D> void warn_of_overlaps(const PresentOutlines<D>& outlines, std::vector<Message>& warnings);
+/// faces with one. Contacts that are switched off and regions without contact count as declared. Between faces with a
+/// contact an overlap is reported if none of its points is active. Places are the middles of the outlines' pieces: in
+/// space a penetration narrower than these is not found.
+template <int D>
+void warn_of_overlaps(const Model<D>& model, const PresentOutlines<D>& outlines, std::vector<Message>& warnings);
 
 } // namespace signorini::model
