@@ -67,9 +67,78 @@ local function part_values(values, patches, i, contact)
   return own
 end
 
+-- ── Connections ──────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- Two lists of parts, those that are connected with the first one and the others, with their numbers; nil if there are
+--- no others. links: pairs { i, j } of connected parts.
+local function separated(parts, links)
+  local group = {}
+  for i = 1, #parts do group[i] = i end
+  local function root(i) return group[i] == i and i or root(group[i]) end
+  for _, link in ipairs(links) do
+    local i, j = root(link[1]), root(link[2])
+    group[math.max(i, j)] = math.min(i, j)
+  end
+  local first, others = { bodies = {}, numbers = {} }, { bodies = {}, numbers = {} }
+  for i, part in ipairs(parts) do
+    local list = root(i) == 1 and first or others
+    table.insert(list.bodies, part)
+    table.insert(list.numbers, i)
+  end
+  if #others.bodies > 0 then return first, others end
+end
+
+--- Rejects parts that are not connected: each of them would move by itself.
+local function check_connected(parts, links, place, hint)
+  local first, others = separated(parts, links)
+  if not first then return end
+  local faces, gap = core.smallest_gap(first.bodies, others.bodies)
+  core.fail(("%s must be one body, but the patches %s and %s are not connected; the smallest gap is %.6g, between the "
+    .. "faces '%d.%s' and '%d.%s'. Hint: %s"):format(place, table.concat(first.numbers, ", "),
+    table.concat(others.numbers, ", "), gap, first.numbers[faces[1]], faces[2], others.numbers[faces[3]], faces[4],
+    hint))
+end
+
+--- The links by pairs of faces { 1, "east", 2, "west" }.
+local function links_of(pairs_of_faces)
+  return lists.map(pairs_of_faces, function(pair) return { pair[1], pair[3] } end)
+end
+
+--- The links by the values of an argument of sg.model: joins, ties or contacts, each with faces on two sides.
+local function add_links(links, parts, values, first, second)
+  local function owners(side, into)
+    local number = core.owner(side, parts)
+    if number then into[#into + 1] = number end
+    if list_shape.length(side) then for _, one in ipairs(side) do owners(one, into) end end
+    return into
+  end
+  for _, value in pairs(type(values) == "table" and values or {}) do
+    if type(value) == "table" and not getmetatable(value) then
+      for _, i in ipairs(owners(value[first], {})) do
+        for _, j in ipairs(owners(value[second], {})) do links[#links + 1] = { i, j } end
+      end
+    end
+  end
+end
+
+--- Rejects a body whose listed interfaces, and the joins, ties and contacts of the model, leave a part unconnected.
+local function check_listed(name, body, values)
+  local links = links_of(body.pairs)
+  add_links(links, body.parts, values.joins, 1, 2)
+  add_links(links, body.parts, values.ties, "slave", "master")
+  add_links(links, body.parts, values.contacts, "slave", "master")
+  check_connected(body.parts, links, ("sg.model: bodies.%s"):format(name),
+    "add the missing pair of faces to patch.interfaces of sg.body, or make two bodies of them")
+end
+
 --- The pairs of faces of parts on each other, { { 1, "east", 2, "west" }, … }: those listed, or all that coincide.
 local function pairs_of(patches, parts)
-  if not patches.interfaces then return core.coincident_faces(parts) end
+  if not patches.interfaces then
+    local found = core.coincident_faces(parts)
+    check_connected(parts, links_of(found), "sg.body: patch",
+      "faces are joined up to 10 % of an element's length; move the patches together, or make two bodies of them")
+    return found
+  end
   local found = {}
   for i, faces in ipairs(patches.interfaces) do
     local pair = {}
@@ -187,6 +256,7 @@ function compound.expanded(values)
     if not compound.is(body) then add(bodies, name, body, "bodies") end
   end
   for name, body in pairs(values.bodies) do
+    if compound.is(body) then check_listed(name, body, values) end
     for i, part in ipairs(compound.is(body) and body.parts or {}) do
       add(bodies, ("%s.%d"):format(name, i), part, "bodies")
     end

@@ -257,34 +257,76 @@ template <int D> std::string body_text(const solid::Body<D>& body) {
 
 // ── Bodies of several patches ────────────────────────────────────────────────────────────────────────────────────────
 
-/// The pairs of coincident faces of a list of bodies: { { 1, "east", 2, "west" }, … }.
-template <int D> int push_coincident_faces(lua_State* L) {
+template <int D> std::vector<Body<D>> read_bodies(lua_State* L, int index) {
   std::vector<Body<D>> bodies;
-  for (lua_Integer i = 1; lua_rawgeti(L, 1, i) != LUA_TNIL; lua_pop(L, 1), ++i)
+  for (lua_Integer i = 1; lua_rawgeti(L, index, i) != LUA_TNIL; lua_pop(L, 1), ++i)
     bodies.push_back(read_object<Body<D>>(L, -1));
-  push_list(L, model::coincident_faces<D>(bodies), [&](const model::FacePair& pair) {
-    lua_createtable(L, 4, 0);
-    lua_Integer i = 0;
-    for (const model::FaceReference& face : pair) {
-      push(L, face.body + 1);
-      lua_rawseti(L, -2, ++i);
-      push(L, nurbs::name_of(face.side));
-      lua_rawseti(L, -2, ++i);
-    }
-  });
+  lua_pop(L, 1);
+  return bodies;
+}
+
+/// { 1, "east", 2, "west" }
+void push_faces(lua_State* L, const model::FacePair& pair) {
+  lua_createtable(L, 4, 0);
+  lua_Integer i = 0;
+  for (const model::FaceReference& face : pair) {
+    push(L, face.body + 1);
+    lua_rawseti(L, -2, ++i);
+    push(L, nurbs::name_of(face.side));
+    lua_rawseti(L, -2, ++i);
+  }
+}
+
+/// Whether the first argument is a list of plane bodies.
+bool are_plane(lua_State* L) {
+  lua_rawgeti(L, 1, 1);
+  const bool plane = test_object<Body<2>>(L, -1) != nullptr;
+  lua_pop(L, 1);
+  return plane;
+}
+
+/// The pairs of coincident faces of a list of bodies: { { 1, "east", 2, "west" }, … }.
+int coincident_faces(lua_State* L) {
+  const auto found = are_plane(L) ? model::coincident_faces<2>(read_bodies<2>(L, 1))
+                                  : model::coincident_faces<3>(read_bodies<3>(L, 1));
+  push_list(L, found, [&](const model::FacePair& pair) { push_faces(L, pair); });
   return 1;
 }
 
-int coincident_faces(lua_State* L) {
-  lua_rawgeti(L, 1, 1);
-  const bool plane = test_object<Body<2>>(L, -1) != nullptr;
-  return plane ? push_coincident_faces<2>(L) : push_coincident_faces<3>(L);
+/// Of two lists of bodies the faces that are closest to each other, { 1, "east", 2, "west" }, and their distance.
+template <int D> int push_smallest_gap(lua_State* L) {
+  const model::FaceGap<D> gap = model::smallest_gap<D>(read_bodies<D>(L, 1), read_bodies<D>(L, 2));
+  push_faces(L, gap.faces);
+  push(L, gap.distance);
+  return 2;
+}
+
+int smallest_gap(lua_State* L) {
+  return are_plane(L) ? push_smallest_gap<2>(L) : push_smallest_gap<3>(L);
+}
+
+/// Number of the body in a list to which a face, edge or corner belongs; nil if to none.
+template <int D> int push_owner(lua_State* L, const BoundaryPart<D>& place) {
+  const std::vector<Body<D>> bodies = read_bodies<D>(L, 2);
+  const auto own = std::find(bodies.begin(), bodies.end(), place.body);
+  if (own == bodies.end()) return 0;
+  push(L, static_cast<int>(own - bodies.begin()) + 1);
+  return 1;
+}
+
+int owner(lua_State* L) {
+  if (const auto* plane = test_object<BoundaryPart<2>>(L, 1)) return push_owner(L, *plane);
+  if (const auto* space = test_object<BoundaryPart<3>>(L, 1)) return push_owner(L, *space);
+  return 0;
 }
 
 constexpr Function body_functions[] = {
     {"body", call<body>},
 };
-constexpr Function body_core_entries[] = {{"place_names", place_names}, {"coincident_faces", coincident_faces}};
+constexpr Function body_core_entries[] = {{"place_names", place_names},
+                                          {"coincident_faces", coincident_faces},
+                                          {"smallest_gap", smallest_gap},
+                                          {"owner", owner}};
 
 template <int D> constexpr Function place_entries[] = {{"__tostring", call<place_text<D>>}};
 template <int D>

@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace signorini::model {
 
@@ -38,8 +41,9 @@ std::vector<BoxedFace<D>> boxed_faces(const std::vector<std::shared_ptr<const so
   return faces;
 }
 
+/// Whether two faces may be close enough for a tie; no element is longer than its face's box.
 template <int D> bool boxes_meet(const BoxedFace<D>& a, const BoxedFace<D>& b) {
-  const double tolerance = nurbs::joinable * std::max((a.high - a.low).norm(), (b.high - b.low).norm());
+  const double tolerance = most_seam_distance * std::max((a.high - a.low).norm(), (b.high - b.low).norm());
   return ((a.low - b.high).array() <= tolerance).all() && ((b.low - a.high).array() <= tolerance).all();
 }
 
@@ -52,42 +56,110 @@ template <int D> double longest_side(const contact::Surface<D>& face, const cont
   return longest;
 }
 
-/// Whether a face lies on another one, as a whole or in part: of the probes of its elements those that are opposite the
-/// other face, at least one, are on it, with opposite normals.
-template <int D> bool lies_on(const BoxedFace<D>& first, const BoxedFace<D>& second) {
+/// Calls visit(element, parameters) at fractions of each element of a face.
+template <int D, std::size_t N, class Visit>
+void at_fractions(const contact::Surface<D>& face, const std::array<double, N>& fractions, Visit visit) {
+  for (int e = 0; e < face.elements(); ++e)
+    for (std::size_t k = 0; k < (D == 2 ? N : N * N); ++k) {
+      contact::FaceCoordinates<D> xi;
+      for (int d = 0; d < D - 1; ++d) {
+        const auto [from, to] = face.interval(e, d);
+        xi(d) = from + fractions[d == 0 ? k % N : k / N] * (to - from);
+      }
+      visit(e, xi);
+    }
+}
+
+/// Distances of a face's probes from a face on which they lie; infinite for those that have no point of it opposite.
+using Distances = std::vector<double>;
+
+bool any_finite(const Distances& distances) {
+  return std::any_of(distances.begin(), distances.end(), [](double one) { return std::isfinite(one); });
+}
+
+/// Empty unless a face lies on another one, as a whole or in part: of its probes those that are opposite the other
+/// face, at least one, are on it up to the tolerance of ties, with opposite normals.
+template <int D> Distances distances_on(const BoxedFace<D>& first, const BoxedFace<D>& second) {
   const contact::Surface<D> face(*first.space, first.face.side), other(*second.space, second.face.side);
   contact::ElementBoxes<D> boxes;
   boxes.update(other);
   contact::FacePoint<D> probe, foot;
   contact::Projection<D> projection;
-  constexpr std::size_t count = coincidence_probes.size();
-  bool found = false;
-  for (int e = 0; e < face.elements(); ++e)
-    for (std::size_t k = 0; k < (D == 2 ? count : count * count); ++k) {
-      contact::FaceCoordinates<D> xi;
-      for (int d = 0; d < D - 1; ++d) {
-        const auto [from, to] = face.interval(e, d);
-        xi(d) = from + coincidence_probes[d == 0 ? k % count : k / count] * (to - from);
-      }
-      face.locate(e, xi, 1, probe);
-      probe.element = e;
-      projection = contact::project(other, boxes, probe.position, projection, foot);
-      if (projection.foot == contact::Foot::none) continue;
-      const double length = std::max(longest_side(face, probe), longest_side(other, foot));
-      const double cosine = face.outward(probe.tangent).normalized().dot(other.outward(foot.tangent).normalized());
-      if ((probe.position - foot.position).norm() > most_seam_distance * length || cosine > coincident_facing)
-        return false;
-      found = true;
-    }
-  return found;
+  Distances distances;
+  bool apart = false;
+  at_fractions(face, coincidence_probes, [&](int element, const contact::FaceCoordinates<D>& xi) {
+    if (apart) return;
+    face.locate(element, xi, 1, probe);
+    probe.element = element;
+    projection = contact::project(other, boxes, probe.position, projection, foot);
+    distances.push_back(std::numeric_limits<double>::infinity());
+    if (projection.foot == contact::Foot::none) return;
+    const double length = std::max(longest_side(face, probe), longest_side(other, foot));
+    const double cosine = face.outward(probe.tangent).normalized().dot(other.outward(foot.tangent).normalized());
+    distances.back() = (probe.position - foot.position).norm();
+    apart = distances.back() > most_seam_distance * length || cosine > coincident_facing;
+  });
+  return apart || !any_finite(distances) ? Distances() : distances;
 }
 
-/// Whether faces that do not match coincide nevertheless.
-template <int D> bool coincide(const BoxedFace<D>& a, const BoxedFace<D>& b, nurbs::Mismatch mismatch) {
-  if (a.space->crosses_layer(a.face.side) || b.space->crosses_layer(b.face.side))
-    return mismatch > nurbs::Mismatch::corners; // an error of the model, which names the difference
-  // Both ways: a small face can lie between the probes of a large one.
-  return lies_on(a, b) || lies_on(b, a);
+/// Two faces that do not match but may coincide.
+struct Candidate {
+  std::size_t first, second;
+  Distances from_first, from_second; ///< a small face can lie between the probes of a large one
+  double distance = 0;               ///< the largest one
+  bool coincides = false;
+};
+
+template <int D> bool crosses_layer(const BoxedFace<D>& face) {
+  return face.space->crosses_layer(face.face.side);
+}
+
+template <int D>
+Candidate candidate(const std::vector<BoxedFace<D>>& faces, std::size_t i, std::size_t j,
+                    const nurbs::FaceMatch& match) {
+  Candidate result{i, j, {}, {}};
+  const BoxedFace<D>&a = faces[i], &b = faces[j];
+  if (crosses_layer(a) || crosses_layer(b)) {
+    // An error of the model, which names the difference
+    const int elements = std::max(a.space->elements_on(a.face.side), b.space->elements_on(b.face.side));
+    result.coincides = match.mismatch > nurbs::Mismatch::corners ||
+                       match.apart <= most_seam_distance * (a.high - a.low).norm() / std::sqrt(elements);
+    return result;
+  }
+  result.from_first = distances_on(a, b);
+  result.from_second = distances_on(b, a);
+  for (const Distances* distances : {&result.from_first, &result.from_second})
+    for (const double distance : *distances)
+      if (std::isfinite(distance)) result.distance = std::max(result.distance, distance);
+  result.coincides = !result.from_first.empty() || !result.from_second.empty();
+  return result;
+}
+
+/// Of faces at a distance only those that are next to each other coincide: there are probes of one that lie on no
+/// closer face. Others have a thin body between them.
+template <int D> void leave_out_distant(const std::vector<BoxedFace<D>>& faces, std::vector<Candidate>& candidates) {
+  std::vector<std::size_t> order(candidates.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t k) { return candidates[i].distance < candidates[k].distance; });
+  std::vector<Distances> nearest(faces.size());
+  for (const std::size_t k : order) {
+    Candidate& pair = candidates[k];
+    const double touching = nurbs::joinable * (faces[pair.first].high - faces[pair.first].low).norm();
+    bool next = pair.distance <= touching;
+    for (const auto& [face, distances] :
+         {std::pair(pair.first, &pair.from_first), std::pair(pair.second, &pair.from_second)}) {
+      nearest[face].resize(std::max(nearest[face].size(), distances->size()), std::numeric_limits<double>::infinity());
+      for (std::size_t i = 0; i < distances->size(); ++i)
+        next = next || (std::isfinite((*distances)[i]) && !std::isfinite(nearest[face][i]));
+    }
+    pair.coincides = next;
+    if (!next) continue;
+    for (const auto& [face, distances] :
+         {std::pair(pair.first, &pair.from_first), std::pair(pair.second, &pair.from_second)})
+      for (std::size_t i = 0; i < distances->size(); ++i)
+        nearest[face][i] = std::min(nearest[face][i], (*distances)[i]);
+  }
 }
 
 } // namespace
@@ -96,31 +168,77 @@ template <int D>
 std::vector<FacePair> coincident_faces(const std::vector<std::shared_ptr<const solid::Body<D>>>& bodies) {
   const std::vector<BoxedFace<D>> faces = boxed_faces<D>(bodies);
   std::vector<FacePair> pairs;
-  struct Candidate {
+  struct Other {
     std::size_t first, second;
-    nurbs::Mismatch mismatch;
+    nurbs::FaceMatch match;
   };
-  std::vector<Candidate> others;
+  std::vector<Other> others;
   std::vector<bool> matched(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (std::size_t j = i + 1; j < faces.size(); ++j) {
       const BoxedFace<D>&a = faces[i], &b = faces[j];
       if (a.face.body == b.face.body || !boxes_meet(a, b)) continue;
-      const nurbs::Mismatch mismatch = nurbs::match_faces(*a.space, a.face.side, *b.space, b.face.side).mismatch;
-      if (mismatch == nurbs::Mismatch::none) {
+      nurbs::FaceMatch match = nurbs::match_faces(*a.space, a.face.side, *b.space, b.face.side);
+      if (match.mismatch == nurbs::Mismatch::none) {
         pairs.push_back({a.face, b.face});
         matched[i] = matched[j] = true;
       } else {
-        others.push_back({i, j, mismatch});
+        others.push_back({i, j, std::move(match)});
       }
     }
-  for (const auto& [i, j, mismatch] : others)
-    if (!matched[i] && !matched[j] && coincide(faces[i], faces[j], mismatch))
-      pairs.push_back({faces[i].face, faces[j].face});
+  std::vector<Candidate> candidates;
+  for (const auto& [i, j, match] : others)
+    if (!matched[i] && !matched[j])
+      if (Candidate found = candidate<D>(faces, i, j, match); found.coincides) candidates.push_back(std::move(found));
+  leave_out_distant(faces, candidates);
+  for (const Candidate& found : candidates)
+    if (found.coincides) pairs.push_back({faces[found.first].face, faces[found.second].face});
   return pairs;
 }
 
-template std::vector<FacePair> coincident_faces(const std::vector<std::shared_ptr<const solid::Body<2>>>&);
-template std::vector<FacePair> coincident_faces(const std::vector<std::shared_ptr<const solid::Body<3>>>&);
+template <int D>
+FaceGap<D> smallest_gap(const std::vector<std::shared_ptr<const solid::Body<D>>>& first,
+                        const std::vector<std::shared_ptr<const solid::Body<D>>>& second) {
+  FaceGap<D> smallest{{}, std::numeric_limits<double>::infinity()};
+  const auto note = [&](const BoxedFace<D>& a, const BoxedFace<D>& b, double distance) {
+    if (distance < smallest.distance) smallest = {{a.face, b.face}, distance};
+  };
+  // Distances of points of `a`, at its corners, too, from `b`
+  const auto measure = [&](const BoxedFace<D>& a, const BoxedFace<D>& b, auto found) {
+    const contact::Surface<D> face(*a.space, a.face.side), other(*b.space, b.face.side);
+    contact::ElementBoxes<D> boxes;
+    boxes.update(other);
+    contact::FacePoint<D> probe, foot;
+    contact::Projection<D> projection;
+    at_fractions(face, std::array<double, 3>{0, 0.5, 1}, [&](int element, const contact::FaceCoordinates<D>& xi) {
+      face.locate(element, xi, 1, probe);
+      projection = contact::project(other, boxes, probe.position, projection, foot);
+      found((probe.position - foot.position).norm());
+    });
+  };
+  for (const BoxedFace<D>& a : boxed_faces<D>(first))
+    for (const BoxedFace<D>& b : boxed_faces<D>(second)) {
+      const Vec<D> between = (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(0.0);
+      if (between.norm() >= smallest.distance) continue;
+      if (crosses_layer(a) || crosses_layer(b)) {
+        const MatrixX here = a.space->points()(Eigen::all, a.space->face_functions(a.face.side));
+        const MatrixX there = b.space->points()(Eigen::all, b.space->face_functions(b.face.side));
+        for (const auto point : here.colwise())
+          note(a, b, std::sqrt((there.colwise() - VectorX(point)).colwise().squaredNorm().minCoeff()));
+        continue;
+      }
+      measure(a, b, [&](double distance) { note(a, b, distance); });
+      measure(b, a, [&](double distance) { note(a, b, distance); });
+    }
+  return smallest;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template std::vector<FacePair> coincident_faces(const std::vector<std::shared_ptr<const solid::Body<D>>>&);          \
+  template FaceGap<D> smallest_gap(const std::vector<std::shared_ptr<const solid::Body<D>>>&,                          \
+                                   const std::vector<std::shared_ptr<const solid::Body<D>>>&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
 
 } // namespace signorini::model

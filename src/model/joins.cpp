@@ -17,10 +17,10 @@ nurbs::FaceMatch match(const Scene<D>& scene, const FaceReference& first, const 
   return nurbs::match_faces(space_of(scene, first), first.side, space_of(scene, second), second.side);
 }
 
-Message message_of(nurbs::Mismatch mismatch) {
-  switch (mismatch) {
+Message message_of(const nurbs::FaceMatch& found) {
+  switch (found.mismatch) {
   case nurbs::Mismatch::corners:
-    return Message("model.join.corners");
+    return Message("model.join.corners", {{"apart", found.apart}});
   case nurbs::Mismatch::elements:
     return Message("model.join.elements");
   case nurbs::Mismatch::borders:
@@ -68,7 +68,7 @@ template <int D> void check_join(const Scene<D>& scene, const Join& join) {
 } // namespace
 
 template <int D> Message difference(const Scene<D>& scene, const FaceReference& first, const FaceReference& second) {
-  return message_of(match<D>(scene, first, second).mismatch);
+  return message_of(match<D>(scene, first, second));
 }
 
 template <int D> void resolve_joins(Scene<D>& scene) {
@@ -91,7 +91,7 @@ template <int D> void resolve_joins(Scene<D>& scene) {
               {{"join", join.name},
                {"first", face_message(scene, join.first)},
                {"second", face_message(scene, join.second)},
-               {"why", message_of(found.mismatch)},
+               {"why", message_of(found)},
                {"face", face_message(scene, face)}});
     const auto elements = [&](const FaceReference& face) { return space_of(scene, face).elements_on(face.side); };
     const bool finer = elements(join.second) > elements(join.first);

@@ -4,6 +4,7 @@
 #include "model/constants.hpp"
 #include "model/contact_faces.hpp"
 #include "model/thickness.hpp"
+#include "nurbs/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,6 +81,12 @@ void warn_of_ties(const Scene<D>& scene, const contact::Ties<D>& ties, std::vect
   for (std::size_t k = 0; k < ties.size(); ++k) {
     const Tie& tie = scene.ties[k];
     const contact::Seam<D>& seam = ties[k].seam();
+    if (tie.from_join && seam.distance.value > nurbs::joinable * seam.length)
+      warnings.push_back(Message("model.warning.tied_gap", {{"tie", tie_message(tie)},
+                                                            {"slave", faces_message(scene, tie.slave)},
+                                                            {"master", faces_message(scene, tie.master)},
+                                                            {"distance", seam.distance.value},
+                                                            {"at", seam.distance.place}}));
     const bool whole = seam.area >= least_whole * seam.whole;
     if (!whole)
       warnings.push_back(Message("model.warning.tied_part", {{"tie", tie_message(tie)},

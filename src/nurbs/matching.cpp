@@ -5,6 +5,7 @@
 #include "nurbs/orientation.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 namespace signorini::nurbs {
@@ -101,11 +102,13 @@ bool pair_functions(const SampledFunctions& first, const SampledFunctions& secon
 
 FaceMatch compare(const MatchedFace& first, const MatchedFace& second, const Orientation& way, double tolerance) {
   const std::size_t dimensions = first.along.size();
+  double apart = 0;
   for (int corner = 0; corner < 1 << dimensions; ++corner) {
     const std::array<bool, 2> here{(corner & 1) != 0, (corner & 2) != 0};
     const auto there = way.turn(here, [](std::size_t, bool end) { return !end; });
-    if ((first.corner(here) - second.corner(there)).norm() > tolerance) return {Mismatch::corners};
+    apart = std::max(apart, (first.corner(here) - second.corner(there)).norm());
   }
+  if (apart > tolerance) return {.mismatch = Mismatch::corners, .apart = apart};
   std::array<int, 2> count{1, 1};
   for (std::size_t k = 0; k < dimensions; ++k) {
     count[k] = first.elements(k);
@@ -150,13 +153,14 @@ FaceMatch match_faces(const Discretization& first, Side first_side, const Discre
   const MatchedFace one(first, first_side), other(second, second_side);
   const MatrixX own = one.points(Eigen::all, first.face_functions(first_side));
   const double tolerance = joinable * (own.rowwise().maxCoeff() - own.rowwise().minCoeff()).norm();
-  FaceMatch best;
+  FaceMatch best{.apart = std::numeric_limits<double>::infinity()};
   for (const Orientation& way : orientations(first.parametric_dimension() - 1)) {
     FaceMatch found = compare(one, other, way, tolerance);
     if (found.mismatch == Mismatch::none) {
       found.facing = outward_sign(first_side) * outward_sign(second_side) * (way.mirrors() ? -1 : 1) < 0;
       return found;
     }
+    if (found.mismatch == Mismatch::corners) best.apart = std::min(best.apart, found.apart);
     best.mismatch = std::max(best.mismatch, found.mismatch);
   }
   return best;

@@ -17,6 +17,8 @@ struct FaceMatch {
   std::vector<std::array<int, 2>> pairs = {};
   /// If they match: whether their outward normals are opposite, so that the patches do not overlap.
   bool facing = false;
+  /// Mismatch::corners: the largest distance of corners in the orientation that brings them closest.
+  double apart = 0;
 };
 
 /// Compares two faces in each of their relative orientations (2 for curves, 8 for surfaces). They match if they have

@@ -111,11 +111,74 @@ check.case("faces on each other are found for any meshes and sizes, others are n
   for _, elements in ipairs { { { 2, 2 }, { 8, 8 }, { 2, 2 } }, { { 8, 8 }, { 2, 2 }, { 9, 8 } } } do
     check.equal(found({ at(0, 0), at(1, 0), at(0, 1) }, elements), both) -- 2.north and 3.south meet at a corner only
   end
-  check.equal(found({ at(0, 0), at(1, 1) }, { { 2, 2 }, { 8, 8 } }), {})
-  check.equal(found({ at(0, 0), at(0, 1.5) }, { 1, 1 }), {})
+  check.equal(found({ at(0, 0), at(1, 1), at(0, 1) }, { { 2, 2 }, { 8, 8 }, { 2, 2 } }),
+    { "b.1.north-3.south", "b.2.west-3.east" }) -- 1 and 2 meet at a corner only
   -- A small face between the middles of large elements, and parts of faces
   check.equal(found({ at(0, 0, 10), at(3.1, 1, 0.2) }, { { 2, 1 }, { 1, 1 } }), { "b.1.north-2.south" })
   check.equal(found({ at(0, 0, 2), at(1.7, 1, 2) }, { 1, 1 }), { "b.1.north-2.south" })
+end)
+
+check.case("parts that nearly touch or overlap a little are tied, which a warning says", function()
+  local rubber = sg.neo_hookean{ E = 1, nu = 0.3 }
+  --- A bar of two blocks at a distance, pulled by 0.05: force, reaction, warnings.
+  local function pulled(solid, distance, elements)
+    local function block(x)
+      return solid and sg.shapes.block{ size = { 1, 1, 1 }, corner = { x, 0, 0 } }
+        or square{ width = 1, height = 1, corner = { x, 0 } }
+    end
+    local bar = body({ block(0), block(1 + distance) }, { material = rubber, elements = elements })
+    local model = sg.model{ bodies = { bar = bar }, supports = {
+      wall = { on = bar:face "1.west", fix = solid and "xyz" or "xy" },
+      pull = { on = bar:face "2.east", fix = solid and "yz" or "y", drive = "x" } } }
+    local run = model:run({ { steps = 1, pull = 0.05 } }, sg.plain{})
+    check.equal(run.reason, "completed")
+    return run:column "pull.fx"[1], run:column "wall.fx"[1], run.warnings
+  end
+  for solid, elements in pairs { [false] = { 3, 3 }, [true] = { 2, 2, 2 } } do
+    local exact = pulled(solid, 0, elements)
+    for _, distance in ipairs { 1e-7, 1e-5, 1e-3, -1e-3, 0.01 } do
+      local force, reaction, warnings = pulled(solid, distance, elements)
+      check.within_share("force", force, exact, 1e-6 + math.abs(distance))
+      check.within("balance", force + reaction, 0, 1e-9)
+      check.equal(#warnings, math.abs(distance) > 1e-6 and 1 or 0)
+      if warnings[1] then
+        check.holds(warnings[1], "joins.bar.1.east-2.west", ("by up to %g at"):format(math.abs(distance)), "tied")
+      end
+    end
+  end
+end)
+
+check.case("every part of a body is connected with the others; otherwise the smallest gap is an error", function()
+  local function at(x, y) return square{ width = 1, height = 1, corner = { x, y } } end
+  refused({ "sg.body: patch must be one body", "the patches 1 and 2 are not connected", "the smallest gap is 0.2",
+    "the faces '1.east' and '2.west'", "10 % of an element's length" }, body, { at(0, 0), at(1.2, 0) })
+  refused({ "the patches 1, 3 and 2 are not connected", "the smallest gap is 0.5" }, body,
+    { at(0, 0), at(2.5, 0), at(1, 0) })
+  refused({ "the smallest gap is 0," }, body, { at(0, 0), at(1, 1) }) -- at a corner
+  local function solid(x) return sg.shapes.block{ size = { 1, 1, 1 }, corner = { x, 0, 0 } } end
+  refused({ "the smallest gap is 0.5", "'1.east' and '2.west'" }, body, { solid(0), solid(1.5) },
+    { elements = { 2, 2, 2 } })
+  -- Interfaces that leave a part out: the model may connect it.
+  local three = { at(0, 0), at(1, 0), at(2, 0), interfaces = { { "1.east", "2.west" } } }
+  local listed = body(three)
+  refused({ "sg.model: bodies.a must be one body", "the patches 1, 2 and 3 are not connected", "patch.interfaces" },
+    sg.model, { bodies = { a = listed } })
+  local seam = { slave = listed:face "2.east", master = listed:face "3.west" }
+  check.equal(sg.model{ bodies = { a = listed }, ties = { seam = seam } }:tie_names(), { "seam" })
+  check.equal(#sg.model{ bodies = { a = listed }, joins = { seam = { seam.slave, seam.master } } }:tie_names(), 0)
+end)
+
+check.case("faces at a distance are tied to the next one only, and a slit that ends in a gap is closed", function()
+  local function layer(y, height, elements) return square{ width = 2, height = height, corner = { 0, y } }, elements end
+  -- A thin layer between two thick ones, with other meshes: the thick ones face each other within the tolerance.
+  local text = tostring(sg.model{ bodies = { b = body({ layer(0, 1), layer(1, 0.02), layer(1.0201, 1) },
+    { elements = { { 2, 2 }, { 5, 1 }, { 3, 2 } } }) } })
+  check.holds(text, "b.1.north-2.south is tied", "b.2.north-3.south is tied")
+  assert(not text:find "b.1.north%-3.south")
+  -- Four squares, one pair of which is a little apart
+  local function at(x, y) return square{ width = 1, height = 1, corner = { x, y } } end
+  local four = sg.model{ bodies = { b = body{ at(0, 0), at(1, 0), at(0, 1), at(1.0001, 1) } } }
+  check.holds(tostring(four), "b.3.east-4.west is tied")
 end)
 
 check.case("closed faces are joined in any order of their directions", function()

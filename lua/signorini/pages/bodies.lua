@@ -98,8 +98,9 @@ of control points where these differ) and the size; tostring(body) shows the fir
 whose parts are single bodies. In a model the parts of `ball` are "ball.1", "ball.2", …, in the order of the list; as
 `bodies` of a picture "ball" means all of them.]],
     more = [[
-Faces of two parts that lie on each other are joined; where their meshes do not match they are tied. print(model) shows
-which of the two happened. If the list has `interfaces`, only the faces in it are: { { "1.east", "2.west" }, … }.
+Faces of two parts that lie on each other are joined; where their meshes do not match they are tied, and so are faces up
+to 10 % of an element's length apart, with a warning. print(model) shows what happened. If the list has `interfaces`,
+only the faces in it are joined: { { "1.east", "2.west" }, … }. Parts that nothing connects with others are an error.
 `boundaries` of the list names faces: { outer = { "1.south", "2.south" } }; compound:face "outer" then returns these.
 Arguments of sg.body: order is one label for all; contact lists faces such as "1.south", or boundaries; parts without
 such a face have the label's bulk, N2 of N2-N4; layer is a function if several parts have contact faces. Methods: face,
