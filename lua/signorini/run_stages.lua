@@ -107,6 +107,10 @@ local function read_stage(model, rows, index, stage, options, now)
       goal = paths[name][values.steps]
     end
     targets[name] = type(goal) == "number" and { goal } or goal and lists.joined(goal)
+    for _, reached in ipairs(paths[name] or { targets[name] }) do
+      local wrong = core.off_axis(model, name, reached)
+      if wrong then core.fail(("%s: %s.%s: %s"):format(where, label, name, wrong)) end
+    end
     now[name] = targets[name] or now[name]
   end
   local contacts = lists.merged(values.contacts or {})

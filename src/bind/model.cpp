@@ -3,6 +3,7 @@
 #include "base/words.hpp"
 #include "bind/open.hpp"
 #include "bind/wording/wording.hpp"
+#include "model/checks/axis.hpp"
 #include "model/checks/state_warnings.hpp"
 #include "model/equilibrium.hpp"
 #include "model/joins.hpp"
@@ -167,6 +168,23 @@ int rounding(lua_State* L) {
   return 0;
 }
 
+template <int D> int push_off_axis(lua_State* L, const model::Model<D>& model) {
+  const auto& drives = model.system.drives.all();
+  const auto drive = std::ranges::find(drives, to<std::string>(L, 2), &model::Drive::name);
+  if (drive == drives.end()) return 0;
+  const Message wrong =
+      model::off_axis(model.system, static_cast<int>(drive - drives.begin()), to<std::vector<double>>(L, 3));
+  if (wrong.code.empty()) return 0;
+  push(L, worded(wrong));
+  return 1;
+}
+
+/// core.off_axis(model, name, values): what is wrong with values of a support in an axisymmetric model; else nothing.
+int off_axis(lua_State* L) {
+  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_off_axis(L, **plane);
+  return 0;
+}
+
 template <int D> int push_weak_hold(lua_State* L, model::Model<D>& model) {
   const auto warning = model::weak_hold(model);
   if (!warning) return 0;
@@ -215,9 +233,13 @@ int state_warnings(lua_State* L) {
   return 1;
 }
 
-constexpr Function model_core[] = {
-    {"contact_problem", wrap<contact_problem>}, {"contact_warnings", wrap<contact_warnings>}, {"rounding", rounding},
-    {"smallest_body", smallest_body},           {"state_warnings", state_warnings},           {"weak_hold", weak_hold}};
+constexpr Function model_core[] = {{"contact_problem", wrap<contact_problem>},
+                                   {"contact_warnings", wrap<contact_warnings>},
+                                   {"rounding", rounding},
+                                   {"smallest_body", smallest_body},
+                                   {"off_axis", off_axis},
+                                   {"state_warnings", state_warnings},
+                                   {"weak_hold", weak_hold}};
 
 template <int D> constexpr Function snapshot_entries[] = {{"__tostring", call<snapshot_text<D>>}};
 

@@ -5,6 +5,7 @@
 #include "bind/wording/wording.hpp"
 #include "model/arc.hpp"
 #include "model/checkpoint.hpp"
+#include "model/checks/axis.hpp"
 #include "model/diagnosis.hpp"
 #include "model/load_step.hpp"
 #include "model/turning.hpp"
@@ -38,6 +39,8 @@ template <int D> void set_target(model::Model<D>& model, const std::string& name
   const std::size_t count = driven(model, name).size();
   if (values.size() != count)
     reject(L, 3, {"target", "one number per driven component"}, text("a list of ", counted(count, "number")));
+  if (const Message wrong = model::off_axis(model.system, drive, values); !wrong.code.empty())
+    require(false, worded(wrong));
   for (std::size_t i = 0; i < count; ++i) model::set_target(model, drive, static_cast<int>(i), values[i]);
 }
 

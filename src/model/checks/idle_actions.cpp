@@ -1,6 +1,7 @@
 #include "model/checks/idle_actions.hpp"
 
 #include "base/index.hpp"
+#include "model/checks/axis.hpp"
 #include "model/turning.hpp"
 
 #include <algorithm>
@@ -47,19 +48,6 @@ template <int D> std::vector<int> sprung(const System<D>& system, int support) {
   std::vector<int> dofs;
   add_acting(stiffness, dofs);
   return dofs;
-}
-
-/// The radial displacements on the axis of an axisymmetric scene, which vanish.
-template <int D> std::vector<char> radial_on_axis(const System<D>& system) {
-  std::vector<char> held(at(system.unknowns.dofs()), 0);
-  if (system.scene.kind != solid::Kind::axisymmetric) return held;
-  for (std::size_t b = 0; b < system.scene.bodies.size(); ++b) {
-    const MatrixX points = system.scene.bodies[b].body->space().points();
-    const double least = negligible * points.row(0).cwiseAbs().maxCoeff();
-    for (Eigen::Index i = 0; i < points.cols(); ++i)
-      held[at(system.unknowns.offset(static_cast<int>(b)) + D * static_cast<int>(i))] = points(0, i) <= least;
-  }
-  return held;
 }
 
 /// The names of the supports that prescribe some of these displacements: "supports.bed, supports.grip".
@@ -144,15 +132,22 @@ template <int D> void warn_of_idle_actions(const System<D>& system, std::vector<
   if (system.scene.loads.empty() && system.springs.parts().empty()) return;
   const std::vector<char> on_axis = radial_on_axis(system);
   const auto warn = [&](const std::vector<int>& dofs, const Message& action) {
-    if (std::ranges::all_of(dofs, [&](int dof) { return on_axis[at(dof)] != 0; }))
+    if (dofs.empty() && system.scene.kind != solid::Kind::axisymmetric)
+      warnings.push_back(Message("model.warning.idle_no_area", {{"action", action}}));
+    else if (std::ranges::all_of(dofs, [&](int dof) { return on_axis[at(dof)] != 0; }))
       warnings.push_back(Message("model.warning.idle_on_axis", {{"action", action}}));
     else if (std::ranges::all_of(dofs,
                                  [&](int dof) { return on_axis[at(dof)] != 0 || system.unknowns.unknown(dof) < 0; }))
       warnings.push_back(Message("model.warning.idle", {{"action", action}, {"supports", holders(system, dofs)}}));
   };
-  for (const Drive& drive : system.drives.all())
-    if (drive.load >= 0 && system.scene.loads[at(drive.load)].kind != LoadKind::body_force)
+  for (const Drive& drive : system.drives.all()) {
+    if (drive.load < 0) continue;
+    const Load& load = system.scene.loads[at(drive.load)];
+    if (!load.values.empty() && std::ranges::all_of(load.values, [](double value) { return value == 0; }))
+      warnings.push_back(Message("model.warning.zero_function", {{"load", load.name}}));
+    else if (load.kind != LoadKind::body_force)
       warn(loaded(system, drive), Message("model.action.load", {{"name", drive.name}}));
+  }
   for (std::size_t s = 0; s < system.scene.supports.size(); ++s)
     if (!system.scene.supports[s].spring_faces.empty())
       warn(sprung(system, static_cast<int>(s)),
