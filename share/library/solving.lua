@@ -394,12 +394,13 @@ function sg.model(arguments) end
 ---        not change directions and areas of the faces, so it should be small compared with their radii of curvature
 ---```
 ---@field offset? number
----overlap: 'error' or 'interference'; default "error". Initial shapes that overlap. error: a mistake; an overlap of 1
----to
+---overlap: 'error' or 'interference'; default "error". Initial shapes that overlap. error: a mistake; an overlap of 20
+---%
 ---```text
----         20 % of the thickness of the thinner body is a warning, in obstacles of more than 1 % of the body's size an
----         error. interference: a fit; the overlap at each contact point, up to 90 % of the thickness, is allowed at
----         first and closed linearly over the first stage of model:run in which the contact is active
+---         of the thickness of the thinner body, in obstacles 1 % of the body's size, is an error, one that strains a
+---         body by more than 0.1 % a warning. interference: a fit; the overlap at each contact point, up to 90 % of the
+---         thickness, is allowed at first and closed linearly over the first stage of model:run in which the contact is
+---         active
 ---```
 ---@field overlap? "error"|"interference"
 ---where: a function; by default everywhere. function(X) that returns true where the contact acts; X = {x, y}, in 3D {x,
@@ -453,12 +454,12 @@ function sg.model(arguments) end
 ---@class sg.model
 local model = {}
 
----Returns a list of sentences on what is probably unintended. About the scene (sg.model prints these, too): bodies that
----overlap before the first step by more than 1 % of the thickness of the thinner one, Poisson's ratios that lock, mu
----above 3, penalties above 1e8 times the stiffness of an element, fewer contact points per element than the degree of
----the face, weights so different that Gauss points miss a body's volume by 1 %, loads on faces whose area they miss by
----as much, contacts that act twice. About the current state: inverted linear elastic bodies. run.warnings starts with
----these.
+---Returns a list of sentences on what is probably unintended. About the scene (sg.model prints these, too): overlaps
+---before the first step whose closing strains a body by more than 0.1 %, parts of a body at a distance that are tied,
+---functions of loads whose resultant Gauss points miss by 1 %, Poisson's ratios that lock, mu above 3, penalties above
+---1e8 times the stiffness of an element, fewer contact points per element than the degree of the face, weights so
+---different that Gauss points miss a body's volume by 1 %, loads on faces whose area they miss by as much, contacts
+---that act twice. About the current state: inverted linear elastic bodies. run.warnings starts with these.
 ---
 ---Example:
 ---```lua

@@ -61,9 +61,9 @@ inline constexpr int most_rounds = 5;
 
 // ── Bodies that overlap at the start ─────────────────────────────────────────────────────────────────────────────────
 
-/// Overlaps relative to the thinner body's thickness above which a warning and an error are given; interference fits
-/// are below 0.01.
-inline constexpr double meant_overlap = 0.01, mistaken_overlap = 0.2;
+/// Overlap relative to the thinner body's thickness above which an error is given; the limit of warnings is in
+/// checks/constants.hpp.
+inline constexpr double mistaken_overlap = 0.2;
 /// Offset relative to the thinner body's thickness above which a warning is given.
 inline constexpr double large_offset = 0.2;
 /// Penetration relative to the thickness of the master's body above which the opposite face is suggested.

@@ -30,7 +30,7 @@ template <int D> Model<D>::Model(Scene<D> scene) : Model(std::move(scene), NotSt
   evaluate(*this, nullptr, false, why);
   system.commit(present, accepted);
   accepted = present;
-  scene_warnings = check_clearance(system.scene, system.contacts, accepted.contacts);
+  scene_warnings = check_clearance(system, accepted.contacts);
   for (Message& warning : model::scene_warnings(system.scene, system.contacts, accepted.contacts))
     scene_warnings.push_back(std::move(warning));
   warn_of_ties(system.scene, system.ties, scene_warnings);

@@ -71,7 +71,7 @@ end)
 check.case("an overlap of some percent, as of an interference fit, is a warning that every run repeats", function()
   local model = blocks(0.95)
   check.equal(#model:warnings(), 1)
-  check.holds(model:warnings()[1], "by 0.05 before the first step", "5 % of the thickness", "interference fit")
+  check.holds(model:warnings()[1], "by 0.05 before the first step", "by about 2.5 %", "interference fit")
   local run = model:run({ { steps = 1, lid = {0} } }, sg.robust{})
   check.equal({ run.reason, run.warnings[1] }, { "completed", model:warnings()[1] })
   check.holds(run, "interference fit")
@@ -94,9 +94,60 @@ check.case("an overlap of some percent, as of an interference fit, is a warning 
 end)
 
 check.case("touching within rounding, small overlaps, gaps and equilibrium distances are fine", function()
-  for _, y in ipairs { 1.2, 1 + 1e-15, 1, 1 - 1e-9, 0.992 } do check.equal(#blocks(y):warnings(), 0) end
+  for _, y in ipairs { 1.2, 1 + 1e-15, 1, 1 - 1e-9, 0.9985 } do check.equal(#blocks(y):warnings(), 0) end
   check.equal(#blocks(1, { origin = 1e6 }):warnings(), 0)
   check.equal(#blocks(1 + 15 ^ (-1 / 6) * 0.4, { adhesion = { hamaker = 0.1, r0 = 0.4 } }):warnings(), 0)
+end)
+
+check.case("a small overlap is a warning if closing it strains a body, which the stress confirms", function()
+  -- Two blocks of steel between fixed plates: mean strain and stress are those of the overlap over both heights.
+  local function stacked(overlap, more)
+    local steel = sg.linear_elastic{ E = 210000, nu = 0 }
+    local function block(y)
+      return sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 10, corner = {0, y} }, elements = {3, 3},
+                      order = "N2", material = steel }
+    end
+    local a, b = block(overlap - 10), block(0)
+    local contact = { slave = b:face "south", master = a:face "north", penalty = 1e8 }
+    for key, value in pairs(more or {}) do contact[key] = value end
+    return sg.model{ bodies = { a = a, b = b }, contacts = { c = contact },
+      supports = { low = { on = a:face "south", fix = "xy" }, up = { on = b:face "north", fix = "xy" } } }
+  end
+  local model = stacked(0.09)
+  check.holds(model:warnings()[1], "by 0.09 before the first step", "by about 0.45 %", "although nothing loads it")
+  model:run({ { steps = 1 } }, sg.plain{})
+  check.within_share("pressure", model:contact_resultant "c".max_pressure, 210000 * 0.0045, 0.02)
+  check.equal(#stacked(0.019):warnings(), 0)
+  check.equal(#stacked(0.09, { overlap = "interference" }):warnings(), 0)
+  -- In a rigid plane, of which the block alone is strained, and by a small cylinder
+  local function on(obstacle)
+    local b = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 10 }, elements = {10, 10}, order = "N2",
+                       material = material }
+    return sg.model{ bodies = { b = b }, supports = { up = { on = b:face "north", fix = "xy" } },
+                     contacts = { c = { slave = b:face "south", master = obstacle, penalty = 10 } } }:warnings()
+  end
+  check.holds(on(sg.rigid.plane{ point = {0, 0.05}, normal = {0, 1} })[1], "penetrates the obstacle by 0.05",
+    "by about 0.5 %")
+  check.equal(#on(sg.rigid.plane{ point = {0, 0.009}, normal = {0, 1} }), 0)
+  check.holds(on(sg.rigid.cylinder{ center = {5, -0.991}, radius = 1 })[1], "penetrates the obstacle by 0.00")
+end)
+
+check.case("a body behind a rigid curve or surface is an error, however near it is", function()
+  local function under(y, curve, width)
+    local slab = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {0, y} }, elements = {8, 4},
+                          order = "N2", material = material }
+    return sg.model{ bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" },
+                                                            push = { on = curve, drive = "y" } },
+      contacts = { c = { slave = slab:face "north", master = curve, penalty = 100 } } }
+  end
+  local function line(height, turned)
+    local patch = sg.nurbs.line{ from = {-1, height}, to = {3, height} }
+    return sg.rigid.surface(turned and patch:reverse(1) or patch)
+  end
+  for _, height in ipairs { 1, 1.001, 1.009, 1.1 } do
+    local right, wrong = pcall(under, 0, line(height)), not pcall(under, 0, line(height, true))
+    check.equal({ right ~= wrong, right or wrong }, { false, true })
+  end
 end)
 
 check.case("a thin body behind an obstacle is found although its length is many times the depth", function()

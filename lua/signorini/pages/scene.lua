@@ -84,8 +84,9 @@ fraction d of the area. For method = "gpts", enforcement = "penalty"]], optional
 Positive: a shim of this thickness; negative: a clearance that the shapes do not have. The offset acts in full from the
 first step, without work of its own; stages change it linearly, and this does work. It does not change directions and
 areas of the faces, so it should be small compared with their radii of curvature]], unit = "length", default = 0 },
-  { "overlap", t.choice { "error", "interference" }, [[initial shapes that overlap. error: a mistake; an overlap of 1 to
-20 % of the thickness of the thinner body is a warning, in obstacles of more than 1 % of the body's size an error.
+  { "overlap", t.choice { "error", "interference" }, [[initial shapes that overlap. error: a mistake; an overlap of 20 %
+of the thickness of the thinner body, in obstacles 1 % of the body's size, is an error, one that strains a body by more
+than 0.1 % a warning.
 interference: a fit; the overlap at each contact point, up to 90 % of the thickness, is allowed at first and closed
 linearly over the first stage of model:run in which the contact is active]], default = "error" },
   { "where", region, [[function(X) that returns true where the contact acts; X = {x, y}, in 3D {x, y, z}, is a reference

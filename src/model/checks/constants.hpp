@@ -1,5 +1,5 @@
 #pragma once
-// Numerical parameters of checks of states, with the reasons for their values. Apart from model/constants.hpp, which
+// Numerical parameters of checks of scenes and states, with the reasons for their values. Apart from model/constants.hpp, which
 // every file of the module includes.
 
 namespace signorini::model {
@@ -16,11 +16,29 @@ inline constexpr double beside_outline = 1e-6;
 inline constexpr double shortest_piece = 1e-6;
 /// Cosine between normals of a body's outline above which two places are parts of the same bend, not of two layers.
 inline constexpr double same_bend = 0.5;
+/// Overlaps relative to the thickness above which a warning is given.
+inline constexpr double small_overlap = 0.01;
 /// Multiple of a body's declared penetrations up to which its other faces may penetrate: faces next to a contact share
 /// its edge, where penetrations exceed those at contact points.
 inline constexpr double declared_slack = 2;
 /// Distance from a curve or surface, relative to a segment's length, up to which the place where the sign of the gap
 /// changes along the segment is on it.
 inline constexpr double crossing_distance = 0.1;
+
+// ── Overlaps at the start, parts of a body ───────────────────────────────────────────────────────────────────────────
+
+/// Mean strain that closes an overlap above which a warning is given: it is nearly what yields mild steel (σ/E = 250
+/// MPa over 210,000 MPa), a stress that no load explains. Interference fits, which are meant, strain as much or more:
+/// they are declared.
+inline constexpr double meant_strain = 1e-3;
+
+/// Displacement along the normal, in a rigid-body mode with a largest component of 1, that parts faces; by less they
+/// slide along each other.
+inline constexpr double parting = 0.1;
+
+/// Cosine between the outward normals of a slave face and of an obstacle, where they are closest, above which the body
+/// lies behind the obstacle: 1 for smooth faces that touch, −1 on the right side, between −0.5 and 0.5 where the slave
+/// ends at a wall.
+inline constexpr double behind_cosine = 0.5;
 
 } // namespace signorini::model

@@ -22,7 +22,7 @@ template <int D> double declared_overlap(const contact::Formulation<D>& contact,
 }
 
 /// Whether a side lies on the axis of revolution, where the other half of the body is behind it.
-template <int D> bool on_axis(const Outline<D>& outline, nurbs::Side side) {
+template <int D> bool lies_on_axis(const Outline<D>& outline, nurbs::Side side) {
   double size = 0, radius = 0;
   for (const Facet<D>& facet : outline.facets())
     for (const Vec<D>& corner : facet.corners) {
@@ -133,7 +133,7 @@ template <int D> PresentOutlines<D>::PresentOutlines(const Model<D>& model) : sc
       within_.back()[at(2 * d)] = within_.back()[at(2 * d + 1)] = true;
     if (scene_.kind == solid::Kind::axisymmetric)
       for (const nurbs::Side side : nurbs::sides(D))
-        if (on_axis(outlines_.back(), side)) within_.back()[number_of(side)] = true;
+        if (lies_on_axis(outlines_.back(), side)) within_.back()[number_of(side)] = true;
   }
   for (const Join& join : scene_.joins) {
     for (const FaceReference& face : {join.first, join.second}) within_[at(face.body)][number_of(face.side)] = true;

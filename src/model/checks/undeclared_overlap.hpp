@@ -30,7 +30,7 @@ public:
   /// The depth up to which a place of a body may penetrate without a contact: 1 % of its thickness, the error of the
   /// outline there, and what is declared for its faces in contact.
   double allowed(int body, const Facet<D>& facet) const {
-    return std::max({meant_overlap * outlines_[at(body)].thickness(), declared_[at(body)], 2 * facet.sagitta});
+    return std::max({small_overlap * outlines_[at(body)].thickness(), declared_[at(body)], 2 * facet.sagitta});
   }
 
 private:
