@@ -3,6 +3,7 @@
 #include "base/index.hpp"
 #include "bind/scene_builder.hpp"
 #include "bind/wording/wording.hpp"
+#include "model/checks/scene_warnings.hpp"
 
 #include <algorithm>
 
@@ -17,10 +18,48 @@ template <int D> std::string expected_of(LoadKind kind) {
   return components_text<D>(kind == LoadKind::traction ? 't' : kind == LoadKind::body_force ? 'b' : 'p');
 }
 
-/// Appends what a user's function returns at reference positions.
-template <int D> void append_values(const Arguments& a, const char* key, const MatrixX& positions, model::Load& load) {
-  const MatrixX values = values_at<D>(a, key, positions, load.pressure() ? "" : expected_of<D>(load.kind));
-  load.values.insert(load.values.end(), values.data(), values.data() + values.size());
+/// The integral of a load's function over its faces or bodies, by component, and that of its size.
+struct Resultant {
+  VectorX sum;
+  double size = 0;
+
+  void add(const MatrixX& values, const VectorX& measures) {
+    if (sum.size() == 0) sum = VectorX::Zero(values.rows());
+    sum += values * measures;
+    size += values.colwise().norm().dot(measures);
+  }
+};
+
+/// Reads the values of a user's function at the points of the load, and compares its resultant with that of twice as
+/// many points per direction.
+template <int D> void read_function(SceneBuilder<D>& builder, const Arguments& a, const char* key, model::Load& load) {
+  Resultant usual, finer;
+  const auto read = [&](const solid::LoadPoints& points, Resultant& resultant) {
+    const MatrixX values = values_at<D>(a, key, points.positions, load.pressure() ? "" : expected_of<D>(load.kind));
+    // Bodies become bodies of revolution when the scene is complete.
+    if (builder.scene.kind == solid::Kind::axisymmetric)
+      resultant.add(values, points.measures.cwiseProduct(points.positions.row(0).transpose()));
+    else
+      resultant.add(values, points.measures);
+    return values;
+  };
+  const auto add = [&](const solid::LoadPoints& points, const solid::LoadPoints& more) {
+    const MatrixX values = read(points, usual);
+    load.values.insert(load.values.end(), values.data(), values.data() + values.size());
+    read(more, finer);
+  };
+  for (const model::FaceReference& face : load.on) {
+    const solid::Body<D>& body = *builder.scene.bodies[at(face.body)].body;
+    add(solid::load_points(body, face.side), solid::load_points(body, face.side, 4));
+  }
+  for (const int index : load.bodies) {
+    const solid::Body<D>& body = *builder.scene.bodies[at(index)].body;
+    add(solid::load_points(body), solid::load_points(body, 2));
+  }
+  if (usual.size == 0) return; // of which the model warns
+  if (const Message warning = model::function_warning(a.name(key), (usual.sum - finer.sum).norm() / finer.size);
+      !warning.code.empty())
+    builder.warnings.push_back(warning);
 }
 
 /// Adds the control points of a corner or an edge.
@@ -126,10 +165,7 @@ template <int D> model::Load read_load(SceneBuilder<D>& builder, const Arguments
   if (load.kind == LoadKind::point_force)
     a.fail("force is a function, which is for faces and bodies, but it is on corners, edges or an obstacle: give ",
            expected_of<D>(load.kind));
-  for (const model::FaceReference& face : load.on)
-    append_values<D>(a, key, solid::face_point_positions(*builder.scene.bodies[at(face.body)].body, face.side), load);
-  for (const int body : load.bodies)
-    append_values<D>(a, key, solid::point_positions(*builder.scene.bodies[at(body)].body), load);
+  read_function(builder, a, key, load);
   load.start = {a.get<double>("factor")};
   return load;
 }

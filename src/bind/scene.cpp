@@ -262,6 +262,7 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
     if (scene.kind != solid::Kind::plane_strain) set_kind(scene);
   const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));
   count_memory(L, model::memory(*made));
+  std::ranges::move(builder.warnings, std::back_inserter(made->scene_warnings));
   for (const Message& warning : model::warnings(*made)) warn(worded(warning));
   return 1;
 }

@@ -12,6 +12,7 @@ namespace signorini::bind {
 template <int D> struct SceneBuilder {
   model::Scene<D> scene;
   std::vector<Rigid<D>> obstacles = {}; ///< those of the scene
+  std::vector<Message> warnings = {};   ///< about what only functions of Lua know
 
   /// Index of the place's body, or of a body. Throws when it is not in the scene.
   int index_of(const BoundaryPart<D>& place, const std::string& where) const { return index_of(place.body, where); }

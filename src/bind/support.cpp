@@ -192,7 +192,7 @@ template <int D> void read_shape(const Arguments& a, const SceneBuilder<D>& buil
   each_face<D>(a, "a face, or a list of faces", "a shape is for faces of bodies; use separate supports for others",
                [&](const BoundaryPart<D>& face) {
                  faces.push_back({builder.index_of(face, a.name("on")), *face.side});
-                 const MatrixX own = solid::face_point_positions(*face.body, *face.side);
+                 const MatrixX own = solid::load_points(*face.body, *face.side).positions;
                  positions.conservativeResize(D, positions.cols() + own.cols());
                  positions.rightCols(own.cols()) = own;
                });

@@ -11,7 +11,7 @@ struct Projection {
 };
 
 /// The displacements of control points whose field has the least mean square difference over the reference area of the
-/// faces from given values at their Gauss points (solid::face_point_positions, face after face), D × points. Fields of
+/// faces from given values at their Gauss points (solid::load_points, face after face), D × points. Fields of
 /// the faces' space are reproduced. Control points at one position, as those of joined faces, move as one. Returns the
 /// displacements of each face's control points in the order of Discretization::face_functions(), D × functions.
 template <int D>

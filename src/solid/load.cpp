@@ -69,23 +69,39 @@ template <int D> Eigen::Index face_point_count(const Body<D>& body, nurbs::Side 
   return count;
 }
 
-template <int D> MatrixX face_point_positions(const Body<D>& body, nurbs::Side side) {
+template <int D> LoadPoints load_points(const Body<D>& body, nurbs::Side side, int times) {
   const MatrixX points = body.space().points();
-  MatrixX positions(D, face_point_count(body, side));
-  Eigen::Index first = 0;
-  for (const FacePoints<D>& part : face_points(body, side)) {
-    positions.middleCols(first, part.values.cols()) = points(Eigen::all, part.functions) * part.values;
-    first += part.values.cols();
+  const std::vector<FacePoints<D>> parts = face_points(body, side, times);
+  Eigen::Index count = 0, k = 0;
+  for (const FacePoints<D>& part : parts) count += part.weights.size();
+  LoadPoints result{MatrixX(D, count), VectorX(count)};
+  for (const FacePoints<D>& part : parts) {
+    const MatrixX x = points(Eigen::all, part.functions);
+    result.positions.middleCols(k, part.weights.size()) = x * part.values;
+    for (int q = 0; q < part.weights.size(); ++q)
+      result.measures(k++) = part.weight(x, q) * part.area_vector(x, q).norm();
   }
-  return positions;
+  return result;
 }
 
-template <int D> MatrixX point_positions(const Body<D>& body) {
-  MatrixX positions(D, body.points());
-  Eigen::Index k = 0;
-  for (int e = 0; e < body.elements(); ++e)
-    for (int q = 0; q < body.element(e).points; ++q) positions.col(k++) = body.reference_point(e, q);
-  return positions;
+template <int D> LoadPoints load_points(const Body<D>& body, int times) {
+  const nurbs::Discretization& space = body.space();
+  const MatrixX points = space.points();
+  std::vector<ElementQuadrature> rules;
+  Eigen::Index count = 0, k = 0;
+  for (int e = 0; e < space.elements(); ++e)
+    count += rules.emplace_back(element_quadrature(space, e, times)).weights.size();
+  LoadPoints result{MatrixX(D, count), VectorX(count)};
+  for (int e = 0; e < space.elements(); ++e)
+    for (Eigen::Index q = 0; q < rules[at(e)].weights.size(); ++q, ++k) {
+      const nurbs::ElementBasis basis = space.basis(e, rules[at(e)].points.col(q));
+      const Mat<D> jacobian = points(Eigen::all, basis.functions) * basis.gradients.transpose();
+      const Vec<D> place = basis.combine(points);
+      result.positions.col(k) = place;
+      result.measures(k) = rules[at(e)].weights(q) * jacobian.determinant() *
+                           (body.kind() == Kind::axisymmetric ? 2 * std::numbers::pi * place(0) : 1);
+    }
+  return result;
 }
 
 template <int D> VectorX distributed_load(const Body<D>& body, nurbs::Side side, const MatrixX& values) {
@@ -160,8 +176,8 @@ template <int D> MatrixX follower_tangent(const FacePoints<D>& part, const Matri
   template VectorX pressure_load<D>(const Body<D>&, nurbs::Side);                                                      \
   template VectorX body_load<D>(const Body<D>&, int);                                                                  \
   template Eigen::Index face_point_count<D>(const Body<D>&, nurbs::Side);                                              \
-  template MatrixX face_point_positions<D>(const Body<D>&, nurbs::Side);                                               \
-  template MatrixX point_positions<D>(const Body<D>&);                                                                 \
+  template LoadPoints load_points<D>(const Body<D>&, nurbs::Side, int);                                                \
+  template LoadPoints load_points<D>(const Body<D>&, int);                                                             \
   template VectorX distributed_load<D>(const Body<D>&, nurbs::Side, const MatrixX&);                                   \
   template VectorX distributed_load<D>(const Body<D>&, const MatrixX&);                                                \
   template MatrixX follower_load<D>(const FacePoints<D>&, const MatrixX&);                                             \

@@ -17,10 +17,17 @@ template <int D> VectorX pressure_load(const Body<D>& body, nurbs::Side side);
 /// f_A = ∫ R_A dV e_component over the reference volume: the nodal forces of a unit force per volume.
 template <int D> VectorX body_load(const Body<D>& body, int component);
 
-/// The number of Gauss points of a face, and the positions of those of a face, and of a body, D × points.
+/// The number of Gauss points of a face.
 template <int D> Eigen::Index face_point_count(const Body<D>& body, nurbs::Side side);
-template <int D> MatrixX face_point_positions(const Body<D>& body, nurbs::Side side);
-template <int D> MatrixX point_positions(const Body<D>& body);
+
+/// Gauss points of a face or a body: reference positions, D × points, and the reference areas or volumes for which they
+/// stand. With `times` left out those of loads, otherwise of another rule, see face_points() and element_quadrature().
+struct LoadPoints {
+  MatrixX positions;
+  VectorX measures;
+};
+template <int D> LoadPoints load_points(const Body<D>& body, nurbs::Side side, int times = 2);
+template <int D> LoadPoints load_points(const Body<D>& body, int times = 1);
 
 /// The nodal forces of a dead load with given values at these points: tractions or forces per volume, D × points, or
 /// pressures on a face, 1 × points.

@@ -185,4 +185,45 @@ for _, case in ipairs {
   end)
 end
 
+check.case("a function that varies between the points of the load is a warning with its error", function()
+  local function loaded(f, elements, kind)
+    local b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { elements, 2 }, order = "N2",
+                       material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    local m = sg.model{ bodies = { b = b }, supports = { a = { on = b:face "south", fix = "xy" } }, kind = kind,
+                        loads = { p = { on = b:face "north", pressure = f, factor = 0 } } }
+    local run = m:run({ { steps = 1, p = 1 } }, sg.plain{})
+    return run:column "p.fy"[1], m:warnings()
+  end
+  local function peak(width) return function(x) return 0.1 * math.exp(-((x - 0.4) / width) ^ 2) end end
+  check.equal(#select(2, loaded(peak(0.1), 2)), 0) -- 0.3 %
+  for _, width in ipairs { 0.03, 0.01 } do
+    local exact = -0.1 * width * math.sqrt(math.pi)
+    local coarse, warnings = loaded(peak(width), 2)
+    assert(math.abs(coarse / exact - 1) > 0.01)
+    check.equal(#warnings, 1)
+    check.holds(warnings[1], "loads.p.pressure", "resultant of its function", "more elements where it varies")
+    local fine, none = loaded(peak(width), math.ceil(1 / width))
+    check.within_share("resultant", fine, exact, 0.01)
+    check.equal(#none, 0)
+  end
+  -- A jump at the border of an element, and functions that change their sign
+  for _, f in ipairs { function(x) return x > 0.5 and 1e-3 or 0 end,
+                       function(x) return 1e-3 * math.cos(math.pi * x) end } do
+    for _, kind in ipairs { "plane_strain", "axisymmetric" } do check.equal(#select(2, loaded(f, 4, kind)), 0) end
+  end
+  check.holds(select(2, loaded(function(x) return x > 0.9999 and 100 or 0 end, 2))[1],
+    "loads.p has no effect: its function is zero at all points")
+end)
+
+check.case("so is a force per volume", function()
+  local function warnings(width)
+    local b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 4, 4 }, order = "N2",
+                       material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    return sg.model{ bodies = { b = b }, supports = { a = { on = b:face "south", fix = "xy" } },
+      loads = { p = { on = b, force = function(x) return { 0, math.exp(-((x - 0.4) / width) ^ 2) } end } } }:warnings()
+  end
+  check.equal(#warnings(0.2), 0)
+  check.holds(warnings(0.02)[1], "loads.p.force", "resultant of its function")
+end)
+
 check.done()

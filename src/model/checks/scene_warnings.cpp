@@ -271,6 +271,11 @@ std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formul
   return warnings;
 }
 
+Message function_warning(const std::string& load, double error) {
+  if (error <= most_quadrature_error) return {};
+  return Message("model.warning.load_function", {{"load", load}, {"percent", 100 * error}});
+}
+
 template PenaltyRatio penalty_ratio(const Scene<2>&, const Contact<2>&, double);
 template PenaltyRatio penalty_ratio(const Scene<3>&, const Contact<3>&, double);
 template std::vector<Message> constant_warnings(const Scene<2>&, const Contact<2>&, double, double);

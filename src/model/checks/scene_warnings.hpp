@@ -24,4 +24,8 @@ template <int D>
 std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formulations<D>& contacts,
                                     const std::vector<contact::History<D>>& histories);
 
+/// The warning about a load whose function varies too much between its Gauss points: the error of its resultant. Empty
+/// for small errors. `load`: its name in messages.
+Message function_warning(const std::string& load, double error);
+
 } // namespace signorini::model
