@@ -9,6 +9,7 @@
 #include "bind/wording/wording.hpp"
 #include "model/coincident_faces.hpp"
 #include "nurbs/coincident.hpp"
+#include "nurbs/folds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -186,6 +187,7 @@ template <int D> int push_body(lua_State* L, const nurbs::Patch& patch, const nu
                                   a.object<solid::Material>("material"), solid::Kind::plane_strain,
                                   a.get<std::string>("volumetric") == "projected" ? solid::Volumetric::projected
                                                                                   : solid::Volumetric::pointwise));
+  nurbs::check_folds(patch);
   count_memory(L, static_cast<double>(made->memory()));
   return 1;
 }

@@ -19,5 +19,12 @@ inline constexpr double computed = 1e-9;
 inline constexpr double joinable = 1e-6;
 /// A Jacobian below this fraction of the product of its columns' lengths counts as zero (folded flat).
 inline constexpr double folded_flat = 1e-13;
+/// A Jacobian is negative below this fraction of the largest Bernstein coefficient of its numerator on a span: at poles
+/// and collapsed corners, where it is zero, coordinates with six digits leave both signs.
+inline constexpr double folded_digits = 1e-6;
+/// Boxes of a span that are examined for a negative Jacobian: a zero at a corner takes 20 halvings per direction.
+inline constexpr int most_boxes = 4096;
+/// Bernstein coefficients of a patch that are examined: a second's work.
+inline constexpr double examined_coefficients = 1e6;
 
 } // namespace signorini::nurbs

@@ -207,4 +207,52 @@ check.case("patches remain valid as long as Lua references them", function()
   check.equal(getmetatable(kept[10]), false)
 end)
 
+check.case("patches that are folded between their Gauss points are an error with the place", function()
+  local material = sg.neo_hookean{ E = 1, nu = 0.3 }
+  local function body(degrees, points, elements, weights)
+    local knots = {}
+    for d, p in ipairs(degrees) do
+      knots[d] = {}
+      for i = 1, 2 * (p + 1) do knots[d][i] = i <= p + 1 and 0 or 1 end
+    end
+    local patch = #degrees == 2 and sg.nurbs.surface or sg.nurbs.volume
+    return sg.body{ patch = patch{ degrees = degrees, knots = knots, points = points, weights = weights },
+                    elements = elements, order = "N2", material = material }
+  end
+  --- Four sides with the corner opposite to (0, 0) at (c, c): the Jacobian there is 2 c − 1.
+  local function square(c) return { { 0, 0 }, { 1, 0 }, { 0, 1 }, { c, c } } end
+  for _, n in ipairs { 2, 8 } do
+    check.fails(function() body({ 1, 1 }, square(0.475), { n, n }) end, "Jacobian")
+    check.equal(body({ 1, 1 }, square(0.5), { n, n }):dofs().total, 2 * (n + 2) ^ 2) -- zero at the corner
+  end
+  check.fails(function() body({ 1, 1 }, square(0.475), { 2, 2 }) end,
+    "sg.body: the patch is folded: its Jacobian is -0.05 at (0.475, 0.475), parameters (1, 1)")
+  check.fails(function() body({ 1, 1 }, square(0.475), { 2, 2 }, { 1, 1, 1, 2 }) end, "the patch is folded")
+  -- In space, and inside a side: a control point of the north side below the others, at 0.9 of the height and less
+  local cube = {}
+  for _, z in ipairs { 0, 1 } do
+    for _, p in ipairs(square(0.475)) do cube[#cube + 1] = { p[1], p[2], z } end
+  end
+  check.fails(function() body({ 1, 1, 1 }, cube, { 1, 1, 1 }) end, "the patch is folded", "(0.475, 0.475, 0)")
+  local function sag(y)
+    return { { 0, 0 }, { 0.5, 0 }, { 1, 0 }, { 0, 0.2 }, { 0.5, y }, { 1, 0.2 } }
+  end
+  check.equal(body({ 2, 1 }, sag(-0.19), { 1, 1 }):dofs().total, 2 * 3 * 3) -- the middle is 0.005 high
+  check.fails(function() body({ 2, 1 }, sag(-0.21), { 1, 1 }) end, "Jacobian")
+end)
+
+check.case("collapsed sides and corners, poles and closed shapes are not folded", function()
+  local material = sg.neo_hookean{ E = 1, nu = 0.3 }
+  local s = sg.shapes
+  local single = { s.polar_disc{ radius = 1 }, s.polar_cylinder{ radius = 1, width = 2 }, s.polar_ball{ radius = 1 },
+                   s.ring{ inner = 1, outer = 2 }, s.sphere_octant{ inner = 1, outer = 2 } }
+  for _, list in ipairs { s.disc{ radius = 1 }, s.ball{ radius = 1 }, single } do
+    for _, patch in ipairs(list) do
+      local n = #patch:degrees()
+      assert(sg.body{ patch = patch, elements = n == 2 and { 4, 4 } or { 4, 4, 4 },
+                      order = ("N%d"):format(math.max(table.unpack(patch:degrees()))), material = material })
+    end
+  end
+end)
+
 check.done()
