@@ -4,11 +4,11 @@
 #include "base/timer.hpp"
 #include "model/changed_contact.hpp"
 #include "model/checks/clearance.hpp"
+#include "model/checks/idle_actions.hpp"
+#include "model/checks/scene_warnings.hpp"
 #include "model/constants.hpp"
 #include "model/equilibrium.hpp"
 #include "model/first_guess.hpp"
-#include "model/checks/idle_actions.hpp"
-#include "model/checks/scene_warnings.hpp"
 #include "model/ties.hpp"
 
 #include <algorithm>

@@ -41,4 +41,8 @@ inline constexpr double parting = 0.1;
 /// ends at a wall.
 inline constexpr double behind_cosine = 0.5;
 
+/// Part of a body's strain energy in tractions that vary along directions of degree 1 above which a warning is given: a
+/// body in pure bending is by 1/(1 − part) too stiff. Strains below `unstrained` are rounding error.
+inline constexpr double most_locked = 0.1, unstrained = 1e-8;
+
 } // namespace signorini::model

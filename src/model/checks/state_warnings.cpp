@@ -1,5 +1,6 @@
 #include "model/checks/state_warnings.hpp"
 
+#include "model/checks/stiff_bending.hpp"
 #include "model/checks/undeclared_obstacle.hpp"
 
 namespace signorini::model {
@@ -10,6 +11,7 @@ template <int D> std::vector<Message> state_warnings(Model<D>& model) {
   const PresentOutlines<D> outlines(model);
   warn_of_overlaps(model, outlines, warnings);
   warn_of_obstacles(model, outlines, warnings);
+  warn_of_stiff_bending(model, warnings);
   return warnings;
 }
 
