@@ -144,9 +144,50 @@ check.case("a body behind a rigid curve or surface is an error, however near it 
     local patch = sg.nurbs.line{ from = {-1, height}, to = {3, height} }
     return sg.rigid.surface(turned and patch:reverse(1) or patch)
   end
-  for _, height in ipairs { 1, 1.001, 1.009, 1.1 } do
-    local right, wrong = pcall(under, 0, line(height)), not pcall(under, 0, line(height, true))
-    check.equal({ right ~= wrong, right or wrong }, { false, true })
+  --- A line from left to right has its outside below it.
+  for _, height in ipairs { 0.995, 0.9999, 1, 1.001, 1.009, 1.1 } do
+    assert(under(0, line(height)))
+    check.fails(function() under(0, line(height, true)) end, "overlap_test.lua", "contacts.c", "reverse its normal")
+  end
+  check.fails(function() under(0, line(1.001, true)) end, "face 'north' of body 'slab' and the obstacle are closest",
+    "0.001 apart, both face the same way", "patch:reverse(1)")
+  assert(under(0, line(0.995)):warnings()[1])
+  -- Beyond its ends a curve has no sides: a body may be there.
+  for _, turned in ipairs { false, true } do
+    local short = sg.nurbs.line{ from = {2.5, 0.995}, to = {5, 0.995} }
+    assert(under(0, sg.rigid.surface(turned and short:reverse(1) or short)))
+  end
+  -- A circle above the slab, and as a bore about a disc of nearly its size
+  local function circle(radius, turned, height)
+    local patch = sg.nurbs.circle{ center = {1, height}, radius = radius }
+    return sg.rigid.surface(turned and patch:reverse(1) or patch)
+  end
+  for _, height in ipairs { 1.499, 1.5, 1.501, 2 } do
+    assert(under(0, circle(0.5, false, height)))
+    check.fails(function() under(0, circle(0.5, true, height)) end, "contacts.c", "reverse its normal")
+  end
+  local disc = sg.body{ patch = sg.shapes.polar_disc{ radius = 1, center = {1, 0} }, elements = {8, 2}, order = "N2",
+                        material = material }
+  local function bored(radius, turned)
+    return sg.model{ bodies = { disc = disc }, contacts = { c = { slave = disc:face "south", penalty = 100,
+      master = circle(radius, turned, 0) } }, supports = { hub = { on = disc:face "north", fix = "xy" } } }
+  end
+  for _, radius in ipairs { 0.999, 1, 1.001, 1.2 } do
+    assert(bored(radius, true))
+    check.fails(function() bored(radius, false) end, "contacts.c", "reverse its normal")
+  end
+  local block = sg.body{ patch = sg.shapes.block{ size = {2, 2, 1} }, elements = {2, 2, 1}, order = "N2",
+                         material = material }
+  local function below(height, turned)
+    local sheet = sg.nurbs.extrude{ patch = sg.nurbs.line{ from = {-1, -1, height}, to = {3, -1, height} },
+                                    along = {0, 4, 0} }
+    return sg.model{ bodies = { block = block }, contacts = { c = { slave = block:face "back", penalty = 100,
+      master = sg.rigid.surface(turned and sheet or sheet:reverse(1)) } },
+      supports = { bed = { on = block:face "front", fix = "xyz" } } }
+  end
+  for _, height in ipairs { 0.995, 1, 1.001, 1.02, 1.5 } do
+    assert(below(height))
+    check.fails(function() below(height, true) end, "contacts.c", "reverse its normal")
   end
 end)
 

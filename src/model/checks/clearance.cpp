@@ -7,7 +7,6 @@
 #include "model/constants.hpp"
 #include "model/element_size.hpp"
 #include "model/thickness.hpp"
-#include "nurbs/constants.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -161,6 +160,7 @@ template <int D> Nearest<D> nearest_of(const contact::Formulation<D>& contact, c
     const Vec<D>& x = history.results[i].position;
     const contact::Projection<D> found = contact.master().project(x, history.points[i].projection, foot);
     if (found.foot != contact::Foot::regular || std::abs(found.gap) >= std::abs(nearest.gap)) continue;
+    if (contact::FaceCoordinates<D> rate; contact.master().fade(found.xi, rate) < 1) continue; // beyond an open end
     const Vec<D> outward = contact.slave().outward(tangents(contact.points(), contact.slave(), i)).normalized();
     nearest = {found.gap, outward.dot(contact.master().normal(foot)), x};
   }
@@ -213,14 +213,15 @@ std::vector<Message> check_clearance(System<D>& system, const std::vector<contac
     if (const auto* ball = std::get_if<contact::Ball<D>>(&obstacle); ball && !ball->hollow)
       require(!encloses(*named.body, ball->center), "model.clearance.center",
               {{"contact", contact.name}, {"body", named.name}, {"center", ball->center}});
-    // Less deep than that: the point next to the obstacle lies in it, and the body extends from there farther into it.
+    // Where they are closest, a face and an obstacle that face the same way are a body behind the obstacle or, if they
+    // are less apart than the body is thick, an obstacle in the body.
     const Nearest<D> nearest = nearest_of(*system.contacts[k], histories[k]);
-    const double touching = nurbs::computed * size_of(named.body->space().points());
-    require(nearest.gap > touching || nearest.cosine < behind_cosine, "model.clearance.behind",
+    require(nearest.cosine < behind_cosine || nearest.gap > thickness(scene, contact.slave) / 2,
+            "model.clearance.behind",
             {{"contact", contact.name},
              {"slave", faces_message(scene, contact.slave)},
              {"at", nearest.position},
-             {"depth", std::max(0.0, -nearest.gap)},
+             {"distance", std::abs(nearest.gap)},
              {"hint", cure<D>(obstacle)}});
     warn_of_strain(system, k, deepest, warnings);
   }
