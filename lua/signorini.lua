@@ -45,7 +45,8 @@ end
 require "signorini.compound_type" (sg)
 
 -- Types that the modules of their objects define.
-local defined_in = { study = "signorini.study", comparison = "signorini.work_precision",
+local defined_in = { study = "signorini.study", patch_list = "signorini.patch_list",
+                     comparison = "signorini.work_precision",
                      map = "signorini.convergence_map", series = "signorini.pvd" }
 setmetatable(types, { __index = function(_, name)
   if not defined_in[name] then return nil end

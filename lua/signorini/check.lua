@@ -77,7 +77,7 @@ local function resembles(of, value)
   if of.single and resembles(of.of, value) then return true end
   if of.kind == "either" and lists.any(of, function(one) return resembles(one, value) end) then return true end
   if fits[of.kind] then return (fits[of.kind](of, value)) end
-  if type(value) ~= "table" or pages.kind(value) ~= "table" then return false end
+  if type(value) ~= "table" or not ({ table = 1, ["list of patches"] = 1 })[pages.kind(value)] then return false end
   local list = rawlen(value) > 0
   if of.kind == "named" or of.kind == "map" then return not list or (of.rest ~= nil) end
   local entry = of.kind == "list" and of.of

@@ -151,7 +151,7 @@ local function pairs_of(patches, parts)
   return found
 end
 
---- The boundaries as lists of faces.
+--- The boundaries as lists of faces, which print shows by name.
 local function boundaries_of(patches, parts)
   local result = {}
   for name, texts in pairs(patches.boundaries or {}) do
@@ -159,6 +159,10 @@ local function boundaries_of(patches, parts)
     for i, text in ipairs(texts) do
       result[name][i] = place(parts, "face", text, ("sg.body: patch.boundaries.%s[%d]"):format(name, i))
     end
+    setmetatable(result[name], { __tostring = function()
+      return ("boundary '%s' of a body of %d patches: %s %s"):format(name, #parts, #texts == 1 and "face" or "faces",
+        table.concat(texts, ", "))
+    end })
   end
   return result
 end
@@ -198,7 +202,7 @@ end
 
 function compound.face(self, name)
   local named = self.boundaries[name]
-  if named then return table.move(named, 1, #named, 1, {}) end
+  if named then return setmetatable(table.move(named, 1, #named, 1, {}), getmetatable(named)) end
   if not split(name) then
     local known = lists.sorted_names(self.boundaries)
     core.fail(("compound:face: name must be a boundary (%s) or a face of a part such as '1.west', got '%s'%s")

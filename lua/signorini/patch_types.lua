@@ -7,9 +7,11 @@ local t = require "signorini.types"
 
 local patch_types = {}
 
---- The numbers of parametric directions and coordinates of the patch of a call; nil if there is none.
+--- The numbers of parametric directions and coordinates of the patch of a call, the first one of a list; nil if there
+--- is none.
 local function sizes(owner, given)
   local patch = owner or given and given.patch
+  if type(owner) == "table" then patch = owner[1] end
   if patch and core.kind(patch) == "patch" then return core.patch_sizes(patch) end
 end
 

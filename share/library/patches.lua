@@ -1096,6 +1096,117 @@ function patch:scale(arguments) end
 ---@return sg.patch
 function patch:mirror(arguments) end
 
+---A list of patches, as sg.shapes.disc, cylinder, ball and torus and sg.nurbs.read return it, with the names of its
+---faces: `boundaries`, `interfaces`. sg.body makes a body of all of them. list[1] is a patch.
+---
+---Methods: translate, rotate, scale, mirror, as of a patch, of all patches; the names of faces are kept.
+---@class sg.patch_list
+local patch_list = {}
+
+---@class (exact) sg.patch_list.translate.result
+---interfaces: faces on each other (a list of entries: each a list of two faces such as '1.east'; optional)
+---@field interfaces? [string, string][]
+---boundaries: faces by name (a table of names { name = … }; optional)
+---@field boundaries? table<string, string[]>
+---@field [integer] sg.patch
+
+---Moves all patches by a vector.
+---
+---Example:
+---```lua
+---#sg.shapes.disc{ radius = 1 }:translate{1, 0}  --> 5
+---```
+---@param by [number, number]|[number, number, number] # by: displacement (a list of 2 or 3 numbers; length)
+---@return sg.patch_list.translate.result
+function patch_list:translate(by) end
+
+---@class (exact) sg.patch_list.rotate.arguments
+---angle: counterclockwise (a number; degrees)
+---@field angle number
+---axis: direction of the axis; needed in 3D, not allowed in 2D (a list of 3 numbers {x, y, z}; optional)
+---@field axis? [number, number, number]
+---center: the fixed point (a list of 2 or 3 numbers; length; by default the origin)
+---@field center? [number, number]|[number, number, number]
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.patch_list.rotate.result
+---interfaces: faces on each other (a list of entries: each a list of two faces such as '1.east'; optional)
+---@field interfaces? [string, string][]
+---boundaries: faces by name (a table of names { name = … }; optional)
+---@field boundaries? table<string, string[]>
+---@field [integer] sg.patch
+
+---Rotates all patches about a center, in 3D about an axis through it.
+---
+---```text
+---patch_list:rotate{ angle, axis, center }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.cylinder{ radius = 1, width = 2 }:rotate{ angle = 90, axis = {1, 0, 0} }
+---```
+---@param arguments sg.patch_list.rotate.arguments
+---@return sg.patch_list.rotate.result
+function patch_list:rotate(arguments) end
+
+---@class (exact) sg.patch_list.scale.arguments
+---factor: for all coordinates, or one for each in a list (a positive number or a list of 2 or 3 numbers)
+---@field factor number|[number, number]|[number, number, number]
+---center: the fixed point (a list of 2 or 3 numbers; length; by default the origin)
+---@field center? [number, number]|[number, number, number]
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.patch_list.scale.result
+---interfaces: faces on each other (a list of entries: each a list of two faces such as '1.east'; optional)
+---@field interfaces? [string, string][]
+---boundaries: faces by name (a table of names { name = … }; optional)
+---@field boundaries? table<string, string[]>
+---@field [integer] sg.patch
+
+---Scales all patches about a center.
+---
+---```text
+---patch_list:scale{ factor, center }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.disc{ radius = 1 }:scale{ factor = {2, 1} }
+---```
+---@param arguments sg.patch_list.scale.arguments
+---@return sg.patch_list.scale.result
+function patch_list:scale(arguments) end
+
+---@class (exact) sg.patch_list.mirror.arguments
+---normal: normal of the mirror (a list of 2 or 3 numbers)
+---@field normal [number, number]|[number, number, number]
+---point: a point on the mirror (a list of 2 or 3 numbers; length; by default the origin)
+---@field point? [number, number]|[number, number, number]
+---@field [string] sg.unknown_argument
+
+---@class (exact) sg.patch_list.mirror.result
+---interfaces: faces on each other (a list of entries: each a list of two faces such as '1.east'; optional)
+---@field interfaces? [string, string][]
+---boundaries: faces by name (a table of names { name = … }; optional)
+---@field boundaries? table<string, string[]>
+---@field [integer] sg.patch
+
+---Returns the mirror images of all patches, see patch:mirror. `boundaries` and `interfaces` name the same faces as
+---before, also where a direction was reversed.
+---
+---```text
+---patch_list:mirror{ normal, point }
+---```
+---
+---Example:
+---```lua
+---sg.shapes.disc{ radius = 1, center = {2, 0} }:mirror{ normal = {1, 0} }
+---```
+---@param arguments sg.patch_list.mirror.arguments
+---@return sg.patch_list.mirror.result
+function patch_list:mirror(arguments) end
+
 ---Reverses a parametric direction; the shape is unchanged, the two faces at its ends exchange their names. A
 ---left-handed patch becomes right-handed, as sg.body requires, and for sg.rigid.surface inside and outside are
 ---exchanged.

@@ -48,11 +48,16 @@ void push_geometry(lua_State* L, const exchange::Geometry& geometry) {
     push_list(L, *geometry.interfaces, [&](const exchange::Interface& one) { push(L, names_of_faces(one)); });
     lua_setfield(L, -2, "interfaces");
   }
-  if (geometry.boundaries.empty()) return;
-  lua_newtable(L);
-  for (const exchange::Boundary& boundary : geometry.boundaries)
-    set_field(L, boundary.name.c_str(), names_of_faces(boundary.faces));
-  lua_setfield(L, -2, "boundaries");
+  if (!geometry.boundaries.empty()) {
+    lua_newtable(L);
+    for (const exchange::Boundary& boundary : geometry.boundaries)
+      set_field(L, boundary.name.c_str(), names_of_faces(boundary.faces));
+    lua_setfield(L, -2, "boundaries");
+  }
+  push_table(L, "core.types");
+  lua_getfield(L, -1, "patch_list"); // its methods
+  lua_setmetatable(L, -3);
+  lua_pop(L, 1);
 }
 
 exchange::Geometry read_geometry(lua_State* L, int index) {

@@ -41,6 +41,7 @@ function make.model()
   return sg.model { bodies = { slab = body }, supports = { bed = { on = body:face "south", fix = "x", drive = "y" } } }
 end
 --- With one part, whose faces, edges and corners have the names of a plane body's after "1.".
+function make.patch_list() return sg.shapes.disc{ radius = 1 } end
 function make.compound()
   return sg.body { patch = { make.patch() }, elements = { 2, 2 }, order = "N2", material = make.material() }
 end

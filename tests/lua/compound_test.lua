@@ -231,6 +231,44 @@ check.case("files keep patches, interfaces and boundaries, and sg.body takes the
   end
 end)
 
+check.case("lists of patches are moved as a whole, with the names of their faces", function()
+  local lying = sg.shapes.cylinder{ radius = 1, width = 2 }
+  local upright = lying:rotate{ angle = 90, axis = { 1, 0, 0 } }
+  for i, patch in ipairs(upright) do
+    check.equal(patch:points(), lying[i]:rotate{ angle = 90, axis = { 1, 0, 0 } }:points())
+  end
+  check.equal(upright.boundaries, lying.boundaries)
+  check.near(lying:translate{ 1, 2, 3 }[2]{ 0, 0, 0 }, (function()
+    local x = lying[2]{ 0, 0, 0 }
+    return { x[1] + 1, x[2] + 2, x[3] + 3 }
+  end)(), 1e-15)
+  check.equal(lying:scale{ factor = 2 }[1]:points(), lying[1]:scale{ factor = 2 }:points())
+  -- The image of a boundary is the same set of points: the circle, also where a direction was reversed.
+  for _, normal in ipairs { { 1, 0 }, { 1, 1 }, { 0, 1 } } do
+    local image = sg.shapes.disc{ radius = 1, center = { 2, 0 } }:mirror{ normal = normal, point = { 0.5, 0.5 } }
+    local center = image[5]{ 0.5, 0.5 }
+    for _, name in ipairs(image.boundaries.outer) do
+      local number, face = name:match "^(%d)%.(.+)$"
+      for _, xi in ipairs { 0, 0.3, 1 } do
+        local x = image[tonumber(number)]:face(face)(xi)
+        check.within("radius", (x[1] - center[1]) ^ 2 + (x[2] - center[2]) ^ 2, 1, 1e-12)
+      end
+    end
+    check.equal(#sg.model{ bodies = { disc = body(image) } }:tie_names(), 0)
+  end
+  local folder = check.folder()
+  sg.nurbs.write(folder .. "/disc.xml", upright)
+  check.equal(sg.nurbs.read(folder .. "/disc.xml"):translate{ 0, 0, 1 }.boundaries, upright.boundaries)
+  refused({ "patch_list:rotate: unknown argument 'angel'", "did you mean 'angle'" }, upright.rotate, upright,
+    { angel = 1 })
+  refused({ "patch_list:translate: by must be" }, upright.translate, upright, { 1, 0 })
+end)
+
+check.case("a boundary is printed by its name and faces", function()
+  check.equal(tostring(body(corner_piece()):face "bottom"), "boundary 'bottom' of a body of 3 patches: faces 1.south, "
+    .. "2.south")
+end)
+
 check.case("wrong lists, names and numbers are errors at the argument", function()
   local piece = corner_piece()
   refused({ "sg.body: patch[2] must be a patch" }, body, { piece[1], 3 })

@@ -16,9 +16,10 @@ local function definitions()
 end
 conformity.definitions = definitions
 
---- The class of an object, "sg.patch"; nil of other values.
+--- The class of an object, "sg.patch"; nil of other values. A list of patches is a list, which has methods.
 local function class_of(value)
   local own = type(value) == "table" and getmetatable(value)
+  if own == core.types.patch_list then return nil end
   for name, methods in pairs(core.types) do
     if own == methods or core.kind(value) == name then return "sg." .. name end
   end

@@ -101,6 +101,27 @@ the normal is reversed, so that the image of a body is right-handed again and an
               point("point", "a point on the mirror") },
     returns = a_patch,
     example = "patch:mirror{ normal = {1, 0} }{0, 0}  --> {-3.0, 0.0}" },
+  { "patch_list", [[A list of patches, as sg.shapes.disc, cylinder, ball and torus and sg.nurbs.read return it, with
+the names of its faces: `boundaries`, `interfaces`. sg.body makes a body of all of them. list[1] is a patch.]],
+    more = "Methods: translate, rotate, scale, mirror, as of a patch, of all patches; the names of faces are kept." },
+  { "patch_list:translate", "Moves all patches by a vector.",
+    arguments = { { "by", patch_types.vector, "displacement", unit = "length" } },
+    returns = patch_types.several,
+    example = "#sg.shapes.disc{ radius = 1 }:translate{1, 0}  --> 5" },
+  { "patch_list:rotate", "Rotates all patches about a center, in 3D about an axis through it.",
+    named = { { "angle", t.number, "counterclockwise", unit = "degrees" }, axis, point("center", "the fixed point") },
+    returns = patch_types.several,
+    example = "sg.shapes.cylinder{ radius = 1, width = 2 }:rotate{ angle = 90, axis = {1, 0, 0} }" },
+  { "patch_list:scale", "Scales all patches about a center.",
+    named = { { "factor", patch_types.factor, "for all coordinates, or one for each in a list" },
+              point("center", "the fixed point") },
+    returns = patch_types.several,
+    example = "sg.shapes.disc{ radius = 1 }:scale{ factor = {2, 1} }" },
+  { "patch_list:mirror", [[Returns the mirror images of all patches, see patch:mirror. `boundaries` and `interfaces`
+name the same faces as before, also where a direction was reversed.]],
+    named = { { "normal", patch_types.vector, "normal of the mirror" }, point("point", "a point on the mirror") },
+    returns = patch_types.several,
+    example = "sg.shapes.disc{ radius = 1, center = {2, 0} }:mirror{ normal = {1, 0} }" },
   { "patch:reverse", [[Reverses a parametric direction; the shape is unchanged, the two faces at its ends exchange their
 names. A left-handed patch becomes right-handed, as sg.body requires, and for sg.rigid.surface inside and outside are
 exchanged.]],
