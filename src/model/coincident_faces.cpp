@@ -20,12 +20,26 @@ namespace {
 /// not seen.
 constexpr std::array<double, 3> coincidence_probes = {0.1, 0.5, 0.9};
 
-/// A face with the bounding box of its control points, which contains it.
+/// A face with the bounding box of its control points, which contains it, and the distance within which it may be tied.
 template <int D> struct BoxedFace {
   FaceReference face;
   const nurbs::Discretization* space;
   Vec<D> low, high;
+  double reach;
 };
+
+/// That of its longest element, of whose box the diagonal is a bound.
+template <int D> double reach_of(const nurbs::Discretization& space, nurbs::Side side, double diagonal) {
+  if (space.crosses_layer(side)) return most_seam_distance * diagonal;
+  const contact::Surface<D> face(space, side);
+  double longest = 0;
+  Vec<D> low, high;
+  for (int e = 0; e < face.elements(); ++e) {
+    face.bounds(e, low, high);
+    longest = std::max(longest, (high - low).norm());
+  }
+  return most_seam_distance * longest;
+}
 
 template <int D>
 std::vector<BoxedFace<D>> boxed_faces(const std::vector<std::shared_ptr<const solid::Body<D>>>& bodies) {
@@ -35,15 +49,16 @@ std::vector<BoxedFace<D>> boxed_faces(const std::vector<std::shared_ptr<const so
     const MatrixX all = space.points();
     for (const nurbs::Side side : nurbs::sides(D)) {
       const MatrixX points = all(Eigen::all, space.face_functions(side));
-      faces.push_back({{static_cast<int>(b), side}, &space, points.rowwise().minCoeff(), points.rowwise().maxCoeff()});
+      const Vec<D> low = points.rowwise().minCoeff(), high = points.rowwise().maxCoeff();
+      faces.push_back({{static_cast<int>(b), side}, &space, low, high, reach_of<D>(space, side, (high - low).norm())});
     }
   }
   return faces;
 }
 
-/// Whether two faces may be close enough for a tie; no element is longer than its face's box.
+/// Whether two faces may be close enough for a tie.
 template <int D> bool boxes_meet(const BoxedFace<D>& a, const BoxedFace<D>& b) {
-  const double tolerance = most_seam_distance * std::max((a.high - a.low).norm(), (b.high - b.low).norm());
+  const double tolerance = std::max(a.reach, b.reach);
   return ((a.low - b.high).array() <= tolerance).all() && ((b.low - a.high).array() <= tolerance).all();
 }
 
