@@ -261,6 +261,7 @@ template <int D> std::string body_text(const solid::Body<D>& body) {
 
 template <int D> std::vector<Body<D>> read_bodies(lua_State* L, int index) {
   std::vector<Body<D>> bodies;
+  luaL_checktype(L, index, LUA_TTABLE);
   for (lua_Integer i = 1; lua_rawgeti(L, index, i) != LUA_TNIL; lua_pop(L, 1), ++i)
     bodies.push_back(read_object<Body<D>>(L, -1));
   lua_pop(L, 1);
@@ -281,6 +282,7 @@ void push_faces(lua_State* L, const model::FacePair& pair) {
 
 /// Whether the first argument is a list of plane bodies.
 bool are_plane(lua_State* L) {
+  luaL_checktype(L, 1, LUA_TTABLE);
   lua_rawgeti(L, 1, 1);
   const bool plane = test_object<Body<2>>(L, -1) != nullptr;
   lua_pop(L, 1);

@@ -31,6 +31,7 @@ check.case("obstacles move along the axis only", function()
     check.fails(function()
       model:run{ { steps = 1, t = { 0, -0.01 } }, { steps = 2, t = function(s) return { s, 0 } end } }
     end, "stages[2].t", "by 0.5 along x")
+    model:set_target("t", { 1e-16, 0 }) -- the sine of half a turn
     check.fails(function() model:set_target("t", { 0.3, 0 }) end, "'t' moves an obstacle by 0.3 along x")
     check.equal(model:run({ { steps = 1, t = { 0, 0.01 } } }, sg.plain{}).reason, "completed")
   end

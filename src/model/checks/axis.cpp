@@ -2,13 +2,14 @@
 
 #include "base/index.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace signorini::model {
 
 namespace {
 
-/// Radii and displacements below this fraction of a body's largest radius are rounding error.
+/// Radii below this fraction of a body's largest one, and displacements below that of all bodies', are rounding error.
 constexpr double on_axis = 1e-12;
 
 } // namespace
@@ -29,17 +30,21 @@ template <int D> Message off_axis(const System<D>& system, int drive, const std:
   const Drive& moving = system.drives.all()[at(drive)];
   if (system.scene.kind != solid::Kind::axisymmetric || moving.support < 0) return {};
   VectorX targets = VectorX::Zero(system.drives.start().size());
-  for (std::size_t k = 0; k < values.size(); ++k) targets(moving.first + static_cast<int>(k)) = values[k];
+  for (std::size_t k = 0; k < std::min(values.size(), moving.components.size()); ++k)
+    targets(moving.first + static_cast<int>(k)) = values[k];
   const VectorX moved = system.drives.displacement(targets);
   const Support<D>& support = system.scene.supports[at(moving.support)];
+  double largest = 0;
+  for (const NamedBody<D>& named : system.scene.bodies)
+    largest = std::max(largest, named.body->space().points().row(0).cwiseAbs().maxCoeff());
+  const double least = on_axis * largest;
   for (const int obstacle : support.obstacles)
-    if (const double across = moved(system.unknowns.obstacle_offset(obstacle)); across != 0)
+    if (const double across = moved(system.unknowns.obstacle_offset(obstacle)); std::abs(across) > least)
       return Message("model.axis.obstacle", {{"support", support.name}, {"across", across}});
   const std::vector<char> held = radial_on_axis(system);
   for (const SupportedControlPoints& part : support.on) {
     const NamedBody<D>& named = system.scene.bodies[at(part.body)];
     const MatrixX points = named.body->space().points();
-    const double least = on_axis * points.row(0).cwiseAbs().maxCoeff();
     for (const int function : part.functions) {
       const int dof = system.unknowns.offset(part.body) + D * function;
       if (held[at(dof)] != 0 && std::abs(moved(dof)) > least)
