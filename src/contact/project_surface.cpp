@@ -337,8 +337,10 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
   boxes.near(x, within, [&](int e) {
     if (settled && smoothly_adjacent(surface, home, e)) return;
     // The plane through the point found, normal to the line to it, separates x from an element that lies behind it.
-    const Vec<3> line = point.position - x;
-    if (surface.least_along(e, line) - line.dot(x) >= std::sqrt(nearest * within())) return;
+    if (nearest < std::numeric_limits<double>::infinity()) {
+      const Vec<3> line = point.position - x;
+      if (surface.least_along(e, line) - line.dot(x) >= std::sqrt(nearest * within())) return;
+    }
     each_dip(surface, x, e, best.foot == Foot::regular ? &point : nullptr, within, [&](const Coordinates& start) {
       const EdgeStop active = approach(surface, x, e, start, candidate);
       const double distance2 = (x - candidate.position).squaredNorm();

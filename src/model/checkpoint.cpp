@@ -7,6 +7,7 @@
 #include "model/scene_archive.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace signorini {
 
@@ -78,7 +79,7 @@ template <int D> void take_state(Model<D>& model, std::string_view bytes) {
 
 /// Parts of a file.
 struct Content {
-  std::string bytes;
+  std::unique_ptr<const std::string> bytes; ///< which do not move with the content
   int dimension;
   std::string_view text, scene, layers, state; ///< of bytes
 };
@@ -86,8 +87,8 @@ struct Content {
 using Layers = std::vector<nurbs::RaisedElements>;
 
 Content open(const std::string& file) {
-  Content content{read_archive(file, kind).bytes, 0, {}, {}, {}, {}};
-  ArchiveReader from(content.bytes);
+  Content content{std::make_unique<const std::string>(read_archive(file, kind).bytes), 0, {}, {}, {}, {}};
+  ArchiveReader from(*content.bytes);
   content.dimension = from.get<int>();
   content.text = from.section("text");
   content.scene = from.section("scene");

@@ -222,6 +222,19 @@ TEST(ProjectionOnSurface, SphereGivesItsRadialGapUpToThePole) {
   EXPECT_NEAR(below.gap, 0.25, 1e-12);
 }
 
+TEST(ProjectionOnSurface, DoesNotDependOnWhatThePointHeldBefore) {
+  const Surface<3> flat =
+      top_of(below({nurbs::KnotVector::single(1), nurbs::KnotVector::single(1)},
+                   (MatrixX(3, 4) << 0, 3, 0, 3, 0, 0, 2, 2, 0, 0, 0, 0).finished(), VectorX::Ones(4)));
+  ElementBoxes<3> boxes;
+  boxes.update(flat);
+  FacePoint<3> point;
+  point.position = Vec<3>(1e308, 1e308, 0); // products with it overflow
+  const Projection<3> found = project(flat, boxes, Vec<3>(-1, -1, 0.5), {}, point);
+  EXPECT_EQ(point.position, Vec<3>(0, 0, 0));
+  EXPECT_EQ(found.element, 0);
+}
+
 TEST(ProjectionOnSurface, HasNoContactAtOpenBorders) {
   const Surface<3> flat =
       top_of(below({nurbs::KnotVector::single(1), nurbs::KnotVector::single(1)},
