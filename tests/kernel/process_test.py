@@ -229,6 +229,43 @@ class ConnectionFiles(unittest.TestCase):
         self.assertEqual(result.returncode, 1)
         self.assertIn("(command line):1: no", result.stderr)
 
+    def test_messages_that_are_not_requests(self):
+        """Any local user can reach the ports: messages without the key, without some or with other parts are dropped."""
+        import zmq
+        from jupyter_client.blocking import BlockingKernelClient
+        for key in ("secret", ""):
+            self.write(key=key)
+            kernel = subprocess.Popen([program, "--kernel", self.file], stdin=subprocess.DEVNULL)
+            self.addCleanup(kernel.kill)
+            client = BlockingKernelClient(connection_file=self.file)
+            client.load_connection_file()
+            client.start_channels()
+            client.wait_for_ready(timeout=limit)
+            header = json.dumps(client.session.msg_header("kernel_info_request"), default=str).encode()
+            mark, empty = b"<IDS|MSG>", b"{}"
+            signed = client.session.sign([header, empty, empty, empty])
+            broken = [[b""], [mark], [mark, b""], [mark, b"", empty, empty], [b"no mark"] * 7,
+                      [mark, b"0" * 64, header, empty, empty, empty] if key else [mark, b"", b"{", empty, empty, empty],
+                      [mark, client.session.sign([b"[]", empty, empty, empty]), b"[]", empty, empty, empty],
+                      [mark, client.session.sign([b'{"msg_type": 5}', empty, empty, empty]), b'{"msg_type": 5}'] + [empty] * 3,
+                      [mark, signed, header, empty, empty], [mark, signed, header, empty, empty, b"\xff\x00"]]
+            context = zmq.Context()
+            for port in ("shell_port", "control_port", "stdin_port"):
+                one = context.socket(zmq.DEALER)
+                one.connect(f"tcp://127.0.0.1:{getattr(client, port)}")
+                for frames in broken:
+                    one.send_multipart(frames)
+                one.send_multipart([mark, signed, header, empty, empty, empty])  # behind the others, and answered
+                if port != "stdin_port":
+                    self.assertGreater(one.poll(limit * 1000), 0)
+                one.close()
+            client.execute("6 * 7")
+            self.assertEqual(client.get_shell_msg(timeout=limit)["content"]["status"], "ok")
+            client.shutdown()
+            self.assertEqual(kernel.wait(limit), 0)
+            client.stop_channels()
+            context.term()
+
     def test_without_signatures(self):
         self.write(key="")
         kernel = subprocess.Popen([program, "-e", "preset = 5", "--kernel", self.file], stdin=subprocess.DEVNULL)

@@ -1,4 +1,5 @@
 // The Jupyter kernel on xeus (https://github.com/jupyter-xeus/xeus), which speaks the protocol over ZeroMQ.
+#include "repl/kernel/gate.hpp"
 #include "repl/kernel/interpreter.hpp"
 #include "repl/kernel/server.hpp"
 
@@ -53,10 +54,12 @@ std::string serve(const Connection& connection,
   Interpreter& running = *interpreter;
   try {
     // Invalid UTF-8 in output is replaced.
-    auto& kernel =
-        *new xeus::xkernel(configuration_of(connection), xeus::get_user_name(), xeus::make_context<zmq::context_t>(),
-                           std::move(interpreter), make_server, std::move(history), nullptr, xeus::make_null_debugger,
-                           nl::json::object(), nl::json::error_handler_t::replace);
+    const xeus::xconfiguration configuration = configuration_of(connection);
+    auto context = xeus::make_context<zmq::context_t>();
+    static Gate gate(context->get_wrapped_context<zmq::context_t>(), configuration);
+    auto& kernel = *new xeus::xkernel(behind_gate(configuration), xeus::get_user_name(), std::move(context),
+                                      std::move(interpreter), make_server, std::move(history), nullptr,
+                                      xeus::make_null_debugger, nl::json::object(), nl::json::error_handler_t::replace);
     server->on_interrupt = [&running] { running.interrupt(); };
     std::clog.setstate(std::ios::failbit); // xeus greets there
     kernel.start();                        // ends the process
