@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
     if (!line.chunk.empty()) catch_notice();
     switch (line.action) {
     case repl::CommandLine::Action::version:
-      std::cout << "signorini " SIGNORINI_VERSION "\n";
+      std::cout << "signorini " << bind::release() << "\n";
       return success;
     case repl::CommandLine::Action::help:
       std::cout << repl::usage();

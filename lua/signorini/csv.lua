@@ -2,6 +2,9 @@
 --
 -- A table in memory is { columns = {"step", "fx"}, rows = {{1, 0.5}, …}, comments = {"source: …"} }; a missing value is
 -- nil in a row and an empty field in the file.
+--
+-- A text that spreadsheets would read as a formula, because it begins with = + - or @, gets an apostrophe before it, by
+-- which they take it as text; reading removes it.
 
 local check = require "signorini.check"
 local check_rows = require "signorini.table_rows"
@@ -23,8 +26,13 @@ local function field_value(text)
   return tonumber(text) or text
 end
 
+--- Whether a text is a formula to spreadsheets, perhaps after apostrophes.
+local function is_formula(text) return text:find "^'*[=@\t]" or text:find "^'*[+-]." end
+
 local function string_text(value)
-  local plain = field_value(value) == value and not value:find '[",\r\n]' and not value:find "^[#%s]"
+  local formula = is_formula(value)
+  if formula then value = "'" .. value end
+  local plain = not formula and field_value(value) == value and not value:find '[",\r\n]' and not value:find "^[#%s]"
     and not value:find "%s$"
   return plain and value or '"' .. value:gsub('"', '""') .. '"'
 end
@@ -99,7 +107,7 @@ local function file_text(data)
 end
 
 function csv.write(file, data)
-  on_behalf_of("sg.csv.write", "core.write_file", core.write_file, file, file_text(data))
+  on_behalf_of("sg.csv.write", "core.write_output", core.write_output, file, file_text(data), "csv")
 end
 
 -- ── Reading ──────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -140,6 +148,11 @@ function Data:__tostring()
   return table.concat(lines, "\n")
 end
 
+--- A value without the apostrophe of string_text().
+local function unescaped(value)
+  return type(value) == "string" and value:find "^'" and is_formula(value) and value:sub(2) or value
+end
+
 --- Reads one record from a position: its fields, their number (missing values are nil), and the next position.
 local function read_record(text, at, where)
   local fields, count = {}, 0
@@ -151,10 +164,10 @@ local function read_record(text, at, where)
         at = text:match('^%b""()', at) or core.fail(where() .. "a quoted field is not closed")
       until text:sub(at, at) ~= '"'
       local inside = text:sub(begin + 1, at - 2):gsub('""', '"')
-      fields[count] = inside ~= "" and inside or nil
+      fields[count] = inside ~= "" and unescaped(inside) or nil
     else
       local finish = text:find("[,\n]", at) or #text + 1
-      fields[count] = field_value(text:sub(at, finish - 1):match "^%s*(.-)%s*$")
+      fields[count] = unescaped(field_value(text:sub(at, finish - 1):match "^%s*(.-)%s*$"))
       at = finish
     end
     local delimiter = text:sub(at, at)

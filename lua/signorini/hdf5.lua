@@ -7,6 +7,7 @@ local layer_moves = require "signorini.layer_moves"
 local lists = require "signorini.lists"
 local on_behalf_of = require "signorini.on_behalf_of"
 local quantities = require "signorini.hdf5.quantities"
+local release = require "signorini.release"
 local scene = require "signorini.hdf5.scene"
 local stage_names = require "signorini.stage_names"
 
@@ -28,7 +29,7 @@ local function origin()
   for i, word in ipairs(arg or {}) do arguments[i] = word end
   if script == "" or script == "-" then script = nil end
   return core.write_json({
-    program = "signorini", version = core.versions.signorini, kernel = core.versions.kernel, host = core.host,
+    program = "signorini", version = release, kernel = core.versions.kernel, host = core.host,
     date = os.date "!%Y-%m-%dT%H:%M:%SZ", script = script, arguments = arguments,
     text = script and core.exists(script) and core.read_file(script) or nil,
   }, "origin")

@@ -7,7 +7,7 @@ local json = {}
 
 function json.write(file, value)
   local text = core.write_json(value, "sg.json.write: value", true)
-  on_behalf_of("sg.json.write", "core.write_file", core.write_file, file, text)
+  on_behalf_of("sg.json.write", "core.write_output", core.write_output, file, text, "json")
 end
 
 function json.read(file)

@@ -21,8 +21,8 @@ local function write_list(series)
   local lines = lists.map(series, function(state)
     return ('    <DataSet timestep="%.17g" part="0" file="%s"/>\n'):format(state.time, escaped(state.name))
   end)
-  on_behalf_of("sg.pvd", "core.write_file", core.write_file, series.file,
-    header .. "  <Collection>\n" .. table.concat(lines) .. "  </Collection>\n</VTKFile>\n")
+  on_behalf_of("sg.pvd", "core.write_output", core.write_output, series.file,
+    header .. "  <Collection>\n" .. table.concat(lines) .. "  </Collection>\n</VTKFile>\n", "vtk")
 end
 
 --- Reads the list of a file that an earlier process has written.

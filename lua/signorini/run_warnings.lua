@@ -205,7 +205,7 @@ end
 --- Notes in run.state_findings the warnings about the state at the end of a stage; of each subject the first.
 function run_warnings.note_state(run, model, stage)
   if run.reason == "interrupted" then return end
-  for _, found in ipairs(core.state_warnings(model)) do
+  for _, found in ipairs(core.state_warnings(model) or {}) do
     if not lists.any(run.state_findings, function(earlier) return earlier.subject == found.subject end) then
       run.state_findings[#run.state_findings + 1] = { subject = found.subject, stage = stage.name, text = found.text }
     end

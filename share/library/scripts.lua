@@ -143,7 +143,7 @@ function sg.table(arguments) end
 sg.csv = {}
 
 ---Reads a table from a CSV file and returns it: { columns = {…}, rows = {{…}, …}, comments = {…} }. Lines that begin
----with # are comments.
+---with # are comments. An apostrophe before = + - or @, see sg.csv.write, is not part of a text.
 ---
 ---Example:
 ---```lua
@@ -167,7 +167,8 @@ function sg.csv.read(file) end
 ---@field [string] (number|string|boolean)[]
 
 ---Writes a table to a CSV file, atomically. Values are numbers, strings, true or false; a missing value is written as
----an empty field, which is read as nil; so is an empty string.
+---an empty field, which is read as nil; so is an empty string. Texts that spreadsheets would take for formulas, because
+---they begin with = + - or @, are quoted with an apostrophe before them, which sg.csv.read removes.
 ---
 ---Example:
 ---```lua

@@ -43,7 +43,7 @@ void write_archive(const std::string& file, const ArchiveKind& kind, const Archi
   whole.append(line.data(), line.size());
   whole.put(kind.version, archive.bytes());
   whole.put(checksum(whole.bytes()));
-  write_atomically(file, whole.bytes(), durable);
+  write_output(file, whole.bytes(), FileKind::checkpoint, durable);
 }
 
 ArchiveBytes read_archive(const std::string& file, const ArchiveKind& kind) {

@@ -15,7 +15,7 @@ bool create_claim(const std::string& file, const std::string& content) {
   // link() is atomic on every file system, also between clients of NFS, and fails if the name exists (open(2), O_EXCL).
   // The content is complete before the name appears. Processes of two machines may have the same number.
   const std::string own = text(file, ".", host_name(), ".", getpid());
-  write_atomically(own, content, true);
+  write_record(own, content, true);
   const int failure = link(own.c_str(), file.c_str()) == 0 ? 0 : errno;
   // A reply of the server may be lost and the repeated request fail: the number of links tells what happened.
   struct stat status {};

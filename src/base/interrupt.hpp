@@ -17,6 +17,14 @@ public:
   Iteration(const Iteration&) = delete;
   Iteration& operator=(const Iteration&) = delete;
 };
+/// Scope of the factorization of so many unknowns, which nothing interrupts: the acknowledgement names it and its time.
+class Factorization {
+public:
+  explicit Factorization(int unknowns);
+  ~Factorization();
+  Factorization(const Factorization&) = delete;
+  Factorization& operator=(const Factorization&) = delete;
+};
 /// Sets the flag, also in signal handlers.
 void interrupt();
 bool interrupted();

@@ -3,10 +3,13 @@
 #include "base/error.hpp"
 #include "base/machine.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <string_view>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
 
@@ -14,16 +17,37 @@ namespace signorini {
 
 namespace {
 
+constexpr std::string_view title = "process "; // of the text of a lock
+
 /// Text that the holder has written to identify itself.
 std::string holder(int handle) {
   char name[512];
   const ssize_t count = pread(handle, name, sizeof name, 0);
-  return count > 0 ? std::string(name, static_cast<std::size_t>(count)) : "another process";
+  return std::string(name, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+}
+
+/// Opens a lock's file, which is created if there is none; −1 leaves the reason in errno, EEXIST for another file, also
+/// behind a link.
+int open_lock(const std::string& file) {
+  const int handle = open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+  if (handle < 0) {
+    if (errno == ELOOP || errno == ENXIO) errno = EEXIST;
+    return handle;
+  }
+  struct stat about {};
+  const std::string found = holder(handle);
+  if (fstat(handle, &about) == 0 && S_ISREG(about.st_mode) && about.st_nlink <= 1 &&
+      (found.empty() || found.starts_with(title)))
+    return handle;
+  close(handle);
+  errno = EEXIST;
+  return -1;
 }
 
 } // namespace
 
-Lock::Lock(const std::string& file) : handle_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+Lock::Lock(const std::string& file) : handle_(open_lock(file)) {
+  require(handle_ >= 0 || errno != EEXIST, "base.lock.foreign", {{"file", file}});
   require(handle_ >= 0, "base.lock.write", {{"file", file}, {"reason", std::strerror(errno)}});
   // Children of a holder that was just killed take a moment to end.
   int reason = EWOULDBLOCK;
@@ -32,13 +56,14 @@ Lock::Lock(const std::string& file) : handle_(open(file.c_str(), O_RDWR | O_CREA
     reason = flock(handle_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
   }
   if (reason != 0) {
-    const std::string who = holder(handle_);
+    std::string who = holder(handle_);
+    if (who.empty()) who = "another process";
     close(handle_);
     require(reason == EWOULDBLOCK, "base.lock.lock", {{"file", file}, {"reason", std::strerror(reason)}});
     fail("base.lock.held", {{"file", file}, {"holder", who}});
   }
   // Writing the holder's name may fail: a full disk is not a reason to stop.
-  const std::string self = text("process ", getpid(), " on ", host_name());
+  const std::string self = text(title, getpid(), " on ", host_name());
   if (ftruncate(handle_, 0) != 0 || pwrite(handle_, self.data(), self.size(), 0) < 0) errno = 0;
 }
 

@@ -9,8 +9,8 @@ namespace signorini {
 /// hold it too, as long as they live.
 class Lock {
 public:
-  /// Creates the file if there is none. Throws Error if it cannot be created or is locked; the message then names the
-  /// holder.
+  /// Creates the file if there is none. Throws Error if it cannot be created, is a link or not a lock, or is locked;
+  /// the message then names the holder.
   explicit Lock(const std::string& file);
   Lock(Lock&& other) noexcept;
   Lock(const Lock&) = delete;

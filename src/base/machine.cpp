@@ -1,5 +1,7 @@
 #include "base/machine.hpp"
 
+#include "base/error.hpp"
+
 #include <fstream>
 #include <limits>
 #include <unistd.h>
@@ -9,6 +11,13 @@ namespace signorini {
 std::string host_name() {
   char name[256] = "";
   return gethostname(name, sizeof name - 1) == 0 ? name : "an unknown host";
+}
+
+std::filesystem::path program_file() {
+  std::error_code error;
+  const std::filesystem::path file = std::filesystem::read_symlink("/proc/self/exe", error);
+  require(!error, "base.machine.no_proc", {{"reason", error.message()}});
+  return file;
 }
 
 std::string processor_name() {

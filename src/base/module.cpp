@@ -1,13 +1,14 @@
 #include "base/module.hpp"
 
 #include "base/error.hpp"
+#include "base/machine.hpp"
 
 #include <dlfcn.h>
 
 namespace signorini {
 
 std::array<std::filesystem::path, 2> module_folders() {
-  const auto here = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const auto here = program_file().parent_path();
   return {here / "lib/signorini/modules", here.parent_path() / "lib/signorini/modules"};
 }
 

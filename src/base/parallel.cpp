@@ -14,6 +14,8 @@ namespace signorini {
 
 namespace {
 
+thread_local bool in_task = false; ///< the team has one call at a time
+
 /// Threads that sleep between calls.
 class Team {
 public:
@@ -70,11 +72,13 @@ private:
       const auto i = static_cast<std::uint32_t>(place & closed);
       if (i >= count_) return;
       if (!next_.compare_exchange_weak(place, place + 1)) continue;
+      in_task = true;
       try {
         (*task_)(static_cast<int>(i));
       } catch (...) {
         errors_[i] = std::current_exception();
       }
+      in_task = false;
       if (done_.fetch_add(1) + 1 == count_) done_.notify_one();
     }
   }
@@ -111,12 +115,20 @@ int worker_threads() {
   return team ? team->size() : 1;
 }
 
+void check_threads() {
+  try {
+    std::thread([] {}).join();
+  } catch (const std::system_error& e) {
+    fail("base.threads.none", {{"reason", e.what()}});
+  }
+}
+
 void abandon_worker_threads() {
   static_cast<void>(team.release()); // the threads do not exist in this process and cannot be joined
 }
 
 void parallel(int count, const std::function<void(int)>& task) {
-  if (team && count > 1) return team->run(count, task);
+  if (team && count > 1 && !in_task) return team->run(count, task);
   for (int i = 0; i < count; ++i) task(i);
 }
 

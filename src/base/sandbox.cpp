@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "base/landlock.hpp"
+#include "base/machine.hpp"
 #include "base/module.hpp"
 #include "base/seccomp_module.hpp"
 
@@ -91,7 +92,7 @@ std::vector<fs::path> trusted_places(const std::vector<fs::path>& read) {
   std::vector<fs::path> places(std::begin(system_places), std::end(system_places));
   for (const fs::path& place : read)
     if (fs::is_directory(place)) places.push_back(place);
-  places.insert(places.end(), {"/proc", "/sys", "/dev", "/etc", fs::read_symlink("/proc/self/exe")});
+  places.insert(places.end(), {"/proc", "/sys", "/dev", "/etc", program_file()});
   if (const char* home = std::getenv("HOME"); home && *home) places.emplace_back(home);
   if (const passwd* user = ::getpwuid(::getuid())) places.emplace_back(user->pw_dir);
   return places;

@@ -2,12 +2,15 @@
 
 #include "base/error.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -30,6 +33,8 @@ struct Temporary {
 };
 
 [[noreturn]] void cannot_write(const std::string& file, int error) {
+  if (rlimit most{}; error == EFBIG && ::getrlimit(RLIMIT_FSIZE, &most) == 0 && most.rlim_cur != RLIM_INFINITY)
+    fail("base.file.too_large", {{"file", file}, {"most", most.rlim_cur}});
   fail("base.file.write", {{"file", file}, {"reason", std::strerror(error)}});
 }
 
@@ -95,13 +100,58 @@ fs::path target_of(fs::path path) {
   return path;
 }
 
-/// Writes to a device or a pipe, such as /dev/null or /dev/stdout, which a rename would replace by a file.
+/// The number of an open stream of this process that a name denotes; −1 for other names.
+int stream_of(const std::string& file) {
+  return file == "/dev/stdout" ? STDOUT_FILENO : file == "/dev/stderr" ? STDERR_FILENO : -1;
+}
+
+/// Writes to a stream, a device or a pipe, such as /dev/null, which a rename would replace by a file.
 void write_into(const std::string& file, std::string_view bytes) {
-  const int handle = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
-  const bool written = handle >= 0 && write_all(handle, bytes);
+  if (const int stream = stream_of(file); stream >= 0) { // after what was printed, also if it is a file
+    std::fflush(nullptr);
+    if (!write_all(stream, bytes)) cannot_write(file, errno);
+    return;
+  }
+  // A pipe that nobody reads would stop the program until somebody does.
+  const int handle = ::open(file.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+  require(handle >= 0 || errno != ENXIO, "base.file.unread_pipe", {{"file", file}});
+  const bool written = handle >= 0 && ::fcntl(handle, F_SETFL, 0) == 0 && write_all(handle, bytes);
   const int error = errno;
   if (handle >= 0) ::close(handle);
   if (!written) cannot_write(file, error);
+}
+
+/// Whether bytes are written into what a name denotes, which is not replaced.
+bool is_written_into(const std::string& file) {
+  std::error_code ignored;
+  return stream_of(file) >= 0 || fs::is_other(file, ignored);
+}
+
+/// Replaces a file or a link, or makes a new file.
+void replace(const std::string& file, const fs::path& path, std::string_view bytes, bool durable) {
+  Temporary temporary = temporary_for(path);
+  if (temporary.handle < 0 || !write_all(temporary.handle, bytes)) cannot_write(file, errno);
+  if (durable && ::fsync(temporary.handle) != 0) cannot_write(file, errno);
+  if (!is_complete(temporary.handle) || ::rename(temporary.path.c_str(), path.c_str()) != 0) cannot_write(file, errno);
+  temporary.kept = true;
+}
+
+/// Throws Error unless a name can be that of a file: its folder exists, and it is not a folder itself.
+void check_place(const std::string& file, const fs::path& path) {
+  check_folder(file, folder_of(path));
+  std::error_code ignored;
+  require(!fs::is_directory(path, ignored), "base.file.write_folder", {{"file", file}});
+}
+
+/// The first bytes of a file, by which kinds are told apart; empty if there is none.
+std::string beginning_of(const fs::path& path) {
+  std::string bytes(4096, '\0');
+  const int handle = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (handle < 0 && errno != ENOENT) return "?"; // it cannot be read: its kind is unknown
+  const ssize_t count = handle < 0 ? 0 : ::pread(handle, bytes.data(), bytes.size(), 0);
+  if (handle >= 0) ::close(handle);
+  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  return bytes;
 }
 
 } // namespace
@@ -119,26 +169,41 @@ void check_file_name(const std::string& file) {
   require(file.find('\0') == std::string::npos, "base.file.zero", {{"file", file}});
 }
 
-void write_atomically(const std::string& file, std::string_view bytes, bool durable) {
+void write_record(const std::string& file, std::string_view bytes, bool durable) {
+  check_file_name(file);
+  check_place(file, file);
+  replace(file, file, bytes, durable);
+}
+
+std::string check_output(const std::string& file, FileKind kind) {
   check_file_name(file);
   require(fs::path(file).has_filename(), "base.file.no_name", {{"file", file}});
-  std::error_code ignored;
-  if (fs::is_other(file, ignored)) return write_into(file, bytes);
+  if (is_written_into(file)) return file;
   const fs::path path = target_of(file);
-  check_folder(file, folder_of(path));
-  require(!fs::is_directory(path, ignored), "base.file.write_folder", {{"file", file}});
+  check_place(file, path);
+  const std::string found = beginning_of(path);
+  require(may_replace(path.string(), found, kind), "base.file.other_kind",
+          {{"file", file}, {"found", name_of(kind_of(found))}, {"kind", name_of(kind)}});
+  return path.string();
+}
 
-  Temporary temporary = temporary_for(path);
-  if (temporary.handle < 0 || !write_all(temporary.handle, bytes)) cannot_write(file, errno);
-  if (durable && ::fsync(temporary.handle) != 0) cannot_write(file, errno);
-  if (!is_complete(temporary.handle) || ::rename(temporary.path.c_str(), path.c_str()) != 0) cannot_write(file, errno);
-  temporary.kept = true;
+void write_output(const std::string& file, std::string_view bytes, FileKind kind, bool durable) {
+  const std::string target = check_output(file, kind);
+  if (is_written_into(file)) return write_into(file, bytes);
+  replace(file, target, bytes, durable);
+}
+
+void move_output(const std::string& from, const std::string& file, FileKind kind) {
+  if (::rename(from.c_str(), check_output(file, kind).c_str()) != 0) cannot_write(file, errno);
 }
 
 std::string read_file(const std::string& file) {
   check_file_name(file);
   std::error_code ignored;
   require(!fs::is_directory(file, ignored), "base.file.read_folder", {{"file", file}});
+  // Pipes without a name in a folder, such as /dev/stdin and those of the shell, have no canonical path.
+  const bool named = !fs::canonical(file, ignored).empty();
+  require(!named || !fs::is_fifo(file, ignored), "base.file.read_pipe", {{"file", file}});
   std::ifstream in(file, std::ios::binary);
   require(in.good(), "base.file.read", {{"file", file}, {"reason", std::strerror(errno)}});
   std::ostringstream out;

@@ -13,7 +13,7 @@ namespace {
 /// Calls visit(shared pointer to the model) for the model at stack index 1.
 template <class Visit> int with_pointer(lua_State* L, Visit visit) {
   if (auto* model = test_object<Model<3>>(L, 1)) return visit(*model);
-  return visit(*test_object<Model<2>>(L, 1));
+  return visit(read_object<Model<2>>(L, 1));
 }
 
 /// core.check_following(model): raises an error if its layers cannot follow the contact.
@@ -44,8 +44,9 @@ int layer_lines(lua_State* L) {
 int follow(lua_State* L) {
   return with_pointer(L, [&](auto& model) {
     auto lines = model::layer_lines(*model);
+    luaL_checktype(L, 2, LUA_TTABLE);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-      lua_rawgeti(L, 2, static_cast<lua_Integer>(i) + 1);
+      require(lua_rawgeti(L, 2, static_cast<lua_Integer>(i) + 1) == LUA_TTABLE, "a list for each line is expected");
       for (std::size_t e = 0; e < lines[i].raised.size(); ++e) {
         lua_rawgeti(L, -1, static_cast<lua_Integer>(e) + 1);
         lines[i].raised[e] = lua_toboolean(L, -1) != 0;

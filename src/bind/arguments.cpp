@@ -8,9 +8,19 @@ namespace signorini::bind {
 
 namespace {
 
+// The check of arguments runs in Lua, where a script can replace functions that it uses, and functions of core have
+// none: what follows is safe for any value.
+
+/// The number of entries of a list, or of nil.
+lua_Unsigned length(lua_State* L, int index) {
+  require(lua_istable(L, index) || lua_isnoneornil(L, index), "a list is expected, got ", describe(L, index));
+  return lua_rawlen(L, index);
+}
+
 template <class T> std::vector<T> to_list(lua_State* L, int index) {
   index = lua_absindex(L, index);
-  const auto count = lua_rawlen(L, index);
+  const auto count = length(L, index);
+  luaL_checkstack(L, 8, "nested lists");
   std::vector<T> values;
   values.reserve(count);
   for (lua_Unsigned i = 1; i <= count; ++i) {
@@ -22,6 +32,12 @@ template <class T> std::vector<T> to_list(lua_State* L, int index) {
 }
 
 } // namespace
+
+template <class T> std::array<T, 2> to_pair(lua_State* L, int index) {
+  const auto values = to_list<T>(L, index);
+  require(values.size() == 2, "a list of 2 numbers is expected, got ", describe(L, index));
+  return {values[0], values[1]};
+}
 
 template <> double to(lua_State* L, int index) {
   const double value = lua_tonumber(L, index);
@@ -56,13 +72,11 @@ template <> std::vector<std::string> to(lua_State* L, int index) {
 }
 
 template <> std::array<double, 2> to(lua_State* L, int index) {
-  const auto values = to_list<double>(L, index);
-  return {values[0], values[1]};
+  return to_pair<double>(L, index);
 }
 
 template <> std::array<int, 2> to(lua_State* L, int index) {
-  const auto values = to_list<int>(L, index);
-  return {values[0], values[1]};
+  return to_pair<int>(L, index);
 }
 
 template <> VectorX to(lua_State* L, int index) {
@@ -73,12 +87,17 @@ template <> VectorX to(lua_State* L, int index) {
 template <> MatrixX to(lua_State* L, int index) {
   const auto columns = to_list<VectorX>(L, index);
   MatrixX points(columns.empty() ? 0 : columns.front().size(), static_cast<Eigen::Index>(columns.size()));
-  for (std::size_t i = 0; i < columns.size(); ++i) points.col(static_cast<Eigen::Index>(i)) = columns[i];
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    require(columns[i].size() == points.rows(), "points of equal dimension are expected, got ", describe(L, index));
+    points.col(static_cast<Eigen::Index>(i)) = columns[i];
+  }
   return points;
 }
 
 Arguments::Arguments(lua_State* L, int index, std::string path)
-    : L_(L), index_(lua_absindex(L, index)), path_(std::move(path)) {}
+    : L_(L), index_(lua_absindex(L, index)), path_(std::move(path)) {
+  bind::require(lua_istable(L, index_), "a table of named arguments is expected, got ", describe(L, index_));
+}
 
 int Arguments::push(const char* key) const {
   luaL_checkstack(L_, 16, "too many arguments");
@@ -103,9 +122,10 @@ Arguments Arguments::table(const char* key) const {
 void Arguments::each(const char* key,
                      const std::function<void(const std::string&, int, const std::string&)>& visit) const {
   const int table = push(key);
+  bind::require(lua_istable(L_, table), "a table is expected, got ", describe(L_, table));
   std::vector<std::string> names;
   for (lua_pushnil(L_); lua_next(L_, table); lua_pop(L_, 1))
-    names.push_back(to<std::string>(L_, -2)); // may contain zeros
+    if (lua_type(L_, -2) == LUA_TSTRING) names.push_back(to<std::string>(L_, -2)); // may contain zeros
   std::sort(names.begin(), names.end());
   for (const auto& entry : names) {
     bind::push(L_, entry);
@@ -118,7 +138,7 @@ void Arguments::each(const char* key,
 
 void Arguments::list(const char* key, const std::function<void(int, int, const std::string&)>& visit) const {
   const int table = push(key);
-  const auto count = static_cast<int>(lua_rawlen(L_, table));
+  const auto count = static_cast<int>(length(L_, table));
   for (int i = 0; i < count; ++i) {
     lua_rawgeti(L_, table, i + 1);
     visit(i, table + 1, text(name(key), "[", i + 1, "]"));

@@ -72,9 +72,9 @@ int place_names(lua_State* L) {
   const auto* patch = test_object<nurbs::Patch>(L, 1);
   const int dimensions = patch ? patch->parametric_dimension() : test_object<Body<2>>(L, 1) ? 2 : 3;
   const int count = to<int>(L, 2);
-  push(L, count == 0           ? corner_names(dimensions)
-          : count < dimensions ? meeting_names(dimensions, count)
-                               : std::vector<std::string>());
+  push(L, count == 0                        ? corner_names(dimensions)
+          : count > 0 && count < dimensions ? meeting_names(dimensions, count)
+                                            : std::vector<std::string>());
   return 1;
 }
 

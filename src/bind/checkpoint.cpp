@@ -19,7 +19,7 @@ template <class Visit> int with_model(lua_State* L, Visit visit) {
   if (auto* model = test_object<Model<3>>(L, 1))
     visit(*model);
   else
-    visit(*test_object<Model<2>>(L, 1));
+    visit(read_object<Model<2>>(L, 1));
   return 0;
 }
 

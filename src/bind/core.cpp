@@ -17,6 +17,7 @@
 #include <ctime>
 #include <filesystem>
 #include <fmt/format.h>
+#include <map>
 
 namespace signorini::bind {
 
@@ -73,10 +74,23 @@ bool exists(const std::string& path) {
   return std::filesystem::exists(path);
 }
 
-/// core.write_file(file, bytes, durable = false): writes a file atomically; durable: flushed to disk on return, so that
-/// it survives a power failure.
-void write_file(const std::string& file, const std::string& bytes, bool durable) {
-  write_atomically(file, bytes, durable);
+/// core.write_file(file, bytes, durable = false): writes a file of the program's own atomically; durable: flushed to
+/// disk on return, so that it survives a power failure.
+void core_write_file(const std::string& file, const std::string& bytes, bool durable) {
+  write_record(file, bytes, durable);
+}
+
+/// core.write_output(file, bytes, kind): writes a file that the user has named atomically, if it may replace what there
+/// is; kind "csv", "json", "html" or "vtk".
+void core_write_output(const std::string& file, const std::string& bytes, const std::string& kind) {
+  const std::map<std::string, FileKind> kinds = {
+      {"csv", FileKind::table}, {"json", FileKind::json}, {"html", FileKind::html}, {"vtk", FileKind::vtk}};
+  write_output(file, bytes, kinds.at(kind));
+}
+
+/// core.is_link(path)
+bool is_link(const std::string& path) {
+  return std::filesystem::is_symlink(path);
 }
 
 /// core.base64(bytes): their Base64 encoding on one line.
@@ -157,13 +171,16 @@ constexpr Function core_entries[] = {
     {"mkdir", call<mkdir>},
     {"sleep", call<sleep>},
     {"exists", call<exists>},
-    {"write_file", call<write_file>},
+    {"is_link", call<is_link>},
+    {"write_output", call<core_write_output>},
+    {"write_file", call<core_write_file>},
     {"read_file", call<read_file>},
     {"list_folder", call<list_folder>},
     {"hash", call<hash>},
     {"lock", call<lock>},
     {"create_claim", call<create_claim>}, // (file, content): creates a file unless it exists; whether it did
     {"find_script", call<find_script>},   // the path of a supplied script, otherwise the name as it is
+    {"release", call<release>},           // see library.hpp; lua/signorini/release.lua
     {"notice_given", call<notice_given>}, // whether Slurm has announced the end of this task
     {"set_threads", call<set_threads>},   // of the following solves; core.threads is the value of --threads
     {"describe", core_describe},

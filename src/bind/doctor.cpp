@@ -58,9 +58,9 @@ std::string test_picture() {
   options.title = "signorini";
   options.size = {400, 300};
   const fs::path file = fs::temp_directory_path() / text("signorini-doctor-", getpid(), ".png");
-  write_atomically(file.string(),
-                   view::bytes_of(view::figure_of(view::make_plate(std::vector<view::Panel>{{"", {square}}}, options)),
-                                  view::format_of(file.string())));
+  write_record(file.string(),
+               view::bytes_of(view::figure_of(view::make_plate(std::vector<view::Panel>{{"", {square}}}, options)),
+                              view::format_of(file.string())));
   const auto bytes = fs::file_size(file);
   fs::remove(file);
   return text("ok (", bytes, " bytes)");

@@ -31,7 +31,7 @@ void push_checker(lua_State* L) {
   constexpr const char* key = "signorini.checker";
   if (lua_getfield(L, LUA_REGISTRYINDEX, key) == LUA_TFUNCTION) return;
   lua_pop(L, 1);
-  lua_getglobal(L, "require");
+  push_require(L);
   lua_pushliteral(L, "signorini.check");
   lua_call(L, 1, 1);
   lua_getfield(L, -1, "call");

@@ -12,6 +12,8 @@
 #include "model/results.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 namespace signorini::bind {
 
@@ -50,6 +52,7 @@ exchange::Hdf5Values values_of(lua_State* L, int index, const std::string& kind)
 
 exchange::Hdf5Shape shape_of(lua_State* L, int index) {
   const auto list = to<std::vector<int>>(L, index);
+  for (const int size : list) require(size >= 0, "sizes of an array are expected, got ", size);
   return {list.begin(), list.end()};
 }
 
@@ -59,7 +62,12 @@ void make_group(const Hdf5& hdf5, const std::string& path) {
 
 /// file:write(path, kind, shape, values)
 int write_array(const Hdf5& hdf5, const std::string& path, const std::string& kind, lua_State* L) {
-  hdf5.file->write(path, shape_of(L, 4), values_of(L, 5, kind));
+  const exchange::Hdf5Shape shape = shape_of(L, 4);
+  const exchange::Hdf5Values values = values_of(L, 5, kind);
+  const double entries = std::accumulate(shape.begin(), shape.end(), 1.0, std::multiplies<>());
+  const std::size_t count = std::visit([](const auto& list) { return list.size(); }, values);
+  require(entries == static_cast<double>(count), "an array of ", entries, " values is given ", count);
+  hdf5.file->write(path, shape, values);
   return 0;
 }
 
@@ -100,7 +108,7 @@ void save_result_file(Hdf5& hdf5, const std::string& file) {
   require(
       !hdf5.written || !found || *found == *hdf5.written, "'", file,
       "' has been replaced by another run or program since this run wrote it. Hint: give each run a file of its own");
-  write_atomically(file, hdf5.file->bytes());
+  write_output(file, hdf5.file->bytes(), FileKind::hdf5);
   hdf5.written = identity_of(file);
 }
 

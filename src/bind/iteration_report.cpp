@@ -54,6 +54,14 @@ void push_iteration(lua_State* L, const model::Model<D>& model, double goal, con
   if (solved && step.pseudo_time.damping() > 0) set_field(L, "damping", step.pseudo_time.damping());
 }
 
+/// Calls the function below its one argument; its error, which may be any value, is thrown as a C++ exception, which
+/// the step in progress passes on.
+void call_protected(lua_State* L, int results) {
+  if (lua_pcall(L, 1, results, 0) == LUA_OK) return;
+  push_error_text(L, -1);
+  fail(to<std::string>(L, -1));
+}
+
 } // namespace
 
 template <int D> std::function<void()> report_iterations(lua_State* L, const model::Model<D>& model, double goal) {
@@ -63,12 +71,12 @@ template <int D> std::function<void()> report_iterations(lua_State* L, const mod
       before.residuals = before.parts = 0;
       before.iterations = before.augmentations = 0;
     }
-    lua_getglobal(L, "require");
+    push_require(L);
     push(L, "signorini.verbose");
-    if (lua_pcall(L, 1, 1, 0) != LUA_OK) fail(lua_tostring(L, -1));
+    call_protected(L, 1);
     lua_getfield(L, -1, "iteration");
     push_iteration(L, model, goal, now, before);
-    if (lua_pcall(L, 1, 0, 0) != LUA_OK) fail(lua_tostring(L, -1));
+    call_protected(L, 0);
     lua_pop(L, 1);
     before = now;
   };

@@ -1,6 +1,7 @@
 #include "bind/library.hpp"
 #include "bind/wording/wording.hpp"
 
+#include "base/archive.hpp"
 #include "base/limits.hpp"
 #include "base/machine.hpp"
 #include "base/notice.hpp"
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <unistd.h>
@@ -53,7 +55,7 @@ fs::path find_home() {
   if (const char* home = std::getenv("SIGNORINI_HOME"); home && *home)
     places = {home};
   else {
-    const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+    const fs::path folder = program_file().parent_path();
     places = {folder / "../share/signorini", folder / ".."};
   }
   for (const fs::path& place : places)
@@ -68,6 +70,17 @@ fs::path find_share() {
   return fs::exists(home / "share") ? home / "share" : home;
 }
 
+std::string release() {
+  const fs::path home = find_home();
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(home / "lua"))
+    if (entry.path().extension() == ".lua") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::string all = source_hash;
+  for (const fs::path& file : files) all += text(fs::relative(file, home).string(), "\n", read_file(file.string()));
+  return text(SIGNORINI_VERSION " (", fmt::format("{:016x}", checksum(all)), ")");
+}
+
 std::string find_script(const std::string& name) {
   if (name.empty() || name == "-" || fs::exists(name) || fs::path(name).is_absolute()) return name;
   const fs::path home = find_home();
@@ -79,7 +92,7 @@ void write_new_study(const std::string& file) {
   require(file.ends_with(".lua"), "--new needs the name of a Lua file, got '", file, "': write ", file, ".lua");
   require(!std::filesystem::exists(file), "--new: the file '", file,
           "' exists already and is not overwritten: choose another name");
-  write_atomically(file, read_file((find_share() / "starter.lua").string()));
+  write_record(file, read_file((find_share() / "starter.lua").string()));
 }
 
 std::string write_editor_settings(const std::string& study) {
@@ -93,7 +106,7 @@ std::string write_editor_settings(const std::string& study) {
                          {"workspace.library", Json::array({fs::weakly_canonical(find_share() / "library").string()})},
                          {"workspace.checkThirdParty", false}};
   const std::string file = (folder / ".luarc.json").string();
-  write_atomically(file, settings.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_record(file, settings.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return text("Written: ", file, ", by which editors with a Lua language server complete and check scripts");
 }
 
@@ -116,6 +129,11 @@ void open_library(lua_State* L, const Settings& settings) {
   lua_setfield(L, -2, "signorini.core");
   lua_pop(L, 2);
 
+  push_table(L, "core");
+  lua_getglobal(L, "require");
+  lua_setfield(L, -2, "require"); // see push_require()
+  lua_pop(L, 1);
+
   word_warnings();
   if (settings.pictures) terminal::set_protocol(*settings.pictures);
   for (auto* open :
@@ -134,12 +152,11 @@ void open_library(lua_State* L, const Settings& settings) {
   set_fields(L, "terminal", isatty(STDERR_FILENO) == 1, // where progress is displayed
              "interactive", isatty(STDIN_FILENO) && isatty(STDOUT_FILENO), "quiet", settings.quiet, "threads",
              settings.threads, "most_threads", most_threads, "processors", processors, "at_once",
-             settings.jobs > 0 ? settings.jobs : processors, "host", host_name(), "program",
-             fs::read_symlink("/proc/self/exe").string(), "directory", working_directory(), "processor",
-             processor_name(), "linear_solvers", solve::linear_names(), "mumps", solve::has_mumps(), "ranks",
-             solve::started_ranks(), "fields", fields, "colormaps", view::colormaps(), "cameras", view::camera_names(),
-             "markers", view::marker_names(), "share", find_share().string(), "home", home.string(), "to_be_continued",
-             to_be_continued);
+             settings.jobs > 0 ? settings.jobs : processors, "host", host_name(), "program", program_file().string(),
+             "directory", working_directory(), "processor", processor_name(), "linear_solvers", solve::linear_names(),
+             "mumps", solve::has_mumps(), "ranks", solve::started_ranks(), "fields", fields, "colormaps",
+             view::colormaps(), "cameras", view::camera_names(), "markers", view::marker_names(), "share",
+             find_share().string(), "home", home.string(), "to_be_continued", to_be_continued);
   if (!settings.on.empty()) set_field(L, "on", settings.on);
   if (!settings.chunk.empty()) set_field(L, "chunk", settings.chunk);
   if (!settings.sandbox.empty()) set_field(L, "sandbox", settings.sandbox);

@@ -28,6 +28,11 @@ std::filesystem::path find_home();
 /// The folder of supplied data: share/ of the source tree; next to lua/ when installed.
 std::filesystem::path find_share();
 
+/// Hash of the files of src that the program was built from; in a source that the build writes.
+extern const char* const source_hash;
+/// "0.1.0 (3f2a91c0d4e5b687)": the version, and a hash of src and of the library's Lua files, on which results depend.
+std::string release();
+
 /// The file of a script: the path as given, or if that does not exist the supplied script of that name, "hertz2d.lua"
 /// or "scripts/hertz2d.lua".
 std::string find_script(const std::string& name);

@@ -11,6 +11,8 @@
 #include "solid/neo_hookean.hpp"
 #include "solid/stability.hpp"
 
+#include <algorithm>
+
 namespace signorini::bind {
 
 std::string constants_in_words(const solid::Material& material) {
@@ -42,7 +44,8 @@ solid::Measure measure_of(const std::string& name) {
 
 /// core.strain_symbols("invariants" or "stretches", number of fibers): a list of the arguments of an energy.
 int strain_symbols(lua_State* L) {
-  push_variables(L, solid::variable_names(measure_of(to<std::string>(L, 1)), static_cast<std::size_t>(to<int>(L, 2))));
+  push_variables(L, solid::variable_names(measure_of(to<std::string>(L, 1)),
+                                          static_cast<std::size_t>(std::clamp(to<int>(L, 2), 0, 100))));
   return 1;
 }
 
@@ -51,6 +54,7 @@ solid::Material hyperelastic(const Arguments& a) {
   std::vector<Vec<3>> fibers;
   a.list("fibers", [&](int, int index, const std::string&) {
     const auto given = to<std::vector<double>>(a.state(), index);
+    require(given.size() <= 3, "a fiber is a list of at most 3 numbers");
     Vec<3> fiber = Vec<3>::Zero();
     for (std::size_t i = 0; i < given.size(); ++i) fiber(static_cast<int>(i)) = given[i];
     fibers.push_back(fiber);

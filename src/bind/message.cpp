@@ -1,5 +1,6 @@
 #include "bind/message.hpp"
 #include "base/words.hpp"
+#include "bind/functions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +66,7 @@ std::string describe_number(lua_State* L, int index) {
 
 /// Pushes the prompt's text for a table; nothing when that fails. Returns whether it succeeded.
 bool push_shown(lua_State* L, int index) {
-  lua_getglobal(L, "require");
+  push_require(L);
   lua_pushliteral(L, "signorini.show");
   if (lua_pcall(L, 1, 1, 0) == LUA_OK) {
     lua_getfield(L, -1, "text");
@@ -198,6 +199,12 @@ void reject(lua_State* L, int index, const Argument& argument, const std::string
   const std::string ending = cure.empty() ? "" : text(": ", cure);
   if (lua_isnoneornil(L, index)) fail(argument.name, meaning, " is missing: it must be ", expected);
   fail(argument.name, " must be ", expected, meaning, ", got ", describe(L, index), ending);
+}
+
+void push_require(lua_State* L) {
+  push_table(L, "core");
+  lua_getfield(L, -1, "require");
+  lua_remove(L, -2);
 }
 
 void push_error_text(lua_State* L, int index) {

@@ -35,6 +35,8 @@ struct Argument {
 
 /// "script.lua:12: " of the innermost Lua frame outside the standard library; empty if there is none.
 std::string user_position(lua_State* L);
+/// Pushes the library's own `require`, core.require: scripts may replace the global one.
+void push_require(lua_State* L);
 /// Declares chunks below this folder as part of the standard library.
 void set_library_folder(lua_State* L, const std::string& folder);
 /// Whether a stack frame (after lua_getinfo "S") runs a chunk of the standard library.

@@ -39,7 +39,8 @@ void read_paper(const Arguments& a, Picture& picture, const std::array<int, 2>& 
 
 void write_picture(const Picture& picture, const std::string& file) {
   const view::Format format = view::format_of(file);
-  write_atomically(file, view::bytes_of(figures_of({picture})(0), format, picture.transparent));
+  check_output(file, view::kind_of(format)); // before it is drawn
+  write_output(file, view::bytes_of(figures_of({picture})(0), format, picture.transparent), view::kind_of(format));
 }
 
 /// Writes a series of files, or a film.
@@ -155,6 +156,8 @@ std::vector<Picture> read_pictures(lua_State* L) {
       pictures.push_back(*one);
       return;
     }
+    luaL_checktype(L, index, LUA_TTABLE);
+    luaL_checkstack(L, 8, "nested lists");
     for (lua_Unsigned i = 1; i <= lua_rawlen(L, index); ++i) {
       lua_rawgeti(L, index, static_cast<lua_Integer>(i));
       add(lua_gettop(L));
@@ -210,7 +213,10 @@ Picture read_sized(lua_State* L, int index, int most) {
   luaL_checkany(L, index);
   const Picture* given = test_object<Picture>(L, index);
   require(given, "a picture is expected, got ", describe(L, index));
-  return lua_isnoneornil(L, most) ? *given : fitted(*given, to<std::array<int, 2>>(L, most));
+  if (lua_isnoneornil(L, most)) return *given;
+  const auto size = to<std::array<int, 2>>(L, most);
+  for (const int side : size) require(side >= 1 && side <= largest_size, "a size in pixels is expected, got ", side);
+  return fitted(*given, size);
 }
 
 /// core.picture_bytes(picture, format, most): the bytes of a file, format "png", "svg" or "pdf". most: {width, height}

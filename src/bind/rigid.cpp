@@ -61,6 +61,7 @@ int torus(const Arguments& a, lua_State* L) {
 int level_set(const Arguments& a, lua_State* L) {
   const auto low = a.get<VectorX>("low"), high = a.get<VectorX>("high");
   const auto& f = a.object<Symbol>("f");
+  bind::require((low.size() == 2 || low.size() == 3) && low.size() == high.size(), "the corners of a box are expected");
   try {
     return low.size() == 2
                ? push_obstacle<2>(L, RigidForm::level_set, contact::make_level_set<2>({*f.graph, f.node}, low, high))

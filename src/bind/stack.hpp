@@ -126,8 +126,9 @@ template <class T> T& self(lua_State* L) {
 
 template <Registered T> T& push_object(lua_State* L, T value) {
   void* memory = lua_newuserdatauv(L, sizeof(T), 0);
+  luaL_getmetatable(L, key_of<T>()); // may raise out of memory, after which nothing would destroy the object
   T* object = new (memory) T(std::move(value));
-  luaL_setmetatable(L, key_of<T>());
+  lua_setmetatable(L, -2);
   return *object;
 }
 

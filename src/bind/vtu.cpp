@@ -135,8 +135,8 @@ void vtu(const Arguments& a) {
   const auto file = a.get<std::string>("file");
   if (view::file_ending(file) != ".vtu") a.refuse("file", "a name that ends with .vtu");
   const exchange::BezierGrid grid = read_grid(a);
-  if (a.get<std::string>("cells") == "bezier") return write_atomically(file, exchange::vtu(grid));
-  write_atomically(file, exchange::linear_vtu(grid, a.get("subdivisions", default_subdivisions(grid))));
+  if (a.get<std::string>("cells") == "bezier") return write_output(file, exchange::vtu(grid), FileKind::vtk);
+  write_output(file, exchange::linear_vtu(grid, a.get("subdivisions", default_subdivisions(grid))), FileKind::vtk);
 }
 
 constexpr Function vtu_entries[] = {{"vtu", call<vtu>}};

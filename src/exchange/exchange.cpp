@@ -13,13 +13,14 @@ namespace {
 
 struct Form {
   std::string name, ending;
+  FileKind kind;
   Geometry (*read)(const std::string& file, const std::string& text);
   std::string (*write)(const Geometry& geometry);
 };
 
-const std::vector<Form> known = {{"gismo", ".xml", read_gismo, gismo},
-                                 {"geopdes", ".txt", read_geopdes, geopdes},
-                                 {"mfem", ".mesh", read_mfem, mfem}};
+const std::vector<Form> known = {{"gismo", ".xml", FileKind::gismo, read_gismo, gismo},
+                                 {"geopdes", ".txt", FileKind::geopdes, read_geopdes, geopdes},
+                                 {"mfem", ".mesh", FileKind::mfem, read_mfem, mfem}};
 
 /// The format of a text, recognized from its beginning.
 const Form& form_of(const std::string& file, const std::string& text) {
@@ -59,7 +60,7 @@ Geometry read_geometry(const std::string& file) {
 void write_geometry(const std::string& file, const Geometry& geometry, const std::string& form) {
   require(!geometry.patches.empty(), "exchange.write.nothing");
   for (const Form& one : known)
-    if (one.name == form) return write_atomically(file, one.write(geometry));
+    if (one.name == form) return write_output(file, one.write(geometry), one.kind);
   fail("exchange.write.form", {{"form", form}, {"known", forms()}});
 }
 

@@ -1,6 +1,7 @@
 #include "model/linear_solution.hpp"
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "solve/condensed.hpp"
 
 namespace signorini::model {
@@ -54,7 +55,9 @@ solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const Linear
 }
 
 bool LinearSolution::factor(const Tangent& tangent, const LinearRequest& request) {
-  return tangent.pattern.size == 0 || solver(tangent, request).factor(tangent.values.data());
+  if (tangent.pattern.size == 0) return true;
+  const Factorization scope(tangent.pattern.size); // and the analysis before it
+  return solver(tangent, request).factor(tangent.values.data());
 }
 
 bool LinearSolution::solve(VectorX& b) {

@@ -58,7 +58,7 @@ bool is_whole(lua_State* L, const std::string& code) {
 } // namespace
 
 void push_library_function(lua_State* L, const char* module, const char* name) {
-  lua_getglobal(L, "require");
+  bind::push_require(L);
   bind::push(L, module);
   lua_call(L, 1, 1);
   lua_getfield(L, -1, name);

@@ -211,7 +211,7 @@ const char* usage() {
          "                  make this program a kernel of Jupyter notebooks, with the options -q, -e, --threads,\n"
          "                  --jobs and --on given with it\n"
          "  --kernel FILE   serve a notebook; Jupyter runs this with a connection file\n"
-         "  --version       version\n"
+         "  --version       version, and a hash of the source\n"
          "  --help          this text\n"
          "  --doctor        versions of all libraries, and a test picture\n"
          "\n"

@@ -32,6 +32,8 @@ std::string find_history() {
 }
 
 std::vector<std::string> load_history(const std::string& file, std::size_t most) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return {}; // opening a pipe would wait for another program
   std::ifstream lines(file);
   std::vector<std::string> statements;
   for (std::string line; std::getline(lines, line);) {
@@ -51,7 +53,7 @@ void save_statement(const std::string& file, const std::string& statement) {
     if (c == '\n') entry += continuation;
   }
   entry += '\n';
-  const int descriptor = open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC, 0600);
+  const int descriptor = open(file.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0600);
   if (descriptor < 0) return;
   [[maybe_unused]] const auto written = write(descriptor, entry.data(), entry.size());
   close(descriptor);

@@ -101,8 +101,7 @@ int open_all(lua_State* L) {
   bind::open_library(L, *static_cast<const bind::Settings*>(lua_touserdata(L, 1)));
   const auto& settings = *static_cast<const bind::Settings*>(lua_touserdata(L, 1));
   // Before the first module that keeps a function of Lua for itself.
-  luaL_loadstring(L, settings.sandbox.empty() ? "require 'signorini.strict'"
-                                              : "require 'signorini.sandbox' require 'signorini.strict'");
+  luaL_loadstring(L, settings.sandbox.empty() ? "require 'signorini.strict'" : "require 'signorini.sandbox'");
   lua_call(L, 0, 0);
   return 0;
 }

@@ -1,5 +1,6 @@
 #include "repl/kernel_spec.hpp"
 
+#include "base/machine.hpp"
 #include "base/whole_file.hpp"
 #include "bind/library.hpp"
 #include "bind/message.hpp"
@@ -37,7 +38,7 @@ std::filesystem::path install_kernel(const std::vector<std::string>& options) {
     bind::fail("--install-kernel: cannot create the folder '", folder.string(), "' (", error.message(),
                "). Hint: JUPYTER_DATA_DIR sets another one");
   SpecJson spec = SpecJson::parse(read_file((logos / "kernel.json").string()));
-  std::vector<std::string> arguments = {std::filesystem::read_symlink("/proc/self/exe").string()};
+  std::vector<std::string> arguments = {program_file().string()};
   arguments.insert(arguments.end(), options.begin(), options.end());
   const auto given = spec["argv"].get<std::vector<std::string>>();
   arguments.insert(arguments.end(), given.begin() + 1, given.end());
@@ -45,8 +46,8 @@ std::filesystem::path install_kernel(const std::vector<std::string>& options) {
   if (const char* home = std::getenv("SIGNORINI_HOME"))
     spec["env"] = {{"SIGNORINI_HOME", std::filesystem::absolute(home).string()}};
   for (const char* logo : {"logo-32x32.png", "logo-64x64.png"})
-    write_atomically((folder / logo).string(), read_file((logos / logo).string()));
-  write_atomically((folder / "kernel.json").string(), spec.dump(1) + "\n");
+    write_record((folder / logo).string(), read_file((logos / logo).string()));
+  write_record((folder / "kernel.json").string(), spec.dump(1) + "\n");
   return folder;
 }
 

@@ -1,6 +1,7 @@
 #include "repl/line_editor.hpp"
 
 #include "base/interrupt.hpp"
+#include "bind/message.hpp"
 #include "repl/history.hpp"
 #include "repl/interrupt.hpp"
 #include "terminal/dialogue.hpp"
@@ -31,7 +32,7 @@ std::vector<std::string> completions(const char* word, const std::string& before
   const InterruptsLibrary scope;
   const int top = lua_gettop(state);
   std::vector<std::string> list;
-  lua_getglobal(state, "require");
+  signorini::bind::push_require(state);
   lua_pushstring(state, "signorini.complete");
   if (lua_pcall(state, 1, 1, 0) == LUA_OK) {
     lua_pushstring(state, word);

@@ -42,7 +42,7 @@ void clean_environment(const fs::path& folder, char** arguments) {
   std::vector<char*> words;
   for (std::string& variable : variables) words.push_back(variable.data());
   words.push_back(nullptr);
-  ::execve(fs::read_symlink("/proc/self/exe").c_str(), arguments, words.data());
+  ::execve(program_file().c_str(), arguments, words.data());
   fail("base.process.start", {{"program", arguments[0]}, {"reason", std::strerror(errno)}});
 }
 

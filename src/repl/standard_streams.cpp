@@ -1,6 +1,7 @@
 #include "repl/standard_streams.hpp"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -28,6 +29,7 @@ void open_standard_streams() {
 }
 
 void report_lost_output() {
+  std::signal(SIGXFSZ, SIG_IGN);
   std::atexit(check_output);
 }
 

@@ -7,8 +7,9 @@ namespace signorini::repl {
 /// receive what is printed. Call it before anything is opened.
 void open_standard_streams();
 
-/// At the end of the program, an output that could not be written, because the disk is full, is reported on stderr and
-/// makes the exit status 1.
+/// Files that would exceed the limit of the process (ulimit -f) are errors of the writer, as on a full disk, not the
+/// end of the program. At the end of the program, an output that could not be written, because the disk is full, is
+/// reported on stderr and makes the exit status 1.
 void report_lost_output();
 
 } // namespace signorini::repl

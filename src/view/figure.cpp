@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "base/limits.hpp"
 #include "base/module.hpp"
+#include "base/parallel.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>
@@ -48,6 +49,10 @@ Format format_of(const std::string& file) {
   fail("view.file.ending", {{"file", file}});
 }
 
+FileKind kind_of(Format format) {
+  return format == Format::png ? FileKind::png : format == Format::svg ? FileKind::svg : FileKind::pdf;
+}
+
 std::string bytes_of(const Figure& figure, Format format, bool transparent) {
   demand_memory(drawing_memory);
   const MemoryReserve reserve;
@@ -66,6 +71,7 @@ const Renderer& renderer() {
 
 const FlatRenderer& flat_renderer() {
   static const FlatRenderer& loaded = []() -> const FlatRenderer& {
+    check_threads(); // Pango starts one and ends the program if it cannot
     const auto& table = table_of<FlatRenderer>("signorini_flat.so", "signorini_flat");
     *table.warning_sink = warning_sink;
     return table;

@@ -1,6 +1,7 @@
 #pragma once
 // Figures, their bytes as PNG, SVG or PDF, and the modules that draw them.
 
+#include "base/file_kind.hpp"
 #include "base/warning.hpp"
 #include "view/frame.hpp"
 #include "view/relief.hpp"
@@ -40,6 +41,9 @@ std::string file_ending(const std::string& file);
 
 /// By the extension of a file name. Throws Error unless it is .png, .svg or .pdf.
 Format format_of(const std::string& file);
+
+/// The kind of a file of a format.
+FileKind kind_of(Format format);
 
 /// The bytes of a file, on white or transparent ground. Lines and texts are vectors in SVG and PDF, with embedded
 /// fonts; fields and surfaces in space are images. Equal figures give equal bytes. Throws Error when images need an

@@ -37,24 +37,24 @@ Pattern pattern_of(const std::string& file) {
   return {(path.parent_path() / found[1]).string(), found[4], found[3].empty() ? 1 : std::stoi(found[3])};
 }
 
-void write_pictures(const Pattern& name, int count, const PictureMaker& picture) {
-  for (int i = 0; i < count; ++i) write_atomically(name(i + 1), picture(i));
+void write_pictures(const Pattern& name, FileKind kind, int count, const PictureMaker& picture) {
+  for (int i = 0; i < count; ++i) write_output(name(i + 1), picture(i), kind);
 }
 
 void write_by_vtk(const std::string& file, int count, double rate, const PictureMaker& picture) {
   require(renderer().ogv != nullptr, "view.film.theora", {{"file", file}});
   require(rate == std::round(rate) && rate >= 1 && rate <= 5000, "view.film.rate", {{"rate", rate}});
-  const PartsFolder folder(file);
+  const PartsFolder folder(check_output(file, FileKind::ogv));
   renderer().ogv(folder.path("film.ogv"), count, static_cast<int>(rate), picture);
   // VTK's writer does not report that the disk was full.
   require(is_whole_ogg(read_file(folder.path("film.ogv"))), "view.film.write", {{"file", file}});
-  fs::rename(folder.path("film.ogv"), file);
+  move_output(folder.path("film.ogv"), file, FileKind::ogv);
 }
 
 void write_by_ffmpeg(const std::string& file, int count, double rate, const PictureMaker& picture) {
   require(has_program("ffmpeg"), "view.film.ffmpeg", {{"file", file}});
-  const PartsFolder folder(file);
-  write_pictures({folder.path(""), ".png", 1}, count, picture);
+  const PartsFolder folder(check_output(file, FileKind::mp4));
+  write_pictures({folder.path(""), ".png", 1}, FileKind::png, count, picture);
   // H.264 with chroma subsampling, which all players support, requires even sizes.
   try {
     run_program({"ffmpeg", "-loglevel", "error", "-y", "-framerate", std::to_string(rate), "-i", folder.path("%d.png"),
@@ -63,7 +63,7 @@ void write_by_ffmpeg(const std::string& file, int count, double rate, const Pict
   } catch (const Error& error) {
     fail("view.film.failed", {{"file", file}, {"reason", error.message()}});
   }
-  fs::rename(folder.path("film.mp4"), file);
+  move_output(folder.path("film.mp4"), file, FileKind::mp4);
 }
 
 } // namespace
@@ -88,7 +88,7 @@ std::string film_description() {
 }
 
 void write_series(const std::string& file, int count, double rate, const PictureMaker& picture) {
-  if (!is_film(file)) return write_pictures(pattern_of(file), count, picture);
+  if (!is_film(file)) return write_pictures(pattern_of(file), kind_of(format_of(file)), count, picture);
   if (file_ending(file) == ".ogv")
     write_by_vtk(file, count, rate, picture);
   else

@@ -121,7 +121,7 @@ TEST(ArchiveFile, ReportsDamagedAndWrongFiles) {
   const test::ScratchFolder folder;
   const std::string file = folder.file("a");
   const auto message = [&](const std::string& bytes) {
-    write_atomically(file, bytes);
+    write_record(file, bytes);
     return message_of([&] { read_archive(file, trial); });
   };
   const auto holds = [](const std::string& text, const std::string& part) {

@@ -57,5 +57,20 @@ TEST(Interrupt, IsAcknowledgedImmediatelyDuringAnIteration) {
       testing::ExitedWithCode(0), "^\r.\\[Kinterrupting after this iteration\nthe rest of the iteration\n$");
 }
 
+TEST(Interrupt, AcknowledgementNamesTheFactorizationThatRuns) {
+  EXPECT_EXIT(
+      {
+        catch_interrupts();
+        acknowledge_interrupts(STDERR_FILENO);
+        const Iteration iteration;
+        const Factorization factorization(123456);
+        std::raise(SIGINT);
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0),
+      "^\r.\\[Kinterrupting after this iteration, in which the factorization of 123456 unknowns has run for [0-9]+ s; "
+      "a second Ctrl-C ends the program\n$");
+}
+
 } // namespace interrupt_test
 } // namespace signorini

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -50,6 +53,28 @@ TEST(Lock, IsReleasedWhenItsProcessEnds) {
 TEST(Lock, ReportsWhereItCannotBeCreated) {
   EXPECT_NE(message_of([] { Lock lock("/proc/signorini/lock"); }).find("base.lock.write: file = /proc/signorini/lock"),
             std::string::npos);
+}
+
+/// The name of the holder would be written into what a link refers to.
+TEST(Lock, KeepsWhatIsNotALock) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.file("lock"), other = folder.file("other");
+  std::ofstream(other) << "precious";
+  const auto refused = [&] {
+    EXPECT_NE(message_of([&] { Lock lock(file); }).find("base.lock.foreign: file = " + file), std::string::npos);
+    std::filesystem::remove(file);
+  };
+  std::filesystem::create_symlink("other", file);
+  refused();
+  std::filesystem::create_hard_link(other, file);
+  refused();
+  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+  refused();
+  std::filesystem::copy_file(other, file);
+  refused();
+  std::string kept;
+  std::getline(std::ifstream(other), kept);
+  EXPECT_EQ(kept, "precious");
 }
 
 } // namespace lock_test

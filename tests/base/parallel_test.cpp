@@ -39,6 +39,15 @@ TEST(Parallel, UsesTheOtherThreads) {
   EXPECT_EQ(present, 2);
 }
 
+TEST(Parallel, RunsEveryTaskOnceAlsoInCallsFromTasks) {
+  const Workers workers(3);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<int> runs(40, 0);
+    parallel(8, [&](int i) { parallel(5, [&](int j) { ++runs[static_cast<std::size_t>(5 * i + j)]; }); });
+    EXPECT_EQ(runs, std::vector<int>(40, 1)) << "round " << round;
+  }
+}
+
 TEST(Parallel, ThrowsTheFirstErrorAfterAllTasksAreDone) {
   for (int threads : {1, 2}) {
     const Workers workers(threads);

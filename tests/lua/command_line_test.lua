@@ -56,7 +56,7 @@ end)
 check.case("--version and --help", function()
   local result = run { "--version" }
   check.equal(result.status, 0)
-  assert(result.output:find "^signorini %d+%.%d+%.%d+\n$")
+  assert(result.output:find "^signorini %d+%.%d+%.%d+ %(%x+%)\n$" and #result.output:match "%x+%)" == 17)
   result = run { "--help" }
   check.equal(result.status, 0)
   check.holds(result.output, "-e ", "-i ", "-q ", "--threads", "--new", "--doctor", "Exit status")

@@ -30,6 +30,23 @@ check.case("rows, comments and special values are preserved", function()
   check.equal(read:by("label")["2"].fx, 1 / 3)
 end)
 
+check.case("texts that spreadsheets would read as formulas are texts there and read back", function()
+  local names = { "=1+2", "+mu", "-end", "@SUM(A1)", "'=quoted", "''@", "=a,\"b\"", "-5", "-", "'plain'", "\t=1" }
+  local columns = { "=name", "value" }
+  sg.csv.write(file, { columns = columns, rows = require("signorini.lists").map(names, function(name, i)
+    return { name, -(i or 1) }
+  end) })
+  local read = sg.csv.read(file)
+  check.equal(read:column "=name", names)
+  check.equal(read.columns, columns)
+  local text = core.read_file(file)
+  for line in text:gmatch "[^\n]+" do
+    local cell = line:gsub('^"', "")
+    check.equal({ line, cell:find "^[=@]", cell:find "^[+-][^,]" }, { line })
+  end
+  check.holds(text, '\n"\'=1+2",-1\n') -- and numbers stay numbers
+end)
+
 check.case("random numbers are preserved to the last bit", function()
   math.randomseed(7)
   local numbers = {}

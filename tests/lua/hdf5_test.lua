@@ -39,7 +39,7 @@ check.case("a file written as the run goes has what the run has recorded", funct
   check.equal(root.warnings, run.warnings)
   local origin = core.read_json(root.origin)
   check.equal({ origin.program, origin.version, origin.kernel, origin.script },
-    { "signorini", core.versions.signorini, core.versions.kernel, arg[0] })
+    { "signorini", core.release(), core.versions.kernel, arg[0] })
   check.equal(origin.text, core.read_file(arg[0]))
   check.equal(core.read_json(root.path)[2].targets.grip, path[2].grip)
 

@@ -79,7 +79,7 @@ check.case("films are made by ffmpeg, whatever the name holds, and leave nothing
   core.mkdir(folder .. "/bin")
   core.write_file(folder .. "/bin/ffmpeg", [[#!/bin/sh
 for last; do :; done
-{ ls "$(dirname "$last")"; printf '%s\n' "$@"; } > "$last"
+{ printf '\0\0\0 ftypisom\n'; ls "$(dirname "$last")"; printf '%s\n' "$@"; } > "$last"
 ]])
   check.shell(("chmod +x %s/bin/ffmpeg; mkdir '%s/a b'"):format(folder, folder))
   local code = ([[

@@ -178,7 +178,7 @@ check.case("wrong hosts are refused at the user's line; other versions are repor
   core.write_file(file, (core.read_file(file):gsub("signorini 0[%d.]+", "signorini 0.0.1")))
   output, status = shell(folder, ("ssh h1 sh <'%s'"):format(file))
   check.equal(status, 1)
-  check.holds(output, "it does not have signorini 0.0.1 as ", "Hint: install the same version on all hosts")
+  check.holds(output, "it does not have signorini 0.0.1 (", " as ", "Hint: install the same version on all hosts")
   output, status = shell(folder, ("PATH=. '%s' study.lua on=ssh:h1"):format(arg[-1]))
   check.equal(status, 1)
   check.holds(output, "study:execute: ssh is not on this machine")

@@ -80,7 +80,7 @@ TEST(DamagedCheckpoint, IsAnErrorOrAModel) {
       bytes[place] = static_cast<char>(bytes[place] + 1);
     }
     correct(bytes);
-    write_atomically(file, bytes);
+    write_record(file, bytes);
     const std::string message = message_of([&] {
       const auto loaded = std::get<0>(load(file));
       EXPECT_TRUE(loaded->present.displacement.allFinite() && loaded->present.force.allFinite()) << place;
@@ -108,7 +108,7 @@ TEST(DamagedCheckpoint, HasNoMoreElementsThanItsStateHasNumbers) {
   overwrite(bytes, place + 8, 30000);
   overwrite(bytes, place + 12, 30000);
   correct(bytes);
-  write_atomically(file, bytes);
+  write_record(file, bytes);
   EXPECT_NE(message_of([&] { load(file); }).find("nurbs.archive.elements"), std::string::npos);
 }
 

@@ -14,7 +14,7 @@ namespace signorini::view {
 namespace heatmap_test {
 
 void draw_heatmap(const std::vector<Heat>& maps, const HeatmapOptions& options, const std::string& file) {
-  write_atomically(file, bytes_of(heatmap_figure(maps, options), format_of(file)));
+  write_record(file, bytes_of(heatmap_figure(maps, options), format_of(file)));
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();

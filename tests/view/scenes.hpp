@@ -29,10 +29,10 @@ std::array<int, 2> png_size(const std::string& bytes);
 
 /// Draws states to a file.
 inline void draw_states(const std::vector<Panel>& panels, const PictureOptions& options, const std::string& file) {
-  write_atomically(file, bytes_of(figure_of(make_plate(panels, options)), format_of(file), options.transparent));
+  write_record(file, bytes_of(figure_of(make_plate(panels, options)), format_of(file), options.transparent));
 }
 inline void draw_chart(const std::vector<Series>& series, const ChartOptions& options, const std::string& file) {
-  write_atomically(file, bytes_of(chart_figure(series, options), format_of(file)));
+  write_record(file, bytes_of(chart_figure(series, options), format_of(file)));
 }
 inline void draw_picture(const std::vector<Body>& bodies, const PictureOptions& options, const std::string& file) {
   draw_states(std::vector<Panel>{{"", bodies}}, options, file);

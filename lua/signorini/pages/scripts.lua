@@ -88,13 +88,14 @@ end)]] },
     returns = t.text,
     example = [[print(sg.table{ columns = {"x", "y"}, rows = {{1, 0.5}, {2, 0.25}}, units = {"mm", "N"} })]] },
   { "sg.csv.read", [[Reads a table from a CSV file and returns it: { columns = {…}, rows = {{…}, …}, comments = {…} }.
-Lines that begin with # are comments.]],
+Lines that begin with # are comments. An apostrophe before = + - or @, see sg.csv.write, is not part of a text.]],
     arguments = { file },
     returns = t.object "data",
     example = [[run:csv "run.csv"
 fx = sg.csv.read("run.csv"):column "grip.fx"]] },
   { "sg.csv.write", [[Writes a table to a CSV file, atomically. Values are numbers, strings, true or false; a missing
-value is written as an empty field, which is read as nil; so is an empty string.]],
+value is written as an empty field, which is read as nil; so is an empty string. Texts that spreadsheets would take for
+formulas, because they begin with = + - or @, are quoted with an apostrophe before them, which sg.csv.read removes.]],
     arguments = {
       file,
       { "data", t.options({

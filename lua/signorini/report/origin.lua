@@ -6,6 +6,7 @@ local html = require "signorini.report.html"
 local lists = require "signorini.lists"
 local quoted = require "signorini.quoted"
 
+local own_versions = lists.merged(core.versions, { signorini = require "signorini.release" })
 local origin = {}
 
 -- ── What was asked ───────────────────────────────────────────────────────────────────────────────────────────────────
@@ -104,7 +105,7 @@ end
 function origin.facts(records)
   local made = made_of(records)
   local facts = lists.joined(
-    solved_and_written(distinct(made, made_with), versions_text(core.versions), "Program and libraries"),
+    solved_and_written(distinct(made, made_with), versions_text(own_versions), "Program and libraries"),
     solved_and_written(distinct(made, made_on), machine_text(core.host, core.processor, core.versions.kernel),
       "Machine"),
     { { "Processors and threads", ("%s, %s"):format(counted(core.processors, "processor"),

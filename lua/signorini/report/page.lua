@@ -77,7 +77,7 @@ end
 
 --- Writes the page to a file, whole or not at all.
 function page.write(where, file, content)
-  on_behalf_of(where, "core.write_file", core.write_file, file, whole(content))
+  on_behalf_of(where, "core.write_output", core.write_output, file, whole(content), "html")
 end
 
 return page

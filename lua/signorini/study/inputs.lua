@@ -4,6 +4,7 @@
 
 local core = require "signorini.core"
 local sorted_names = require("signorini.lists").sorted_names
+local release = require "signorini.release"
 
 local inputs = {}
 
@@ -98,7 +99,7 @@ end
 --- the inputs.
 function inputs.of(study)
   find_program()
-  local result = { ["the program's version"] = study.inputs == nil and core.versions.signorini or nil }
+  local result = { ["the program's version"] = study.inputs == nil and release or nil }
   for name, part in pairs(parts_of(study)) do
     local out = {}
     write(part, out, {})

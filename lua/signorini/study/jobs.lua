@@ -7,6 +7,7 @@ local lists = require "signorini.lists"
 local missing = require "signorini.study.missing"
 local quoted = require "signorini.quoted"
 local store = require "signorini.study.store"
+local release = require "signorini.release"
 
 local jobs = {}
 
@@ -35,7 +36,7 @@ function jobs.make(study, plan)
   end)
   local job = lists.merged(plan, {
     study = study.name, folder = study.folder, number = number, place = place, chunks = chunks,
-    version = core.versions.signorini, program = core.program, script = core.script, arguments = core.arguments,
+    version = release, program = core.program, script = core.script, arguments = core.arguments,
     directory = core.directory, made = ("%d of %s"):format(number, os.date "!%Y-%m-%dT%H:%M:%SZ") })
   core.mkdir(place)
   core.write_file(place .. "/job.json", core.write_json(job))

@@ -5,6 +5,7 @@ local inputs = require "signorini.study.inputs"
 local outcomes = require "signorini.study.outcomes"
 local store = require "signorini.study.store"
 local values = require "signorini.study.values"
+local release = require "signorini.release"
 
 local missing = {}
 
@@ -30,7 +31,7 @@ local function words_on(study, list, reasons, older)
   table.sort(words)
   local again = #words > 0 and "; again: " .. table.concat(words, "; ") or ""
   if finished == 0 and again == "" then return nil end
-  local version = older > 0 and (" (%d by another version than %s)"):format(older, core.versions.signorini) or ""
+  local version = older > 0 and (" (%d by another version than %s)"):format(older, release) or ""
   return ("%s: %d of %d taken from %s%s, %s%s"):format(study.name, finished, #study.cases, study.folder, version,
     #list > 0 and #list .. " to solve" or "0 solved", again)
 end
@@ -48,7 +49,7 @@ function missing.find(study, now, limit, rerun)
     if why then reasons[why] = (reasons[why] or 0) + 1 end
     if record and not why then
       study.records[i] = record
-      if ((record.made or {}).versions or {}).signorini ~= core.versions.signorini then older = older + 1 end
+      if ((record.made or {}).versions or {}).signorini ~= release then older = older + 1 end
     else
       list[#list + 1] = i
     end

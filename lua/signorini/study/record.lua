@@ -1,6 +1,8 @@
 -- The record of a case: what its process returned, or how this ended, with what it depends on and where it was made.
 
 local core = require "signorini.core"
+local lists = require "signorini.lists"
+local release = require "signorini.release"
 
 local record = {}
 
@@ -19,8 +21,8 @@ end
 --- Adds the study, the case, its inputs and where it was made; `job`: what names the job, if any.
 function record.sign(one, study, entry, now, at_once, job)
   one.study, one.case, one.inputs = study.name, entry.case, now
-  one.made = { versions = core.versions, host = core.host, processor = core.processor,
-               time = os.date "!%Y-%m-%dT%H:%M:%SZ", at_once = at_once, job = job }
+  one.made = { versions = lists.merged(core.versions, { signorini = release }), host = core.host,
+               processor = core.processor, time = os.date "!%Y-%m-%dT%H:%M:%SZ", at_once = at_once, job = job }
   return one
 end
 

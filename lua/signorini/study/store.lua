@@ -5,6 +5,7 @@
 local on_behalf_of = require "signorini.on_behalf_of"
 local core = require "signorini.core"
 local outcomes = require "signorini.study.outcomes"
+local release = require "signorini.release"
 
 local store = {}
 
@@ -18,6 +19,8 @@ local reserve_name, reserve_size = "reserve", 1 << 20
 --- Calls a function of the core; its error becomes one of study:execute at the user's line.
 local function call(where, name, ...) return on_behalf_of(where, "core." .. name, core[name], ...) end
 
+local function read_text(file) return core.exists(file) and core.read_file(file) end
+
 local function read(file)
   if not core.exists(file) then return nil end
   local ok, value = pcall(function() return core.read_json(core.read_file(file)) end)
@@ -30,7 +33,7 @@ local function check_format(where, file, value)
   if math.type(format) ~= "integer" or format > store.format then
     core.fail(("%s: '%s' was written by a newer version of the program, in format %s; this one, %s, reads formats up "
       .. "to %d. Hint: install that version, or choose another folder"):format(where, file, tostring(format),
-      core.versions.signorini, store.format))
+      release, store.format))
   end
 end
 
@@ -79,7 +82,9 @@ end
 function store.checkpoint(study, entry, now)
   if not study.folder then return nil end
   local key = core.hash(core.write_json { case = entry.case, inputs = now })
-  return ("%s/cases/%s.%s.sgn"):format(study.folder, entry.id, key:sub(1, 8))
+  local file = ("%s/cases/%s.%s.sgn"):format(study.folder, entry.id, key:sub(1, 8))
+  if core.is_link(file) then os.remove(file) end -- what it refers to is not this study's
+  return file
 end
 
 local case_files = { json = "result", sgn = "checkpoint", claim = "claim" }
@@ -124,7 +129,12 @@ function store.check(where, study) check_owner(where, study) end
 --- Reserves the space that the last results will need, before any case runs.
 function store.take_reserve(handle)
   if not handle.saves then return end
+  if not core.is_link(handle.reserve) and (read_text(handle.reserve) or ""):find "[^ ]" then
+    core.fail(("%s: '%s' is not a reserve of this study, so it is not replaced. Hint: choose another folder, or remove "
+      .. "it"):format(handle.where, handle.reserve))
+  end
   call(handle.where, "write_file", handle.reserve, (" "):rep(reserve_size))
+  handle.reserved = true
 end
 
 --- Writes a case's record. If the disk is full, the reserve is released. A checkpoint is of no further use.
@@ -145,7 +155,7 @@ end
 --- Unlocks the folder.
 function store.close(handle)
   if not handle.saves then return end
-  os.remove(handle.reserve)
+  if handle.reserved then os.remove(handle.reserve) end
   if handle.lock then handle.lock:release() end
 end
 

@@ -13,15 +13,16 @@ local slurm = require "signorini.study.slurm"
 local solve_case = require "signorini.study.case"
 local split_alone = require "signorini.study.split_alone"
 local store = require "signorini.study.store"
+local release = require "signorini.release"
 
 local where = "study:execute"
 local grace_share = 0.5 -- of the notice, which Slurm may give late; the rest is for ending and requeuing
 
 --- Raises an error unless program, script and values are those with which the job was submitted.
 local function check_same(job, now)
-  if job.version ~= core.versions.signorini then
+  if job.version ~= release then
     core.fail(("%s: the job was submitted by signorini %s, but %s has %s. Hint: install the same version on all "
-      .. "machines, or run it from the shared disk"):format(where, job.version, core.host, core.versions.signorini))
+      .. "machines, or run it from the shared disk"):format(where, job.version, core.host, release))
   end
   local changed = inputs.difference(job.inputs, now)
   if #changed > 0 then
