@@ -1,8 +1,14 @@
 #include "base/parallel.hpp"
 
+#include "base/error.hpp"
+
 #include <atomic>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <vector>
 
 namespace signorini {
@@ -46,6 +52,24 @@ TEST(Parallel, RunsEveryTaskOnceAlsoInCallsFromTasks) {
     parallel(8, [&](int i) { parallel(5, [&](int j) { ++runs[static_cast<std::size_t>(5 * i + j)]; }); });
     EXPECT_EQ(runs, std::vector<int>(40, 1)) << "round " << round;
   }
+}
+
+/// Ends the process with status 0 if check_threads() reports that there are none. The superuser has no limit.
+[[noreturn]] void check_without_permission() {
+  constexpr uid_t nobody = 65534;
+  const rlimit none{1, 1};
+  if (::setrlimit(RLIMIT_NPROC, &none) != 0 || (::getuid() == 0 && ::setuid(nobody) != 0)) std::_Exit(2);
+  try {
+    check_threads();
+  } catch (const Error& error) {
+    std::_Exit(std::string(error.what()).starts_with("base.threads.none") ? 0 : 1);
+  }
+  std::_Exit(3);
+}
+
+TEST(Parallel, ReportsThatNoThreadsAreStarted) {
+  EXPECT_NO_THROW(check_threads());
+  EXPECT_EXIT(check_without_permission(), testing::ExitedWithCode(0), "");
 }
 
 TEST(Parallel, ThrowsTheFirstErrorAfterAllTasksAreDone) {

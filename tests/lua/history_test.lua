@@ -56,6 +56,15 @@ check.case("pasted lines with a mistake are entries up to it, the rest is one", 
   check.equal(history, "a = 1\nb = = 2\n..> c = 3\n")
 end)
 
+check.case("a pipe in place of the file does not stop the prompt", function()
+  local state = check.folder()
+  core.mkdir(state .. "/signorini")
+  check.shell(("mkfifo %s/signorini/history"):format(state))
+  local screen = check.terminal("exec " .. arg[-1], { "6 * 7\n", "\4" },
+    ("XDG_STATE_HOME=%s INPUTRC=/dev/null NO_COLOR=1 TERM=xterm"):format(state))
+  check.holds(plain(screen), "\n42\n")
+end)
+
 check.case("commands are entries, and repeated entries are stored once", function()
   local _, history = session("1 + 1\n", { "1 + 1\n", "%who\n", "!true\n", "%who\n", "%who\n" })
   check.equal(history, "1 + 1\n%who\n!true\n%who\n")

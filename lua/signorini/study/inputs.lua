@@ -23,14 +23,15 @@ local function find_program()
   end
 end
 
---- The source text of a function; if it was typed at the prompt, its bytes.
+--- The source text of a function; its bytes if there is none, because it was typed at the prompt or read from a pipe.
 local function source_of(f)
   local about = debug.getinfo(f, "S")
   local file, lines = about.source:match "^@(.*)", {}
   if about.what == "C" then return "C" end
   if not file or not core.exists(file) then return string.dump(f, true) end
   for line in io.lines(file) do lines[#lines + 1] = line end
-  return table.concat(lines, "\n", about.linedefined, math.min(about.lastlinedefined, #lines))
+  if #lines < about.lastlinedefined then return string.dump(f, true) end
+  return table.concat(lines, "\n", about.linedefined, about.lastlinedefined)
 end
 
 --- The variables that a function refers to, as a list of { name, value }: its upvalues, and the user's globals that
