@@ -4,20 +4,21 @@
 --          and moved to and fro along it with mu = 0.3, as: (1) one run with all steps, whose record grows with them;
 --          (2) as many steps in runs of 100, each of which drops the record of the one before; (3) new models, each
 --          solved in one step; (4) calls that end with an error: a wrong argument, or a step that does not converge;
---          (5) pictures of a state, and charts. After each hundredth of a workload, Lua's garbage is collected and the
---          memory of the process read from /proc/self/status (VmRSS).
+--          (5) snapshots, to each of which the model returns; (6) pictures of a state, and charts. After each
+--          hundredth of a workload, Lua's garbage is collected and the memory of the process read from
+--          /proc/self/status (VmRSS).
 -- Source: chosen here.
 -- Units: MB of 10⁶ bytes; seconds of wall time.
--- Expected: memory grows by less than 1 MB over the second half of (2) to (5), and in (1) by the record, some kB per
+-- Expected: memory grows by less than 1 MB over the second half of (2) to (6), and in (1) by the record, some kB per
 --           step.
--- Run: signorini scripts/soak.lua [workloads=run,runs,models,errors,pictures] [steps=100000] [models=10000]
---      [pictures=300] [out=out/soak]; steps: of (1) and of (2) each; models: of (3) and (4); pictures: of (5).
+-- Run: signorini scripts/soak.lua [workloads=run,runs,models,errors,snapshots,pictures] [steps=100000] [models=10000]
+--      [pictures=300] [out=out/soak]; steps: of (1) and of (2) each; models: of (3) to (5); pictures: of (6).
 
 local sg = require "signorini"
 
 local options = sg.arguments{
-  workloads = { { "run", "runs", "models", "errors", "pictures" },
-                choices = { "run", "runs", "models", "errors", "pictures" } },
+  workloads = { { "run", "runs", "models", "errors", "snapshots", "pictures" },
+                choices = { "run", "runs", "models", "errors", "snapshots", "pictures" } },
   steps = 100000, models = 10000, pictures = 300, out = "out/soak",
 }
 local files = sg.files(options.out)
@@ -86,6 +87,15 @@ function workloads.errors(tick)
   end
 end
 
+function workloads.snapshots(tick)
+  local model = scene()
+  model:run{ down }
+  for _ = 1, options.models do
+    model:restore(model:snapshot())
+    tick(1)
+  end
+end
+
 function workloads.pictures(tick)
   local drawn = options.out .. "/drawn.png"
   local model = scene()
@@ -102,9 +112,9 @@ function workloads.pictures(tick)
 end
 
 local totals = { run = options.steps // 10 * 10, runs = options.steps // 100 * 100, models = options.models,
-                 errors = options.models, pictures = options.pictures }
+                 errors = options.models, snapshots = options.models, pictures = options.pictures }
 local titles = { run = "one run", runs = "runs of 100 steps", models = "models", errors = "errors",
-                 pictures = "pictures" }
+                 snapshots = "snapshots", pictures = "pictures" }
 
 -- ── Memory ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
