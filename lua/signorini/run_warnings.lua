@@ -1,8 +1,8 @@
 -- Warnings about a run although it completed: those of sg.model about the scene, loads that are not ramped, functions
 -- of stages that jump at their start, loose tolerances, contacts without any active point (wrong face, or a body that
--- misses the other), deep penetration, points that passed through the master in one step, contacts switched on where
--- bodies overlap, failed projections, half passes with different forces, unstable equilibria, unstable elastic laws,
--- idle processes of mpirun, and those of path_controls.lua, jumps.lua and energy_balance.lua.
+-- misses the other), points that passed through the master in one step, contacts switched on where bodies overlap,
+-- states at the ends of stages, failed projections, half passes with different forces, unstable equilibria, unstable
+-- elastic laws, idle processes of mpirun, and those of path_controls.lua, jumps.lua and energy_balance.lua.
 
 local contact_changes = require "signorini.contact_changes"
 local core = require "signorini.core"
@@ -48,29 +48,8 @@ local function untouched(run, model, contact)
     .. "end apart. Hint: look at model:show{}; a shorter path, or more steps"
 end
 
--- Above this penetration, as a fraction of the size of the smallest body, the penalty parameter affects the result; far
--- above it the bodies have probably passed through each other.
-local deep, very_deep = 0.02, 0.2
-
---- What to do about it, by enforcement.
-local remedies = {
-  penalty = "raise the penalty", augmented = "raise the penalty, or lower augmentation.penetration of model:run",
-  multipliers = "refine the slave face, on which weighted gaps are closed",
-}
-
---- A sentence for a contact with deep penetration at some row of a run.
-local function penetrated(run, model, contact)
-  local most, at = 0, nil
-  for row, depth in ipairs(run.values[contact .. ".max_penetration"] or {}) do
-    if depth > most then most, at = depth, row end
-  end
-  local size, body = core.smallest_body(model)
-  if not size or most <= deep * size then return nil end
-  return ("contact '%s' is penetrated by %.3g in step %s, %.2g %% of the size of body '%s'. Hint: %s"):format(contact,
-    most, run.values.step[at], 100 * most / size, body, most > very_deep * size
-      and "the path may be too deep, or the bodies pass through each other: look at model:show{}"
-      or remedies[model:contact_law(contact).enforcement])
-end
+-- Above this overlap, as a fraction of the size of the smallest body, contact that is switched on deforms it suddenly.
+local deep = 0.02
 
 --- Sentences on contacts that a stage switches on where their faces overlap, so that they are pushed apart at once.
 function run_warnings.overlaps(model, stage)
@@ -253,7 +232,7 @@ end
 function run_warnings.of_run(run, model, early)
   local texts = lists.joined(model:warnings(), early)
   for _, contact in ipairs(run.rows > 0 and model:contact_names() or {}) do
-    texts[#texts + 1] = crossed(run, contact) or untouched(run, model, contact) or penetrated(run, model, contact)
+    texts[#texts + 1] = crossed(run, contact) or untouched(run, model, contact)
     texts[#texts + 1] = unsettled(run, contact)
     texts[#texts + 1] = unbalanced(run, model, contact)
   end

@@ -251,9 +251,11 @@ local material = {}
 ---       one or more patches)
 ---```
 ---@field patch sg.patch|sg.body.arguments.patch
----elements: knot spans; with a list of patches also a list with an entry per patch (a list of whole numbers from 1 to
+---elements: a list of whole numbers from 1 to 1000000, one per direction. Knot spans; with a list of patches also a
+---list
 ---```text
----          1000000, one per direction)
+---          with an entry per patch. Peak pressures need at least 7 across a contact with order N2, 3 with N2-N2.2
+---          (penalty in help "contact"); a run warns if a contact has fewer
 ---```
 ---@field elements integer|integer[]
 ---order: discretization label such as "N2-N2.2", help "orders" (a label or a list of labels, one per direction (along

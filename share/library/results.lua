@@ -152,6 +152,7 @@ function model:contact_law(contact) end
 ---@field fz? number
 ---@field area number
 ---@field max_pressure number
+---@field mean_pressure number
 ---@field max_penetration number
 ---@field weighted_penetration? number
 ---@field imbalance? number
@@ -174,6 +175,17 @@ function model:contact_law(contact) end
 ---the search for a closest point or slip point ended at the limit of iterations; unsettled_at is the reference position
 ---of the latest such point. crossed, crossed_at: the same for points that passed through the master since the previous
 ---state without contact.
+---Returns { fx, fy, fz, area, max_pressure, mean_pressure, max_penetration, active, slipping, per, unsettled, crossed
+---}: the force on the slave (fz in 3D), the current area in contact (with method = "mortar" and with adhesion the
+---reference area), extremes, the largest mean pressure over a slave element (where elements or a high penalty do not
+---resolve the peak it is closer to it than max_pressure), the numbers of contact points that touch and slip, and the
+---area, "current" or "reference", on which tractions act; with multipliers also weighted_penetration, the largest of
+---the multipliers; of a cohesive contact debonded, the area of new surface: energy dissipated by bonds over energy of
+---separation; with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how
+---much action and reaction differ, 0 without forces. unsettled: how often, in all accepted states so far, the search
+---for a closest point or slip point ended at the limit of iterations; unsettled_at is the reference position of the
+---latest such point. crossed, crossed_at: the same for points that passed through the master since the previous state
+---without contact.
 ---
 ---Example:
 ---```lua

@@ -1,5 +1,6 @@
 #include "base/index.hpp"
 #include "bind/model.hpp"
+#include "contact/peak.hpp"
 #include "model/face_values.hpp"
 #include "model/linear_choice.hpp"
 #include "model/profile.hpp"
@@ -97,7 +98,8 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   const auto sum = contact::resultant(model.present.contacts[contact]);
   const double area = model::contact_area(model, contact, model.present.contacts[contact]).area;
   push_fields(L, "area", area, "max_pressure", sum.max_pressure, "max_penetration", sum.max_penetration, "active",
-              sum.active, "slipping", sum.slipping);
+              sum.active, "slipping", sum.slipping, "mean_pressure",
+              contact::mean_pressure(model.system.contacts[contact]->points(), model.present.contacts[contact]));
   const model::Contact<D>& named = model.system.scene.contacts[contact];
   const bool is_half = named.other_pass >= 0;
   set_field(L, "per", area_name<D>(named.method));

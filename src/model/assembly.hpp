@@ -62,6 +62,8 @@ public:
   int pattern_version() const { return version_; }
   /// Energy stored in the bodies at a displacement and internal variables, see solid::stored_energy().
   double stored_energy(const VectorX& displacement, const std::vector<std::vector<double>>& internal) const;
+  /// The same of one body.
+  double stored_energy(int body, const VectorX& displacement, const std::vector<std::vector<double>>& internal) const;
   /// The constant tangent of bodies, springs and ties if all bodies are linear elastic; otherwise empty.
   const std::vector<double>& constant_values() const { return constant_; }
   /// The unknowns on which contacts act or may soon act, sorted. The list is extended in large pieces, each with a new

@@ -29,20 +29,21 @@ template <int D> void Assembly<D>::build_stiffness() {
 }
 
 template <int D>
+double Assembly<D>::stored_energy(int index, const VectorX& displacement,
+                                  const std::vector<std::vector<double>>& internal) const {
+  const double* own = displacement.data() + unknowns_.offset(index);
+  const solid::Body<D>& body = *scene_.bodies[at(index)].body;
+  if (!linear_) return solid::stored_energy(body, own, internal[at(index)]);
+  // ½ u·K u
+  VectorX force = VectorX::Zero(D * body.functions());
+  stiffness_[at(index)].multiply(own, force.data());
+  return 0.5 * force.dot(Eigen::Map<const VectorX>(own, force.size()));
+}
+
+template <int D>
 double Assembly<D>::stored_energy(const VectorX& displacement, const std::vector<std::vector<double>>& internal) const {
   double sum = 0;
-  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
-    const double* own = displacement.data() + unknowns_.offset(static_cast<int>(b));
-    const solid::Body<D>& body = *scene_.bodies[b].body;
-    if (linear_) {
-      // ½ u·K u
-      VectorX force = VectorX::Zero(D * body.functions());
-      stiffness_[b].multiply(own, force.data());
-      sum += 0.5 * force.dot(Eigen::Map<const VectorX>(own, force.size()));
-    } else {
-      sum += solid::stored_energy(body, own, internal[b]);
-    }
-  }
+  for (int b = 0; b < std::ssize(scene_.bodies); ++b) sum += stored_energy(b, displacement, internal);
   return sum;
 }
 
@@ -98,11 +99,13 @@ template <int D> void Assembly<D>::set_values(const Request& request) {
 
 template void Assembly<2>::build_stiffness();
 template double Assembly<2>::stored_energy(const VectorX&, const std::vector<std::vector<double>>&) const;
+template double Assembly<2>::stored_energy(int, const VectorX&, const std::vector<std::vector<double>>&) const;
 template void Assembly<2>::build_constant();
 template void Assembly<2>::move_constant(std::vector<int>);
 template void Assembly<2>::set_values(const Request&);
 template void Assembly<3>::build_stiffness();
 template double Assembly<3>::stored_energy(const VectorX&, const std::vector<std::vector<double>>&) const;
+template double Assembly<3>::stored_energy(int, const VectorX&, const std::vector<std::vector<double>>&) const;
 template void Assembly<3>::build_constant();
 template void Assembly<3>::move_constant(std::vector<int>);
 template void Assembly<3>::set_values(const Request&);

@@ -109,6 +109,25 @@ inline constexpr double across_part = 0.1;
 /// mortar, N2 and N2-N2.2) takes 37, 41, 20 and 25 iterations, 1.0 to 1.3 times the least of any penalty; with 2, 1.2
 /// to 1.4 times as many, with 20 to 200, 0.8 to 1.8 times as many.
 inline constexpr double default_penalty_ratio = 10;
+/// The same of contacts that are enforced by the penalty alone. In Hertz's line and point contact over 5 elements (N2)
+/// penetration is 0.4 and 1.0 % of the approach with 30 (forces 0.4 and 1.5 % too small), 1.2 and 2.7 % with 10, 0.1 and
+/// 0.3 % with 100, which doubles the width from which peaks are right (scripts/contact_width.lua).
+inline constexpr double default_penalty_alone = 30;
+/// Least widths of a zone of contact from which peaks are within 10 % of Hertz's, in functions of the slave face:
+/// elements times p − k for degree p and continuity k (scripts/contact_width.lua). At Gauss points with penalty ratio c
+/// peak_functions √(c/30), since a high penalty over-constrains, of degree 1 in proportion to c; of mortar contact
+/// with multipliers "equal" and "reduced" at any penalty.
+inline constexpr double peak_functions = 7, peak_functions_linear = 13;
+inline constexpr double peak_functions_mortar = 8, peak_functions_reduced = 6;
+/// The error of peaks at these widths, and the number of elements from which the mean over one is about as exact.
+inline constexpr double peak_error = 0.1, mean_elements = 4;
+/// Penetration or elastic slip relative to the approach from which a warning is given, and which the penalty that it
+/// suggests leaves; and pressure relative to Young's modulus, or penetration relative to an element, that is rounding
+/// error.
+inline constexpr double noticeable_part = 0.05, small_part = 0.01, contact_rounding = 1e-10;
+/// Under a penalty below this multiple of E/h pressures below this fraction of E strain bodies so little that their
+/// energy is rounding error: the springs take up all of the approach.
+inline constexpr double far_too_soft = 1e-3, lost_strain = 1e-8;
 /// Ratio of Young's moduli above which a slave is stiff compared with its master, and of element sizes up to which it
 /// is not coarse, for a warning about multipliers. In 2D ironing (E = 1000 on 1, elements 0.7 times as large)
 /// multipliers on the die fail from m2 on, and those on the slab converge at all meshes.
@@ -134,7 +153,7 @@ template <int D> inline constexpr int worth_sharing = D == 2 ? 64 : 8;
 inline constexpr double locking_linear = 0.45, locking_quadratic = 0.497, locking_higher = 0.499;
 /// Coefficient of friction above which an angle in degrees is suspected; rubber on dry concrete has about 1.
 inline constexpr double most_friction = 3;
-/// ε_N h/E from which steps need cutting ("10 to 1000 times E/h" is usual), and from which the rounding error of the
+/// ε_N h/E from which steps need cutting (10 to 100 times E/h is usual), and from which the rounding error of the
 /// contact stiffness exceeds the stiffness of the body.
 inline constexpr double stiff_penalty = 1e4, beyond_rounding = 1e8;
 /// Relative error of a prescribed shape's projection above which the supports follow another function than the user's.

@@ -3,36 +3,47 @@
 #include "base/index.hpp"
 #include "model/constants.hpp"
 #include "model/element_size.hpp"
+#include "model/thickness.hpp"
 
 #include <algorithm>
 
 namespace signorini::model {
 
-namespace {
-
-template <int D> double default_penalty(const Scene<D>& scene, const Contact<D>& contact) {
+template <int D> double contact_stiffness(const Scene<D>& scene, const Contact<D>& contact) {
   double softer = youngs_modulus(scene, contact.slave);
   if (const auto* face = std::get_if<Faces>(&contact.master)) softer = std::min(softer, youngs_modulus(scene, *face));
-  // ε = 10 E/h
-  return default_penalty_ratio * softer / element_size(scene, contact.slave, contact.points, contact.where);
+  return softer / element_size(scene, contact.slave, contact.points, contact.where);
 }
 
-} // namespace
+template <int D> double default_penalty(const Scene<D>& scene, const Contact<D>& contact) {
+  const auto through = [&](const Faces& faces) { return youngs_modulus(scene, faces) / thickness(scene, faces); };
+  double softer = through(contact.slave);
+  if (const auto* face = std::get_if<Faces>(&contact.master)) softer = std::min(softer, through(*face));
+  return default_penalty_alone * std::max(contact_stiffness(scene, contact), softer);
+}
 
 template <int D> void set_default_penalties(Scene<D>& scene) {
   for (Contact<D>& contact : scene.contacts) {
     contact::PenaltyLaw* law = contact::penalty_law(contact.method);
-    if (!law || law->enforcement == contact::Enforcement::penalty) continue;
-    const double usual = default_penalty(scene, contact);
-    if (auto* mortar = std::get_if<contact::MortarLaw>(&contact.method)) mortar->scale = usual;
+    if (!law) continue;
+    const bool alone = law->enforcement == contact::Enforcement::penalty;
+    auto* mortar = alone ? nullptr : std::get_if<contact::MortarLaw>(&contact.method);
+    if (mortar) mortar->scale = default_penalty_ratio * contact_stiffness(scene, contact);
     if (law->normal == 0) {
-      law->normal = usual;
+      law->normal = alone ? default_penalty(scene, contact) : default_penalty_ratio * contact_stiffness(scene, contact);
       contact.default_penalty = true;
     }
-    if (law->tangential == 0) law->tangential = law->normal;
+    if (law->tangential == 0 && (!alone || contact::may_rub(*law))) law->tangential = law->normal;
+    auto* bonds = std::get_if<contact::CohesiveLaw>(&contact.method);
+    if (bonds && bonds->cohesion.softening == contact::Softening::bilinear && bonds->cohesion.stiffness == 0)
+      bonds->cohesion.stiffness = law->normal;
   }
 }
 
+template double default_penalty(const Scene<2>&, const Contact<2>&);
+template double default_penalty(const Scene<3>&, const Contact<3>&);
+template double contact_stiffness(const Scene<2>&, const Contact<2>&);
+template double contact_stiffness(const Scene<3>&, const Contact<3>&);
 template void set_default_penalties(Scene<2>&);
 template void set_default_penalties(Scene<3>&);
 

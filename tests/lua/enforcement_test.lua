@@ -37,11 +37,6 @@ check.case("combinations that do not exist are errors that name those that do", 
     { { method = "half_passes", enforcement = "augmented", penalty = 1 },
       'method = "half_passes" has enforcement = "penalty", not "augmented"', 'use method = "gpts" or "mortar"' },
     { { method = "half_passes", enforcement = "multipliers" }, 'not "multipliers"', 'use method = "mortar"' },
-    { { method = "half_passes" }, "penalty (normal penalty, pressure per length) is missing" },
-    { {}, "penalty (normal penalty, pressure per length) is missing", 'enforcement = "augmented"' },
-    { { method = "mortar", enforcement = "penalty" }, "penalty (normal penalty, pressure per length) is missing" },
-    { { penalty = 1, friction = { mu = 0.3 } },
-      "friction.penalty (tangential penalty, pressure per length) is missing" },
     { { enforcement = "uzawa" }, "enforcement must be 'penalty', 'augmented' or 'multipliers'",
       "got the string 'uzawa'" },
     { { enforcement = true }, "enforcement must be 'penalty', 'augmented' or 'multipliers', got true" },
@@ -80,7 +75,7 @@ end)
 
 -- ── Default penalties ────────────────────────────────────────────────────────────────────────────────────────────────
 
-check.case("by default the penalty is 10 E/h of the softer body and the slave's elements", function()
+check.case("by default the penalty is 10 E/h of the softer body and the slave's elements, alone 30 E/h", function()
   local joint = law{ enforcement = "augmented", friction = { mu = 0.3 } }
   check.near({ joint.penalty, joint.friction_penalty }, { 10 * 3 * 4, 10 * 3 * 4 }, 1e-9)
   check.equal({ joint.default_penalty, joint.enforcement, joint.method, joint.mu }, { true, "augmented", "gpts", 0.3 })
@@ -89,6 +84,13 @@ check.case("by default the penalty is 10 E/h of the softer body and the slave's 
   local mortar = law{ method = "mortar", enforcement = "augmented" }
   check.near(mortar.penalty, 10 * 3 * 4, 1e-9)
   check.equal({ mortar.multipliers, mortar.per }, { "equal", "reference" })
+  for _, alone in ipairs { {}, { method = "mortar" }, { method = "half_passes" } } do
+    alone.friction = { mu = 0.3 }
+    local joint = law(alone)
+    check.near({ joint.penalty, joint.friction_penalty }, { 30 * 3 * 4, 30 * 3 * 4 }, 1e-9)
+    check.equal(joint.default_penalty, true)
+  end
+  check.equal(law{ penalty = 7, friction = { mu = 0.3 } }.friction_penalty, 7.0)
   local given = law{ enforcement = "augmented", penalty = 50, friction = { mu = 0.3 } }
   check.equal({ given.penalty, given.friction_penalty, given.default_penalty }, { 50.0, 50.0, false })
 end)

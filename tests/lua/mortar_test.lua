@@ -253,7 +253,6 @@ check.case("wrong combinations are errors that name the argument", function()
   check.fails(contact{ penalty = 1, multipliers = "equal" }, 'method = "mortar"')
   check.fails(contact{ penalty = 1, method = "mortar", per = "current" }, "mortar", "per", "reference")
   check.fails(contact{ method = "mortar", adhesion = { hamaker = 1, r0 = 1 } }, "adhesion", "mortar")
-  check.fails(contact{ method = "mortar" }, "penalty")
   check.fails(contact{ penalty = 1, method = "mortar", multipliers = "reduced" }, "reduced", "degree p >= 2", "equal")
 end)
 

@@ -3,6 +3,7 @@
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
+local other_warnings = require "other_warnings"
 local contact_keys = require "contact_keys"
 local show = require "signorini.show"
 
@@ -228,7 +229,7 @@ check.case("no work is counted for an offset of sg.model, where all supports are
   for _, form in ipairs(contact_keys.names(true)) do
     local model = block(2, contact_keys.of(form, 1e4, nil, { offset = 0.02 }))
     local run = model:run({ { steps = 1 } }, contact_keys.options(form))
-    check.equal({ run.reason, #run.warnings }, { "completed", 0 })
+    check.equal({ run.reason, #other_warnings(run) }, { "completed", 0 })
     local pressed = model:energy()
     check.near(pressed.work, 0, 1e-12)
     assert(pressed.stored > 1e-3)

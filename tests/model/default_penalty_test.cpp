@@ -37,11 +37,13 @@ PenaltyLaw filled(Scene<2> scene) {
   return *contact::penalty_law(scene.contacts[0].method);
 }
 
-TEST(DefaultPenalty, IsTenTimesTheSofterModulusPerSlaveElement) {
+TEST(DefaultPenalty, IsAMultipleOfTheSofterModulusPerSlaveElement) {
   // h = 1/4 on the upper block's face, 1/8 on the lower one's; E = 3 is the softer modulus.
   Scene<2> scene = two_blocks(default_law(Enforcement::augmented, 0.2));
   EXPECT_NEAR(filled(scene).normal, 10 * 3 * 4, 1e-10);
   EXPECT_EQ(filled(scene).tangential, filled(scene).normal);
+  EXPECT_NEAR(filled(two_blocks(default_law(Enforcement::penalty, 0.2))).normal, 30 * 3 * 4, 1e-10);
+  EXPECT_NEAR(filled(two_blocks(default_law(Enforcement::penalty, 0.2))).tangential, 30 * 3 * 4, 1e-10);
   scene.contacts[0].slave = {1, north};
   scene.contacts[0].master = FaceReference{0, south};
   EXPECT_NEAR(filled(scene).normal, 10 * 3 * 8, 1e-10);
@@ -59,7 +61,8 @@ TEST(DefaultPenalty, DoesNotReplaceGivenParameters) {
   EXPECT_EQ(filled(two_blocks(law)).tangential, 7);
   law.tangential = 5;
   EXPECT_EQ(filled(two_blocks(law)).tangential, 5);
-  EXPECT_ERROR(Model<2>(two_blocks(default_law(Enforcement::penalty))), "contact.penalty.normal");
+  law.normal = -1;
+  EXPECT_ERROR(Model<2>(two_blocks(law)), "contact.penalty.normal");
 }
 
 /// Graded to elements of sizes 1/16, 1/16, 1/8, 1/4, 1/2 whose mean of 1/h is (16 + 16 + 8 + 4 + 2)/5.

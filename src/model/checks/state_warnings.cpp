@@ -1,5 +1,7 @@
 #include "model/checks/state_warnings.hpp"
 
+#include "model/checks/penetration.hpp"
+#include "model/checks/resolution.hpp"
 #include "model/checks/stiff_bending.hpp"
 #include "model/checks/undeclared_obstacle.hpp"
 
@@ -12,6 +14,8 @@ template <int D> std::vector<Message> state_warnings(Model<D>& model) {
   warn_of_overlaps(model, outlines, warnings);
   warn_of_obstacles(model, outlines, warnings);
   warn_of_stiff_bending(model, warnings);
+  warn_of_narrow_contacts(model, warnings);
+  warn_of_soft_penalties(model, warnings);
   return warnings;
 }
 

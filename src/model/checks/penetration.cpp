@@ -1,0 +1,118 @@
+#include "model/checks/penetration.hpp"
+
+#include "base/index.hpp"
+#include "model/checks/resolution.hpp"
+#include "model/constants.hpp"
+#include "model/default_penalty.hpp"
+#include "model/element_size.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::model {
+
+namespace {
+
+/// The bodies of a contact, and those that ties and joins connect with them.
+template <int D> std::vector<char> bodies_behind(const Scene<D>& scene, const Contact<D>& contact) {
+  std::vector<char> behind(scene.bodies.size(), 0);
+  for (int b = 0; b < std::ssize(scene.bodies); ++b) behind[at(b)] = acts_on(contact, b);
+  const auto connect = [&](int a, int b) {
+    const bool new_one = behind[at(a)] != behind[at(b)];
+    if (new_one) behind[at(a)] = behind[at(b)] = 1;
+    return new_one;
+  };
+  for (bool more = true; more;) {
+    more = false;
+    for (const Join& join : scene.joins) more |= connect(join.first.body, join.second.body);
+    for (const Tie& tie : scene.ties)
+      for (const FaceReference& slave : tie.slave)
+        for (const FaceReference& master : tie.master) more |= connect(slave.body, master.body);
+  }
+  return behind;
+}
+
+/// Sums over the contact points or, with multipliers, over these.
+struct SpringSums {
+  double force = 0, area = 0; ///< ∫ p da, and the area with pressure
+  double normal = 0;          ///< ½ ∫ p |g| da
+  double slip = 0;            ///< ∫ p |elastic slip| da where they stick
+};
+
+/// Adds a point or a multiplier with its elastic slip.
+template <class Result> void add_spring(SpringSums& sum, const Result& one, double slip) {
+  if (!contact::touches(one.state) || one.pressure <= 0) return;
+  const double force = one.pressure * one.area;
+  sum.force += force;
+  sum.area += one.area;
+  sum.normal += 0.5 * force * std::max(-one.gap, 0.0);
+  if (one.state == contact::ContactState::stick) sum.slip += force * slip;
+}
+
+template <int D> SpringSums springs_of(const contact::History<D>& history, const contact::PenaltyLaw& law) {
+  SpringSums sum;
+  for (const auto& multiplier : history.multiplier_results) add_spring(sum, multiplier, multiplier.elastic.norm());
+  if (!history.multipliers.empty()) return sum;
+  const double compliance = law.friction > 0 ? 1 / law.tangential : 0;
+  for (const auto& point : history.results) add_spring(sum, point, stretch(point) * point.friction.norm() * compliance);
+  return sum;
+}
+
+template <int D> void warn_of_springs(const Model<D>& model, int index, std::vector<Message>& warnings) {
+  const Scene<D>& scene = model.system.scene;
+  const Contact<D>& contact = scene.contacts[at(index)];
+  const contact::History<D>& history = model.present.contacts[at(index)];
+  const contact::PenaltyLaw law = contact::scaled(
+      contact::changed(*contact::penalty_law(contact.method), history.changes), model.present.penalty_factor);
+  const SpringSums sum = springs_of(history, law);
+  const double stiffness = contact_stiffness(scene, contact);
+  // A contact that touches at rounding error has a penetration p/ε far below an element's size.
+  const double size = youngs_modulus(scene, contact.slave) / stiffness;
+  if (sum.force <= 0 || sum.normal + sum.slip <= contact_rounding * size * sum.force) return;
+  const bool lost = law.normal < far_too_soft * stiffness &&
+                    sum.force < lost_strain * youngs_modulus(scene, contact.slave) * sum.area;
+  double strain = model.system.springs.energy(model.present.displacement);
+  const std::vector<char> behind = bodies_behind(scene, contact);
+  for (int b = 0; b < std::ssize(scene.bodies); ++b)
+    if (behind[at(b)] && !lost)
+      strain += model.system.assembly.stored_energy(b, model.present.displacement, model.accepted.internal);
+  const double part = sum.normal / (strain + sum.normal), approach = 2 * (strain + sum.normal) / sum.force;
+  const double usual = default_penalty(scene, contact);
+  // Springs in series: part/(1 − part) is inversely proportional to the penalty.
+  const double series = strain > 0 ? law.normal * (sum.normal / strain) * (1 - small_part) / small_part : 0;
+  const double enough = std::max(usual, series);
+  const Message cure = law.enforcement == contact::Enforcement::augmented
+                           ? Message("model.soft.augmented")
+                           : Message("model.soft.penalty", {{"penalty", enough}});
+  const bool soft = part > noticeable_part && !(law.normal >= usual && is_narrow(model, index));
+  if (soft)
+    warnings.push_back(Message("model.warning.penetration", {{"contact", contact.name},
+                                                             {"percent", 100 * part},
+                                                             {"penetration", 2 * sum.normal / sum.force},
+                                                             {"cure", cure}}));
+  const bool stuck = law.friction > 0 && law.enforcement != contact::Enforcement::multipliers;
+  if (stuck && sum.slip > noticeable_part * approach * sum.force)
+    warnings.push_back(
+        Message("model.warning.elastic_slip",
+                {{"contact", contact.name},
+                 {"slip", sum.slip / sum.force},
+                 {"percent", 100 * sum.slip / sum.force / approach},
+                 {"penalty", std::max(usual, law.friction * sum.force / sum.area / (small_part * approach))}}));
+}
+
+} // namespace
+
+template <int D> void warn_of_soft_penalties(const Model<D>& model, std::vector<Message>& warnings) {
+  for (int k = 0; k < std::ssize(model.system.scene.contacts); ++k) {
+    const Contact<D>& contact = model.system.scene.contacts[at(k)];
+    const bool second_pass = contact.other_pass >= 0 && contact.other_pass < k;
+    if (contact::penalty_law(contact.method) && !std::holds_alternative<contact::CohesiveLaw>(contact.method) &&
+        !second_pass)
+      warn_of_springs(model, k, warnings);
+  }
+}
+
+template void warn_of_soft_penalties(const Model<2>&, std::vector<Message>&);
+template void warn_of_soft_penalties(const Model<3>&, std::vector<Message>&);
+
+} // namespace signorini::model
