@@ -147,7 +147,7 @@ local function unsaid_inversion(model, scene, frame, warnings)
             F[field] = model:sample(frame:name(body.name), field, xi)
           end
           local J = F.F11 * F.F22 - F.F12 * F.F21
-          if J < -0.5 and not has_warning(warnings, frame:name(body.name), "is inverted") then
+          if J < -0.5 and not has_warning(warnings, frame:name(body.name), "linear elastic body turns") then
             return ("linear elastic body %s is inverted (J = %.3g) without a warning"):format(body.name, J)
           end
         end

@@ -461,6 +461,11 @@ local model = {}
 ---1e8 times the stiffness of an element, fewer contact points per element than the degree of the face, weights so
 ---different that Gauss points miss a body's volume by 1 %, loads on faces whose area they miss by as much, contacts
 ---that act twice. About the current state: inverted linear elastic bodies. run.warnings starts with these.
+---Returns a list of sentences on what is probably unintended. About the scene (sg.model prints these, too): bodies that
+---overlap before the first step by more than 1 % of the thickness of the thinner one, Poisson's ratios that lock, mu
+---above 3, penalties above 1e8 times the stiffness of an element, fewer contact points per element than the degree of
+---the face, weights so different that Gauss points miss a body's volume by 1 %, loads on faces whose area they miss by
+---as much, contacts that act twice. run.warnings starts with these.
 ---
 ---Example:
 ---```lua
@@ -973,6 +978,11 @@ function sg.plain(arguments) end
 ---          that passed through the master in one step; steps that may have jumped to another branch of solutions
 ---          (solved by certain fallbacks) or probably have (judged by displacements and released energy); stages whose
 ---          energy balance lacks more than a tenth of the work
+---          hold in unstable equilibrium; at the ends of stages linear elastic bodies that are turned by 10 degrees or
+---          strained by 5 % in the mean over an element; loads or contact whose forces are not far above rounding
+---          errors; closest points that were not found; points that passed through the master in one step; steps that
+---          may have jumped to another branch of solutions (solved by certain fallbacks) or probably have (judged by
+---          displacements and released energy); stages whose energy balance lacks more than a tenth of the work
 ---```
 ---@field warnings string[]
 local run = {}

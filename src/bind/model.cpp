@@ -37,7 +37,7 @@ template <int D> int timings(const model::Model<D>& model, lua_State* L) {
 }
 
 template <int D> std::vector<std::string> warnings(const model::Model<D>& model) {
-  return worded(model::warnings(model));
+  return worded(model.scene_warnings);
 }
 
 template <int D> void time_search(const model::Model<D>& model, bool wanted) {

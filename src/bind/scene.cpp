@@ -263,7 +263,7 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
   const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));
   count_memory(L, model::memory(*made));
   std::ranges::move(builder.warnings, std::back_inserter(made->scene_warnings));
-  for (const Message& warning : model::warnings(*made)) warn(worded(warning));
+  for (const Message& warning : made->scene_warnings) warn(worded(warning));
   return 1;
 }
 

@@ -156,6 +156,10 @@ inline constexpr double most_friction = 3;
 /// ε_N h/E from which steps need cutting (10 to 100 times E/h is usual), and from which the rounding error of the
 /// contact stiffness exceeds the stiffness of the body.
 inline constexpr double stiff_penalty = 1e4, beyond_rounding = 1e8;
+/// Rotation, in radians, and principal strain, each in the mean over an element, from which a warning about Hooke's law
+/// of small strains is given: it takes a rotation by 10° for a compression of 1.5 % in every direction, and the terms
+/// of second order that it omits at a strain of 5 % are some 5 % of the stress.
+inline constexpr double most_small_rotation = 0.17453292519943295, most_small_strain = 0.05;
 /// Relative error of a prescribed shape's projection above which the supports follow another function than the user's.
 inline constexpr double most_shape_error = 0.01;
 

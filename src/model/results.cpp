@@ -83,22 +83,6 @@ template <int D> double imbalance(const Model<D>& model, int pass) {
   return larger > 0 ? (here + there).norm() / larger : 0;
 }
 
-template <int D> std::vector<Message> warnings(const Model<D>& model) {
-  std::vector<Message> warnings = model.scene_warnings;
-  for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
-    const auto& [name, body] = model.system.scene.bodies[b];
-    const auto displacement = body_displacement(model, static_cast<int>(b));
-    // Nonlinear materials reject inverted elements; without displacements F = 1.
-    if (!body->linear() || displacement.isZero(0)) continue;
-    const auto worst = solid::worst_inversion(*body, displacement.data());
-    if (worst)
-      warnings.push_back(Message(
-          "model.warning.inverted",
-          {{"body", name}, {"element", worst->element}, {"determinant", worst->jacobian}, {"place", worst->point}}));
-  }
-  return warnings;
-}
-
 template <int D> double search_seconds(const Model<D>& model) {
   double sum = 0;
   for (const auto& contact : model.system.contacts) sum += contact->search_seconds();
@@ -119,7 +103,6 @@ template <int D> double memory(const Model<D>& model) {
   template std::vector<std::pair<std::string, double>> free_motion(const Model<D>&, int);                              \
   template Vec<D> load_resultant(const Model<D>&, int);                                                                \
   template Energies energies(const Model<D>&);                                                                         \
-  template std::vector<Message> warnings(const Model<D>&);                                                             \
   template double imbalance(const Model<D>&, int);                                                                     \
   template double search_seconds(const Model<D>&);                                                                     \
   template double memory(const Model<D>&);

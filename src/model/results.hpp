@@ -30,9 +30,6 @@ struct Energies {
 /// Energies of the present state, with friction and work up to the accepted one.
 template <int D> Energies energies(const Model<D>& model);
 
-/// Warnings about the scene, then about inverted linear elastic bodies in the present state.
-template <int D> std::vector<Message> warnings(const Model<D>& model);
-
 /// ‖f + f₂‖ / max(‖f‖, ‖f₂‖) of the forces of a half pass and of the other one, 0 without forces: by how much action
 /// and reaction differ.
 template <int D> double imbalance(const Model<D>& model, int pass);

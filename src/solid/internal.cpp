@@ -27,6 +27,13 @@ void each_deformation(const Body<D>& body, const double* displacement, const Vis
   }
 }
 
+/// r/R = 1 + Σ_A u_rA R_A/R at a Gauss point of an axisymmetric body, otherwise 1.
+template <int D, class Displacements> double hoop_stretch(const Body<D>& body, int e, int q, const Displacements& u) {
+  if (body.kind() != Kind::axisymmetric) return 1;
+  const Eigen::Index n = u.cols();
+  return 1 + u.row(0).dot(Eigen::Map<const Eigen::RowVectorXd>(body.hoops_of(e) + q * n, n));
+}
+
 } // namespace
 
 template <int D> void gather(const Body<D>& body, int e, const double* displacement, double* local) {
@@ -100,14 +107,20 @@ std::optional<Inversion> internal_force(const Body<D>& body, int m, const double
   return Inversion{m, body.reference_point(m, result.point), result.jacobian};
 }
 
-template <int D> std::optional<Inversion> worst_inversion(const Body<D>& body, const double* displacement) {
-  std::optional<Inversion> worst;
-  each_deformation(body, displacement, [&](int e, int q, const Mat<D>& f, const auto&) {
-    const double jacobian = f.determinant();
-    if (jacobian <= 0 && (!worst || jacobian < worst->jacobian))
-      worst = Inversion{e, body.reference_point(e, q), jacobian};
+template <int D> std::vector<MeanDeformation<D>> mean_deformations(const Body<D>& body, const double* displacement) {
+  std::vector<MeanDeformation<D>> means(at(body.elements()));
+  std::vector<double> volumes(means.size(), 0.0);
+  each_deformation(body, displacement, [&](int e, int q, const Mat<D>& f, const auto& u) {
+    const double weight = body.weights_of(e)[q];
+    means[at(e)].gradient += weight * f;
+    means[at(e)].hoop += weight * hoop_stretch(body, e, q, u);
+    volumes[at(e)] += weight;
   });
-  return worst;
+  for (std::size_t e = 0; e < means.size(); ++e) {
+    means[e].gradient /= volumes[e];
+    means[e].hoop /= volumes[e];
+  }
+  return means;
 }
 
 namespace {
@@ -137,12 +150,7 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
   if (body.linear() && !body.internal_variables()) return quadratic_energy(body, displacement);
   const std::size_t variables = committed.empty() ? 0 : at(body.internal_variables());
   each_deformation(body, displacement, [&](int e, int q, const Mat<D>& f, const auto& u) {
-    double across = 1;
-    if (body.kind() == Kind::axisymmetric) {
-      // r/R = 1 + Σ_A u_rA R_A/R
-      const Eigen::Index n = u.cols();
-      across += u.row(0).dot(Eigen::Map<const Eigen::RowVectorXd>(body.hoops_of(e) + q * n, n));
-    }
+    double across = hoop_stretch(body, e, q, u);
     if constexpr (D == 2)
       if (body.kind() == Kind::plane_stress) across = body.material().thickness_stretch(f);
     const std::size_t point = body.element(e).point + at(q);
@@ -160,7 +168,7 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
   template std::vector<double> initial_values(const Body<D>&);                                                         \
   template std::optional<Inversion> internal_force(const Body<D>&, int, const double*, ElementArrays<D>&, bool,        \
                                                    std::span<const double>, std::span<double>);                        \
-  template std::optional<Inversion> worst_inversion(const Body<D>&, const double*);                                    \
+  template std::vector<MeanDeformation<D>> mean_deformations(const Body<D>&, const double*);                           \
   template double stored_energy(const Body<D>&, const double*, std::span<const double>);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

@@ -49,9 +49,12 @@ std::optional<Inversion> internal_force(const Body<D>& body, int m, const double
                                         ElementArrays<D>& arrays, bool tangent = true,
                                         std::span<const double> committed = {}, std::span<double> trial = {});
 
-/// The point with the smallest det F in the body, among the Gauss points at which it is not positive; nothing if it is
-/// positive everywhere. For small-strain laws, which internal_force() does not check.
-template <int D> std::optional<Inversion> worst_inversion(const Body<D>& body, const double* displacement);
+/// Means over the reference volume of an element.
+template <int D> struct MeanDeformation {
+  Mat<D> gradient = Mat<D>::Zero(); ///< F
+  double hoop = 0;                  ///< stretch about the axis of an axisymmetric body, otherwise 1
+};
+template <int D> std::vector<MeanDeformation<D>> mean_deformations(const Body<D>& body, const double* displacement);
 
 /// Stored energy of the whole body; infinity if an element is inverted (never with small strains). `committed` as for
 /// internal_force(); empty: the initial values.

@@ -58,10 +58,11 @@ end
 
 check.case("a strip in tension is a bar: energy, thickness, work", function()
   local E, nu, a = 2, 0.3, 1.2
-  for _, law in ipairs { sg.linear_elastic{ E = E, nu = nu }, sg.neo_hookean{ E = E, nu = nu } } do
+  for i, law in ipairs { sg.linear_elastic{ E = E, nu = nu }, sg.neo_hookean{ E = E, nu = nu } } do
     local model = strip(law, "plane_stress")
     local run = model:run({ { steps = 40, grip = { 2 * (a - 1) } } }, { newton = { tolerance = 1e-13 } })
-    check.equal({ run.failed, #run.warnings }, { false, 0 })
+    -- The energy of the linear body is compared with its own work, at a strain beyond its law.
+    check.equal({ run.failed, #run.warnings }, { false, i == 1 and 1 or 0 })
     local energy = model:energy()
     check.within_share("work", energy.work, energy.stored, 1e-3)
     local across = model:sample("strip", "F33", { 0.3, 0.6 })

@@ -147,16 +147,42 @@ check.case("the same pair of faces in two contacts", function()
   check.equal(#parted:warnings(), 0)
 end)
 
-check.case("a linear elastic body with inverted elements", function()
-  for _, factor in ipairs { 1, 3 } do
-    local slab = slab_on("N2", 0.3, sg.linear_elastic)
-    local model = sg.model{ bodies = { slab = slab }, supports = {
-      bed = { on = slab:face "south", fix = "xy" }, lid = { on = slab:face "north", drive = "y" } } }
-    local run = model:run{ { steps = 1, lid = -0.6 * factor } }
-    check.equal({ run.reason, #run.warnings }, { "completed", factor == 1 and 0 or 1 })
-    if factor > 1 then
-      check.holds(run.warnings[1], "bodies.slab: the linear elastic body is inverted in element", "det F = -")
-    end
+check.case("a linear elastic body with large strains or rotations, in a plane, a ring and space", function()
+  --- The only warning of a run, nil without one.
+  local function warning(model, targets)
+    local run = model:run{ { steps = 1, move = targets } }
+    check.equal({ run.reason, #run.warnings <= 1 }, { "completed", true })
+    return run.warnings[1]
+  end
+  -- Compressed between frictionless plates by the exact strain, also beyond inversion.
+  local function squeezed(strain)
+    local slab = slab_on("N2", 0, sg.linear_elastic)
+    return warning(sg.model{ bodies = { slab = slab }, supports = {
+      bed = { on = slab:face "south", fix = "y" }, side = { on = slab:face "west", fix = "x" },
+      move = { on = slab:face "north", drive = "y" } } }, { strain })
+  end
+  check.equal(squeezed(-0.045), nil)
+  check.holds(squeezed(-0.055), "at the end of stage", "bodies.slab: the linear elastic body turns by 0 degrees",
+    "strained by -5.5 %", "Hint: use sg.neo_hookean")
+  check.holds(squeezed(-1.8), "strained by -180 %")
+  -- A ring with a grown radius, u/R = 0.06 at its middle, is strained in the third direction alone.
+  local ring = sg.body{ patch = sg.shapes.rectangle{ width = 0.02, height = 0.02, corner = { 0.99, 0 } },
+                        elements = { 1, 1 }, order = "N2", material = sg.linear_elastic{ E = 1, nu = 0 } }
+  check.holds(warning(sg.model{ kind = "axisymmetric", bodies = { ring = ring }, supports = {
+    bed = { on = ring:face "south", fix = "y" },
+    move = { on = { ring:face "west", ring:face "east" }, drive = "x" } } }, { 0.06 }), "strained by 6 %")
+  -- Turned as a whole: the law shortens the body, but its face turns by the angle that is prescribed.
+  local function turned(angle, space)
+    local body = sg.body{ elements = space and { 1, 1, 1 } or { 1, 1 }, order = "N2", material = sg.linear_elastic{
+      E = 1, nu = 0.3 }, patch = space and sg.shapes.block{ size = { 1, 1, 0.1 } }
+      or sg.shapes.rectangle{ width = 1, height = 0.1 } }
+    local model = sg.model{ bodies = { body = body }, supports = { move = { on = body:face(space and "front" or "south"),
+      rotate = space and "z" or true, drive = space and "xyz" or "xy" } } }
+    return warning(model, space and { 0, 0, 0, angle } or { 0, 0, angle })
+  end
+  for _, space in ipairs { false, true } do
+    check.equal(turned(9, space), nil)
+    check.holds(turned(12, space), "turns by 1", "degrees")
   end
 end)
 

@@ -52,8 +52,7 @@ these, too): overlaps before the first step whose closing strains a body by more
 distance that are tied, functions of loads whose resultant Gauss points miss by 1 %, Poisson's ratios that lock, mu
 above 3, penalties above 1e8 times the stiffness of an element, fewer contact points per element than the degree of the
 face, weights so different that Gauss points miss a body's volume by 1 %, loads on faces whose area they miss by as
-much, contacts that act twice. About the current state: inverted linear elastic bodies. run.warnings starts with
-these.]],
+much, contacts that act twice. run.warnings starts with these.]],
     returns = t.list(t.text),
     example = "model:warnings()  --> {}" },
   { "model:run", [[Solves a model along its load path and returns a run. A further run continues from the
@@ -158,10 +157,11 @@ contacts), wall } each]] },
 newton.tolerance above 1e-3; contacts that never touched; a last step whose position damping alone determines; bodies
 that contacts without friction do not hold or hold in unstable equilibrium; loads or contact whose forces are not far
 above rounding errors; closest points that were not found; points that passed through the master in one step; at the end
-of a stage contacts too narrow for the mesh, penetration or elastic slip above 5 % of the approach of the faces, bodies
-that pass through each other, through themselves or through obstacles where no contact is defined, or pass between
-contact points; steps that may have jumped to another branch of solutions (solved by certain fallbacks) or probably have
-(judged by displacements and released energy); stages whose energy balance lacks more than a tenth of the work]] },
+of a stage contacts too narrow for the mesh, penetration or elastic slip above 5 % of the approach of the faces, linear
+elastic bodies that are turned by 10 degrees or strained by 5 % in the mean over an element, bodies that pass through
+each other, through themselves or through obstacles where no contact is defined, or pass between contact points; steps
+that may have jumped to another branch of solutions (solved by certain fallbacks) or probably have (judged by
+displacements and released energy); stages whose energy balance lacks more than a tenth of the work]] },
     } },
   { "run:columns", "Returns the names of all columns, in order.",
     returns = t.list(t.text),

@@ -2,6 +2,7 @@
 
 #include "model/checks/penetration.hpp"
 #include "model/checks/resolution.hpp"
+#include "model/checks/small_strain.hpp"
 #include "model/checks/stiff_bending.hpp"
 #include "model/checks/undeclared_obstacle.hpp"
 
@@ -16,6 +17,10 @@ template <int D> std::vector<Message> state_warnings(Model<D>& model) {
   warn_of_stiff_bending(model, warnings);
   warn_of_narrow_contacts(model, warnings);
   warn_of_soft_penalties(model, warnings);
+  const auto append = [&](const std::vector<Message>& found) {
+    warnings.insert(warnings.end(), found.begin(), found.end());
+  };
+  append(large_strains(model));
   return warnings;
 }
 
