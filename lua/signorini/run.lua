@@ -374,7 +374,6 @@ return function(model, stages, options)
       if result.converged then
         jumps.note(run.jumps, model, run.steps, run.step.length)
         run_warnings.note_law(run, model)
-        if options.linear == "mumps" then run_warnings.note_stability(run, model) end
         place.stage, place.number = index, number
         if options.states.wants(run.steps, function() return run:info(stage, result) end) then
           run:store_state(model, stage.name)

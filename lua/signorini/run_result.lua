@@ -116,7 +116,7 @@ function Run.new(model, path)
     failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, fallback_steps = 0,
     wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, stored_states = {}, before = model:timings(),
-    warnings = {}, unsettled = {}, crossed = {}, unstable = { steps = 0, most = 0 }, unstable_law = false,
+    warnings = {}, unsettled = {}, crossed = {}, unstable_law = false,
     jumps = jumps.record(), overlaps = {}, state_findings = {}, adaptations = {}, contact_zones = {},
   }, Run)
   layer_moves.begin(run, model)

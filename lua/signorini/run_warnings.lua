@@ -155,13 +155,6 @@ local function crossed(run, contact)
       counted(found.count, "point"), position(found.at))
 end
 
---- Notes in run.unstable an accepted step whose tangent has negative eigenvalues, which MUMPS counts.
-function run_warnings.note_stability(run, model)
-  local negative, found = model:solver().negative_eigenvalues or 0, run.unstable
-  if negative == 0 then return end
-  found.steps, found.first, found.most = found.steps + 1, found.first or run.steps, math.max(found.most, negative)
-end
-
 --- Notes in run.unstable_law the first accepted step in which the law of a body, made from an energy, is unstable.
 function run_warnings.note_law(run, model)
   if run.unstable_law then return end
@@ -186,15 +179,37 @@ function run_warnings.note_state(run, model, stage)
   if run.reason == "interrupted" then return end
   for _, found in ipairs(core.state_warnings(model) or {}) do
     if not lists.any(run.state_findings, function(earlier) return earlier.subject == found.subject end) then
-      run.state_findings[#run.state_findings + 1] = { subject = found.subject, stage = stage.name, text = found.text }
+      run.state_findings[#run.state_findings + 1] = { subject = found.subject, stage = stage.name, text = found.text,
+        from = run.steps - run.stages[#run.stages].steps, to = run.steps }
     end
   end
 end
 
+local function is_unstable(finding) return finding.subject:find("model.warning.unstable", 1, true) == 1 end
+
+--- The step from which on the states of a stage are unstable, by bisection of the stored ones between its start and its
+--- end, where this was found; nil without any between them.
+local function first_unstable(run, model, finding)
+  local between = lists.filter(run.stored_states, function(state)
+    return state.step > finding.from and state.step < finding.to
+  end)
+  if #between == 0 or #run.adaptations > 0 then return nil end
+  local last, stable, unstable = model:snapshot(), 0, #between + 1
+  while unstable - stable > 1 do
+    local middle = (stable + unstable) // 2
+    model:restore(between[middle].snapshot)
+    if lists.any(core.state_warnings(model), is_unstable) then unstable = middle else stable = middle end
+  end
+  model:restore(last)
+  return between[unstable] and between[unstable].step or finding.to
+end
+
 --- Sentences on the states at the ends of stages.
-local function states(run)
+local function states(run, model)
   return lists.map(run.state_findings, function(found)
-    return ("at the end of stage '%s': %s"):format(found.stage, found.text)
+    local first = is_unstable(found) and first_unstable(run, model, found)
+    return ("at the end of stage '%s'%s: %s"):format(found.stage, first and (", from step %d on"):format(first) or "",
+      found.text)
   end)
 end
 
@@ -205,15 +220,6 @@ local function held(run)
   if not (last and last.converged and last.fallback == "damping") then return nil end
   return ("damping alone determines the position in step %d: %s. Hint: add a support, unless contact is to hold it "
     .. "later"):format(run.steps, run.singular or "its tangent is singular")
-end
-
---- A sentence for steps in unstable equilibrium.
-local function unstable(run)
-  local found = run.unstable
-  if found.steps == 0 then return nil end
-  return ("%s, from step %d on, %s in unstable equilibrium: the tangent has up to %s. Hint: follow the path from the "
-    .. "last stable step with arc_length = true and shorter steps"):format(counted(found.steps, "step"), found.first,
-      found.steps == 1 and "is" or "are", counted(found.most, "negative eigenvalue"))
 end
 
 -- Above this rounding error, as a fraction of the forces of the run, forces may be wrong in their first digits.
@@ -237,11 +243,10 @@ function run_warnings.of_run(run, model, early)
     texts[#texts + 1] = unbalanced(run, model, contact)
   end
   texts = lists.joined(texts, run.overlaps)
-  texts = lists.joined(texts, states(run))
+  texts = lists.joined(texts, states(run, model))
   texts[#texts + 1] = lost_in_rounding(model)
   texts[#texts + 1] = held(run) or not run.failed and core.weak_hold(model) or nil
   texts[#texts + 1] = path_controls.warning(run)
-  texts[#texts + 1] = unstable(run)
   texts[#texts + 1] = unstable_law(run)
   texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length,
     path_controls.arc_options(run.histories))

@@ -983,6 +983,13 @@ function sg.plain(arguments) end
 ---          errors; closest points that were not found; points that passed through the master in one step; steps that
 ---          may have jumped to another branch of solutions (solved by certain fallbacks) or probably have (judged by
 ---          displacements and released energy); stages whose energy balance lacks more than a tenth of the work
+---          a last step whose position damping alone determines; bodies that contacts without friction do not hold; at
+---          the ends of stages states in unstable equilibrium (of the states between that were stored the first one) and
+---          linear elastic bodies that are turned by 10 degrees or strained by 5 % in the mean over an element; loads or
+---          contact whose forces are not far above rounding errors; closest points that were not found; points that
+---          passed through the master in one step; steps that may have jumped to another branch of solutions (solved by
+---          certain fallbacks) or probably have (judged by displacements and released energy); stages whose energy
+---          balance lacks more than a tenth of the work
 ---```
 ---@field warnings string[]
 local run = {}

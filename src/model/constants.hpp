@@ -160,6 +160,14 @@ inline constexpr double stiff_penalty = 1e4, beyond_rounding = 1e8;
 /// of small strains is given: it takes a rotation by 10° for a compression of 1.5 % in every direction, and the terms
 /// of second order that it omits at a strain of 5 % are some 5 % of the stress.
 inline constexpr double most_small_rotation = 0.17453292519943295, most_small_strain = 0.05;
+/// Stability of a state: stiffness relative to the tangent's diagonal that is rounding error. Buckling loads of slender
+/// bodies change it by more: by 1e-8 at a slenderness of 100. And the stiffness of closed conditions of multipliers
+/// relative to that of the displacements that they constrain: softer by 1e-4 than in the limit, and with rounding
+/// errors below those of the first.
+inline constexpr double neutral_stiffness = 1e-13, constraint_stiffness = 1e4;
+/// A motion is rigid from this share of it on, and its stiffness is due to the discretization of the contacts below
+/// this part of their force per extent.
+inline constexpr double rigid_share = 0.9, neutral_share = 0.1;
 /// Relative error of a prescribed shape's projection above which the supports follow another function than the user's.
 inline constexpr double most_shape_error = 0.01;
 

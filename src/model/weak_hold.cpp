@@ -67,9 +67,8 @@ const std::string& mover(const FreeMotions& motions, const MatrixX& m, const Vec
 } // namespace
 
 template <int D> std::optional<Message> weak_hold(Model<D>& model) {
-  // Relative to the body's stiffness: far above rounding errors of a sum over K's entries. A negative compliance is
-  // compared with the largest one, of which an error is a part.
-  constexpr double rounding = 1e-12, negative = 1e-4;
+  // Relative to the body's stiffness: far above rounding errors of a sum over K's entries
+  constexpr double rounding = 1e-12;
   System<D>& system = model.system;
   if (!settled(model) || !system.has_unconstrained()) return std::nullopt;
   for (std::size_t k = 0; k < system.contacts.size(); ++k)
@@ -88,7 +87,6 @@ template <int D> std::optional<Message> weak_hold(Model<D>& model) {
   const double stiffness = direction.cwiseAbs2().dot(diagonal);
   if (std::max(-minus_most, -least) * rounding * stiffness > 1)
     return Message("model.warning.unheld", {{"name", mover(motions, m, -minus_most > -least ? weakest : worst)}});
-  if (-least > negative * -minus_most) return Message("model.warning.unstable", {{"name", mover(motions, m, worst)}});
   return std::nullopt;
 }
 

@@ -47,4 +47,8 @@ inline cholmod_sparse upper_triangle(const Pattern& pattern, const double* value
   return matrix;
 }
 
+/// Factors without CHOLMOD's own threads: it requests four from OpenMP, whatever the user or the machine has, for loops
+/// far shorter than the start of a thread. BLAS keeps its threads.
+void factorize(cholmod_sparse& matrix, cholmod_factor* factor, cholmod_common& common);
+
 } // namespace signorini::solve

@@ -7,8 +7,6 @@
 #include "solve/lapack.hpp"
 #include "solve/supernodes.hpp"
 
-#include <dlfcn.h>
-
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -18,22 +16,6 @@
 namespace signorini::solve {
 
 namespace {
-
-/// A function of the OpenMP library that CHOLMOD has loaded, or nullptr if it was built without.
-template <class F> F* openmp(const char* name) {
-  return reinterpret_cast<F*>(dlsym(RTLD_DEFAULT, name));
-}
-
-/// Factors without CHOLMOD's own threads: it requests four from OpenMP, whatever the user or the machine has, for loops
-/// far shorter than the start of a thread. BLAS keeps its threads.
-void factorize(cholmod_sparse& matrix, cholmod_factor* factor, cholmod_common& common) {
-  static auto* const depth = openmp<int()>("omp_get_max_active_levels");
-  static auto* const set_depth = openmp<void(int)>("omp_set_max_active_levels");
-  const int before = depth ? depth() : 0;
-  if (depth && set_depth) set_depth(0);
-  cholmod_factorize(&matrix, factor, &common);
-  if (depth && set_depth) set_depth(before);
-}
 
 /// With a shift D of the border's diagonal, so that A_cc need not be positive definite,
 ///     P (A + D) Pᵀ = L Lᵀ, S = L_cc L_ccᵀ − D,

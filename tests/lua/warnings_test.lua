@@ -176,8 +176,9 @@ check.case("a linear elastic body with large strains or rotations, in a plane, a
     local body = sg.body{ elements = space and { 1, 1, 1 } or { 1, 1 }, order = "N2", material = sg.linear_elastic{
       E = 1, nu = 0.3 }, patch = space and sg.shapes.block{ size = { 1, 1, 0.1 } }
       or sg.shapes.rectangle{ width = 1, height = 0.1 } }
-    local model = sg.model{ bodies = { body = body }, supports = { move = { on = body:face(space and "front" or "south"),
-      rotate = space and "z" or true, drive = space and "xyz" or "xy" } } }
+    local model = sg.model{ bodies = { body = body }, supports = { move = {
+      on = body:face(space and "front" or "south"), rotate = space and "z" or true,
+      drive = space and "xyz" or "xy" } } }
     return warning(model, space and { 0, 0, 0, angle } or { 0, 0, angle })
   end
   for _, space in ipairs { false, true } do

@@ -186,7 +186,7 @@ TEST(Ties, FacesThatDoNotFitAreErrors) {
 TEST(Ties, AFaceTiedInPartIsAWarning) {
   const auto codes = [](Scene<2> scene) {
     const Model<2> model(std::move(scene));
-    return text_of(warnings(model));
+    return text_of(model.scene_warnings);
   };
   EXPECT_EQ(codes(stacked(solid::linear_elastic(1, 0.3), MultiplierSpace::equal)), "");
   EXPECT_EQ(codes(stacked(solid::linear_elastic(1, 0.3), MultiplierSpace::equal, 3)), ""); // a larger master

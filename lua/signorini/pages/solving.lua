@@ -155,13 +155,14 @@ contacts), wall } each]] },
       { "controls", t.list(t.any), "where arc length began or ended: { step, to, place, reason } each" },
       { "warnings", t.list(t.text), [[those of model:warnings(), and about: loads that act in full from the first step;
 newton.tolerance above 1e-3; contacts that never touched; a last step whose position damping alone determines; bodies
-that contacts without friction do not hold or hold in unstable equilibrium; loads or contact whose forces are not far
-above rounding errors; closest points that were not found; points that passed through the master in one step; at the end
-of a stage contacts too narrow for the mesh, penetration or elastic slip above 5 % of the approach of the faces, linear
-elastic bodies that are turned by 10 degrees or strained by 5 % in the mean over an element, bodies that pass through
-each other, through themselves or through obstacles where no contact is defined, or pass between contact points; steps
-that may have jumped to another branch of solutions (solved by certain fallbacks) or probably have (judged by
-displacements and released energy); stages whose energy balance lacks more than a tenth of the work]] },
+that contacts without friction do not hold; loads or contact whose forces are not far above rounding errors; closest
+points that were not found; points that passed through the master in one step; at the end of a stage states in unstable
+equilibrium (of the states between that were stored the first one), contacts too narrow for the mesh, penetration or
+elastic slip above 5 % of the approach of the faces, linear elastic bodies that are turned by 10 degrees or strained by
+5 % in the mean over an element, bodies that pass through each other, through themselves or through obstacles where no
+contact is defined, or pass between contact points; steps that may have jumped to another branch of solutions (solved by
+certain fallbacks) or probably have (judged by displacements and released energy); stages whose energy balance lacks more
+than a tenth of the work]] },
     } },
   { "run:columns", "Returns the names of all columns, in order.",
     returns = t.list(t.text),

@@ -3,6 +3,7 @@
 #include "model/checks/penetration.hpp"
 #include "model/checks/resolution.hpp"
 #include "model/checks/small_strain.hpp"
+#include "model/checks/stability.hpp"
 #include "model/checks/stiff_bending.hpp"
 #include "model/checks/undeclared_obstacle.hpp"
 
@@ -21,6 +22,7 @@ template <int D> std::vector<Message> state_warnings(Model<D>& model) {
     warnings.insert(warnings.end(), found.begin(), found.end());
   };
   append(large_strains(model));
+  append(unstable_equilibrium(model));
   return warnings;
 }
 

@@ -1,0 +1,116 @@
+-- Stability of the states at the ends of stages: columns below and above their buckling loads, with every solver, with
+-- contacts, multipliers and ties; states that are neutral, and one that is stable again after it has snapped.
+
+local sg = require "signorini"
+local core = require "signorini.core"
+local check = require "check"
+
+local nu, thickness, length, E = 0.3, 0.5, 5, 1
+
+--- Euler's load per width of a column in plane strain that is clamped at one end, as a multiple n² of the load with the
+--- other end free: P = n² π² E I / (4 (1 − ν²) L²).
+local function euler(n) return n ^ 2 * math.pi ^ 2 * E * thickness ^ 3 / 12 / (4 * (1 - nu ^ 2) * length ^ 2) end
+
+local function warned(run)
+  assert(not run.failed, run.failure)
+  for _, warning in ipairs(run.warnings) do
+    if warning:find("unstable", 1, true) then return warning end
+  end
+  return nil
+end
+
+--- Checks that a run, made for a multiple of the buckling load, warns above it and not below.
+local function decides(label, run_at, options)
+  local below, above = warned(run_at(0.9, options or {})), warned(run_at(1.1, options or {}))
+  if below then error(label .. ", below: " .. below) end
+  if not above then error(label .. ": no warning above the buckling load") end
+  return above
+end
+
+local function column(o)
+  return sg.body{ patch = sg.shapes.rectangle{ width = thickness, height = o.height or length,
+                                               corner = { 0, o.at or 0 } }, elements = { 1, o.elements or 10 },
+                  order = "N2", contact = o.contact, material = sg.neo_hookean{ E = E, nu = nu } }
+end
+
+--- Under a dead load of its free end.
+local function loaded(times, options)
+  local body = column{}
+  local model = sg.model{ bodies = { column = body }, supports = { base = { on = body:face "south", fix = "xy" } },
+                          loads = { p = { on = body:face "north", traction = { 0, 0 } } } }
+  return model:run({ { name = "press", steps = 2, p = { 0, -times * euler(1) / thickness } } }, options)
+end
+
+check.case("a column under a dead load is unstable beyond Euler's, with every solver", function()
+  for _, linear in ipairs { "auto", "klu", "umfpack", "reuse", core.mumps and "mumps" or nil } do
+    local text = decides(linear, loaded, { linear = linear })
+    check.holds(text, "at the end of stage 'press': 'column' is in unstable equilibrium", "along (", "Hint: ")
+  end
+end)
+
+check.case("in space a square column has two such directions", function()
+  decides("space", function(times)
+    local body = sg.body{ patch = sg.shapes.block{ size = { thickness, thickness, length } }, elements = { 1, 1, 5 },
+                          order = "N2", material = sg.neo_hookean{ E = E, nu = 0 } }
+    local model = sg.model{ bodies = { column = body }, supports = { base = { on = body:face "front", fix = "xyz" } },
+                            loads = { p = { on = body:face "back", traction = { 0, 0, 0 } } } }
+    local traction = times * (1 - nu ^ 2) * euler(1) / thickness
+    return model:run{ { steps = 2, p = { 0, 0, -traction } } }
+  end)
+end)
+
+check.case("a stored state tells from which step on", function()
+  local body = column{}
+  local model = sg.model{ bodies = { column = body }, supports = { base = { on = body:face "south", fix = "xy" } },
+                          loads = { p = { on = body:face "north", traction = { 0, 0 } } } }
+  local run = model:run({ { name = "press", steps = 8, p = { 0, -2 * euler(1) / thickness } } }, { states = 9 })
+  check.holds(warned(run), "at the end of stage 'press', from step 5 on: ")
+  check.near(model:reaction("base").fy, 2 * euler(1), 1e-8) -- at the last state again
+end)
+
+--- Pressed by a frictionless plane: its upper end moves sideways but does not turn, so that it carries 4 times as much.
+local function pressed(contact)
+  return function(times, options)
+    local body = column{ contact = "north" }
+    local plane = sg.rigid.plane{ point = { 0, length }, normal = { 0, -1 } }
+    contact.slave, contact.master = body:face "north", plane
+    local model = sg.model{ bodies = { column = body }, contacts = { top = contact },
+      supports = { base = { on = body:face "south", fix = "xy" }, press = { on = plane, drive = "y" } } }
+    local shortening = times * euler(2) * length * (1 - nu ^ 2) / (E * thickness)
+    return model:run({ { name = "press", steps = 2, press = { -shortening } } }, options)
+  end
+end
+
+check.case("contact holds the end of a column by penalties and by multipliers", function()
+  decides("penalty", pressed{ penalty = 1e3 })
+  decides("penalty with a potential", pressed{ penalty = 1e3, per = "reference" })
+  decides("augmented", pressed{ penalty = 1e2, enforcement = "augmented" })
+  decides("multipliers", pressed{ method = "mortar", enforcement = "multipliers" })
+end)
+
+check.case("a tie is no hinge", function()
+  decides("tie", function(times, options)
+    local lower = column{ height = length / 2, elements = 5, contact = "north" }
+    local upper = column{ height = length / 2, elements = 7, at = length / 2, contact = "south" }
+    local model = sg.model{ bodies = { lower = lower, upper = upper },
+      ties = { seam = { slave = upper:face "south", master = lower:face "north" } },
+      supports = { base = { on = lower:face "south", fix = "xy" } },
+      loads = { p = { on = upper:face "north", traction = { 0, 0 } } } }
+    return model:run({ { steps = 2, p = { 0, -times * euler(1) / thickness } } }, options)
+  end)
+end)
+
+check.case("motions without stiffness are neutral", function()
+  -- A disc in a frictionless groove turns freely.
+  local R, groove = 5, 10 * 1000 / 0.5
+  local disc = sg.body{ patch = sg.shapes.polar_disc{ radius = R, center = { 0, R * math.sqrt(2) } },
+                        elements = { 64, 8 }, order = "N2", contact = "south",
+                        material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
+  local function side(x) return sg.rigid.plane{ point = { 0, 0 }, normal = { x, 1 } } end
+  local model = sg.model{ bodies = { disc = disc }, loads = { g = { on = disc, force = { 0, 0 } } },
+    contacts = { left = { slave = disc:face "south", master = side(1), penalty = groove },
+                 right = { slave = disc:face "south", master = side(-1), penalty = groove } } }
+  check.equal(warned(model:run{ { steps = 2, g = { 0, -10 / (math.pi * R ^ 2) } } }), nil)
+end)
+
+check.done()
