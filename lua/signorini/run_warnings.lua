@@ -213,11 +213,20 @@ local function states(run, model)
   end)
 end
 
---- A sentence for a last step whose equilibrium is not unique, so that damping has selected one.
-local function held(run)
+--- Whether points of a contact with friction stick.
+local function sticks(model)
+  return lists.any(model:contact_names(), function(contact)
+    local now = model:contact_resultant(contact)
+    return (model:contact_law(contact).mu or 0) > 0 and now.active > now.slipping
+  end)
+end
+
+--- A sentence for a last step whose equilibrium is not unique, so that damping has selected one. Where the body has
+--- landed in the step, friction holds it since.
+local function held(run, model)
   local attempts = run.histories[#run.histories] or {}
   local last = attempts[#attempts]
-  if not (last and last.converged and last.fallback == "damping") then return nil end
+  if not (last and last.converged and last.fallback == "damping") or sticks(model) then return nil end
   return ("damping alone determines the position in step %d: %s. Hint: add a support, unless contact is to hold it "
     .. "later"):format(run.steps, run.singular or "its tangent is singular")
 end
@@ -245,7 +254,7 @@ function run_warnings.of_run(run, model, early)
   texts = lists.joined(texts, run.overlaps)
   texts = lists.joined(texts, states(run, model))
   texts[#texts + 1] = lost_in_rounding(model)
-  texts[#texts + 1] = held(run) or not run.failed and core.weak_hold(model) or nil
+  texts[#texts + 1] = held(run, model) or not run.failed and core.weak_hold(model) or nil
   texts[#texts + 1] = path_controls.warning(run)
   texts[#texts + 1] = unstable_law(run)
   texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length,

@@ -111,4 +111,19 @@ check.case("a completed run tells whether contacts alone hold a body, and stably
   check.holds(found[1], "damping alone determines the position in step 1")
 end)
 
+check.case("friction holds a block that has landed by damping", function()
+  local block = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 2, corner = {-5, 0.05} }, elements = {8, 2},
+                         order = "N2", contact = "south", material = sg.neo_hookean{ E = 210000, nu = 0.3 } }
+  local base = sg.body{ patch = sg.shapes.rectangle{ width = 14, height = 2, corner = {-7, -2} }, elements = {10, 2},
+                        order = "N2", contact = "north", material = sg.neo_hookean{ E = 210000, nu = 0.3 } }
+  for _, friction in ipairs { { mu = 0.2, penalty = 2e6 }, false } do
+    local model = sg.model{ bodies = { block = block, base = base },
+      supports = { bed = { on = base:face "south", fix = "xy" }, push = { on = block:face "north", drive = "y" } },
+      contacts = { c = { slave = block:face "south", master = base:face "north", penalty = 2e6,
+                         friction = friction or nil } } }
+    local text = table.concat(model:run{ { steps = 4, push = {-0.055} } }.warnings, " ")
+    check.equal(text:find "position" ~= nil, not friction)
+  end
+end)
+
 check.done()
