@@ -43,6 +43,30 @@ function energy_balance.missing(before, after)
     - change "debonding"
 end
 
+--- The contact whose bonds lose most energy within one step of some steps of a run, the energy, and its law; nil
+--- without bonds.
+local function broken_at_once(run, first, last)
+  local most, contact, law = 0, nil, nil
+  for _, name in ipairs(run.model:contact_names()) do
+    local debonded, before = run.values[name .. ".debonded"], 0
+    local own = debonded and run.model:contact_law(name)
+    for row = 1, debonded and run.rows or 0 do
+      local step, lost = math.ceil(run.step_column[row]), (debonded[row] - before) * own.energy
+      if step >= first and step <= last and lost > most then most, contact, law = lost, name, own end
+      before = debonded[row]
+    end
+  end
+  return contact, most, law
+end
+
+--- A hint for a stage in which bonds break within one step: further halving halves nothing before they take several.
+local function bond_hint(run, worst)
+  local contact, lost, law = broken_at_once(run, worst.first, worst.last)
+  if not contact or lost < worst.missing / 2 then return nil end
+  return ("bonds of contact '%s' break within one step; take increments in which they open by at most %.2g, a third of "
+    .. "energy/strength, or follow a snap-back with arc_length = true"):format(contact, law.energy / law.strength / 3)
+end
+
 --- A sentence on the stage with the largest missing energy; nil if that is small. `list`: energies at the start of each
 --- stage and at the end. Not counted are the energy in the springs of the contacts, because with friction penetrating
 --- points travel another distance than their slip points, and stages with jumps.
@@ -59,13 +83,15 @@ function energy_balance.warning(run, list)
     work = work + math.max(math.abs(done), math.abs(stored), dissipated)
     if not a.sudden and last >= first and missing > (worst and worst.missing or 0)
       and not jumps(histories) then
-      worst = { missing = missing, stage = stage, increments = #path_controls.accepted(histories) }
+      worst = { missing = missing, stage = stage, increments = #path_controls.accepted(histories), first = first,
+                last = last }
     end
     first = last + 1
   end
   if not worst or worst.missing <= much * work or not acts(list) then return nil end
-  return ("the energy balance is off by %.2g %% of the work in stage '%s'. Hint: increments half as long (steps = %d) "
-    .. "about halve the error"):format(100 * worst.missing / work, worst.stage.name, 2 * worst.increments)
+  return ("the energy balance is off by %.2g %% of the work in stage '%s'. Hint: %s"):format(100 * worst.missing / work,
+    worst.stage.name, bond_hint(run, worst) or ("increments half as long (steps = %d) about halve the error"):format(
+      2 * worst.increments))
 end
 
 return energy_balance

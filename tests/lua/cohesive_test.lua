@@ -40,6 +40,15 @@ check.case("a block is pulled off along the law; work = stored + contact + debon
   end
 end)
 
+check.case("bonds that break within one step: the warning names them and the increments that resolve them", function()
+  local function warnings(steps)
+    return table.concat(debond.block(smooth):run{ { steps = steps, lid = {0.5} } }.warnings, " ")
+  end
+  check.holds(warnings(2), "the energy balance is off", "bonds of contact 'glue' break within one step",
+    "open by at most 0.067")
+  check.equal(warnings(math.ceil(0.5 / 0.067)), "")
+end)
+
 check.case("an axisymmetric disc is pulled off along the law", function()
   local disc = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 4 }, elements = {2, 1}, order = "N2",
                         contact = "south", material = sg.linear_elastic{ E = 1000, nu = 0 } }
