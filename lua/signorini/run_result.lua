@@ -268,6 +268,11 @@ function Run:record_failure(step, result, turn)
       result.shortest and (" The smallest increment allowed, %g of the step, failed."):format(result.shortest) or "",
       tried_text(attempts, done), places_text(diagnosis.places),
       joined(result.residuals, "%.3g"), place)
+  if self.cause ~= "interrupted" then run_warnings.note_law(self, step.model) end
+  if self.unstable_law then
+    self.failure = ("%s The elastic law of body '%s' is unstable at the strains reached, which neither the mesh nor "
+      .. "shorter steps change."):format(self.failure, self.unstable_law.body)
+  end
   if turn then
     self.failure = ("%s The path has a turning point at %s; prescribed targets can pass it only by a jump to another "
       .. "branch. Hint: model:run(stages, { %s }) follows the path."):format(self.failure, turn,

@@ -288,6 +288,14 @@ check.case("a run warns once where the law is unstable, and names body and stret
   check.holds(text, "body 'cube': its elastic law is unstable at strains of step 8",
     "principal stretches 0.68, 1, 1 at X = (")
   check.equal(select(2, text:gsub("unstable", "")), 1)
+  -- A step that fails there names the law, too.
+  local bar = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = {4, 2}, order = "N2",
+                       material = sg.yeoh{ c10 = 0.5, c20 = -0.05, K = 5 } }
+  local run = sg.model{ bodies = { bar = bar }, supports = { wall = { on = bar:face "west", fix = "xy" },
+                        grip = { on = bar:face "east", drive = "x" } } }:run{ { steps = 20, grip = 8 } }
+  check.equal(run.failed, true)
+  check.holds(run.failure, "The elastic law of body 'bar' is unstable at the strains reached, which neither the mesh")
+  check.holds(table.concat(run.warnings), "body 'bar': its elastic law is unstable")
   check.equal(warnings(sg.neo_hookean{ E = 1, nu = 0.3 }, 0.3), "")
   check.equal(warnings(sg.mooney_rivlin{ c10 = 0.4, c01 = 0.1, K = 5 }, 3), "")
   check.holds(warnings(sg.yeoh{ c10 = 0.5, c20 = -0.05, K = 5 }, 2.2), "unstable")
