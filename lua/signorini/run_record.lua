@@ -42,7 +42,7 @@ local state = fields {
     rows = count, steps = count, iterations = count, cutbacks = count, fallback_steps = count, wary = count,
     wall = number, stages = each(stage), energies = each(each(either(number, flag))),
     jumps = fields { energy = maybe(each(number)), found = each(data), steps = each(each(number)) },
-    unstable_law = flag, used = maybe(data), warnings = each(text),
+    unstable_law = either(flag, data), used = maybe(data), warnings = each(text),
     adaptations = each(data), contact_zones = data, controls = data, crossed = data, fallbacks = data, overlaps = data,
     places = data, unsettled = data,
     state_findings = maybe(each(fields { subject = text, stage = text, text = text, from = count, to = count })) },

@@ -2,6 +2,7 @@
 -- ones, in all kinds of models; the program's neo-Hooke as a formula; what is printed and saved; warnings.
 
 local core = require "signorini.core"
+local lists = require "signorini.lists"
 local sg = require "signorini"
 local check = require "check"
 
@@ -288,6 +289,18 @@ check.case("a run warns once where the law is unstable, and names body and stret
   check.holds(text, "body 'cube': its elastic law is unstable at strains of step 8",
     "principal stretches 0.68, 1, 1 at X = (")
   check.equal(select(2, text:gsub("unstable", "")), 1)
+  -- A run that goes on from a checkpoint keeps the warning.
+  local file, steps = check.folder() .. "/cube.sgn", 0
+  local function compressed(options)
+    options.checkpoint = file
+    return cube(law, { east = "x" }):run({ { steps = 8, east = { -0.4 } } }, lists.merged(exact, options))
+  end
+  local stopped = compressed{ on_step = function()
+    steps = steps + 1
+    return steps == 7 and "stop" or nil
+  end }
+  local resumed = compressed{ resume = true }
+  check.equal({ stopped.reason, resumed.reason, resumed.warnings }, { "stopped", "completed", stopped.warnings })
   -- A step that fails there names the law, too.
   local bar = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = {4, 2}, order = "N2",
                        material = sg.yeoh{ c10 = 0.5, c20 = -0.05, K = 5 } }
