@@ -13,9 +13,9 @@ enum class TractionArea : unsigned char { current, reference };
 /// Lagrange multipliers as unknowns (mortar contact).
 enum class Enforcement : unsigned char { penalty, augmented, multipliers };
 
-/// Penalty parameters are pressure per length. Unless enforced by penalty, those of a scene may be 0, which stands for
-/// values from material and mesh. With multipliers as unknowns they are the c of semi-smooth Newton methods, on which
-/// results do not depend.
+/// Penalty parameters are pressure per length. Those of a scene may be 0, which stands for values from material and
+/// mesh. With multipliers as unknowns they are the c of semi-smooth Newton methods, on which results do not
+/// depend.
 struct PenaltyLaw {
   double normal;                            ///< ε_N > 0
   double tangential = 0;                    ///< ε_T, used when friction > 0

@@ -65,18 +65,22 @@ template <int D> void warn_of_springs(const Model<D>& model, int index, std::vec
   const contact::PenaltyLaw law = contact::scaled(
       contact::changed(*contact::penalty_law(contact.method), history.changes), model.present.penalty_factor);
   const SpringSums sum = springs_of(history, law);
-  const double stiffness = contact_stiffness(scene, contact);
-  // A contact that touches at rounding error has a penetration p/ε far below an element's size.
-  const double size = youngs_modulus(scene, contact.slave) / stiffness;
-  if (sum.force <= 0 || sum.normal + sum.slip <= contact_rounding * size * sum.force) return;
-  const bool lost = law.normal < far_too_soft * stiffness &&
-                    sum.force < lost_strain * youngs_modulus(scene, contact.slave) * sum.area;
+  if (sum.force <= 0) return;
+  const double modulus = youngs_modulus(scene, contact.slave);
+  const bool lost =
+      sum.force < lost_strain * modulus * sum.area && law.normal < far_too_soft * contact_stiffness(scene, contact);
   double strain = model.system.springs.energy(model.present.displacement);
   const std::vector<char> behind = bodies_behind(scene, contact);
   for (int b = 0; b < std::ssize(scene.bodies); ++b)
     if (behind[at(b)] && !lost)
       strain += model.system.assembly.stored_energy(b, model.present.displacement, model.accepted.internal);
   const double part = sum.normal / (strain + sum.normal), approach = 2 * (strain + sum.normal) / sum.force;
+  const bool stuck = law.friction > 0 && law.enforcement != contact::Enforcement::multipliers;
+  const bool slips = stuck && sum.slip > noticeable_part * approach * sum.force;
+  if (part <= noticeable_part && !slips) return;
+  // A contact that touches at rounding error has a penetration p/ε far below an element's size.
+  const double size = modulus / contact_stiffness(scene, contact);
+  if (sum.normal + sum.slip <= contact_rounding * size * sum.force) return;
   const double usual = default_penalty(scene, contact);
   // Springs in series: part/(1 − part) is inversely proportional to the penalty.
   const double series = strain > 0 ? law.normal * (sum.normal / strain) * (1 - small_part) / small_part : 0;
@@ -90,8 +94,7 @@ template <int D> void warn_of_springs(const Model<D>& model, int index, std::vec
                                                              {"percent", 100 * part},
                                                              {"penetration", 2 * sum.normal / sum.force},
                                                              {"cure", cure}}));
-  const bool stuck = law.friction > 0 && law.enforcement != contact::Enforcement::multipliers;
-  if (stuck && sum.slip > noticeable_part * approach * sum.force)
+  if (slips)
     warnings.push_back(
         Message("model.warning.elastic_slip",
                 {{"contact", contact.name},
