@@ -22,17 +22,17 @@ template <int D, class What> auto with_shape(const Obstacle<D>& obstacle, const 
 
 } // namespace
 
-template <int D> Master<D>::Master(Surface<D> face) : rigid_(false), surface_(std::move(face)) {
-  surface_->extend(end_extension);
+template <int D> Master<D>::Master(Surface<D> face, double opposite) : rigid_(false), surface_(std::move(face)) {
+  surface_->extend(end_extension, end_extension * opposite);
   boxes_.update(*surface_);
 }
 
 template <int D>
-Master<D>::Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning)
+Master<D>::Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning, double opposite)
     : rigid_(true), turning_(std::move(turning)) {
   if (const auto* patch = std::get_if<nurbs::Patch>(&obstacle)) {
     surface_.emplace(*patch);
-    surface_->extend(end_extension);
+    surface_->extend(end_extension, end_extension * opposite);
     boxes_.update(*surface_);
     displacements_.resize(at(D * surface_->functions()));
   } else {

@@ -23,11 +23,14 @@ template <int D> struct Turning {
 /// If the traction ended with the face, it would jump whenever a point passes the end, where for example the edge of a
 /// block pressed into a slab carries most load; and a point at a plane of symmetry that rounding error or a small slope
 /// of the face projects beyond the end would lose contact. Therefore the face is extended by a fraction of its last
-/// element, over which the traction fades to zero.
+/// element or, if that is smaller, of the slave's elements, and the traction fades to zero there. The slave's elements
+/// matter because a master may be one element long, like many rigid curves.
 template <int D> class Master {
 public:
-  Master(Surface<D> face);
-  Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning = {});
+  /// `opposite`: size of the slave's elements in the reference configuration.
+  Master(Surface<D> face, double opposite = std::numeric_limits<double>::infinity());
+  Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning = {},
+         double opposite = std::numeric_limits<double>::infinity());
 
   bool rigid() const { return rigid_; }
   /// The moving face, or the rigid NURBS curve or surface; null for a closed-form shape.

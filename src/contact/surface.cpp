@@ -16,16 +16,17 @@ std::vector<int> numbers(int count) {
   return list;
 }
 
-/// A space extended along its tangent beyond its ends by elements of the given `lengths`, `part` of the last elements
-/// (0: no extension). The Bézier points of a new element are
+/// A space extended along its tangent beyond its ends by elements of the given `parts` of the last elements (0: no
+/// extension). The Bézier points of a new element are
 ///     Q_k = Q_end + k part (Q_end − Q_next).
-nurbs::Space1D extended(const nurbs::Space1D& space, double part, std::array<double, 2> lengths) {
+nurbs::Space1D extended(const nurbs::Space1D& space, std::array<double, 2> parts, std::array<double, 2> lengths) {
   std::vector<double> breaks = space.breaks();
   std::vector<int> smoothness = space.smoothness();
   std::vector<nurbs::Element1D> elements;
   for (int e = 0; e < space.elements(); ++e) elements.push_back(space.element(e));
   for (const bool at_end : {false, true}) {
-    if (lengths[at_end] == 0) continue;
+    const double part = parts[at_end];
+    if (part == 0) continue;
     nurbs::Element1D beyond = at_end ? elements.back() : elements.front();
     const MatrixX c = at_end ? beyond.extraction : beyond.extraction.rowwise().reverse();
     const VectorX end = c.col(beyond.degree), out = end - c.col(beyond.degree - 1);
@@ -105,24 +106,46 @@ template <int D> std::array<bool, 2> Surface<D>::open_ends(int alpha) const {
   return {!seam && !points[0], !seam && !points[1]};
 }
 
-template <int D> void Surface<D>::extend(double part) {
-  const std::vector<nurbs::Space1D> own = spaces_;
-  for (int a = 0; a < D - 1; ++a) {
-    const auto [start, end] = open_ends(a);
-    const auto length = [&](int element) {
-      const auto [from, to] = own[at(a)].interval(element);
-      return part * (to - from);
-    };
-    beyond_[at(a)] = {start ? length(0) : 0, end ? length(own[at(a)].elements() - 1) : 0};
-    spaces_[at(a)] = extended(own[at(a)], part, beyond_[at(a)]);
+/// Length of the last element at an end of direction α as its tangent at the end tells it, |x,_α| Δξ^α; of surfaces the
+/// longest at the ends and middles of the border's elements.
+template <int D> double Surface<D>::last_length(int alpha, bool at_end) const {
+  FaceGeometry<D> point;
+  double longest = 0;
+  for (int e = 0; e < elements(); ++e) {
+    if (neighbor(e, alpha, at_end) >= 0) continue;
+    const auto [from, to] = interval(e, alpha);
+    for (const double across : border_samples) {
+      FaceCoordinates<D> xi;
+      for (int a = 0; a < D - 1; ++a) {
+        const auto [first, last] = interval(e, a);
+        xi(a) = a == alpha ? (at_end ? to : from) : first + across * (last - first);
+      }
+      locate(e, xi, 1, point);
+      longest = std::max(longest, point.tangent[at(alpha)].norm() * (to - from));
+    }
   }
+  return longest;
+}
+
+template <int D> void Surface<D>::extend(double part, double longest) {
+  const std::vector<nurbs::Space1D> own = spaces_;
+  std::array<std::array<double, 2>, D - 1> parts{};
+  for (int a = 0; a < D - 1; ++a)
+    for (const bool at_end : {false, true}) {
+      if (!open_ends(a)[at_end]) continue;
+      const auto [from, to] = own[at(a)].interval(at_end ? own[at(a)].elements() - 1 : 0);
+      parts[at(a)][at_end] = std::min(part, longest / last_length(a, at_end));
+      beyond_[at(a)][at_end] = parts[at(a)][at_end] * (to - from);
+    }
+  for (std::size_t a = 0; a < D - 1; ++a) spaces_[a] = extended(own[a], parts[a], beyond_[a]);
   tabulate();
   // Weights that decrease steeply towards an end become negative beyond it; then a shorter extension is tried.
   for (const Element& element : elements_)
     for (int k = 0; k < element.points && !polynomial_; ++k)
       if (bezier_[element.bezier + at(width() * k + D)] <= 0) {
         spaces_ = own;
-        return extend(part / 2);
+        tabulate();
+        return extend(part / 2, longest / 2);
       }
 }
 

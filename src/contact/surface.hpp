@@ -7,6 +7,7 @@
 #include "nurbs/discretization.hpp"
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace signorini::contact {
@@ -103,9 +104,10 @@ public:
   /// The element that shares the border of `element` at the start or end of direction α; −1 at the face's end.
   int neighbor(int element, int alpha, bool at_end) const;
 
-  /// Extends the face along its tangents beyond its open ends, by a fraction of its last elements; to be called once,
-  /// before move(). A seam and a border collapsed to one point, such as a pole, are not open ends.
-  void extend(double part);
+  /// Extends the face along its tangents beyond its open ends, by a fraction of its last elements, at most by a length
+  /// in the reference configuration; to be called once, before move(). A seam and a border collapsed to one point, such
+  /// as a pole, are not open ends.
+  void extend(double part, double longest = std::numeric_limits<double>::infinity());
   /// Factor on the traction at xi: 1 on the face itself, falling to 0 at the end of the extension, with continuous
   /// first derivatives `rate` with respect to xi.
   double fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const;
@@ -157,6 +159,7 @@ private:
   int index(int element, int alpha) const { return elements_[at(element)].index[at(alpha)]; }
   void tabulate();
   std::array<bool, 2> open_ends(int alpha) const;
+  double last_length(int alpha, bool at_end) const;
   template <int P, int Order> void bernsteins(int element, const FaceCoordinates<D>& xi, Bernsteins& out) const;
   /// Values per Bézier point.
   int width() const { return D == 2 && polynomial_ ? 2 : 4; }

@@ -63,22 +63,42 @@ template <int D> const Scene<D>& completed(Scene<D>& scene) {
   return scene;
 }
 
-template <int D> contact::Master<D> obstacle_of(const Scene<D>& scene, int obstacle) {
+/// Median of the elements' lengths, of surfaces of their shorter sides, at their middles: of meshes that are graded
+/// towards the contact it is the size there, on which few tiny elements have no effect.
+template <int D> double middle_size(const contact::Surface<D>& face) {
+  std::vector<double> sizes;
+  contact::FaceGeometry<D> point;
+  for (int e = 0; e < face.elements(); ++e) {
+    contact::FaceCoordinates<D> xi, length;
+    for (int a = 0; a < D - 1; ++a) {
+      const auto [from, to] = face.interval(e, a);
+      xi(a) = (from + to) / 2;
+      length(a) = to - from;
+    }
+    face.locate(e, xi, 1, point);
+    for (int a = 0; a < D - 1; ++a) length(a) *= point.tangent[at(a)].norm();
+    sizes.push_back(length.minCoeff());
+  }
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return *middle;
+}
+
+template <int D> contact::Master<D> master_of(const Scene<D>& scene, const Contact<D>& contact) {
+  const double opposite = middle_size(surface_of(scene, contact.slave));
+  if (const auto* faces = std::get_if<Faces>(&contact.master)) return {surface_of(scene, *faces), opposite};
+  const int obstacle = std::get<ObstacleReference>(contact.master).obstacle;
   const auto turn = turn_of(scene, obstacle);
-  return {scene.obstacles[at(obstacle)], turn ? std::optional(turn->turning) : std::nullopt};
+  return {scene.obstacles[at(obstacle)], turn ? std::optional(turn->turning) : std::nullopt, opposite};
 }
 
 template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
   contact::Formulations<D> contacts;
-  for (const Contact<D>& contact : scene.contacts) {
-    const auto* faces = std::get_if<Faces>(&contact.master);
-    contact::Master<D> master = faces ? contact::Master<D>(surface_of(scene, *faces))
-                                      : obstacle_of(scene, std::get<1>(contact.master).obstacle);
+  for (const Contact<D>& contact : scene.contacts)
     contacts.push_back(contact::make_formulation<D>(
-        contact.method,
-        {surface_of(scene, contact.slave), std::move(master), contact.points, scene.kind == solid::Kind::axisymmetric,
-         contact.where, contact.start, contact.bonded, contact.adaptive_points}));
-  }
+        contact.method, {surface_of(scene, contact.slave), master_of(scene, contact), contact.points,
+                         scene.kind == solid::Kind::axisymmetric, contact.where, contact.start, contact.bonded,
+                         contact.adaptive_points}));
   return contacts;
 }
 

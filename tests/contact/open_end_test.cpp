@@ -114,7 +114,7 @@ TEST(OpenEnd, TheFadeDecreasesFromOneToZeroWithContinuousSlope) {
   Surface<3> face = top_of(wavy_plate(random, 3, 0.1, 2, 3));
   std::array<double, 2> from, to;
   for (int a = 0; a < 2; ++a) from[static_cast<std::size_t>(a)] = face.direction(a).first();
-  face.extend(0.4);
+  face.extend(0.4, 0.2);
   for (int a = 0; a < 2; ++a) to[static_cast<std::size_t>(a)] = face.direction(a).first();
   FaceCoordinates<3> rate, unused;
   EXPECT_EQ(face.fade({from[0] + 1e-9, from[1]}, rate), 1);

@@ -94,11 +94,11 @@ end)
 
 --- A block on a slab, pressed by the lid; `contact` is added to their contact, `of` to the support of the slab.
 local function pressed(contact, of, lid)
-  local function block(corner, elements)
-    return sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = corner }, elements = elements,
+  local function block(corner, width, elements)
+    return sg.body{ patch = sg.shapes.rectangle{ width = width, height = 1, corner = corner }, elements = elements,
                     order = "N2", material = sg.linear_elastic{ E = 1, nu = 0 } }
   end
-  local upper, slab = block({0, 1}, {2, 2}), block({-1, 0}, {3, 2})
+  local upper, slab = block({0, 1}, 2, {2, 2}), block({-1, 0}, 4, {6, 2})
   local model = sg.model{ bodies = { upper = upper, slab = slab },
     supports = { lid = { on = upper:face "north", drive = "y", fix = "x" }, bed = of and of(slab) },
     contacts = { c = lists.merged({ slave = upper:face "south", master = slab:face "north" }, contact) } }

@@ -1,5 +1,6 @@
 #include "model/checks/state_warnings.hpp"
 
+#include "model/checks/beyond_ends.hpp"
 #include "model/checks/penetration.hpp"
 #include "model/checks/resolution.hpp"
 #include "model/checks/small_strain.hpp"
@@ -23,6 +24,7 @@ template <int D> std::vector<Message> state_warnings(Model<D>& model) {
   };
   append(large_strains(model));
   append(unstable_equilibrium(model));
+  warn_of_ends(model, warnings);
   return warnings;
 }
 

@@ -1,0 +1,83 @@
+-- Masters with sharp ends: how far an end acts depends on the slave's elements, not on the master's.
+
+local sg = require "signorini"
+local check = require "check"
+
+--- P (1 − ν)/(4 G a w) of a rigid flat punch of radius 1 on a layer of thickness 1 that is bonded to a rigid base. The
+--- punch is a line of `count` elements, or without it a plane on which only points within the radius act.
+local function punched(count)
+  local nu, G, depth, width = 0.3, 1, 0.01, 8
+  local E = 2 * G * (1 + nu)
+  local layer = sg.body{ patch = sg.shapes.rectangle{ width = width, height = 1 }, elements = { 60, 15 }, order = "N2",
+    contact = "north", grading = { { elements = 0.6, length = 0.25, at = "start" }, false },
+    material = sg.linear_elastic{ E = E, nu = nu } }
+  local line = sg.nurbs.line{ from = { 0, 1 }, to = { 1, 1 } }
+  local punch = count and sg.rigid.surface(count > 1 and line:refine{ elements = { count } } or line)
+    or sg.rigid.plane{ point = { 0, 1 }, normal = { 0, -1 } }
+  local model = sg.model{ kind = "axisymmetric", bodies = { layer = layer },
+    supports = { axis = { on = layer:face "west", symmetry = true }, base = { on = layer:face "south", fix = "xy" },
+                 push = { on = punch, drive = "y" } },
+    contacts = { c = { slave = layer:face "north", master = punch, penalty = 1000 * E,
+                       where = not count and function(X) return X[1] <= 1 end or nil } } }
+  local run = model:run{ { steps = 1, push = { -depth } } }
+  check.equal(run.reason, "completed")
+  return -model:reaction "push".fy * (1 - nu) / (4 * G * depth), run
+end
+
+check.case("a flat rigid punch of one element", function()
+  local kappa, run = punched(1)
+  -- Hayes, Keer, Herrmann and Mockros (J. Biomech. 5, 1972): 2.480; these elements alone add 3 %, also without an end
+  check.near(kappa, 2.480, 0.05 * 2.480)
+  check.near(kappa, (punched()), 0.02 * kappa)
+  for _, count in ipairs { 2, 7 } do check.near((punched(count)), kappa, 1e-6 * kappa) end
+  check.equal(#run.warnings, 1)
+  check.holds(run.warnings[1], "at the end of stage 'stage 1': contacts.c: ",
+    " % of its force acts beyond an end of the master", "Hint: use smaller elements on the slave face")
+end)
+
+--- Force of a slab on a block of half its width.
+local function pressed(count, swap)
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 3, corner = { -5, 0 } }, elements = { 80, 6 },
+    order = "N2", contact = "south", material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
+  local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 2, corner = { -1, -2 } },
+    elements = { count, 2 }, order = "N2", contact = "north", material = sg.neo_hookean{ E = 1e5, nu = 0.3 } }
+  local slave, master = slab:face "south", block:face "north"
+  if swap then slave, master = master, slave end
+  local model = sg.model{ bodies = { slab = slab, block = block },
+    supports = { bed = { on = block:face "south", fix = "xy" },
+                 top = { on = slab:face "north", fix = "x", drive = "y" } },
+    contacts = { c = { slave = slave, master = master, penalty = 1e5 } } }
+  local run = model:run{ { steps = 1, top = { -0.02 } } }
+  check.equal(run.reason, "completed")
+  return math.abs(model:contact_resultant "c".fy), run
+end
+
+check.case("a narrow master: its number of elements does not matter", function()
+  local fine, swapped = pressed(32), pressed(32, true) -- where the block is the slave, no end of a master acts
+  check.near(fine, swapped, 0.01 * fine)
+  for _, count in ipairs { 1, 2, 4, 8 } do check.near((pressed(count)), fine, 0.01 * fine) end
+  local _, run = pressed(8, true)
+  check.equal(run.warnings, {})
+end)
+
+check.case("in space", function()
+  local function force(count)
+    local slab = sg.body{ patch = sg.shapes.block{ size = { 4, 1, 1 }, corner = { -2, 0, 0 } }, elements = { 24, 2, 3 },
+      order = "N2", contact = "front", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    local surface = sg.nurbs.ruled{ a = sg.nurbs.line{ from = { -1, 0, 0 }, to = { 1, 0, 0 } },
+                                    b = sg.nurbs.line{ from = { -1, 1, 0 }, to = { 1, 1, 0 } } }
+    local punch = sg.rigid.surface(surface:refine{ elements = { count, 1 } })
+    local model = sg.model{ bodies = { slab = slab },
+      supports = { top = { on = slab:face "back", fix = "xyz" },
+                   sides = { on = { slab:face "south", slab:face "north" }, fix = "y" },
+                   push = { on = punch, drive = "z" } },
+      contacts = { c = { slave = slab:face "front", master = punch, penalty = 100 } } }
+    check.equal(model:run{ { steps = 1, push = { 0.02 } } }.reason, "completed")
+    return model:reaction "push".fz
+  end
+  local single = force(1)
+  check.near(force(12), single, 1e-6 * single) -- elements as long as the slab's
+  check.near(force(48), single, 0.02 * single)
+end)
+
+check.done()
