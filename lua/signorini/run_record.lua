@@ -43,7 +43,7 @@ local state = fields {
     wall = number, stages = each(stage), energies = each(each(either(number, flag))),
     jumps = fields { energy = maybe(each(number)), found = each(data), steps = each(each(number)) },
     unstable_law = either(flag, data), used = maybe(data), warnings = each(text),
-    adaptations = each(data), contact_zones = data, controls = data, crossed = data, fallbacks = data, overlaps = data,
+    adaptations = each(data), contact_zones = data, controls = data, fallbacks = data, overlaps = data,
     places = data, unsettled = data,
     state_findings = maybe(each(fields { subject = text, stage = text, text = text, from = count, to = count })) },
 }

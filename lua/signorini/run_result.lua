@@ -87,16 +87,15 @@ local function record_contact(run, model, contact)
   for _, key in ipairs(contact_columns) do
     if resultant[key] then columns[key] = add_column(run, contact .. "." .. key) end
   end
-  local before = { unsettled = resultant.unsettled or 0, crossed = resultant.crossed or 0 }
+  local before = resultant.unsettled
   run.recorders[#run.recorders + 1] = function(row)
     local now = model:contact_resultant(contact)
     for key, values in pairs(columns) do values[row] = now[key] end
-    for key, last in pairs(before) do
-      if (now[key] or 0) > last then
-        local found = run[key][contact] or { count = 0, step = run.step_column[row] }
-        run[key][contact] = { count = found.count + now[key] - last, step = found.step, at = now[key .. "_at"] }
-        before[key] = now[key]
-      end
+    if now.unsettled > before then
+      local found = run.unsettled[contact] or { count = 0, step = run.step_column[row] }
+      run.unsettled[contact] = { count = found.count + now.unsettled - before, step = found.step,
+                                 at = now.unsettled_at }
+      before = now.unsettled
     end
   end
 end
@@ -116,7 +115,7 @@ function Run.new(model, path)
     failed = false, reason = "completed", steps = 0, rows = 0, iterations = 0, cutbacks = 0, fallback_steps = 0,
     wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, stored_states = {}, before = model:timings(),
-    warnings = {}, unsettled = {}, crossed = {}, unstable_law = false,
+    warnings = {}, unsettled = {}, unstable_law = false,
     jumps = jumps.record(), overlaps = {}, state_findings = {}, adaptations = {}, contact_zones = {},
   }, Run)
   layer_moves.begin(run, model)

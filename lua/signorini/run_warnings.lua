@@ -1,8 +1,8 @@
 -- Warnings about a run although it completed: those of sg.model about the scene, loads that are not ramped, functions
 -- of stages that jump at their start, loose tolerances, contacts without any active point (wrong face, or a body that
--- misses the other), points that passed through the master in one step, contacts switched on where bodies overlap,
--- states at the ends of stages, failed projections, half passes with different forces, unstable equilibria, unstable
--- elastic laws, idle processes of mpirun, and those of path_controls.lua, jumps.lua and energy_balance.lua.
+-- misses the other), contacts switched on where bodies overlap, states at the ends of stages, failed projections, half
+-- passes with different forces, unstable equilibria, unstable elastic laws, idle processes of mpirun, and those of the
+-- files path_controls.lua, jumps.lua and energy_balance.lua.
 
 local contact_changes = require "signorini.contact_changes"
 local core = require "signorini.core"
@@ -145,16 +145,6 @@ local function unsettled(run, contact)
       counted(found.count, "time"), position(found.at))
 end
 
---- A sentence for a contact whose slave points passed through the master in one step.
-local function crossed(run, contact)
-  local found = run.crossed[contact]
-  if not found then return nil end
-  return ("contact '%s': in step %s points of the slave face passed through the master, the last of %s at X = "
-    .. "(%s): in one increment the bodies moved farther than their thickness, so contact was not detected. Hint: take "
-    .. "shorter steps, of less than half of the thinner body's thickness each"):format(contact, found.step,
-      counted(found.count, "point"), position(found.at))
-end
-
 --- Notes in run.unstable_law the first accepted step in which the law of a body, made from an energy, is unstable.
 function run_warnings.note_law(run, model)
   if run.unstable_law then return end
@@ -177,7 +167,7 @@ end
 --- Notes in run.state_findings the warnings about the state at the end of a stage; of each subject the first.
 function run_warnings.note_state(run, model, stage)
   if run.reason == "interrupted" then return end
-  for _, found in ipairs(core.state_warnings(model) or {}) do
+  for _, found in ipairs(core.state_warnings(model)) do
     if not lists.any(run.state_findings, function(earlier) return earlier.subject == found.subject end) then
       run.state_findings[#run.state_findings + 1] = { subject = found.subject, stage = stage.name, text = found.text,
         from = run.steps - run.stages[#run.stages].steps, to = run.steps }
@@ -247,7 +237,7 @@ end
 function run_warnings.of_run(run, model, early)
   local texts = lists.joined(model:warnings(), early)
   for _, contact in ipairs(run.rows > 0 and model:contact_names() or {}) do
-    texts[#texts + 1] = crossed(run, contact) or untouched(run, model, contact)
+    texts[#texts + 1] = untouched(run, model, contact)
     texts[#texts + 1] = unsettled(run, contact)
     texts[#texts + 1] = unbalanced(run, model, contact)
   end

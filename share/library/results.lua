@@ -186,6 +186,14 @@ function model:contact_law(contact) end
 ---for a closest point or slip point ended at the limit of iterations; unsettled_at is the reference position of the
 ---latest such point. crossed, crossed_at: the same for points that passed through the master since the previous state
 ---without contact.
+---extremes, the numbers of contact points that touch and slip, and the area, "current" or "reference", on which
+---tractions act; with multipliers also weighted_penetration, the largest of the multipliers; of a cohesive contact
+---debonded, the area of new surface: energy dissipated by bonds over energy of separation; with "half_passes" also
+---imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how much action and reaction differ, 0
+---without forces. unsettled: how often, in all accepted states so far, the search for a closest point or slip point
+---ended at the limit of iterations; unsettled_at is the reference position of the latest such point. crossed: how many
+---points have passed through the master without contact since the accepted state, 0 in accepted states; crossed_at is
+---the reference position of the last of them.
 ---
 ---Example:
 ---```lua

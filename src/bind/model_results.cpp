@@ -112,12 +112,15 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   for (const auto& one : multipliers)
     if (one.state != contact::ContactState::open) weighted = std::max(weighted, -one.gap);
   if (!multipliers.empty()) set_field(L, "weighted_penetration", weighted);
-  const auto set_tally = [&](const char* name, const char* place, const auto& tally) {
-    set_field(L, name, static_cast<int>(tally.count));
-    if (tally.count > 0) set_field(L, place, VectorX(tally.latest));
+  const contact::Formulation<D>& formulation = *model.system.contacts[contact];
+  const auto set_count = [&](const char* name, const char* place, std::size_t count, const auto& latest) {
+    set_field(L, name, static_cast<int>(count));
+    if (count > 0) set_field(L, place, VectorX(latest()));
   };
-  set_tally("unsettled", "unsettled_at", model.system.contacts[contact]->unsettled());
-  set_tally("crossed", "crossed_at", model.system.contacts[contact]->crossed());
+  set_count("unsettled", "unsettled_at", formulation.unsettled().count, [&] { return formulation.unsettled().latest; });
+  const auto crossed = formulation.crossed(model.present.contacts[contact], model.accepted.contacts[contact]);
+  set_count("crossed", "crossed_at", crossed.size(),
+            [&] { return formulation.points().reference[at(crossed.back())]; });
   return 1;
 }
 

@@ -11,6 +11,10 @@ bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& fr
   FacePoint<D> foot_before;
   Projection<D> found = now.project(to, seed, foot);
   if (found.foot != Foot::regular || found.gap <= 0 || now.normal(foot).dot(outward) <= back_to_back) return false;
+  // A point that was pressed in leaves the master on the same side, where its face may have folded over.
+  const Projection<D> start = before.project(from, found, point);
+  if (start.foot == Foot::regular && start.gap < allowed && before.normal(point).dot(now.normal(foot)) > 0)
+    return false;
   before.locate(found.point(), foot_before);
   const Vec<D> way = (from - foot_before.position) - (to - foot.position);
   const double length = way.norm();

@@ -8,7 +8,8 @@ namespace signorini::contact {
 
 /// Whether a slave point that moved from `from` to `to`, while the master moved from `before` to `now`, has passed
 /// through the master: its gap is positive, its outward normal points away from the master, and its straight path
-/// relative to the master has gaps below `allowed` ≤ 0. `seed`: start of the closest-point projection.
+/// relative to the master has gaps below `allowed` ≤ 0. If it started with such a gap, it has passed through only if it
+/// is on another side of the master now. `seed`: start of the closest-point projection.
 template <int D>
 bool has_crossed(const Master<D>& before, const Master<D>& now, const Vec<D>& from, const Vec<D>& to,
                  const Vec<D>& outward, const Projection<D>& seed, double allowed);

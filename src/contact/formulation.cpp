@@ -85,9 +85,7 @@ template <int D> void Formulation<D>::commit(History<D>& present, const History<
     present.offset_work += share() * 0.5 * (before.pressure * before.area + after.pressure * after.area) *
                            (offset(i, present) - offset(i, accepted));
     if (!present.results[i].settled) unsettled_ = {unsettled_.count + 1, points_.reference[i]};
-    const double moved = (after.position - before.position).norm() + master_moved;
-    farthest = std::max(farthest, moved);
-    if (has_crossed(i, present, accepted, moved)) crossed_ = {crossed_.count + 1, points_.reference[i]};
+    farthest = std::max(farthest, (after.position - before.position).norm() + master_moved);
   }
   for (std::size_t a = 0; a < present.multipliers.size(); ++a)
     present.growth += growth(accepted.multiplier_results[a], present.multiplier_results[a]);
@@ -136,6 +134,16 @@ bool Formulation<D>::is_near(const History<D>& present, std::span<const std::siz
     const double gap = closest.foot == Foot::regular ? closest.gap : std::abs(closest.gap);
     return gap - offset(i, present) - point.multiplier / (penalty_factor * penalty(present)) < distance;
   });
+}
+
+template <int D> std::vector<int> Formulation<D>::crossed(const History<D>& present, const History<D>& accepted) const {
+  std::vector<int> numbers;
+  const double master_moved = master_.moved_since(accepted_master_, slave_.points());
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const double moved = (present.results[i].position - accepted.results[i].position).norm() + master_moved;
+    if (acts(points_, present, i) && has_crossed(i, present, accepted, moved)) numbers.push_back(static_cast<int>(i));
+  }
+  return numbers;
 }
 
 /// Whether a point of an active contact has passed through the master since the accepted state, when it came closer to

@@ -113,6 +113,9 @@ public:
   /// Updates the history at the end of an accepted step, for example by advancing slip points, at the displacements
   /// evaluated last. The caller then makes `present` the accepted history.
   void commit(History<D>& present, const History<D>& accepted, double penalty_factor);
+  /// Numbers of the points that have passed through the master since the accepted state (crossing.hpp), at the
+  /// displacements evaluated last.
+  std::vector<int> crossed(const History<D>& present, const History<D>& accepted) const;
   /// To be called after the faces have been moved back to the accepted state.
   void return_to_accepted();
   /// Drops everything from past evaluations that affects rounding later, so that the continuation depends on the
@@ -137,12 +140,9 @@ public:
   };
   /// Points whose closest point or slip point was not found to tolerance.
   const Tally& unsettled() const { return unsettled_; }
-  /// Points that passed through the master since the previous state (crossing.hpp).
-  const Tally& crossed() const { return crossed_; }
   /// Continues the counts and times of a formulation of the same faces.
   void continue_from(const Formulation& other) {
     unsettled_ = other.unsettled_;
-    crossed_ = other.crossed_;
     times_search_ = other.times_search_;
     search_seconds_ = other.search_seconds_;
   }
@@ -182,7 +182,7 @@ private:
                double penalty_factor) const;
   bool has_crossed(std::size_t i, const History<D>& present, const History<D>& accepted, double moved) const;
 
-  Tally unsettled_, crossed_;
+  Tally unsettled_;
 };
 
 /// All contacts of a scene.

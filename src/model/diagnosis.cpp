@@ -64,30 +64,52 @@ std::vector<FailurePlace> largest(const Model<D>& model, const VectorX& values, 
   return spots;
 }
 
-template <int D> FailurePlace contact_point(const Model<D>& model, const PointIndex& index, Message what) {
-  const contact::Formulation<D>& contact = *model.system.contacts[at(index.contact)];
-  const contact::ContactPoints<D>& points = contact.points();
-  const auto i = at(contact.point_of(index.point));
+template <int D>
+FailurePlace contact_point(const Model<D>& model, std::size_t contact, std::size_t i, double gap, Message what) {
+  const contact::ContactPoints<D>& points = model.system.contacts[contact]->points();
   return {"contact point",
-          model.system.scene.contacts[at(index.contact)].name,
+          model.system.scene.contacts[contact].name,
           points.list[i].element,
           points.reference[i],
-          model.accepted.contacts[at(index.contact)].results[i].position,
-          constraint(model.present.contacts[at(index.contact)], index.point).gap,
+          model.accepted.contacts[contact].results[i].position,
+          gap,
           std::move(what)};
 }
 
 /// Adds contact points, each with a message.
 template <int D, class What>
 void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<PointIndex>& points, What what) {
-  for (std::size_t k = 0; k < std::min(points.size(), most_places); ++k)
-    diagnosis.places.push_back(contact_point(model, points[k], what(points[k])));
+  for (std::size_t k = 0; k < std::min(points.size(), most_places); ++k) {
+    const std::size_t contact = at(points[k].contact);
+    const int i = model.system.contacts[contact]->point_of(points[k].point);
+    const double gap = constraint(model.present.contacts[contact], points[k].point).gap;
+    diagnosis.places.push_back(contact_point(model, contact, at(i), gap, what(points[k])));
+  }
   if (points.empty()) return;
   const FailurePlace& first = diagnosis.places.front();
   const bool weighted = model.system.contacts[at(points.front().contact)]->multipliers() > 0;
   diagnosis.messages.push_back(Message(
       weighted ? "model.diagnosis.multipliers" : "model.diagnosis.points",
       {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
+}
+
+/// Adds the points that have passed through the master of the first contact with such points.
+template <int D> void add_crossed(Diagnosis& diagnosis, const Model<D>& model) {
+  for (std::size_t k = 0; k < model.system.contacts.size() && diagnosis.places.empty(); ++k) {
+    const contact::History<D>& history = model.present.contacts[k];
+    const std::vector<int> points = model.system.contacts[k]->crossed(history, model.accepted.contacts[k]);
+    if (points.empty()) continue;
+    const std::vector<double> gaps = model.system.contacts[k]->gaps(history);
+    for (std::size_t n = 0; n < std::min(points.size(), most_places); ++n) {
+      const double gap = gaps[at(points[n])];
+      diagnosis.places.push_back(
+          contact_point(model, k, at(points[n]), gap, Message("model.place.behind", {{"distance", gap}})));
+    }
+    const FailurePlace& first = diagnosis.places.front();
+    diagnosis.messages.push_back(Message(
+        "model.diagnosis.points",
+        {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
+  }
 }
 
 /// The points of augmented contacts that are not open, those with the largest |gap| first.
@@ -254,6 +276,8 @@ std::vector<Advice> remedies(Outcome outcome) {
     return {{"arc_length", "model.remedy.arc_length", "model.remedy.stability"}, pseudo_transient};
   case Outcome::line_search:
     return {smaller_steps, {"", "model.remedy.no_line_search"}};
+  case Outcome::crossed:
+    return {smaller_steps, {"", "model.remedy.penalty"}, {"arc_length", "model.remedy.arc_length"}};
   case Outcome::penetration:
     return {{"", "model.remedy.penalty"}, {"", "model.remedy.augmented"}};
   default:
@@ -330,6 +354,7 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
   };
   if (report.outcome == Outcome::cycling) add_points(diagnosis, model, set.cycling_points(), states);
   if (report.outcome == Outcome::lost_projection) add_points(diagnosis, model, set.cycling_past_end(), states);
+  if (report.outcome == Outcome::crossed) add_crossed(diagnosis, model);
   if (report.outcome == Outcome::penetration)
     add_points(diagnosis, model, farthest(model), [&](const PointIndex& point) {
       return Message("model.place.gap",
@@ -370,7 +395,8 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
   if (diagnosis.remedies.empty()) diagnosis.remedies = offered(remedies(diagnosis.outcome), on);
   if (stalls || report.outcome == Outcome::cycling || report.outcome == Outcome::inverted_element)
     add_debonding(diagnosis, model, on);
-  if (report.outcome != Outcome::penetration && report.outcome != Outcome::lost_projection)
+  if (report.outcome != Outcome::penetration && report.outcome != Outcome::lost_projection &&
+      report.outcome != Outcome::crossed)
     add_stiffness(diagnosis, model);
   return diagnosis;
 }

@@ -88,6 +88,17 @@ template <int D> bool solve_for(Model<D>& model, VectorX& b) {
   return model.linear.solve(b);
 }
 
+template <int D> solve::Outcome check_crossing(Model<D>& model, Message& why) {
+  ScopedTimer timer(model.timings.contact);
+  const auto& contacts = model.system.contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (!contacts[k]->crossed(model.present.contacts[k], model.accepted.contacts[k]).empty()) {
+      why = Message("model.step.crossed", {{"contact", model.system.scene.contacts[k].name}});
+      return solve::Outcome::crossed;
+    }
+  return solve::Outcome::converged;
+}
+
 template <int D>
 solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(bool, Message&)> assemble,
                                   std::function<bool(double&)> advance) {
@@ -97,6 +108,7 @@ solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(
   system.residual = [&] { return model.unbalanced.norm(); };
   system.scale = [&] { return force_norm(model); };
   system.floor = [&] { return rounding_floor(model); };
+  system.conclude = [&](Message& why) { return check_crossing(model, why); };
   return system;
 }
 
@@ -161,7 +173,7 @@ template <int D> void judge_lead(Model<D>& model) {
   const double tolerance = solve::NewtonOptions{}.tolerance * force_norm(model) + rounding_floor(model);
   require(model.unbalanced.norm() <= tolerance, "model.step.unbalanced",
           {{"residual", model.unbalanced.norm()}, {"tolerance", tolerance}});
-  model.step->report.outcome = solve::Outcome::converged;
+  model.step->report.outcome = check_crossing(model, why);
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
@@ -171,6 +183,7 @@ template <int D> void judge_lead(Model<D>& model) {
   template Tangent tangent_of(const Assembly<D>&);                                                                     \
   template bool factor(Model<D>&, const StepOptions&);                                                                 \
   template bool solve_for(Model<D>&, VectorX&);                                                                        \
+  template solve::Outcome check_crossing(Model<D>&, Message&);                                                         \
   template solve::NewtonSystem newton_system(Model<D>&, std::function<solve::Outcome(bool, Message&)>,                 \
                                              std::function<bool(double&)>);                                            \
   template double force_norm(const Model<D>&);                                                                         \

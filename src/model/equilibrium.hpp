@@ -22,6 +22,10 @@ template <int D> bool factor(Model<D>& model, const StepOptions& options);
 /// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular.
 template <int D> bool solve_for(Model<D>& model, VectorX& b);
 
+/// `crossed` if points of a contact have passed through the master since the accepted state, with the contact's name in
+/// `why`, otherwise `converged`. Such an equilibrium is not on the path: contact was not detected where it acts.
+template <int D> solve::Outcome check_crossing(Model<D>& model, Message& why);
+
 /// The interface that Newton's loop needs, with given functions `assemble` and `advance`.
 template <int D>
 solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(bool, Message&)> assemble,

@@ -104,7 +104,8 @@ template <int D> solve::Trial retreat(Model<D>& model, double part) {
   return {model.unbalanced.norm(), model.residual.dot(model.step->move)};
 }
 
-/// After convergence of the residual: ends landing, frees fixed points, or augments; converged if nothing remains.
+/// After convergence of the residual: ends landing, frees fixed points, or augments; converged if nothing remains
+/// and no point has passed through a master.
 template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOptions& limits, Message& why) {
   if (model.step->landing) {
     end_landing(model);
@@ -125,7 +126,7 @@ template <int D> solve::Outcome conclude(Model<D>& model, const AugmentationOpti
   for (std::size_t k = 0; k < contacts.size(); ++k)
     if (contacts[k]->augmented()) farthest = std::max(farthest, contacts[k]->violation(model.present.contacts[k]));
   const double tolerance = limits.penetration * model.system.extent;
-  if (farthest <= tolerance) return solve::Outcome::converged;
+  if (farthest <= tolerance) return check_crossing(model, why);
   if (model.step->augmentations == limits.loops) {
     why =
         Message("model.step.penetration", {{"distance", farthest}, {"loops", limits.loops}, {"tolerance", tolerance}});

@@ -25,11 +25,12 @@ enum class Outcome {
   not_finite,
   line_search, ///< no length of the move reduces the residual
   penetration, ///< augmentation does not reduce it below its tolerance
+  crossed,     ///< contact points have passed through the master
   interrupted
 };
 
 /// "iterating", "converged", "iterations", "diverged", "cycling", "lost_projection", "inverted", "singular",
-/// "indefinite", "nan", "line_search", "penetration", "interrupted".
+/// "indefinite", "nan", "line_search", "penetration", "crossed", "interrupted".
 std::string name_of(Outcome outcome);
 
 struct NewtonOptions {

@@ -47,6 +47,15 @@ TEST(Crossing, IsDetectedIfAStraightPathIntersectsABallThatEndsBehindTheFace) {
   compare_with_balls<3>();
 }
 
+TEST(Crossing, PointsThatWerePressedInMayLeaveOnTheSameSide) {
+  const Master<2> ball(contact::make_ball<2>(Vec<2>(0, 0), 0.5));
+  for (const double depth : {0.05, 0.3}) {
+    const Vec<2> from(0, depth - 0.5), below(0, -0.52), above(0, 0.52);
+    EXPECT_FALSE((has_crossed<2>(ball, ball, from, below, Vec<2>(0, -1), {}, 0))); // a face that has folded over
+    EXPECT_TRUE((has_crossed<2>(ball, ball, from, above, Vec<2>(0, 1), {}, 0)));
+  }
+}
+
 /// A rigid roller above a flat undeformed strip; returns the number of points crossed after steps to these positions of
 /// its center.
 std::size_t crossed(const std::vector<Vec<2>>& places, const Law& law) {
@@ -54,12 +63,19 @@ std::size_t crossed(const std::vector<Vec<2>>& places, const Law& law) {
       discretize(nurbs::rectangle(4, 1, Eigen::Vector2d(0, -1)), {16, 1}, "N2", "north");
   Pair<2> pair(Surface<2>(strip, nurbs::side_of("north", 2)), Obstacle<2>(make_ball<2>(places.front(), 0.5)), law, 3);
   const VectorX rest = VectorX::Zero(2 * strip.functions());
+  std::size_t count = 0;
+  const auto crossed_now = [&] { return pair.formulation().crossed(pair.present(), pair.history()).size(); };
   for (const Vec<2>& place : places) {
     const Vec<2> shift = place - places.front();
     pair.evaluate(rest.data(), shift.data());
+    count += crossed_now();
+    pair.rollback();
+    EXPECT_EQ(crossed_now(), 0U);
+    pair.evaluate(rest.data(), shift.data());
     pair.accept();
+    EXPECT_EQ(crossed_now(), 0U);
   }
-  return pair.formulation().crossed().count;
+  return count;
 }
 
 TEST(Crossing, PairCountsPointsThatTheMasterHasPassed) {

@@ -332,7 +332,7 @@ TEST(Newton, OutcomesHaveNames) {
       {Outcome::interrupted, "interrupted"},   {Outcome::iterating, "iterating"},
       {Outcome::cycling, "cycling"},           {Outcome::lost_projection, "lost_projection"},
       {Outcome::indefinite, "indefinite"},     {Outcome::line_search, "line_search"},
-      {Outcome::penetration, "penetration"},
+      {Outcome::penetration, "penetration"},   {Outcome::crossed, "crossed"},
   };
   for (const auto& [outcome, name] : names) EXPECT_EQ(name_of(outcome), name);
 }

@@ -35,7 +35,7 @@ local of_key = {
   state = { "count", "state of the point, an index into the list `states` from 0" },
   active = { "count", "points that touch" }, slipping = { "count", "points that slip" },
   unsettled = { "count", "closest points not found so far" },
-  crossed = { "count", "points that passed through the master so far" },
+  crossed = { "count", "points that have passed through the master since the accepted state" },
   imbalance = { "count", "difference of the forces of the two half passes, relative" },
   weighted_penetration = { "length", "largest weighted penetration of the multipliers" },
   part = { "count", "tied fraction of the slave face" },
