@@ -121,9 +121,7 @@ function Step:solve(solver, to)
       residual = residuals[#residuals], energy = energies[#energies], reason = result.reason,
     })
     if not ok and core.answer_interrupt() then -- Ctrl-C or the end of --time reached it first
-      if result.reason == "iterating" then 
-        result.reason, result.message = "interrupted", core.interruption()
-      end
+      if result.reason == "iterating" then result.reason, result.message = "interrupted", core.interruption() end
       return result
     end
     if not ok then
@@ -178,7 +176,7 @@ function Step:attempt(to, shorter)
   run.wary = math.max(0, run.wary - 1)
   local result = first
   for _, fallback in ipairs(tries) do
-    if result.converged or steps.is_wanted(result) then break end
+    if result.converged or steps.is_wanted(result) or steps.is_hopeless(result) then break end
     local now = fallback.early == true or fallback.early == result.reason or last
     if now and fallback ~= plain then result = self:try(fallback.solver, to, fallback.name) end
   end
@@ -299,11 +297,11 @@ local function begin_stage(model, stage)
   end
 end
 
---- Records why a step failed; unless the user stopped it, searches for a turning point, by arc length.
+--- Records why a step failed; searches for a turning point, by arc length, unless the reason is known.
 local function fail(run, step, result)
-  local began = core.now()
-  local turn = not (steps.is_wanted(result) or step.options.augmented or contact_changes.ramps(step.stage))
-    and step:changes_targets() and arc_length.turning_point(step)
+  local began, known = core.now(), steps.is_wanted(result) or steps.is_hopeless(result) or step.options.augmented
+  known = known or contact_changes.ramps(step.stage) or not step:changes_targets()
+  local turn = not known and arc_length.turning_point(step)
   run:account("wall", core.now() - began)
   run:record_failure(step, result, turn and step:place(turn))
 end

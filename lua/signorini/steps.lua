@@ -49,6 +49,11 @@ function steps.is_asked_for(result) return result.reason == "interrupted" or res
 --- Whether an attempt was ended on request and did not fail: then there is no diagnosis and no fallback.
 function steps.is_wanted(result) return result.reason == "cut" or steps.is_asked_for(result) end
 
+--- Whether an attempt at targets has failed for which no equilibrium exists, so that only shorter attempts can succeed.
+function steps.is_hopeless(result)
+  return result.diagnosis ~= nil and result.diagnosis.reason == "friction_exhausted"
+end
+
 --- Newton has converged in half of the allowed iterations.
 local function is_easy(result, solver) return 2 * result.iterations <= solver.iterations end
 
@@ -82,7 +87,7 @@ function Halving:take(step)
       return result
     elseif last then
       result.shortest = length
-      if not steps.is_wanted(result) then result = leap(step, result) end
+      if not (steps.is_wanted(result) or steps.is_hopeless(result)) then result = leap(step, result) end
       if not result.converged then return result end
     else
       memory.length = length / 2

@@ -212,7 +212,7 @@ function model:target(name) end
 ---without accepting the result. Returns { converged, reason, iterations, message, residuals, energies, parts }:
 ---residuals: norms of f; energies: |f·Δu| of each iteration; parts: fractions of the corrections that a line search
 ---took; reason: "converged", "iterations" (the limit was reached), "diverged", "cycling", "lost_projection",
----"inverted", "singular", "nan", "line_search", "penetration" or "interrupted".
+---"inverted", "singular", "nan", "line_search", "penetration", "crossed" or "interrupted".
 ---
 ---```text
 ---model:solve_step{ tolerance = 1e-10, iterations = 25, line_search = "none", freeze_active_set = false,
@@ -409,7 +409,8 @@ function model:set_penalty_factor(factor) end
 function model:penalty_factor() end
 
 ---Makes the current state the accepted one and updates the slip points. It is an error if the current step has not
----converged, or if targets were changed and not solved for.
+---converged, if points have passed through the master of a contact in it, or if targets were changed and not solved
+---for.
 ---
 ---Example:
 ---```lua
@@ -538,10 +539,11 @@ function model:unconstrained_bodies() end
 ---@field unbalanced any[]
 
 ---Diagnoses why the last solve_step, iterate or solve_arc failed; call it before model:rollback. Returns { reason,
----message, cure, places, unbalanced }: reason is one of model:solve_step's, or "indefinite"; places is a list of {
----kind, body or contact, element or point, X, x, value, text }, the worst first: the inverted element, contact points
----whose states cycle or that leave the master, control points that move most in the critical direction of a singular or
----indefinite tangent; unbalanced: places of the largest unbalanced forces.
+---message, cure, places, unbalanced }: reason is one of model:solve_step's, "indefinite" or "friction_exhausted";
+---places is a list of { kind, body or contact, element or point, X, x, value, text }, the worst first: the inverted
+---element, contact points whose states cycle, that leave the master or have passed through it, control points that move
+---most in the critical direction of a singular or indefinite tangent; unbalanced: places of the largest unbalanced
+---forces.
 ---@param on? sg.model.diagnose.on.choice[] # on: controls that your loop uses already, so that cure does not suggest them (a list of values among 'step', 'line_search', 'damping', 'active_set_changes', 'arc_length', 'penalty' and 'pseudo_transient'; default {})
 ---@return sg.model.diagnose.result
 function model:diagnose(on) end

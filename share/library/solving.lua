@@ -791,9 +791,11 @@ function model:warnings() end
 ---  diverged         the residual grew beyond 1e12 times the forces of the run
 ---  cycling          no convergence within newton.iterations, and contact points still change their states
 ---  lost_projection  contact points alternately find and lose their closest point at an edge of the master
+---  crossed          points passed through the master without contact: bodies moved too far in one increment, or jumped
 ---  inverted         an element is turned inside out (J ≤ 0)
 ---  singular         the tangent is singular: an unconstrained body, or a turning point
 ---  indefinite       no convergence, and the tangent has negative eigenvalues: beyond a turning point
+---  friction_exhausted  the loads on a body that one contact alone holds exceed its friction
 ---  nan              the residual is not a finite number
 ---  line_search      no step length reduces the residual
 ---  penetration      augmentation does not reduce the penetration to its tolerance
@@ -990,6 +992,9 @@ function sg.plain(arguments) end
 ---          passed through the master in one step; steps that may have jumped to another branch of solutions (solved by
 ---          certain fallbacks) or probably have (judged by displacements and released energy); stages whose energy
 ---          balance lacks more than a tenth of the work
+---          points that were not found; steps that may have jumped to another branch of solutions (solved by certain
+---          fallbacks) or probably have (judged by displacements and released energy); stages whose energy balance lacks
+---          more than a tenth of the work
 ---```
 ---@field warnings string[]
 local run = {}

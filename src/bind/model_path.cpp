@@ -228,7 +228,8 @@ template <int D> int diagnose(model::Model<D>& model, const std::vector<std::str
   require(model.step.has_value(), "no step to diagnose: call diagnose after a solve_step, iterate or solve_arc that "
                                   "failed, before model:rollback()");
   const model::Diagnosis diagnosis = model::diagnose(model, model.step->report, {on.begin(), on.end()});
-  push_fields(L, "reason", solve::name_of(diagnosis.outcome), "message", worded_in_one(diagnosis.messages), "cure",
+  const std::string reason = diagnosis.friction_exhausted ? "friction_exhausted" : solve::name_of(diagnosis.outcome);
+  push_fields(L, "reason", reason, "message", worded_in_one(diagnosis.messages), "cure",
               worded_in_one(diagnosis.remedies));
   push_spots(L, "places", diagnosis.places);
   push_spots(L, "unbalanced", diagnosis.unbalanced);

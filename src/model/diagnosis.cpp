@@ -6,6 +6,7 @@
 #include "model/checks/scene_warnings.hpp"
 #include "model/constants.hpp"
 #include "model/rigid_motions.hpp"
+#include "model/sliding.hpp"
 #include "model/turning.hpp"
 #include "model/unheld_motions.hpp"
 #include "model/weak_directions.hpp"
@@ -212,38 +213,6 @@ template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model,
   diagnosis.messages.push_back(std::move(rigid));
 }
 
-/// Whether a displacement d of a body is tangential at all touching points of a frictionless contact.
-template <int D> bool slides(const Model<D>& model, std::size_t contact, std::size_t body, const Vec<D>& d) {
-  const Contact<D>& named = model.system.scene.contacts[contact];
-  if (model.system.contacts[contact]->friction(model.present.contacts[contact]) > 0 ||
-      !acts_on(named, static_cast<int>(body)))
-    return false;
-  bool touches = false;
-  for (const auto& point : model.present.contacts[contact].results) {
-    if (point.state == contact::ContactState::open) continue;
-    if (!contact::touches(point.state)) return false;
-    if (residual_of(orthonormal(point.tangents), d).norm() > across_part * d.norm()) return false;
-    touches = true;
-  }
-  return touches;
-}
-
-/// Remedy for a body that slides in frictionless contact; empty if there is none.
-template <int D> std::vector<Message> cure_of_sliding(const Model<D>& model, const VectorX& direction) {
-  const VectorX all = model.system.unknowns.spread(direction);
-  for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
-    const auto& named = model.system.scene.bodies[b];
-    const auto own = moves_of(model, b, all);
-    const Vec<D> mean = own.rowwise().mean();
-    if (mean.norm() * std::sqrt(static_cast<double>(own.cols())) < own_part * all.norm()) continue;
-    for (std::size_t k = 0; k < model.system.scene.contacts.size(); ++k)
-      if (slides(model, k, b, mean))
-        return {
-            Message("model.remedy.friction", {{"contact", model.system.scene.contacts[k].name}, {"body", named.name}})};
-  }
-  return {};
-}
-
 /// A remedy by its message code. `control`: the control that it turns on, if any; `when_on`: the code if that is on.
 struct Advice {
   const char *control, *code, *when_on = nullptr;
@@ -344,7 +313,7 @@ template <int D> void add_debonding(Diagnosis& diagnosis, const Model<D>& model,
 } // namespace
 
 template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report, const ControlsOn& on) {
-  Diagnosis diagnosis{report.outcome, report.messages, {}, {}, {}};
+  Diagnosis diagnosis{report.outcome, false, report.messages, {}, {}, {}};
   const Assembly<D>& assembly = model.system.assembly;
   const bool has_tangent = model.system.unknowns.size() > 0 && assembly.diagonal_norm() > 0;
   if (report.outcome == Outcome::inverted_element && model.inversion) diagnosis.places = {inverted_element(model)};
@@ -398,6 +367,12 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
   if (report.outcome != Outcome::penetration && report.outcome != Outcome::lost_projection &&
       report.outcome != Outcome::crossed)
     add_stiffness(diagnosis, model);
+  // If friction cannot balance the loads on a body, that is the reason, and no other.
+  if (Message reason = exhausted_friction(model); !reason.code.empty()) {
+    diagnosis.friction_exhausted = true;
+    diagnosis.messages = {std::move(reason)};
+    diagnosis.remedies = {Message("model.remedy.exhausted")};
+  }
   return diagnosis;
 }
 

@@ -20,6 +20,7 @@ struct FailurePlace {
 
 struct Diagnosis {
   solve::Outcome outcome;               ///< the report's, or `indefinite` if that is the cause
+  bool friction_exhausted = false;      ///< whether that is the cause, see sliding.hpp
   std::vector<Message> messages;        ///< reasons
   std::vector<Message> remedies;        ///< remedies
   std::vector<FailurePlace> places;     ///< worst first

@@ -254,7 +254,8 @@ check.case("the picture of outcomes: rows from the first y on, numbers in the ce
   check.equal({ a.x, a.y }, { { "good", "diverged" }, { 4, 10 } })
   check.equal(a.values, { { "completed", "diverged" }, { "completed", "diverged" } })
   check.equal(a.texts, { { "12", "31" }, { "30", "40" } })
-  check.equal({ a.categories[1].name, a.categories[#a.categories].name, #a.categories }, { "completed", "time", 20 })
+  check.equal({ a.categories[1].name, a.categories[#a.categories].name, #a.categories },
+    { "completed", "friction_exhausted", 22 })
   check.equal({ b.title, b.size, b.texts[1] }, { "Springs", { 800, 600 }, { "100%", "50%" } })
   check.equal({ c.texts[1][1], c.texts[1][2] }, { 1.3, nil }) -- a number: the heat map writes powers of ten
 end)
@@ -280,7 +281,7 @@ check.case("two maps side by side share the axes", function()
   local panels = charts[1].panels
   check.equal({ panels[1].title, panels[2].title, charts[1].values }, { "plain Newton", "with controls", nil })
   check.equal({ panels[1].values[1], panels[2].values[1] }, { { "completed", "diverged" }, { "completed", "strange" } })
-  check.equal(charts[1].categories[21].name, "strange")
+  check.equal(charts[1].categories[23].name, "strange")
   check.equal({ charts[2].panels[2].title, charts[2].panels[2].values[1] }, { "controls", { 12, 31 } })
   local other = make{ x = { name = "order", values = { "good" } } }
   check.fails(function() plain:picture{ file = "x.png", other = other } end, "map:picture",

@@ -241,6 +241,35 @@ check.case("singular: a ring too wide for any hoop stress; a radial motion is no
   assert(not run.failure:find "rigid")
 end)
 
+check.case("friction_exhausted: a block that its weight presses on a floor is pushed by a growing force", function()
+  local mu, weight = 0.3, 1e-2
+  for _, space in ipairs { false, true } do
+    local body = space and sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {2, 2, 2}, order = "N2",
+      contact = "front", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } } or block()
+    local floor = space and sg.rigid.plane{ point = {0, 0, 0}, normal = {0, 0, 1} }
+      or sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }
+    local model = sg.model{ bodies = { block = body },
+      loads = { own = { on = body, force = space and {0, 0, 0} or {0, 0} } },
+      contacts = { c = { slave = body:face(space and "front" or "south"), master = floor, penalty = 100,
+                         friction = { mu = mu, penalty = 100 } } } }
+    local function force(x) return space and {0.6 * x, 0.8 * x, -weight} or {x, -weight} end
+    check.equal(model:run{ { steps = 1, own = force(0) } }.reason, "completed")
+    local run = model:run{ { steps = 10, own = force(0.35 * weight) } }
+    check.equal({ run.reason, run.cause, run.steps }, { "minimum_step", "friction_exhausted", 8 })
+    check.holds(run.failure, "friction of contact 'c', which alone holds body 'block', is exhausted",
+      "the body slides from here on")
+    local most, normal, demanded =
+      run.failure:match "it is at most (%S+), mu times the normal force (%S+), but the loads demand (%S+)%. "
+    check.near({ tonumber(most), tonumber(normal) }, { mu * weight, weight }, 1e-3 * weight)
+    check.equal(tonumber(demanded) > tonumber(most), true)
+    check.equal(run.failure:find("add a support to the body", 1, true), nil)
+    check.equal(run.iterations < 200, true)
+    -- Cut down to the limit, up to 1/64 of a step
+    local own = model:target "own"
+    check.near(math.sqrt(own[1] ^ 2 + (space and own[2] ^ 2 or 0)), mu * weight, 0.035 * weight / 32)
+  end
+end)
+
 check.case("indefinite: a column beyond Euler's load", function()
   local body = block{ width = 0.5, height = 10, elements = {1, 8}, order = "N3", contact = "west" }
   local model = sg.model{ bodies = { column = body }, supports = {

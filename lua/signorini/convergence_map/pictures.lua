@@ -13,7 +13,7 @@ local pictures = {}
 local outcomes = {
   "completed", "stopped", "interrupted", "cut", "iterations", "diverged", "cycling", "lost_projection", "inverted",
   "singular", "indefinite", "nan", "line_search", "penetration", "turning_point", "minimum_step", "left_path",
-  "error", "crashed", "time",
+  "error", "crashed", "time", "crossed", "friction_exhausted",
 }
 
 local formats = { reached = "%.0f%%", wall = "%.1f", steps = "%d", increments = "%d", iterations = "%d",

@@ -57,7 +57,7 @@ accepted one) to the targets, without accepting the result. Returns { converged,
 energies, parts }: residuals: norms of f; energies: |f·Δu| of each iteration; parts: fractions of the corrections that a
 line search took; reason: "converged", "iterations" (the limit was reached), "diverged", "cycling", "lost_projection",
 "inverted",
-"singular", "nan", "line_search", "penetration" or "interrupted".]], named = rows.step, may_be_empty = true,
+"singular", "nan", "line_search", "penetration", "crossed" or "interrupted".]], named = rows.step, may_be_empty = true,
     more = "Source of freeze_active_set: V. Agrawal, thesis, IIT Guwahati 2020, 4.5.2.",
     returns = t.record(table.unpack(outcome)),
     example = [[
@@ -104,7 +104,8 @@ state.]],
     returns = t.number,
     example = "finer:penalty_factor()  --> 1.0" },
   { "model:accept", [[Makes the current state the accepted one and updates the slip points. It is an error if the
-current step has not converged, or if targets were changed and not solved for.]],
+current step has not converged, if points have passed through the master of a contact in it, or if targets were changed
+and not solved for.]],
     returns = {},
     example = [[
 model:rollback()
@@ -158,10 +159,11 @@ support prevents; and those of the supports that free obstacles which no spring 
     returns = t.list(t.text),
     example = "model:unconstrained_bodies()" },
   { "model:diagnose", [[Diagnoses why the last solve_step, iterate or solve_arc failed; call it before model:rollback.
-Returns { reason, message, cure, places, unbalanced }: reason is one of model:solve_step's, or "indefinite"; places is a
-list of { kind, body or contact, element or point, X, x, value, text }, the worst first: the inverted element, contact
-points whose states cycle or that leave the master, control points that move most in the critical direction of a
-singular or indefinite tangent; unbalanced: places of the largest unbalanced forces.]],
+Returns { reason, message, cure, places, unbalanced }: reason is one of model:solve_step's, "indefinite" or
+"friction_exhausted"; places is a list of { kind, body or contact, element or point, X, x, value, text }, the worst
+first: the inverted element, contact points whose states cycle, that leave the master or have passed through it, control
+points that move most in the critical direction of a singular or indefinite tangent; unbalanced: places of the largest
+unbalanced forces.]],
     arguments = { { "on", t.list(t.choice { "step", "line_search", "damping", "active_set_changes", "arc_length",
       "penalty", "pseudo_transient" }), "controls that your loop uses already, so that cure does not suggest them",
       default = {} } },

@@ -73,9 +73,11 @@ model keeps the last accepted state. Reasons:
   diverged         the residual grew beyond 1e12 times the forces of the run
   cycling          no convergence within newton.iterations, and contact points still change their states
   lost_projection  contact points alternately find and lose their closest point at an edge of the master
+  crossed          points passed through the master without contact: bodies moved too far in one increment, or jumped
   inverted         an element is turned inside out (J ≤ 0)
   singular         the tangent is singular: an unconstrained body, or a turning point
   indefinite       no convergence, and the tangent has negative eigenvalues: beyond a turning point
+  friction_exhausted  the loads on a body that one contact alone holds exceed its friction
   nan              the residual is not a finite number
   line_search      no step length reduces the residual
   penetration      augmentation does not reduce the penetration to its tolerance
@@ -156,13 +158,13 @@ contacts), wall } each]] },
       { "warnings", t.list(t.text), [[those of model:warnings(), and about: loads that act in full from the first step;
 newton.tolerance above 1e-3; contacts that never touched; a last step whose position damping alone determines; bodies
 that contacts without friction do not hold; loads or contact whose forces are not far above rounding errors; closest
-points that were not found; points that passed through the master in one step; at the end of a stage states in unstable
-equilibrium (of the states between that were stored the first one), contacts too narrow for the mesh, penetration or
-elastic slip above 5 % of the approach of the faces, linear elastic bodies that are turned by 10 degrees or strained by
-5 % in the mean over an element, bodies that pass through each other, through themselves or through obstacles where no
-contact is defined, or pass between contact points; steps that may have jumped to another branch of solutions (solved by
-certain fallbacks) or probably have (judged by displacements and released energy); stages whose energy balance lacks more
-than a tenth of the work]] },
+points that were not found; at the end of a stage states in unstable equilibrium (of the states between that were stored
+the first one), contacts too narrow for the mesh, more than 1 % of a contact's force beyond an end of the master,
+penetration or elastic slip above 5 % of the approach of the faces, linear elastic bodies that are turned by 10 degrees
+or strained by 5 % in the mean over an element, bodies that pass through each other, through themselves or through
+obstacles where no contact is defined, or pass between contact points; steps that may have jumped to another branch of
+solutions (solved by certain fallbacks) or probably have (judged by displacements and released energy); stages whose
+energy balance lacks more than a tenth of the work]] },
     } },
   { "run:columns", "Returns the names of all columns, in order.",
     returns = t.list(t.text),
