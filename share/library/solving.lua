@@ -995,6 +995,9 @@ function sg.plain(arguments) end
 ---          points that were not found; steps that may have jumped to another branch of solutions (solved by certain
 ---          fallbacks) or probably have (judged by displacements and released energy); stages whose energy balance lacks
 ---          more than a tenth of the work
+---          points that were not found; forces beyond ends of masters; steps that may have jumped to another branch of
+---          solutions (solved by certain fallbacks) or probably have (judged by displacements and released energy);
+---          stages whose energy balance lacks more than a tenth of the work
 ---```
 ---@field warnings string[]
 local run = {}
