@@ -111,9 +111,9 @@ template <int D> auto members(MultiplierResult<D>& result) {
   return std::tie(state, area, gap, pressure, potential, friction, components, elastic, slipped);
 }
 
-/// `cleared` is not stored, because settling resets it.
+/// `cleared` is not stored, because settling resets it, nor `touch`, which belongs to a step.
 template <int D> auto members(MultiplierHistory<D>& multiplier) {
-  auto& [cleared, pressure, friction, elastic, limit] = multiplier;
+  auto& [cleared, pressure, friction, elastic, limit, touch] = multiplier;
   return std::tie(pressure, friction, elastic, limit);
 }
 

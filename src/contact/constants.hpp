@@ -69,6 +69,13 @@ inline constexpr double slip_rounding = 1e-15;
 /// The same where positions are rounded, whose error is relative to coordinates.
 inline constexpr double position_rounding = 1e-8;
 
+// ── First touch ──────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Rounding error of the forecast distance where a point touches, relative to that at the start of the step, and the
+/// number of projections for it: not a tolerance, which rounding error would decide. The forecast itself is worse.
+inline constexpr double touch_tolerance = 1e-12;
+inline constexpr int most_touch_trials = 8;
+
 // ── Points that pass through a master ────────────────────────────────────────────────────────────────────────────────
 
 /// Cosine between the outward normals of two faces above which they point in the same direction.

@@ -36,6 +36,9 @@ struct Controls {
   /// Whether touching points stick at any trial slip, while an unconstrained body comes into contact. It first
   /// penetrates far too deep; slipping points would change their direction of slip in every iteration.
   bool landing = false;
+  /// Whether the state is the guess of the step, its first state away from the accepted one: points that it closes slip
+  /// from where they touch on the way to it (touch.hpp), for the whole step.
+  bool foresees = false;
 };
 
 /// A trial state. Evaluations write foot points and results of the contact points into `present`.

@@ -69,6 +69,11 @@ template <int D> void look_everywhere(History<D>& history) {
   for (MultiplierHistory<D>& multiplier : history.multipliers) multiplier.cleared = 0;
 }
 
+template <int D> void forget_touches(History<D>& present, const History<D>& accepted) {
+  for (std::size_t i = 0; i < present.points.size(); ++i) present.points[i].slips = accepted.points[i].slips;
+  for (MultiplierHistory<D>& multiplier : present.multipliers) multiplier.touch.setZero();
+}
+
 template <int D> void change(History<D>& history, const Changes& changes) {
   history.changes = changes;
   look_everywhere(history);
@@ -91,6 +96,7 @@ template <int D> void change(History<D>& history, const Changes& changes) {
   template double memory(const History<D>&);                                                                           \
   template void look_again(History<D>&);                                                                               \
   template void look_everywhere(History<D>&);                                                                          \
+  template void forget_touches(History<D>&, const History<D>&);                                                        \
   template void change(History<D>&, const Changes&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

@@ -68,6 +68,7 @@ template <int D> struct MultiplierHistory {
   FaceCoordinates<D> friction = FaceCoordinates<D>::Zero(); ///< λ_TA
   FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero();  ///< slip of its spring in the accepted state
   double limit = 0;                                         ///< μ z_A a_A in the accepted state
+  Vec<D> touch = Vec<D>::Zero(); ///< V*_A: the part of V_A before the multiplier touches in the present step
 };
 
 /// One entry per contact point in the first two lists, one per multiplier in the others.
@@ -127,6 +128,9 @@ template <int D> void look_again(History<D>& history);
 /// Makes the next evaluation project all points: `cleared` of a history that is kept is worthless once settle() has
 /// started the travel of its formulation again, or in another formulation.
 template <int D> void look_everywhere(History<D>& history);
+
+/// Drops the touches that another attempt of the step has foreseen.
+template <int D> void forget_touches(History<D>& present, const History<D>& accepted);
 
 /// Changes constants. The next evaluation projects all points; a contact that is switched off loses its multipliers.
 template <int D> void change(History<D>& history, const Changes& changes);

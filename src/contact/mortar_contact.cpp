@@ -15,7 +15,8 @@ MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLa
     : Formulation<D>(setting), law_(checked(law.penalty)), scale_(law.scale > 0 ? law.scale : law.penalty.normal),
       pass_(pass), functions_(this->slave_, this->points_, setting.points, law.multipliers),
       is_skipped_(at(this->slave_.elements()), false), cleared_(at(this->slave_.elements()), 0.0),
-      sums_(at(functions_.count())), tangents_(at(functions_.count())), strips_(at(this->slave_.elements())) {
+      sums_(at(functions_.count())), fractions_(at(functions_.count())), tangents_(at(functions_.count())),
+      strips_(at(this->slave_.elements())) {
   for (const auto& [first, last] : pieces(this->points_))
     parts_.push_back({first,
                       last,
@@ -119,6 +120,7 @@ template <int D> void MortarContact<D>::weigh(std::size_t i, const Trial<D>& tri
       master.locate(point.slip, at.slip_point);
       one.slip = one.area * (at.foot.position - at.slip_point.position);
     }
+    if (trial.controls.foresees) one.before = one.area * gap_before(i, trial, distance);
   }
   const std::size_t count = functions_.on(own.element).size();
   const double* values = functions_.at_point(i);
@@ -130,6 +132,7 @@ template <int D> void MortarContact<D>::weigh(std::size_t i, const Trial<D>& tri
     sums[a].normal += values[a] * one.normal;
     sums[a].slip += values[a] * one.slip;
     sums[a].along += values[a] * one.along;
+    sums[a].before += values[a] * one.before;
   }
 }
 
@@ -159,6 +162,7 @@ template <int D> MultiplierSums<D> MortarContact<D>::sum_up(int multiplier) cons
     sum.normal += part.normal;
     sum.slip += part.slip;
     sum.along += part.along;
+    sum.before += part.before;
   }
   return sum;
 }
@@ -181,14 +185,17 @@ template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
         controls.fixed_states.empty() ? FixedContactState::free : controls.fixed_states[at(a)];
     const MultiplierControl control{fixed, controls.guessed, tie, controls.landing};
     const bool open = far || result.beyond;
+    fractions_[at(a)] = 0;
+    if (controls.foresees && !open && frictional(trial.present)) foresee_touch(a, sum, trial);
     if (!solves_multipliers()) {
       if (!open) tangents_[at(a)] = mortar_law(law, sum, history, control, result);
       result.potential *= energy_share(pass_);
       continue;
     }
     const auto unknowns = unknowns_of<D>(trial.extra, a, may_rub(law_));
-    conditions_[at(a)] = open ? open_multiplier(scale_, whole_[at(a)], unknowns)
-                              : multiplier_law(law, scale_, sum, whole_[at(a)], unknowns, control, result);
+    conditions_[at(a)] =
+        open ? open_multiplier(scale_, whole_[at(a)], unknowns)
+             : multiplier_law(law, scale_, sum, whole_[at(a)], unknowns, history.touch, control, result);
   }
 }
 
@@ -332,6 +339,7 @@ template <int D> void MortarContact<D>::gather(const Trial<D>& trial, bool tange
     add_conditions(tangent);
   else if (tangent)
     couple_all(frictional(trial.present));
+  if (trial.controls.foresees && frictional(trial.present)) move_feet(trial);
 }
 
 template <int D> void MortarContact<D>::take_back(std::vector<Block>& blocks) {

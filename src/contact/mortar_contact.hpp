@@ -68,6 +68,9 @@ private:
   bool is_far(int multiplier, const Trial<D>& trial) const;
   void weigh(std::size_t i, const Trial<D>& trial, Part& part, Feet& at);
   void remember_foot(std::size_t i, const Trial<D>& trial) const;
+  double gap_before(std::size_t i, const Trial<D>& trial, double now) const;
+  void foresee_touch(int multiplier, const MultiplierSums<D>& sum, const Trial<D>& trial);
+  void move_feet(const Trial<D>& trial);
   MultiplierSums<D> sum_up(int multiplier) const;
   void decide(const Trial<D>& trial);
   void distribute(Part& part, const Trial<D>& trial, bool tangent);
@@ -90,6 +93,7 @@ private:
   std::vector<char> is_skipped_;                  ///< per slave element: its points were not projected
   std::vector<double> cleared_;                   ///< per slave element: least `cleared` of its points
   std::vector<MultiplierSums<D>> sums_;           ///< per multiplier, as the next
+  std::vector<double> fractions_;                 ///< s*_A of a forecast, otherwise 0
   std::vector<MultiplierTangent<D>> tangents_;    ///< without unknown multipliers
   std::vector<ConditionRows<D>> conditions_;      ///< with unknown multipliers
   std::vector<double> whole_;                     ///< their areas without open ends

@@ -23,6 +23,7 @@ void MortarContact<D>::commit_points(History<D>& present, const History<D>& acce
     present.dissipated += share() * 0.5 * (before_slip + limit) * result.slipped;
     history.limit = limit;
     history.elastic = result.elastic;
+    history.touch.setZero();
     if (open) history.friction.setZero();
   }
   for (std::size_t i = 0; i < present.points.size(); ++i) {
@@ -44,6 +45,7 @@ void MortarContact<D>::release(History<D>& present, const History<D>& accepted, 
         share() * 0.5 * tangential * history.elastic.squaredNorm() * accepted.multiplier_results[a].area;
     history.limit = 0;
     history.elastic.setZero();
+    history.touch.setZero();
     history.friction.setZero();
   }
   for (PointHistory<D>& point : present.points) point.slips = false;

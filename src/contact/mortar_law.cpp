@@ -50,8 +50,8 @@ void friction(const PenaltyLaw& law, const MultiplierSums<D>& sums, const Multip
   using Square = Eigen::Matrix<double, D - 1, D - 1>;
   const Frame<D> frame = frame_of(sums);
   const auto& e = frame.axes;
-  const Vec<D> v = sums.slip / sums.area;
-  // Trial λ_TA + ε_T (η_A + e·V_A)
+  const Vec<D> v = sums.slip / sums.area - history.touch;
+  // Trial λ_TA + ε_T (η_A + e·V), V = V_A − V*_A
   const Components slip = e.transpose() * v, trial = history.friction + law.tangential * (history.elastic + slip);
   const double magnitude = trial.norm(), limit = law.friction * result.pressure;
   const double tie = (law.tangential + law.friction * law.normal) * control.tie;

@@ -11,6 +11,7 @@ namespace signorini::contact {
 template <int D> struct MultiplierSums {
   double area = 0;                ///< a_A = Σ w_k
   double gap = 0;                 ///< Σ w_k g_k
+  double before = 0;              ///< at the guess of a step: the same with the gaps of the accepted state
   Vec<D> normal = Vec<D>::Zero(); ///< Σ w_k n̄_k; this and the following with friction only
   Vec<D> slip = Vec<D>::Zero();   ///< Σ w_k v_k
   Vec<D> along = Vec<D>::Zero();  ///< Σ w_k xˢ_,1
@@ -32,7 +33,8 @@ template <int D> struct MultiplierTangent {
 };
 
 /// z_A = λ_A − ε_N ḡ_A where positive, and with n_A = Σ w n̄/‖·‖ the friction t_A in the plane normal to n_A:
-///   trial λ_TA + ε_T (η_A + V_A), returned to |t_A| ≤ μ z_A,   η_A the elastic slip of the accepted state.
+///   trial λ_TA + ε_T (η_A + V_A − V*_A), returned to |t_A| ≤ μ z_A,   η_A the elastic slip of the accepted state,
+/// V*_A the slip V_A of the step where the multiplier touches.
 /// λ_TA and η_A are components along e₁, the direction of Σ w xˢ_,1 in this plane, and e₂ = n_A × e₁ (3D), so that they
 /// turn with the slave.
 template <int D>

@@ -11,12 +11,13 @@ namespace {
 
 template <int D>
 void add_friction(const PenaltyLaw& law, double s, const MultiplierSums<D>& sums, const MultiplierUnknowns<D>& unknowns,
-                  const MultiplierControl& control, MultiplierResult<D>& result, ConditionRows<D>& rows) {
+                  const Vec<D>& touch, const MultiplierControl& control, MultiplierResult<D>& result,
+                  ConditionRows<D>& rows) {
   const double a = sums.area, length = sums.normal.norm();
   const Vec<D> n = sums.normal / length, slip = sums.slip / a;
   const Mat<D> plane = Mat<D>::Identity() - n * n.transpose();
-  // y = T x,  δy = T δx − (n·x) δn − n (x·δn),   x = s χ_T + ε_T V,   δn = T δ(Σ w n̄)/‖·‖
-  const Vec<D> x = s * unknowns.tangential + law.tangential * slip, y = plane * x;
+  // y = T x,  δy = T δx − (n·x) δn − n (x·δn),   x = s χ_T + ε_T (V − V*),   δn = T δ(Σ w n̄)/‖·‖
+  const Vec<D> x = s * unknowns.tangential + law.tangential * (slip - touch), y = plane * x;
   const Mat<D> by_normal = -(n.dot(x) * Mat<D>::Identity() + n * x.transpose()) * plane / length;
   const double magnitude = y.norm(),
                limit = law.friction * std::max(0.0, s * unknowns.normal - law.normal * result.gap);
@@ -49,7 +50,7 @@ void add_friction(const PenaltyLaw& law, double s, const MultiplierSums<D>& sums
   rows.of_normal.template bottomRows<D>() = a * part * by_normal;
 
   result.friction = s * unknowns.tangential;
-  result.slipped = (plane * slip).norm();
+  result.slipped = (plane * (slip - touch)).norm();
   const Vec<D> along = sums.along - n.dot(sums.along) * n;
   result.components(0) = along.dot(result.friction) / along.norm();
   if constexpr (D == 3) result.components(1) = n.cross(along).dot(result.friction) / along.norm();
@@ -67,8 +68,8 @@ template <int D> ConditionRows<D> open_multiplier(double s, double whole, const 
 
 template <int D>
 ConditionRows<D> multiplier_law(const PenaltyLaw& law, double s, const MultiplierSums<D>& sums, double whole,
-                                const MultiplierUnknowns<D>& unknowns, const MultiplierControl& control,
-                                MultiplierResult<D>& result) {
+                                const MultiplierUnknowns<D>& unknowns, const Vec<D>& touch,
+                                const MultiplierControl& control, MultiplierResult<D>& result) {
   result.area = sums.area;
   result.gap = sums.gap / sums.area;
   const double distance = result.gap - s * unknowns.normal / law.normal; // −q/ε
@@ -84,7 +85,7 @@ ConditionRows<D> multiplier_law(const PenaltyLaw& law, double s, const Multiplie
   rows.of_gap(0) = -s;
   rows.of_unknowns.diagonal().setConstant(-proximal * s * whole);
   if (law.friction > 0) {
-    add_friction(law, s, sums, unknowns, {fixed, control.guessed, control.tie, control.landing}, result, rows);
+    add_friction(law, s, sums, unknowns, touch, {fixed, control.guessed, control.tie, control.landing}, result, rows);
   } else { // χ_T = 0, where it is an unknown because friction acts later
     rows.residual.template tail<D>() = -s * whole * unknowns.tangential;
     rows.of_unknowns.diagonal().template tail<D>().setConstant(-s * whole);
@@ -96,7 +97,7 @@ ConditionRows<D> multiplier_law(const PenaltyLaw& law, double s, const Multiplie
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template ConditionRows<D> open_multiplier(double, double, const MultiplierUnknowns<D>&);                             \
   template ConditionRows<D> multiplier_law(const PenaltyLaw&, double, const MultiplierSums<D>&, double,                \
-                                           const MultiplierUnknowns<D>&, const MultiplierControl&,                     \
+                                           const MultiplierUnknowns<D>&, const Vec<D>&, const MultiplierControl&,      \
                                            MultiplierResult<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

@@ -24,16 +24,17 @@ template <int D> struct ConditionRows {
 };
 
 /// With q = s χ_N − ε_N ḡ_A, the normal n = Σ w n̄/‖·‖ and T = I − n nᵀ:
-///   closed (q > 0):  r_N = −s a_A ḡ_A,    r_T = a_A (P(y) − s χ_T),   y = T (s χ_T + ε_T V_A),
+///   closed (q > 0):  r_N = −s a_A ḡ_A,    r_T = a_A (P(y) − s χ_T),   y = T (s χ_T + ε_T (V_A − V*_A)),
 ///   open:            r_N = −s a_A χ_N,    r_T = −s a_A χ_T (also closed, with μ = 0),
 /// where P returns y to |y| ≤ μ q (P. Alart, A. Curnier, CMAME 92, 1991; S. Hüeber, B. Wohlmuth, CMAME 194, 2005). The
-/// results do not depend on the penalty parameters. `whole` is the area of the multiplier without open ends. In the
-/// derivatives only, a proximal term −proximal s a δχ makes the system of displacements and multipliers regular where
-/// the conditions of several multipliers depend on each other or on supports; it vanishes with the correction δχ.
+/// results do not depend on the penalty parameters. `touch` is V*_A, see mortar_law.hpp. `whole` is the area of the
+/// multiplier without open ends. In the derivatives only, a proximal term −proximal s a δχ makes the system of
+/// displacements and multipliers regular where the conditions of several multipliers depend on each other or on
+/// supports; it vanishes with the correction δχ.
 template <int D>
 ConditionRows<D> multiplier_law(const PenaltyLaw& law, double scale, const MultiplierSums<D>& sums, double whole,
-                                const MultiplierUnknowns<D>& unknowns, const MultiplierControl& control,
-                                MultiplierResult<D>& result);
+                                const MultiplierUnknowns<D>& unknowns, const Vec<D>& touch,
+                                const MultiplierControl& control, MultiplierResult<D>& result);
 
 /// The conditions of an open multiplier.
 template <int D> ConditionRows<D> open_multiplier(double scale, double whole, const MultiplierUnknowns<D>& unknowns);

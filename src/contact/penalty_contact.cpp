@@ -1,5 +1,7 @@
 #include "contact/penalty_contact.hpp"
 
+#include "contact/touch.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -56,6 +58,7 @@ LocalGeometry<D> PenaltyContact<D>::closed_geometry(std::size_t i, const Trial<D
   geometry.multiplier = point.multiplier;
   geometry.fixed_state = fixed;
   geometry.tie = controls.onward ? -controls.guessed : controls.guessed;
+  if (law.friction > 0 && !point.slips && controls.foresees) foresee_touch(i, trial, law);
   if (law.friction > 0 && !point.slips) remember_touch(i, trial);
   if (law.friction > 0 && point.slips) {
     this->master().locate(point.slip, at.slip_point);
@@ -64,7 +67,21 @@ LocalGeometry<D> PenaltyContact<D>::closed_geometry(std::size_t i, const Trial<D
   return geometry;
 }
 
-/// A newly closed point slips from its foot point in the accepted state.
+/// A point that the guess of the step closes slips from where it touches on the way to it.
+template <int D>
+void PenaltyContact<D>::foresee_touch(std::size_t i, const Trial<D>& trial, const PenaltyLaw& law) const {
+  PointHistory<D>& point = trial.present.points[i];
+  const double pressed = point.multiplier / law.normal; // t_N > 0 below a gap of o + λ_N/ε_N
+  const std::optional<MasterPoint<D>> touch =
+      touch_point<D>(this->accepted_master_, this->master(),
+                     {trial.accepted.results[i].position, this->offset(i, trial.accepted) + pressed},
+                     {trial.present.results[i].position, this->offset(i, trial.present) + pressed}, point.projection);
+  if (!touch) return;
+  point.slips = true;
+  point.slip = *touch;
+}
+
+/// A newly closed point without a forecast slips from its foot point in the accepted state.
 template <int D> void PenaltyContact<D>::remember_touch(std::size_t i, const Trial<D>& trial) const {
   PointHistory<D>& point = trial.present.points[i];
   FacePoint<D> foot;

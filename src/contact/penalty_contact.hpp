@@ -43,6 +43,7 @@ protected:
   virtual double pressure_of(const History<D>& history, std::size_t i) const { return history.results[i].pressure; }
 
 private:
+  void foresee_touch(std::size_t i, const Trial<D>& trial, const PenaltyLaw& law) const;
   void remember_touch(std::size_t i, const Trial<D>& trial) const;
   void release(History<D>& present, const History<D>& accepted, double penalty_factor) const;
   void advance_slip_point(std::size_t i, History<D>& history, const History<D>& accepted, const PenaltyLaw& law) const;

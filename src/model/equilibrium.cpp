@@ -14,6 +14,10 @@ namespace signorini::model {
 
 template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, Message& why) {
   follow_angles(model.system.unknowns, model.present.displacement);
+  // The first state of a step away from the accepted one is its guess.
+  const bool guess = model.step && !model.step->foreseen && model.present.displacement != model.accepted.displacement;
+  for (auto& control : model.controls) control.foresees = guess;
+  if (guess) model.step->foreseen = true;
   const auto inverted = model.system.assembly.assemble({model.present, model.accepted, model.controls, model.acting},
                                                        direction, tangent, model.timings);
   take_residual(model);
@@ -154,6 +158,10 @@ template <int D> bool contact_acts(const Model<D>& model, double rounding) {
 template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& options, bool damping) {
   System<D>& system = model.system;
   model.controls.assign(system.contacts.size(), {});
+  // With another penalty factor a step goes on from its last state, and with the touches that it has foreseen.
+  const bool anew = model.present.displacement == model.accepted.displacement;
+  for (std::size_t k = 0; k < system.contacts.size() && anew; ++k)
+    forget_touches(model.present.contacts[k], model.accepted.contacts[k]);
   model.active_set.begin(system.contacts, model.present.contacts, options, model.controls);
   bool any = false;
   for (std::size_t k = 0; k < system.contacts.size() && damping; ++k) {

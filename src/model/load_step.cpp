@@ -58,6 +58,7 @@ template <int D> void end_landing(Model<D>& model) {
 template <int D> Step begin_step(Model<D>& model, const StepOptions& options) {
   const Drives<D>& drives = model.system.drives;
   Step step{drives.displacement(model.targets) - drives.displacement(model.present.targets)};
+  step.foreseen = model.present.displacement != model.accepted.displacement;
   step.landing = begin_contacts(model, options.active_set, options.damping);
   set_loads(model, model.targets);
   if (guess_first(model, options.predictor, step.increment)) {
@@ -195,6 +196,7 @@ template <int D> void move_by(Model<D>& model, const VectorX& change) {
   step.increment.setZero();
   step.pending = false;
   step.moved = step.lead = true;
+  step.foreseen = true; // a user's move, which may be of any kind, is not a guess
   model.present.targets = model.targets;
 }
 

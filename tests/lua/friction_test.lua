@@ -58,28 +58,6 @@ check.case("on a straight master an accepted step remains in equilibrium", funct
   check.at_most("residual", unbalanced(slid(10, true)), 1e-9)
 end)
 
---- Force that drags a block which is lowered by 0.2 onto a plane 0.1 below it, sticks there, and moves sideways by 0.02
---- all the while: half of that in the air.
-local function landed(steps)
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = {0, 0.1} }, elements = {2, 2},
-                         order = "N2", contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
-  local model = sg.model{
-    bodies   = { block = block },
-    supports = { grip = { on = block:face "north", drive = "xy" } },
-    contacts = { touch = { slave = block:face "south", master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} },
-                           penalty = 100, friction = { mu = 1, penalty = 100 } } } }
-  local run = model:run{ { name = "land", steps = steps, grip = { 0.02, -0.2 } } }
-  return run:column "grip.fx"[steps]
-end
-
-check.case("first contact applies friction over the whole closing step: an error of first order", function()
-  local limit = landed(2) -- touches at the end of a step, as with any even number
-  check.within("four steps", landed(4) / limit, 1, 1e-6)
-  for _, steps in ipairs { 1, 3, 5, 9, 17 } do
-    check.within(steps .. " steps", landed(steps) / limit, 1 + 1 / steps, 1e-3)
-  end
-end)
-
 check.case("springs shorter than rounding errors of positions are no unfinished searches", function()
   -- Two blocks on a slab, held by contact and friction alone, are pushed together: near the ends of the faces points
   -- slip under pressures close to zero, where springs of the length mu p/penalty are below 1e-9.

@@ -98,7 +98,8 @@ check.case("ironing with friction: the energy balances, and nothing is stored in
   for _, space in ipairs(spaces) do
     for _, order in ipairs { "N2", "N2-N2.2" } do
       local model, name = iron(keys(space), order, 0.2), space .. " " .. order
-      solved(model, { press, slide })
+      -- In plain Newton states cycle in 1 to 2 of 60 such scenes.
+      solved(model, { press, { name = "slide", steps = 50, grip = { 0.4, -0.1 } } })
       local energy = model:energy()
       check.equal({ energy.contact }, { 0 })
       check.at_most(name .. ": energy",

@@ -140,11 +140,16 @@ table.sort(names)
 for _, name in ipairs(names) do
   check.case(name .. " has the same forces far from the origin, at any angle", function()
     for _, angle in ipairs { 0, name ~= "sphere_in_space" and 37 or nil } do
-      local expected, most = force(name, 0, angle, sg.plain{})
-      for _, offset in ipairs { 1e3, 1e4, 1e6 } do
-        for _, controls in ipairs { sg.plain{}, sg.robust{} } do
+      -- First touches of friction are foreseen from the guess of a step, which depends on the controls, and on rounding
+      -- where points lie on Coulomb's cone.
+      local frictional = name == "sphere_in_space"
+      local _, most = force(name, 0, angle, sg.plain{})
+      for _, controls in ipairs { sg.plain{}, sg.robust{} } do
+        local expected = force(name, 0, angle, frictional and controls or sg.plain{})
+        for _, offset in ipairs { 1e3, 1e4, 1e6 } do
           local actual, iterations = force(name, offset, angle, controls)
-          check.within(("%s at %g"):format(name, offset), actual / expected, 1, 1e-12 * offset + 1e-9)
+          check.within(("%s at %g"):format(name, offset), actual / expected, 1,
+            1e-12 * offset + (frictional and 1e-6 or 1e-9))
           -- Rounding costs no more than an iteration or two a step.
           check.at_most("iterations", iterations, 1.5 * most)
         end

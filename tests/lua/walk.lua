@@ -200,10 +200,11 @@ function Walk:advance(goal)
   return false
 end
 
---- Brings the other model to the converged state.
+--- Brings the other model to the converged state: with friction by a step of its own, since first touches are foreseen
+--- at the guess of a step, which a move is not.
 function Walk:follow()
   local model, other = self.model, self.other
-  if self.scene.law:find("augmented", 1, true) then
+  if self.scene.mu > 0 or self.scene.law:find("augmented", 1, true) then
     if not other:solve_step(self.solver).converged then return false end
     other:accept()
     return true

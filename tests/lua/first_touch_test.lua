@@ -1,0 +1,177 @@
+-- First touch: friction acts from where a point closes in its step, with every formulation.
+
+local sg = require "signorini"
+local rows = require "formulations.rows"
+local check = require "check"
+
+-- ── A block that sticks where it lands ───────────────────────────────────────────────────────────────────────────────
+
+local steel = sg.neo_hookean{ E = 10, nu = 0.3 }
+
+local function block_2d(at)
+  return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = at }, elements = {2, 2}, order = "N2",
+                  contact = "south", material = steel }
+end
+
+local function slab_2d()
+  return sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1, corner = {-1, -1} }, elements = {6, 2},
+                  order = "N2", contact = "north", material = steel }
+end
+
+local function block_3d(at)
+  return sg.body{ patch = sg.shapes.block{ size = {1, 1, 1}, corner = at }, elements = {2, 2, 1}, order = "N2",
+                  contact = "front", material = steel }
+end
+
+local function slab_3d()
+  return sg.body{ patch = sg.shapes.block{ size = {3, 3, 1}, corner = {-1, -1, -1} }, elements = {3, 3, 1}, order = "N2",
+                  contact = "back", material = steel }
+end
+
+local scenes = {
+  plane = { down = "south", up = "north", at = {0, 0.1}, block = block_2d, drive = "xy", goal = { 0.02, -0.2 },
+            normal = {0, 1} },
+  slab = { down = "south", up = "north", at = {0, 0.1}, block = block_2d, slab = slab_2d, drive = "xy",
+           goal = { 0.02, -0.2 } },
+  plane_3d = { down = "front", up = "back", at = {0, 0, 0.1}, block = block_3d, drive = "xyz",
+               goal = { 0.02, 0.01, -0.2 }, normal = {0, 0, 1} },
+  slab_3d = { down = "front", up = "back", at = {0, 0, 0.1}, block = block_3d, slab = slab_3d, drive = "xyz",
+              goal = { 0.02, 0.01, -0.2 } },
+}
+
+local function landing(kind, formulation)
+  local block = kind.block(kind.at)
+  local bodies, supports = { block = block }, { grip = { on = block:face(kind.up), drive = kind.drive } }
+  local master
+  if kind.slab then
+    bodies.slab = kind.slab()
+    master = bodies.slab:face(kind.up)
+    supports.bed = { on = bodies.slab:face(kind.down), fix = kind.drive }
+  else
+    master = sg.rigid.plane{ point = kind.normal[3] and {0, 0, 0} or {0, 0}, normal = kind.normal }
+  end
+  return sg.model{ bodies = bodies, supports = supports,
+    contacts = { touch = rows.contact(rows[formulation], { slave = block:face(kind.down), master = master,
+      penalty = 100, friction = { mu = 1, penalty = 100 } }) } }
+end
+
+--- The tangential force on the grip of a block that is lowered by 0.2 onto a master 0.1 below it, where it sticks, and
+--- moves sideways all the while: half of that in the air. `fractions`: of the path, at the ends of the steps.
+local function landed(kind, formulation, fractions)
+  local stages = {}
+  for i, fraction in ipairs(fractions) do
+    local goal = {}
+    for k, value in ipairs(kind.goal) do goal[k] = fraction * value end
+    stages[i] = { steps = 1, grip = goal }
+  end
+  local options = rows.options(rows[formulation], { newton = { tolerance = 1e-13 } })
+  local run = landing(kind, formulation):run(stages, options)
+  check.equal(run.failed, false)
+  return run:column "grip.fx"[run.rows]
+end
+
+--- n equal steps; with `touch` the middle one, in which the gap closes, is divided there.
+local function equal_steps(n, touch)
+  local fractions = {}
+  for i = 1, n do
+    if touch and 2 * i == n + 1 then fractions[#fractions + 1] = 0.5 end
+    fractions[#fractions + 1] = i / n
+  end
+  return fractions
+end
+
+for _, name in ipairs{ "plane", "slab", "plane_3d", "slab_3d" } do
+  local kind = scenes[name]
+  local space = kind.drive == "xyz"
+  for _, formulation in ipairs(rows.choices) do
+    local steep = kind.slab and formulation == "gpts-augmented" -- at the block's ends augmentation takes too long
+    local fits = not steep and (kind.slab or not rows[formulation].two_faces) and
+      (not space or formulation == "gpts" or formulation == "equal" or formulation == "equal-multipliers")
+    if fits then
+      check.case(("%s, %s: friction as if the step ended where the block touches"):format(name, formulation), function()
+        for _, steps in ipairs(space and { 1 } or { 1, 3, 9 }) do
+          local right = landed(kind, formulation, equal_steps(steps, true))
+          local bound = formulation:find "augmented" and 1e-3 or 1e-10 -- as far as they are augmented
+          check.within(steps .. " steps", landed(kind, formulation, equal_steps(steps)) / right, 1, bound)
+        end
+      end)
+    end
+  end
+end
+
+check.case("Gauss points and a plane: friction does not depend on the number of steps", function()
+  local limit = landed(scenes.plane, "gpts", { 0.5, 1 })
+  for _, steps in ipairs { 1, 3, 5, 9, 33 } do
+    check.within(steps .. " steps", landed(scenes.plane, "gpts", equal_steps(steps)) / limit, 1, 1e-10)
+  end
+end)
+
+check.case("a block that moves back to where it touched has no friction, whatever the steps", function()
+  for _, formulation in ipairs{ "gpts", "equal", "equal-multipliers" } do
+    for _, steps in ipairs{ 1, 3 } do
+      local run = landing(scenes.plane, formulation):run{ { name = "land", steps = steps, grip = { 0.02, -0.2 } },
+                                                          { name = "return", steps = 2, grip = { 0.01, -0.2 } } }
+      local fx = run:column "grip.fx"
+      check.within(("%s, %d steps"):format(formulation, steps), fx[run.rows] / fx[steps], 0, 1e-8)
+    end
+  end
+end)
+
+-- ── A tool that turns as it is pressed in ────────────────────────────────────────────────────────────────────────────
+
+--- The model of a rigid cylinder above a slab, both turned by an angle (degrees), mirrored for side = -1.
+local function indented(formulation, side, angle)
+  local c, s = math.cos(math.rad(angle or 0)), math.sin(math.rad(angle or 0))
+  local function turned(x, y) return { c * side * x - s * y, s * side * x + c * y } end
+  local patch = sg.shapes.rectangle{ width = 3, height = 1, corner = {-1.5, -1} }
+  local slab = sg.body{ patch = patch:rotate{ angle = angle or 0, center = {0, 0} }, elements = {30, 3}, order = "N2",
+                        contact = "north", material = steel }
+  local tool = sg.rigid.cylinder{ center = turned(0, 1.02), radius = 1 }
+  local model = sg.model{ bodies = { slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" }, tool = { on = tool, drive = "xy" } },
+    contacts = { touch = rows.contact(rows[formulation], { slave = slab:face "north", master = tool, penalty = 300,
+                                                           friction = { mu = 2, penalty = 300 } }) } }
+  return model, function(t) return turned(0.02 * t * t, -0.12 * t) end, turned
+end
+
+--- Its tangential force at the end.
+local function dragged(formulation, steps, side, angle)
+  local model, path, turned = indented(formulation, side or 1, angle)
+  local run = model:run{ { name = "press", steps = steps, tool = path } }
+  check.equal(run.failed, false)
+  local force, along = model:reaction "tool", turned(1, 0)
+  return force.fx * along[1] + force.fy * along[2]
+end
+
+check.case("a load that turns: friction of Gauss points has an error of second order in the step", function()
+  local limit = (4 * dragged("gpts", 128) - dragged("gpts", 64)) / 3
+  local coarse, fine = math.abs(dragged("gpts", 2) / limit - 1), math.abs(dragged("gpts", 16) / limit - 1)
+  check.at_most("error in 16 steps", fine, 2e-3)
+  check.at_most("order 1.8 over three halvings: error in 16 steps over that in 2", fine / coarse, 2 ^ (-3 * 1.8))
+end)
+
+check.case("mirrored and turned scenes have the same friction", function()
+  for _, formulation in ipairs{ "gpts", "equal", "equal-multipliers" } do
+    local fx = dragged(formulation, 3)
+    check.within_share(formulation .. ", mirrored", dragged(formulation, 3, -1), fx, 1e-9)
+    check.within_share(formulation .. ", turned", dragged(formulation, 3, 1, 30), fx, 1e-9)
+  end
+end)
+
+check.case("an attempt that is rolled back leaves nothing of its forecast", function()
+  for _, formulation in ipairs{ "gpts", "equal", "equal-multipliers" } do
+    local function first(attempts)
+      local model, path = indented(formulation, 1)
+      for i, part in ipairs(attempts) do
+        if i > 1 then model:rollback() end
+        model:set_target("tool", path(part))
+        check.equal(model:solve_step().converged, true)
+      end
+      model:accept()
+      return model:displacements()
+    end
+    check.near(first{ 0.5, 0.25 }, first{ 0.25 }, 1e-13)
+  end
+end)
+
+check.done()
