@@ -224,13 +224,19 @@ end
 -- Above this rounding error, as a fraction of the forces of the run, forces may be wrong in their first digits.
 local coarse_rounding = 1e-3
 
---- A sentence for loads or contact whose forces are not far above rounding errors, up to which equilibrium is found.
+--- A sentence for loads or contact whose forces are not far above rounding errors, up to which equilibrium is found,
+--- and for reactions of deformed bodies that do not balance because of them.
 local function lost_in_rounding(model)
-  local rounding, forces, acts = core.rounding(model)
-  if not acts or rounding <= coarse_rounding * forces then return nil end
-  return ("rounding errors of forces, about %.2g, are %.2g %% of the forces of supports and loads, at most %.2g, and "
-    .. "equilibrium is not found more exactly than that. Hint: very narrow elements, very stiff bodies and places far "
-    .. "from the origin cause them"):format(rounding, 100 * rounding / forces, forces)
+  local rounding, forces, acts, residual = core.rounding(model)
+  local cause = "equilibrium is not found more exactly than that. Hint: very narrow elements, very stiff bodies or "
+    .. "springs and places far from the origin cause them"
+  if acts and rounding > coarse_rounding * forces then
+    return ("rounding errors of forces, about %.2g, are %.2g %% of the forces of supports, loads and contacts, at most "
+      .. "%.2g, and %s"):format(rounding, 100 * rounding / forces, forces, cause)
+  end
+  if residual <= coarse_rounding * forces or not core.is_deformed(model) then return nil end
+  return ("reactions balance only to %.2g, %.2g %% of the forces of supports and loads, at most %.2g: by rounding "
+    .. "errors %s"):format(residual, 100 * residual / forces, forces, cause)
 end
 
 --- The warnings of a run; those of model:warnings() and about the path come first.

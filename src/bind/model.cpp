@@ -155,13 +155,16 @@ int smallest_body(lua_State* L) {
 template <int D> int push_rounding(lua_State* L, const model::Model<D>& model) {
   const double rounding = model::rounding_floor(model);
   push(L, rounding);
-  push(L, model::force_norm(model));
+  push(L, std::max(model::force_norm(model), model::contact_norm(model)));
   push(L, model.external.norm() > 0 || model::contact_acts(model, rounding));
-  return 3;
+  const bool judged = model.path.force_scale > 0; // a step has been in balance
+  push(L, judged ? model.unbalanced.norm() : 0.0);
+  return 4;
 }
 
 /// core.rounding(model): the estimated rounding error of the residual, the largest norm of the forces of supports and
-/// loads in all accepted states, and whether loads or contacts act at present.
+/// loads in all accepted states, or of the contacts at present, whether loads or contacts act at present, and the
+/// residual of the accepted state. core.is_deformed(model): whether bodies are deformed there.
 int rounding(lua_State* L) {
   if (const auto* plane = test_object<Model<2>>(L, 1)) return push_rounding(L, **plane);
   if (const auto* space = test_object<Model<3>>(L, 1)) return push_rounding(L, **space);
@@ -183,6 +186,13 @@ template <int D> int push_off_axis(lua_State* L, const model::Model<D>& model) {
 int off_axis(lua_State* L) {
   if (const auto* plane = test_object<Model<2>>(L, 1)) return push_off_axis(L, **plane);
   return 0;
+}
+
+int is_deformed(lua_State* L) {
+  const auto* plane = test_object<Model<2>>(L, 1);
+  const auto* space = test_object<Model<3>>(L, 1);
+  push(L, plane ? model::is_deformed(**plane) : space && model::is_deformed(**space));
+  return 1;
 }
 
 template <int D> int push_weak_hold(lua_State* L, model::Model<D>& model) {
@@ -238,6 +248,7 @@ constexpr Function model_core[] = {{"contact_problem", wrap<contact_problem>},
                                    {"rounding", rounding},
                                    {"smallest_body", smallest_body},
                                    {"off_axis", off_axis},
+                                   {"is_deformed", is_deformed},
                                    {"state_warnings", state_warnings},
                                    {"weak_hold", weak_hold}};
 

@@ -19,6 +19,16 @@ inline constexpr double most_bent = 0.3;
 /// above, only if the linear one deviated more.
 inline constexpr double hardly_curved = 0.1;
 
+// ── Forces of a run ──────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Forces of supports and loads below this fraction of those of contact leave bodies in balance that only press on each
+/// other, as in an interference fit: residuals then compare with the contact forces. Where supports or loads press the
+/// bodies together, they are of the same magnitude.
+inline constexpr double self_balanced = 1e-3;
+/// Mean strain, by its energy, above which the bodies of a run are deformed. A rigid motion by 1e6 times the size of an
+/// element leaves 2e-10, by the rounding of positions.
+inline constexpr double deformed_strain = 1e-6;
+
 // ── Linear bodies ────────────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Operations per entry of the tangent that dense factors of all unknowns on contact faces may cost in every iteration:

@@ -7,6 +7,7 @@
 #include "model/free_angles.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -116,9 +117,18 @@ solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(
   return system;
 }
 
+template <int D> double contact_norm(const Model<D>& model) {
+  double sum = 0;
+  for (const contact::History<D>& history : model.present.contacts)
+    for (const contact::PointResult<D>& point : history.results) sum += point.force.squaredNorm();
+  return std::sqrt(sum);
+}
+
 template <int D> double force_norm(const Model<D>& model) {
-  return std::max(
-      {model.path.force_scale, model.system.unknowns.constrained_norm(model.residual), model.external.norm()});
+  const double outside =
+      std::max({model.path.force_scale, model.system.unknowns.constrained_norm(model.residual), model.external.norm()});
+  const double inside = contact_norm(model);
+  return outside < self_balanced * inside ? inside : outside;
 }
 
 template <int D> double largest_position(const Model<D>& model) {
@@ -153,6 +163,14 @@ template <int D> bool contact_acts(const Model<D>& model, double rounding) {
       pressure = std::max(pressure, std::abs(point.pressure));
     }
   return force > rounding || pressure > noticeable * softest;
+}
+
+template <int D> bool is_deformed(const Model<D>& model) {
+  double bound = 0;
+  for (const NamedBody<D>& named : model.system.scene.bodies)
+    bound += 0.5 * named.body->material().constants().youngs_modulus * deformed_strain * deformed_strain *
+             named.body->volumes().sum();
+  return model.system.assembly.stored_energy(model.accepted.displacement, model.accepted.internal) > bound;
 }
 
 template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& options, bool damping) {
@@ -194,10 +212,12 @@ template <int D> void judge_lead(Model<D>& model) {
   template solve::Outcome check_crossing(Model<D>&, Message&);                                                         \
   template solve::NewtonSystem newton_system(Model<D>&, std::function<solve::Outcome(bool, Message&)>,                 \
                                              std::function<bool(double&)>);                                            \
+  template double contact_norm(const Model<D>&);                                                                       \
   template double force_norm(const Model<D>&);                                                                         \
   template double largest_position(const Model<D>&);                                                                   \
   template double rounding_floor(const Model<D>&);                                                                     \
   template bool contact_acts(const Model<D>&, double);                                                                 \
+  template bool is_deformed(const Model<D>&);                                                                          \
   template bool begin_contacts(Model<D>&, const ActiveSetOptions&, bool);                                              \
   template void judge_lead(Model<D>&);
 SIGNORINI_INSTANTIATE(2)

@@ -31,7 +31,10 @@ template <int D>
 solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(bool, Message&)> assemble,
                                   std::function<bool(double&)> advance);
 
-/// Largest norm of the forces of supports and loads, over the accepted states and the present one.
+/// Norm of the contact forces at the points of the present state.
+template <int D> double contact_norm(const Model<D>& model);
+/// Largest norm of the forces of supports and loads, over the accepted states and the present one; where they are small
+/// against it, contact_norm().
 template <int D> double force_norm(const Model<D>& model);
 /// |X| + |u|, the scale of rounding errors of positions.
 template <int D> double largest_position(const Model<D>& model);
@@ -40,6 +43,8 @@ template <int D> double rounding_floor(const Model<D>& model);
 /// Whether a contact presses or pulls: with forces above their rounding error, or with pressures that strain a body by
 /// more than 1e-9. Faces that only touch have neither.
 template <int D> bool contact_acts(const Model<D>& model, double rounding);
+/// Whether the bodies are deformed, beyond the rounding error of a rigid motion, in the accepted state.
+template <int D> bool is_deformed(const Model<D>& model);
 
 /// Starts the active set of a step. With damping, sets Controls::landing of open contacts of unconstrained bodies;
 /// returns whether there are any.

@@ -24,8 +24,8 @@ local function block_3d(at)
 end
 
 local function slab_3d()
-  return sg.body{ patch = sg.shapes.block{ size = {3, 3, 1}, corner = {-1, -1, -1} }, elements = {3, 3, 1}, order = "N2",
-                  contact = "back", material = steel }
+  return sg.body{ patch = sg.shapes.block{ size = {3, 3, 1}, corner = {-1, -1, -1} }, elements = {3, 3, 1},
+                  order = "N2", contact = "back", material = steel }
 end
 
 local scenes = {

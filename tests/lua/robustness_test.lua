@@ -107,8 +107,44 @@ check.case("loads that rounding errors exceed are a warning", function()
     return model:run{ { steps = 1, push = { 1e-6, 0 } } }.warnings
   end
   check.equal(#warnings{ 0.5 }, 0)
-  check.holds(warnings{ 1e-10 }[1], "rounding errors of forces, about", "% of the forces of supports and loads",
-    "very narrow elements")
+  check.holds(warnings{ 1e-10 }[1], "rounding errors of forces, about",
+    "% of the forces of supports, loads and contacts", "very narrow elements")
+end)
+
+check.case("reactions that do not balance by rounding error are a warning", function()
+  local function warnings(width, strain)
+    local bar = sg.body{ patch = sg.shapes.rectangle{ width = width, height = 1 }, elements = { 2, 2 }, order = "N2",
+                         material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    local model = sg.model{ bodies = { bar = bar }, supports = {
+      left = { on = bar:face "west", fix = "x" }, bed = { on = bar:face "south", fix = "y" },
+      right = { on = bar:face "east", drive = "x" } } }
+    local run = model:run{ { steps = 1, right = strain * width } }
+    return run.warnings, model:reaction("left").fx / model:reaction("right").fx
+  end
+  local none, balance = warnings(1e4, 1e-3)
+  check.equal(#none, 0)
+  check.near(balance, -1, 1e-6)
+  local found, wrong = warnings(1e9, 1e-3)
+  check.equal(math.abs(wrong + 1) > 0.01, true)
+  check.holds(found[1], "reactions balance only to", "of the forces of supports and loads", "rounding errors")
+end)
+
+check.case("an interference fit, which needs no supports and loads, has no warning of rounding errors", function()
+  local steel, inner, middle, outer, interference = sg.linear_elastic{ E = 206000, nu = 0 }, 50, 100, 150, 0.02
+  local function tube(from, to, count, face)
+    return sg.body{ patch = sg.shapes.rectangle{ width = to - from, height = 20, corner = { from, 0 } },
+                    elements = { 4, count }, order = "N2", contact = face, material = steel }
+  end
+  local shaft, hub = tube(inner, middle, 3, "east"), tube(middle, outer, 4, "west")
+  local model = sg.model{ kind = "axisymmetric", bodies = { shaft = shaft, hub = hub },
+    supports = { low = { on = shaft:face "south", fix = "y" }, seat = { on = hub:face "south", fix = "y" } },
+    contacts = { fit = { slave = hub:face "west", master = shaft:face "east", penalty = 1.2e6 } } }
+  local run = model:run{ { steps = 2, contacts = { fit = { offset = interference } } } }
+  check.equal(run.warnings, {})
+  -- Lamé's pressure with nu = 0, by a penalty
+  local function flexibility(r, R) return (R ^ 2 + r ^ 2) / (R ^ 2 - r ^ 2) end
+  local right = interference * 206000 / middle / (flexibility(middle, outer) + flexibility(inner, middle))
+  check.within_share("pressure", model:profile("fit").pressure[1], right, 1e-3)
 end)
 
 check.case("contact whose forces rounding errors exceed is a warning", function()
@@ -126,7 +162,8 @@ check.case("contact whose forces rounding errors exceed is a warning", function(
     return other_warnings(model:run{ { steps = 2, grip = { 0, -0.01 } } })
   end
   check.equal(#warnings{ 0.5 }, 0)
-  check.holds(warnings{ 1e-6 }[1], "rounding errors of forces, about", "% of the forces of supports and loads")
+  check.holds(warnings{ 1e-6 }[1], "rounding errors of forces, about",
+    "% of the forces of supports, loads and contacts")
 end)
 
 check.done()
