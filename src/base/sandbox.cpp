@@ -80,7 +80,7 @@ std::vector<fs::path> library_folders() {
   return folders;
 }
 
-void check_threads() {
+void check_single_thread() {
   std::error_code ignored;
   const auto threads = std::distance(fs::directory_iterator("/proc/self/task", ignored), fs::directory_iterator());
   require(threads <= 1, "base.sandbox.threads", {{"threads", static_cast<int>(threads)}});
@@ -161,7 +161,7 @@ void check_sandbox(const Sandbox& sandbox) {
 
 void enter_sandbox(const Sandbox& sandbox, int most) {
   check_sandbox(sandbox);
-  check_threads();
+  check_single_thread();
   const fs::path folder = fs::canonical(sandbox.folder);
   module_inside = &seccomp();
   require(::chdir(folder.c_str()) == 0, "base.sandbox.folder",

@@ -218,18 +218,20 @@ FaceGap<D> smallest_gap(const std::vector<std::shared_ptr<const solid::Body<D>>>
   const auto note = [&](const BoxedFace<D>& a, const BoxedFace<D>& b, double distance) {
     if (distance < smallest.distance) smallest = {{a.face, b.face}, distance};
   };
-  // Distances of points of `a`, at its corners, too, from `b`
-  const auto measure = [&](const BoxedFace<D>& a, const BoxedFace<D>& b, auto found) {
+  // The least distance of points of `a`, at its corners, too, from `b`
+  const auto distance_from = [&](const BoxedFace<D>& a, const BoxedFace<D>& b) {
     const contact::Surface<D> face(*a.space, a.face.side), other(*b.space, b.face.side);
     contact::ElementBoxes<D> boxes;
     boxes.update(other);
     contact::FacePoint<D> probe, foot;
     contact::Projection<D> projection;
+    double least = std::numeric_limits<double>::infinity();
     at_fractions(face, std::array<double, 3>{0, 0.5, 1}, [&](int element, const contact::FaceCoordinates<D>& xi) {
       face.locate(element, xi, 1, probe);
       projection = contact::project(other, boxes, probe.position, projection, foot);
-      found((probe.position - foot.position).norm());
+      least = std::min(least, (probe.position - foot.position).norm());
     });
+    return least;
   };
   for (const BoxedFace<D>& a : boxed_faces<D>(first))
     for (const BoxedFace<D>& b : boxed_faces<D>(second)) {
@@ -242,8 +244,7 @@ FaceGap<D> smallest_gap(const std::vector<std::shared_ptr<const solid::Body<D>>>
           note(a, b, std::sqrt((there.colwise() - VectorX(point)).colwise().squaredNorm().minCoeff()));
         continue;
       }
-      measure(a, b, [&](double distance) { note(a, b, distance); });
-      measure(b, a, [&](double distance) { note(a, b, distance); });
+      note(a, b, std::min(distance_from(a, b), distance_from(b, a)));
     }
   return smallest;
 }
