@@ -45,7 +45,7 @@ template <int D> VectorX seen(Model<D>& model) {
 /// Steps of the ironing path, larger than published, so that the contact area grows quickly.
 void iron(Model<2>& model, int from, int to, const StepOptions& options = {}) {
   for (int step = from; step <= to; ++step) {
-    const double press = std::min(step, 5) / 5.0, slide = std::max(step - 5, 0) / 40.0;
+    const double press = std::min(step, 5) / 5.0, slide = std::max(step - 5, 0) / 44.0;
     const auto report = step_to(model, drive_of_grip, 1.5 * slide, -0.15 * press, options);
     ASSERT_EQ(report.outcome, solve::Outcome::converged) << step << ": " << text_of(report.messages);
     accept(model);

@@ -73,7 +73,8 @@ TEST(Predictor, LinearIsTangentWhereThePathIsNotStraight) {
     } else {
       EXPECT_LT(first, 0.1 * reference) << step;
     }
-    EXPECT_LT((linear.present.displacement - tangent.present.displacement).cwiseAbs().maxCoeff(), 1e-9);
+    // First touches are foreseen from either guess.
+    EXPECT_LT((linear.present.displacement - tangent.present.displacement).cwiseAbs().maxCoeff(), 1e-5);
     accept(tangent);
   }
 }
