@@ -14,7 +14,13 @@ template <int D> const nurbs::Discretization& space_of(const Scene<D>& scene, co
 
 template <int D>
 nurbs::FaceMatch match(const Scene<D>& scene, const FaceReference& first, const FaceReference& second) {
-  return nurbs::match_faces(space_of(scene, first), first.side, space_of(scene, second), second.side);
+  const nurbs::Discretization &one = space_of(scene, first), &other = space_of(scene, second);
+  nurbs::FaceMatch found = nurbs::match_faces(one, first.side, other, second.side);
+  if (found.mismatch != nurbs::Mismatch::none && (one.crosses_layer(first.side) || other.crosses_layer(second.side)))
+    if (nurbs::FaceMatch near = nurbs::match_faces(one, first.side, other, second.side, nurbs::joinable_layers);
+        near.mismatch == nurbs::Mismatch::none)
+      return near;
+  return found;
 }
 
 Message message_of(const nurbs::FaceMatch& found) {
@@ -102,8 +108,28 @@ template <int D> void resolve_joins(Scene<D>& scene) {
   for (const Join& join : scene.joins) check_join(scene, join);
 }
 
+template <int D> void warn_of_joins(const Scene<D>& scene, std::vector<Message>& warnings) {
+  for (const Join& join : scene.joins) {
+    const MatrixX first = space_of(scene, join.first).points(), second = space_of(scene, join.second).points();
+    double apart = 0;
+    Vec<D> place = Vec<D>::Zero();
+    for (const auto& [a, b] : join.pairs)
+      if (const double distance = (first.col(a) - second.col(b)).norm(); distance > apart) {
+        apart = distance;
+        place = first.col(a);
+      }
+    if (apart > nurbs::joinable * (first.rowwise().maxCoeff() - first.rowwise().minCoeff()).norm())
+      warnings.push_back(Message("model.warning.joined_gap", {{"join", join.name},
+                                                              {"first", face_message(scene, join.first)},
+                                                              {"second", face_message(scene, join.second)},
+                                                              {"distance", apart},
+                                                              {"at", place}}));
+  }
+}
+
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template void resolve_joins(Scene<D>&);                                                                              \
+  template void warn_of_joins(const Scene<D>&, std::vector<Message>&);                                                 \
   template Message difference(const Scene<D>&, const FaceReference&, const FaceReference&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

@@ -10,6 +10,9 @@ namespace signorini::model {
 /// contact or belong to another join or tie.
 template <int D> void resolve_joins(Scene<D>& scene);
 
+/// Warns of joined faces that do not touch or overlap.
+template <int D> void warn_of_joins(const Scene<D>& scene, std::vector<Message>& warnings);
+
 /// In what two faces of a scene differ that do not match.
 template <int D> Message difference(const Scene<D>& scene, const FaceReference& first, const FaceReference& second);
 

@@ -9,6 +9,7 @@
 #include "model/constants.hpp"
 #include "model/equilibrium.hpp"
 #include "model/first_guess.hpp"
+#include "model/joins.hpp"
 #include "model/ties.hpp"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ template <int D> Model<D>::Model(Scene<D> scene) : Model(std::move(scene), NotSt
   scene_warnings = check_clearance(system, accepted.contacts);
   for (Message& warning : model::scene_warnings(system.scene, system.contacts, accepted.contacts))
     scene_warnings.push_back(std::move(warning));
+  warn_of_joins(system.scene, scene_warnings);
   warn_of_ties(system.scene, system.ties, scene_warnings);
   warn_of_idle_actions(system, scene_warnings);
 }

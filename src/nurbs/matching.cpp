@@ -149,10 +149,11 @@ FaceMatch compare(const MatchedFace& first, const MatchedFace& second, const Ori
 
 } // namespace
 
-FaceMatch match_faces(const Discretization& first, Side first_side, const Discretization& second, Side second_side) {
+FaceMatch match_faces(const Discretization& first, Side first_side, const Discretization& second, Side second_side,
+                      double relative) {
   const MatchedFace one(first, first_side), other(second, second_side);
   const MatrixX own = one.points(Eigen::all, first.face_functions(first_side));
-  const double tolerance = joinable * (own.rowwise().maxCoeff() - own.rowwise().minCoeff()).norm();
+  const double tolerance = relative * (own.rowwise().maxCoeff() - own.rowwise().minCoeff()).norm();
   FaceMatch best{.apart = std::numeric_limits<double>::infinity()};
   for (const Orientation& way : orientations(first.parametric_dimension() - 1)) {
     FaceMatch found = compare(one, other, way, tolerance);

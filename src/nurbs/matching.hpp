@@ -1,6 +1,7 @@
 #pragma once
 // Faces that match point by point, so that their patches can be joined without gap or overlap.
 
+#include "nurbs/constants.hpp"
 #include "nurbs/discretization.hpp"
 
 #include <array>
@@ -24,7 +25,8 @@ struct FaceMatch {
 /// Compares two faces in each of their relative orientations (2 for curves, 8 for surfaces). They match if they have
 /// the same elements, with parameters that differ by a constant factor, and on each of them the same rational functions
 /// and control points; weights may differ by a common factor. Faces that cross a layer are compared element by element,
-/// like others. Points coincide within `joinable` of the first face's size.
-FaceMatch match_faces(const Discretization& first, Side first_side, const Discretization& second, Side second_side);
+/// like others. Points coincide within a tolerance relative to the first face's size.
+FaceMatch match_faces(const Discretization& first, Side first_side, const Discretization& second, Side second_side,
+                      double tolerance = joinable);
 
 } // namespace signorini::nurbs

@@ -148,6 +148,26 @@ check.case("parts that nearly touch or overlap a little are tied, which a warnin
   end
 end)
 
+check.case("parts with layers that nearly touch are joined, which a warning says", function()
+  local function pulled(distance)
+    local function block(x) return sg.shapes.block{ size = { 1, 1, 1 }, corner = { x, 0, 0 } } end
+    local bar = body({ block(0), block(1 + distance) }, { elements = { 2, 2, 2 }, order = "N2-N3",
+      contact = { "1.back", "2.back" } })
+    local model = sg.model{ bodies = { bar = bar }, supports = { wall = { on = bar:face "1.west", fix = "xyz" },
+      pull = { on = bar:face "2.east", fix = "yz", drive = "x" } } }
+    local run = model:run({ { steps = 1, pull = 0.05 } }, sg.plain{})
+    return run:column "pull.fx"[1], run.warnings
+  end
+  local exact = pulled(0)
+  for _, distance in ipairs { 1e-5, 1e-4 } do
+    local force, warnings = pulled(distance)
+    check.within_share("force", force, exact, distance)
+    check.equal(#warnings, 1)
+    check.holds(warnings[1], "joins.bar.1.east-2.west", ("by up to %g at"):format(distance), "joined and move as one")
+  end
+  refused({ "the corners are up to 0.01 apart", "move the bodies together" }, pulled, 0.01)
+end)
+
 check.case("every part of a body is connected with the others; otherwise the smallest gap is an error", function()
   local function at(x, y) return square{ width = 1, height = 1, corner = { x, y } } end
   refused({ "sg.body: patch must be one body", "the patches 1 and 2 are not connected", "the smallest gap is 0.2",
