@@ -460,12 +460,7 @@ local model = {}
 ---functions of loads whose resultant Gauss points miss by 1 %, Poisson's ratios that lock, mu above 3, penalties above
 ---1e8 times the stiffness of an element, fewer contact points per element than the degree of the face, weights so
 ---different that Gauss points miss a body's volume by 1 %, loads on faces whose area they miss by as much, contacts
----that act twice. About the current state: inverted linear elastic bodies. run.warnings starts with these.
----Returns a list of sentences on what is probably unintended. About the scene (sg.model prints these, too): bodies that
----overlap before the first step by more than 1 % of the thickness of the thinner one, Poisson's ratios that lock, mu
----above 3, penalties above 1e8 times the stiffness of an element, fewer contact points per element than the degree of
----the face, weights so different that Gauss points miss a body's volume by 1 %, loads on faces whose area they miss by
----as much, contacts that act twice. run.warnings starts with these.
+---that act twice. run.warnings starts with these.
 ---
 ---Example:
 ---```lua
@@ -965,37 +960,14 @@ function sg.plain(arguments) end
 ---@field controls any[]
 ---warnings: a list of strings. Those of model:warnings(), and about: loads that act in full from the first step;
 ---```text
----          newton.tolerance above 1e-3; contacts that never touched; penetration above 2 % of the smallest body's size;
----          a last step whose position damping alone determines; bodies that contacts without friction do not hold or
----          hold in unstable equilibrium; loads or contact whose forces are not far above rounding errors; closest
----          points that were not found; points that passed through the master in one step; bodies that pass through each
----          other, through themselves or through obstacles where no contact is defined, or pass between contact points
----          (at the ends of stages); steps that may have jumped to another branch of solutions (solved by certain
----          fallbacks) or probably have (judged by displacements and released energy); stages whose energy balance lacks
----          more than a tenth of the work
----          newton.tolerance above 1e-3; contacts that never touched; at the end of a stage contacts too narrow for the
----          mesh, and penetration or elastic slip above 5 % of the approach of the faces; a last step whose position
----          damping alone determines; bodies that contacts without friction do not hold or hold in unstable equilibrium;
----          loads or contact whose forces are not far above rounding errors; closest points that were not found; points
----          that passed through the master in one step; steps that may have jumped to another branch of solutions
----          (solved by certain fallbacks) or probably have (judged by displacements and released energy); stages whose
----          energy balance lacks more than a tenth of the work
----          hold in unstable equilibrium; at the ends of stages linear elastic bodies that are turned by 10 degrees or
----          strained by 5 % in the mean over an element; loads or contact whose forces are not far above rounding
----          errors; closest points that were not found; points that passed through the master in one step; steps that
----          may have jumped to another branch of solutions (solved by certain fallbacks) or probably have (judged by
----          displacements and released energy); stages whose energy balance lacks more than a tenth of the work
----          a last step whose position damping alone determines; bodies that contacts without friction do not hold; at
----          the ends of stages states in unstable equilibrium (of the states between that were stored the first one) and
----          linear elastic bodies that are turned by 10 degrees or strained by 5 % in the mean over an element; loads or
----          contact whose forces are not far above rounding errors; closest points that were not found; points that
----          passed through the master in one step; steps that may have jumped to another branch of solutions (solved by
----          certain fallbacks) or probably have (judged by displacements and released energy); stages whose energy
----          balance lacks more than a tenth of the work
----          points that were not found; steps that may have jumped to another branch of solutions (solved by certain
----          fallbacks) or probably have (judged by displacements and released energy); stages whose energy balance lacks
----          more than a tenth of the work
----          points that were not found; forces beyond ends of masters; steps that may have jumped to another branch of
+---          newton.tolerance above 1e-3; contacts that never touched; a last step whose position damping alone
+---          determines; bodies that contacts without friction do not hold; loads or contact whose forces are not far
+---          above rounding errors; closest points that were not found; at the end of a stage states in unstable
+---          equilibrium (of the states between that were stored the first one), contacts too narrow for the mesh, more
+---          than 1 % of a contact's force beyond an end of the master, penetration or elastic slip above 5 % of the
+---          approach of the faces, linear elastic bodies that are turned by 10 degrees or strained by 5 % in the mean
+---          over an element, bodies that pass through each other, through themselves or through obstacles where no
+---          contact is defined, or pass between contact points; steps that may have jumped to another branch of
 ---          solutions (solved by certain fallbacks) or probably have (judged by displacements and released energy);
 ---          stages whose energy balance lacks more than a tenth of the work
 ---```

@@ -120,8 +120,8 @@ inline constexpr double across_part = 0.1;
 /// to 1.4 times as many, with 20 to 200, 0.8 to 1.8 times as many.
 inline constexpr double default_penalty_ratio = 10;
 /// The same of contacts that are enforced by the penalty alone. In Hertz's line and point contact over 5 elements (N2)
-/// penetration is 0.4 and 1.0 % of the approach with 30 (forces 0.4 and 1.5 % too small), 1.2 and 2.7 % with 10, 0.1 and
-/// 0.3 % with 100, which doubles the width from which peaks are right (scripts/contact_width.lua).
+/// penetration is 0.4 and 1.0 % of the approach with 30 (forces 0.4 and 1.5 % too small), 1.2 and 2.7 % with 10, 0.1
+/// and 0.3 % with 100, which doubles the width from which peaks are right (scripts/contact_width.lua).
 inline constexpr double default_penalty_alone = 30;
 /// Least widths of a zone of contact from which peaks are within 10 % of Hertz's, in functions of the slave face:
 /// elements times p − k for degree p and continuity k (scripts/contact_width.lua). At Gauss points with penalty ratio c

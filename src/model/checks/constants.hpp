@@ -1,6 +1,6 @@
 #pragma once
-// Numerical parameters of checks of scenes and states, with the reasons for their values. Apart from model/constants.hpp, which
-// every file of the module includes.
+// Numerical parameters of checks of scenes and states, with the reasons for their values. Apart from
+// model/constants.hpp, which every file of the module includes.
 
 namespace signorini::model {
 
