@@ -228,6 +228,7 @@ local coarse_rounding = 1e-3
 --- and for reactions of deformed bodies that do not balance because of them.
 local function lost_in_rounding(model)
   local rounding, forces, acts, residual = core.rounding(model)
+  if not forces then return nil end -- of an object that imitates a model
   local cause = "equilibrium is not found more exactly than that. Hint: very narrow elements, very stiff bodies or "
     .. "springs and places far from the origin cause them"
   if acts and rounding > coarse_rounding * forces then

@@ -150,12 +150,15 @@ bool Interpreter::call(int arguments, bool keep_traceback) {
   lua_pushboolean(L, keep_traceback);
   lua_pushcclosure(L, add_traceback, 1);
   lua_insert(L, base);
+  // What lines after a lack of memory have set free is not collected by allocations of C++.
+  if (short_of_memory_) lua_gc(L, LUA_GCCOLLECT);
   const int status = lua_pcall(L, arguments, LUA_MULTRET, base);
   lua_remove(L, base);
   if (status == LUA_ERRMEM) {
     const MemoryReserve reserve;
     lua_pop(L, 1);
     lua_gc(L, LUA_GCCOLLECT);
+    short_of_memory_ = true;
     bind::push(L, bind::missing_lua_memory());
   }
   return status == LUA_OK;

@@ -39,6 +39,7 @@ private:
     void operator()(lua_State* L) const { lua_close(L); }
   };
   std::unique_ptr<lua_State, Close> state_;
+  bool short_of_memory_ = false; ///< an allocation of Lua has failed
 };
 
 /// Adds the most frequent cause to a syntax error on the stack, if Lua's message does not state it.

@@ -85,8 +85,8 @@ TEST(Exchange, RoundTripsPreserveAllBits) {
     const Patch other = elevate(nurbs::test::random_patch(random, parametric, dimension), 0, 1);
     for (const std::string& form : forms()) {
       const std::vector<Patch> written = form == "mfem" ? std::vector{patch} : std::vector{patch, other};
-      write_geometry(folder.file("p"), {written}, form);
-      const std::vector<Patch> read = read_geometry(folder.file("p")).patches;
+      write_geometry(folder.file(form), {written}, form);
+      const std::vector<Patch> read = read_geometry(folder.file(form)).patches;
       ASSERT_EQ(read.size(), written.size());
       for (std::size_t k = 0; k < read.size(); ++k) expect_same(read[k], written[k]);
       if (form != "gismo") {

@@ -235,9 +235,9 @@ end)
 --- What sg.heatmap was given by a body.
 local function charts_of(body)
   local charts, heatmap = {}, sg.heatmap
-  sg.heatmap = function(chart) charts[#charts + 1] = chart end
+  rawset(sg, "heatmap", function(chart) charts[#charts + 1] = chart end)
   local ok, message = pcall(body)
-  sg.heatmap = heatmap
+  rawset(sg, "heatmap", nil)
   if not ok then error(message, 0) end
   return charts
 end

@@ -34,15 +34,15 @@ local small = { die = { 24, 4 }, slab = { 48, 6 } }
 --- Ironing in the plane; `keys` of the contact, `swap`: slave and master.
 local function iron(keys, swap, options)
   local original = sg.model
-  sg.model = function(scene)
+  rawset(sg, "model", function(scene)
     local contact = scene.contacts.interface
     for key, value in pairs(keys) do contact[key] = value end
     if swap then contact.slave, contact.master = contact.master, contact.slave end
     return original(scene)
-  end
+  end)
   local default = keys.multipliers and { mu = 0.3, elements = small, order = "N2-N2.2" } or { mu = 0.3 }
   local made, model = pcall(ironing, options or default)
-  sg.model = original
+  rawset(sg, "model", nil)
   assert(made, model)
   return model
 end

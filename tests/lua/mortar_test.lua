@@ -13,14 +13,14 @@ local gpts = { method = "gpts" }
 --- The result of `build` while every contact that it makes has these keys.
 local function with(keys, build, ...)
   local original = sg.model
-  sg.model = function(scene)
+  rawset(sg, "model", function(scene)
     for _, contact in pairs(scene.contacts) do
       for key, value in pairs(keys) do contact[key] = value end
     end
     return original(scene)
-  end
+  end)
   local results = table.pack(pcall(build, ...))
-  sg.model = original
+  rawset(sg, "model", nil)
   assert(results[1], results[2])
   return table.unpack(results, 2, results.n)
 end

@@ -25,13 +25,13 @@ end
 --- Hertz's line contact (scripts/hertz2d) with other keys in its contact.
 local function ring(own, order, mesh)
   local make = sg.model
-  sg.model = function(scene)
+  rawset(sg, "model", function(scene)
     scene.contacts.ground.penalty = nil
     for key, value in pairs(own) do scene.contacts.ground[key] = value end
     return make(scene)
-  end
+  end)
   local ok, model, stage = pcall(problem.scene, { order = order, mesh = mesh, load = "displacement" })
-  sg.model = make
+  rawset(sg, "model", nil)
   assert(ok, model)
   stage.steps = 2
   return model, stage

@@ -130,14 +130,14 @@ end)
 
 check.case("the chart: a color per order, a marker per mesh, both in the legend, the front behind them", function()
   local charts, chart = {}, core.sg.chart
-  core.sg.chart = function(options) charts[#charts + 1] = options end
+  rawset(core.sg, "chart", function(options) charts[#charts + 1] = options end)
   local both = joined(power("N2", { 1, 2, 4 }, 1, 1), power("N4", { 2, 4, 8 }, 3, 2))
   local ok, message = pcall(function()
     compare(both, { files = { "a.png", "b.svg" } })
     compare(both, { file = "c.png", marker = false, title = "Ironing", xlabel = "seconds" })
     compare(both, { file = "d.png", marker = function(row) return "mesh " .. row.mesh end })
   end)
-  core.sg.chart = chart
+  rawset(core.sg, "chart", nil)
   check.equal({ ok, message }, { true })
   local first, plain, own = charts[1], charts[3], charts[4]
   check.equal({ #charts, first.file, charts[2].file, first.log }, { 4, "a.png", "b.svg", "xy" })

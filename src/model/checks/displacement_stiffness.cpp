@@ -49,7 +49,7 @@ public:
     values.reserve(pattern_.rows.size());
     for (int j = 0; j < displacements_; ++j) {
       for (int k = pattern_.starts[at(j)]; k < pattern_.starts[at(j) + 1]; ++k)
-        if (const int i = pattern_.rows[at(k)]; i < displacements_ && (i == j || values_[at(k)] != 0)) {
+        if (const int i = pattern_.rows[at(k)]; i < displacements_ && acts(k, i, j)) {
           of_displacements.rows.push_back(i);
           values.push_back(values_[at(k)]);
         }
@@ -67,6 +67,11 @@ public:
   }
 
 private:
+  /// Whether entry k of row i and column j, or the transposed one, is not zero: the pattern stays symmetric.
+  bool acts(int k, int i, int j) const {
+    return i == j || values_[at(k)] != 0 || values_[at(pattern_.find(j, i))] != 0;
+  }
+
   template <class Visit> void each_entry(int column, const Visit& visit) const {
     for (int k = pattern_.starts[at(column)]; k < pattern_.starts[at(column) + 1]; ++k)
       if (values_[at(k)] != 0) visit(pattern_.rows[at(k)], values_[at(k)]);
