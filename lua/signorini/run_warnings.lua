@@ -211,8 +211,8 @@ local function sticks(model)
   end)
 end
 
---- A sentence for a last step whose equilibrium is not unique, so that damping has selected one. Where the body has
---- landed in the step, friction holds it since.
+--- A sentence for a last step whose equilibrium is not unique, so that damping has selected one. Where points stick, the
+--- body has landed in the step, and friction determines its position.
 local function held(run, model)
   local attempts = run.histories[#run.histories] or {}
   local last = attempts[#attempts]
@@ -236,8 +236,8 @@ local function lost_in_rounding(model)
       .. "%.2g, and %s"):format(rounding, 100 * rounding / forces, forces, cause)
   end
   if residual <= coarse_rounding * forces or not core.is_deformed(model) then return nil end
-  return ("reactions balance only to %.2g, %.2g %% of the forces of supports and loads, at most %.2g: by rounding "
-    .. "errors %s"):format(residual, 100 * residual / forces, forces, cause)
+  return ("reactions balance only to %.2g, %.2g %% of the forces of supports and loads, at most %.2g: because of "
+    .. "rounding errors %s"):format(residual, 100 * residual / forces, forces, cause)
 end
 
 --- The warnings of a run; those of model:warnings() and about the path come first.

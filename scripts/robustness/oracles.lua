@@ -17,8 +17,9 @@ local has_warning = oracles.has_warning
 
 -- ── Overlap at the start ─────────────────────────────────────────────────────────────────────────────────────────────
 
--- The program warns from 1 % of the mean thickness of the thinner body on and refuses from 20 % on. Depths and
--- thicknesses of samples differ from those of contact points: what is between is not judged.
+-- The program warns where closing an overlap strains a body by 0.1 % and refuses from 20 % of the mean thickness of
+-- the thinner body on. Depths and thicknesses of samples differ from those of contact points: what is between is not
+-- judged.
 local worth_a_warning, refused = 0.05, 0.4
 
 --- A contact that lies so deep in its master before the first step that it must be a warning or an error. Returns the

@@ -51,7 +51,7 @@ check.case("the peak of a contact that is wide enough is Hertz's, a narrower one
     check.equal(#about(run, narrow), 1)
     assert(math.abs(model:contact_resultant("touch").max_pressure / peak_of(run, half) - 1) > 0.1)
     check.holds(about(run, narrow)[1], "at the end of stage 'press': contacts.touch", "from 7 on",
-      "Hint: smaller elements of the slave face there")
+      "Hint: use smaller elements of the slave face there")
   end
 end)
 

@@ -30,15 +30,16 @@ mesh, of equal meshes the softer body (the published ironing studies use the sti
 joined bodies or of one, acts as one face: a chain in the plane, a row or a full grid in 3D]] },
   { "master", t.either(obstacle, t.flat(face)), [[face of the other body onto which these points are projected, a
 list of adjacent faces, or an obstacle. Points slide across the borders of a list; only its ends are edges. Beyond its
-edges (a closed ring has none along its arc) the master is extended by 0.3 of its last element; there the traction
-decreases to zero]] },
+edges (a closed ring has none along its arc) the master is extended by 0.3 of an element, the smaller of its last one
+and the slave's; there the traction decreases to zero]] },
   { "penalty", t.positive, [[normal penalty: p = -penalty g where the gap g is negative. By default 30 E / h, E of the
 softer body, h the (harmonic) mean size of the slave's elements in the contact; print(model) shows it. In Hertz's
 contacts the force is then right to 1 or 2 %, and at Gauss points the peak pressure to 10 % where at least 7 control
 points of the slave face (with N2 elements) touch across the contact; 100 E / h needs 13, 1000 E / h 40, since a high
-penalty over-constrains the face. Mortar contact needs 8 at any penalty. Penetration increases as the penalty decreases:
-model:contact_resultant(name).max_penetration. With enforcement = "augmented" the penalty determines the number of
-augmentations, not the result, and with "multipliers" it only scales the equations; it is then 10 E / h by default]],
+penalty over-constrains the face. Mortar contact needs 8 ("reduced": 6) at any penalty. Penetration increases as the
+penalty decreases: model:contact_resultant(name).max_penetration. With enforcement = "augmented" the penalty determines
+the number of augmentations, not the result, and with "multipliers" it only scales the equations; it is then 10 E / h by
+default]],
     unit = "pressure per length", otherwise = "from material and mesh" },
   { "friction", t.named {
     { "mu", t.non_negative, [[Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for a
@@ -86,9 +87,9 @@ fraction d of the area. For method = "gpts", enforcement = "penalty"]], optional
 Positive: a shim of this thickness; negative: a clearance that the shapes do not have. The offset acts in full from the
 first step, without work of its own; stages change it linearly, and this does work. It does not change directions and
 areas of the faces, so it should be small compared with their radii of curvature]], unit = "length", default = 0 },
-  { "overlap", t.choice { "error", "interference" }, [[initial shapes that overlap. error: a mistake; an overlap of 20 %
-of the thickness of the thinner body, in obstacles 1 % of the body's size, is an error, one that strains a body by more
-than 0.1 % a warning.
+  { "overlap", t.choice { "error", "interference" }, [[initial shapes that overlap. error: a mistake; an overlap above
+20 % of the thickness of the thinner body, in obstacles above 1 % of the body's size, is an error, a smaller one is a
+warning if closing it strains a body by more than 0.1 %.
 interference: a fit; the overlap at each contact point, up to 90 % of the thickness, is allowed at first and closed
 linearly over the first stage of model:run in which the contact is active]], default = "error" },
   { "where", region, [[function(X) that returns true where the contact acts; X = {x, y}, in 3D {x, y, z}, is a reference

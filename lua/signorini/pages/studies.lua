@@ -104,7 +104,7 @@ time measurements: they run last, one at a time]], default = false },
       { "inputs", t.data, "values on which the results depend besides the parameters",
         otherwise = "everything that run refers to" } },
     more = [[
-A case remains valid as long as its parameters, everything that run refers to and the program's version are unchanged.
+A case remains valid as long as its parameters, everything that run refers to and the program's source are unchanged.
 run refers to its own text, to that of the script's functions that it calls, and to the values that these use: numbers,
 tables, and the contents of bodies and models. With inputs, only the parameters and the inputs are compared. The file
 for checkpoints lasts until the case is done, so that a case that was killed continues where it was; it is another one
