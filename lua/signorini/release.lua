@@ -1,3 +1,3 @@
 -- The program's version with a hash of its source, on which results depend: "0.1.0 (3f2a91c0d4e5b687)". A change of
--- pages, scripts and tests keeps it.
+-- share, scripts and tests keeps it.
 return require("signorini.core").release()

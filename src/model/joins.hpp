@@ -10,7 +10,7 @@ namespace signorini::model {
 /// contact or belong to another join or tie.
 template <int D> void resolve_joins(Scene<D>& scene);
 
-/// Warns of joined faces that do not touch or overlap.
+/// Warns of joined faces that are apart or overlap.
 template <int D> void warn_of_joins(const Scene<D>& scene, std::vector<Message>& warnings);
 
 /// In what two faces of a scene differ that do not match.
