@@ -211,8 +211,8 @@ local function sticks(model)
   end)
 end
 
---- A sentence for a last step whose equilibrium is not unique, so that damping has selected one. Where points stick, the
---- body has landed in the step, and friction determines its position.
+--- A sentence for a last step whose equilibrium is not unique, so that damping has selected one. Where points stick,
+--- the body has landed in the step, and friction determines its position.
 local function held(run, model)
   local attempts = run.histories[#run.histories] or {}
   local last = attempts[#attempts]
