@@ -166,17 +166,17 @@ function model:contact_law(contact) end
 ---@field crossed_at? [number, number]|[number, number, number]
 
 ---Returns { fx, fy, fz, area, max_pressure, mean_pressure, max_penetration, active, slipping, per, unsettled, crossed
----}: the force on the slave (fz in 3D), the current area in contact (with method = "mortar" and with adhesion the
----reference area), which is that inside gap = 0, linear between contact points, extremes, the largest mean pressure
----over a slave element (where elements or a high penalty do not resolve the peak it is closer to it than max_pressure),
----the numbers of contact points that touch and slip, and the area, "current" or "reference", on which tractions act;
----with multipliers also weighted_penetration, the largest of the multipliers; of a cohesive contact debonded, the area
----of new surface: energy dissipated by bonds over energy of separation; with "half_passes" also imbalance, |f + f2| /
----max(|f|, |f2|) with the force f2 of the other pass: by how much action and reaction differ, 0 without forces.
----unsettled: how often, in all accepted states so far, the search for a closest point or slip point ended at the limit
----of iterations; unsettled_at is the reference position of the latest such point. crossed: how many points have passed
----through the master without contact since the accepted state, 0 in accepted states; crossed_at is the reference
----position of the last of them.
+---}: the force on the slave (fz in 3D); the current area in contact (with method = "mortar" and with adhesion the
+---reference area), which is that inside gap = 0, linear between contact points; extremes; the largest mean pressure
+---over a slave element (where elements or a high penalty do not resolve the peak, it is closer to the peak than
+---max_pressure); the numbers of contact points that touch and slip; and per, "current" or "reference", the area on
+---which tractions act; with multipliers also weighted_penetration, the largest of the multipliers; of a cohesive
+---contact debonded, the area of new surface: energy dissipated by bonds over energy of separation; with "half_passes"
+---also imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how much action and reaction
+---differ, 0 without forces. unsettled: how often, in all accepted states so far, the search for a closest point or slip
+---point ended at the limit of iterations; unsettled_at is the reference position of the latest such point. crossed: how
+---many points have passed through the master without contact since the accepted state, 0 in accepted states; crossed_at
+---is the reference position of the last of them.
 ---
 ---Example:
 ---```lua

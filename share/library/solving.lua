@@ -294,8 +294,8 @@ function sg.model(arguments) end
 ---master: an obstacle or a face or a list of at least one face. Face of the other body onto which these points are
 ---```text
 ---        projected, a list of adjacent faces, or an obstacle. Points slide across the borders of a list; only its ends
----        are edges. Beyond its edges (a closed ring has none along its arc) the master is extended by 0.3 of its last
----        element; there the traction decreases to zero
+---        are edges. Beyond its edges (a closed ring has none along its arc) the master is extended by 0.3 of an
+---        element, the smaller of its last one and the slave's; there the traction decreases to zero
 ---```
 ---@field master sg.obstacle|sg.face|(sg.face|sg.face[])[]
 ---penalty: a positive number; pressure per length; by default from material and mesh. Normal penalty: p = -penalty g
@@ -304,10 +304,10 @@ function sg.model(arguments) end
 ---         slave's elements in the contact; print(model) shows it. In Hertz's contacts the force is then right to 1 or 2
 ---         %, and at Gauss points the peak pressure to 10 % where at least 7 control points of the slave face (with N2
 ---         elements) touch across the contact; 100 E / h needs 13, 1000 E / h 40, since a high penalty over-constrains
----         the face. Mortar contact needs 8 at any penalty. Penetration increases as the penalty decreases:
----         model:contact_resultant(name).max_penetration. With enforcement = "augmented" the penalty determines the
----         number of augmentations, not the result, and with "multipliers" it only scales the equations; it is then 10 E
----         / h by default
+---         the face. Mortar contact needs 8 ("reduced": 6) at any penalty. Penetration increases as the penalty
+---         decreases: model:contact_resultant(name).max_penetration. With enforcement = "augmented" the penalty
+---         determines the number of augmentations, not the result, and with "multipliers" it only scales the equations;
+---         it is then 10 E / h by default
 ---```
 ---@field penalty? number
 ---friction: Coulomb friction (a table of named arguments; by default none)
@@ -395,13 +395,12 @@ function sg.model(arguments) end
 ---        not change directions and areas of the faces, so it should be small compared with their radii of curvature
 ---```
 ---@field offset? number
----overlap: 'error' or 'interference'; default "error". Initial shapes that overlap. error: a mistake; an overlap of 20
----%
+---overlap: 'error' or 'interference'; default "error". Initial shapes that overlap. error: a mistake; an overlap above
 ---```text
----         of the thickness of the thinner body, in obstacles 1 % of the body's size, is an error, one that strains a
----         body by more than 0.1 % a warning. interference: a fit; the overlap at each contact point, up to 90 % of the
----         thickness, is allowed at first and closed linearly over the first stage of model:run in which the contact is
----         active
+---         20 % of the thickness of the thinner body, in obstacles above 1 % of the body's size, is an error, a smaller
+---         one is a warning if closing it strains a body by more than 0.1 %. interference: a fit; the overlap at each
+---         contact point, up to 90 % of the thickness, is allowed at first and closed linearly over the first stage of
+---         model:run in which the contact is active
 ---```
 ---@field overlap? "error"|"interference"
 ---where: a function; by default everywhere. function(X) that returns true where the contact acts; X = {x, y}, in 3D {x,
@@ -966,10 +965,10 @@ function sg.plain(arguments) end
 ---          equilibrium (of the states between that were stored the first one), contacts too narrow for the mesh, more
 ---          than 1 % of a contact's force beyond an end of the master, penetration or elastic slip above 5 % of the
 ---          approach of the faces, linear elastic bodies that are turned by 10 degrees or strained by 5 % in the mean
----          over an element, bodies that pass through each other, through themselves or through obstacles where no
----          contact is defined, or pass between contact points; steps that may have jumped to another branch of
----          solutions (solved by certain fallbacks) or probably have (judged by displacements and released energy);
----          stages whose energy balance lacks more than a tenth of the work
+---          over an element, bodies that bend with elements of degree 1, bodies that pass through each other, through
+---          themselves or through obstacles where no contact is defined, or pass between contact points; steps that may
+---          have jumped to another branch of solutions (solved by certain fallbacks) or probably have (judged by
+---          displacements and released energy); stages whose energy balance lacks more than a tenth of the work
 ---```
 ---@field warnings string[]
 local run = {}

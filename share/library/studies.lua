@@ -41,14 +41,14 @@ local sg = {}
 ---sg.study{ name, cases, run, folder, units, sequential = false, inputs }
 ---```
 ---
----A case remains valid as long as its parameters, everything that run refers to and the program's version are
----unchanged. run refers to its own text, to that of the script's functions that it calls, and to the values that these
----use: numbers, tables, and the contents of bodies and models. With inputs, only the parameters and the inputs are
----compared. The file for checkpoints lasts until the case is done, so that a case that was killed continues where it
----was; it is another one if what the result depends on changes. Besides its results each row has wall, the seconds that
----run took, unless run returned a result of that name. A case without results has failed = true, outcome ("failed",
----"error", "crashed", or "time" if it exceeded the limit of study:execute) and reason. Methods of the study:
----study:execute, study:row, study:where, study:with, study:table, study:chart and others, help "studies".
+---A case remains valid as long as its parameters, everything that run refers to and the program's source are unchanged.
+---run refers to its own text, to that of the script's functions that it calls, and to the values that these use:
+---numbers, tables, and the contents of bodies and models. With inputs, only the parameters and the inputs are compared.
+---The file for checkpoints lasts until the case is done, so that a case that was killed continues where it was; it is
+---another one if what the result depends on changes. Besides its results each row has wall, the seconds that run took,
+---unless run returned a result of that name. A case without results has failed = true, outcome ("failed", "error",
+---"crashed", or "time" if it exceeded the limit of study:execute) and reason. Methods of the study: study:execute,
+---study:row, study:where, study:with, study:table, study:chart and others, help "studies".
 ---
 ---Example:
 ---```lua

@@ -170,7 +170,7 @@ class Errors(Case):
         frames = "\n".join(result.contents("error")[0]["traceback"])
         self.assertHolds(frames, f"cell {first}:2: in function 'outer'", f"cell {first + 1}:2: in main chunk")
         self.assertNotIn(".lua:", frames)
-        self.assertHolds(self.run_cell("traceback()").text(), "in function 'signorini.median'")
+        self.assertHolds(self.run_cell("traceback()").text(), "in field 'median'")
 
     def test_messages(self):
         for code, message in [

@@ -234,7 +234,7 @@ end)
 
 --- What sg.heatmap was given by a body.
 local function charts_of(body)
-  local charts, heatmap = {}, sg.heatmap
+  local charts = {}
   rawset(sg, "heatmap", function(chart) charts[#charts + 1] = chart end)
   local ok, message = pcall(body)
   rawset(sg, "heatmap", nil)

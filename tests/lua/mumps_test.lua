@@ -72,7 +72,8 @@ check.case("the states of other solvers, with symmetric and other tangents", fun
                                { out_of_core = folder, low_rank = 1e-6, precision = "single" } } do
       local model, run = press({ linear = "mumps", mumps = options }, mu)
       local solver, reuses = model:solver(), options.reuse or options.low_rank or options.precision
-      check.near(force(model), expected, 1e-10 * math.abs(expected[2]))
+      -- Friction begins where first guesses close points, and guesses of inexact solutions differ.
+      check.near(force(model), expected, (mu and 1e-6 or 1e-10) * math.abs(expected[2]))
       check.equal({ run.failed, solver.linear }, { false, "mumps" })
       check.equal(solver.factorizations < run.iterations, reuses ~= nil)
       check.equal(solver.negative_eigenvalues, not (mu or reuses) and 0 or nil)
@@ -151,7 +152,7 @@ check.case("ranks share factorizations: the same forces, in pieces of memory", f
       for fx, fz, rest in output:gmatch "(%S+)\t(%S+)\t(.-)\n" do
         solutions = solutions + 1
         check.equal(rest, "mumps\tfalse\ttrue")
-        check.near({ tonumber(fx), tonumber(fz) }, expected, 1e-10 * math.abs(expected[2]))
+        check.near({ tonumber(fx), tonumber(fz) }, expected, (mu == "nil" and 1e-10 or 1e-6) * math.abs(expected[2]))
       end
       check.equal(solutions, 2)
     end

@@ -19,10 +19,10 @@ end
 
 --- What a function hands to sg.chart or sg.heatmap.
 local function handed_over(name, body)
-  local original, seen = core.sg[name], nil
-  core.sg[name] = function(options) seen = options end
+  local seen
+  rawset(core.sg, name, function(options) seen = options end)
   local ok, message = pcall(body)
-  core.sg[name] = original
+  rawset(core.sg, name, nil)
   if not ok then error(message, 0) end
   return seen
 end

@@ -43,8 +43,8 @@ check.case("half a model in 2D has half of the force", function()
   local press = { { steps = 5, grip = { -0.15 } } }
   for _, order in ipairs { "N2", "N4", "N2-N4" } do
     local whole, half = grip(ironing("whole", order), press), grip(ironing("half", order), press)
-    check.near(whole[2] / half[2], 2, 2e-9)
-    check.near(whole[1], 0, 1e-12)
+    check.near(whole[2] / half[2], 2, 1e-6) -- friction begins where first guesses close points, to their accuracy
+    check.near(whole[1], 0, 1e-9)
   end
 end)
 

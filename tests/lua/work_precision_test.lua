@@ -129,7 +129,7 @@ check.case("columns and functions for time, series and markers", function()
 end)
 
 check.case("the chart: a color per order, a marker per mesh, both in the legend, the front behind them", function()
-  local charts, chart = {}, core.sg.chart
+  local charts = {}
   rawset(core.sg, "chart", function(options) charts[#charts + 1] = options end)
   local both = joined(power("N2", { 1, 2, 4 }, 1, 1), power("N4", { 2, 4, 8 }, 3, 2))
   local ok, message = pcall(function()

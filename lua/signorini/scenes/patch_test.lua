@@ -4,7 +4,7 @@
 local sg = require("signorini.core").sg
 
 local overlap = 5e-4 -- The upper block is unconstrained until it is in contact, so it begins slightly lower.
-local load, penalty = 0.1, 100
+local load, penalty = 0.05, 100
 
 return function(o)
   local flat, n = o.dimension == 2, o.refinement

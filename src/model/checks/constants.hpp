@@ -27,6 +27,10 @@ inline constexpr double crossing_distance = 0.1;
 
 // ── Overlaps at the start, parts of a body ───────────────────────────────────────────────────────────────────────────
 
+/// Unbalanced forces, relative to those of the run, above which a state is not examined for stability: only a tolerance
+/// that the user has loosened accepts them.
+inline constexpr double loose_balance = 1e-3;
+
 /// Mean strain that closes an overlap above which a warning is given: it is nearly what yields mild steel (σ/E = 250
 /// MPa over 210,000 MPa), a stress that no load explains. Interference fits, which are meant, strain as much or more:
 /// they are declared.

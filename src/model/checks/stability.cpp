@@ -1,6 +1,7 @@
 #include "model/checks/stability.hpp"
 
 #include "base/index.hpp"
+#include "model/checks/constants.hpp"
 #include "model/checks/displacement_stiffness.hpp"
 #include "model/checks/neutral_motion.hpp"
 #include "model/constants.hpp"
@@ -137,6 +138,8 @@ template <int D> std::vector<Message> unstable_equilibrium(Model<D>& model) {
                           return named.body->linear();
                         });
   if (displacements == 0 || (constant && !system.has_unconstrained()) || is_one_sided(model)) return {};
+  // With a loose tolerance the state is not an equilibrium.
+  if (model.unbalanced.size() > 0 && model.unbalanced.norm() > loose_balance * force_norm(model)) return {};
   for (contact::Controls& control : model.controls) control = {.guessed = gap_rounding * largest_position(model)};
   Message why;
   const bool evaluated = evaluate(model, nullptr, true, why) == solve::Outcome::converged;
