@@ -155,8 +155,10 @@ template <int D> std::vector<Message> unstable_equilibrium(Model<D>& model) {
   if (!(mode.dot(times(symmetric, mode)) < -neutral_stiffness)) return {};
   if (!solve::is_symmetric(k.pattern, k.values.data()) && !has_negative_eigenvalue(comparable, mode, kind)) return {};
   const VectorX u = mode.cwiseQuotient(lengths).normalized();
-  if (is_neutral(model, u, u.dot(times(k, u)))) return {};
-  return {described(system, u)};
+  VectorX direction = VectorX::Zero(system.unknowns.size()); // zero for multipliers
+  direction.head(displacements) = u;
+  if (is_neutral(model, direction, u.dot(times(k, u)))) return {};
+  return {described(system, direction)};
 }
 
 template std::vector<Message> unstable_equilibrium(Model<2>&);
