@@ -65,8 +65,11 @@ std::optional<VectorX> center_of(const MatrixX& points) {
 
 /// The center of a face that is round about the axis of a rotation: in space a sphere, or a cylinder along it.
 template <int D> std::optional<VectorX> center_of_rotation(const Points<D>& points, const Mat<D>& spin) {
-  if (const auto center = center_of(points); center || D == 2) return center;
-  const Mat<D> across = -spin * spin / (0.5 * spin.squaredNorm()); // projector onto the plane of rotation
+  if (const auto center = center_of(points); center || D == 2 || spin.isZero(0)) return center;
+  Mat<D> across = -spin * spin / (0.5 * spin.squaredNorm()); // projector onto the plane of rotation
+  Eigen::Index along = 0; // its column that is shortest, zero where the axis is one of coordinates
+  across.colwise().squaredNorm().minCoeff(&along);
+  across.col(along).swap(across.col(D - 1));
   const MatrixX plane = orthonormal(MatrixX(across)).leftCols(2);
   const auto center = center_of(plane.transpose() * points);
   if (!center) return std::nullopt;
