@@ -17,14 +17,10 @@ namespace {
 /// The model's scene with its regions, as it was before any other rows.
 template <int D> std::shared_ptr<const Origin<D>> origin_of(const Model<D>& model) {
   if (model.origin) return model.origin;
-  constexpr double rounding = 1e-10; // relative to the coordinates; points of a rule are much farther apart
   auto origin = std::make_shared<Origin<D>>(Origin<D>{model.system.scene, scene_parts(model)});
-  const double tolerance = rounding * model.system.size;
   for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
-    const contact::Formulation<D>& formulation = *model.system.contacts[k];
     Contact<D>& contact = origin->scene.contacts[k];
-    contact.where = region_of<D>(points_of_region(formulation), tolerance);
-    contact.bonded = region_of<D>(bonded_points(formulation), tolerance);
+    contact = with_regions(std::move(contact), *model.system.contacts[k], model.system.size);
   }
   return origin;
 }

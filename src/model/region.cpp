@@ -34,10 +34,18 @@ template <int D> contact::Region<D> region_of(const RegionPoints<D>& points, dou
   };
 }
 
+template <int D> Contact<D> with_regions(Contact<D> contact, const contact::Formulation<D>& formulation, double size) {
+  constexpr double rounding = 1e-10; // relative to the coordinates; points of a rule are much farther apart
+  contact.where = region_of<D>(points_of_region(formulation), rounding * size);
+  contact.bonded = region_of<D>(bonded_points(formulation), rounding * size);
+  return contact;
+}
+
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template RegionPoints<D> points_of_region(const contact::Formulation<D>&);                                           \
   template RegionPoints<D> bonded_points(const contact::Formulation<D>&);                                              \
-  template contact::Region<D> region_of(const RegionPoints<D>&, double);
+  template contact::Region<D> region_of(const RegionPoints<D>&, double);                                               \
+  template Contact<D> with_regions(Contact<D>, const contact::Formulation<D>&, double);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

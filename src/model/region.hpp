@@ -14,5 +14,7 @@ template <int D> RegionPoints<D> points_of_region(const contact::Formulation<D>&
 template <int D> RegionPoints<D> bonded_points(const contact::Formulation<D>& formulation);
 /// The region of the points whose coordinates differ from these by at most `tolerance`; everywhere if there are none.
 template <int D> contact::Region<D> region_of(const RegionPoints<D>& points, double tolerance = 0);
+/// A contact of a model with its regions, which the model's scene does not keep. `size`: of coordinates.
+template <int D> Contact<D> with_regions(Contact<D> contact, const contact::Formulation<D>& formulation, double size);
 
 } // namespace signorini::model

@@ -5,6 +5,7 @@
 #include "model/constants.hpp"
 #include "model/default_penalty.hpp"
 #include "model/element_size.hpp"
+#include "model/region.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,8 +61,9 @@ template <int D> SpringSums springs_of(const contact::History<D>& history, const
 
 template <int D> void warn_of_springs(const Model<D>& model, int index, std::vector<Message>& warnings) {
   const Scene<D>& scene = model.system.scene;
-  const Contact<D>& contact = scene.contacts[at(index)];
   const contact::History<D>& history = model.present.contacts[at(index)];
+  const Contact<D> contact =
+      with_regions(scene.contacts[at(index)], *model.system.contacts[at(index)], model.system.size);
   const contact::PenaltyLaw law = contact::scaled(
       contact::changed(*contact::penalty_law(contact.method), history.changes), model.present.penalty_factor);
   const SpringSums sum = springs_of(history, law);

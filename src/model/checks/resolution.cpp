@@ -5,10 +5,12 @@
 #include "model/constants.hpp"
 #include "model/default_penalty.hpp"
 #include "model/element_size.hpp"
+#include "model/region.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 namespace signorini::model {
 
@@ -22,7 +24,8 @@ struct PressureSpace {
 
 /// Empty for laws whose pressures are not those of contact alone.
 template <int D> std::optional<PressureSpace> pressure_space(const Model<D>& model, int index) {
-  const Contact<D>& contact = model.system.scene.contacts[at(index)];
+  const contact::Formulation<D>& formulation = *model.system.contacts[at(index)];
+  const Contact<D> contact = with_regions(model.system.scene.contacts[at(index)], formulation, model.system.size);
   if (!contact::penalty_law(contact.method) || std::holds_alternative<contact::CohesiveLaw>(contact.method))
     return std::nullopt;
   std::optional<contact::MultiplierSpace> multipliers;
@@ -30,8 +33,7 @@ template <int D> std::optional<PressureSpace> pressure_space(const Model<D>& mod
   if (const auto* half = std::get_if<contact::HalfPass>(&contact.method)) multipliers = half->multipliers;
   PressureSpace space{!multipliers, multipliers == contact::MultiplierSpace::reduced,
                       contact_stiffness(model.system.scene, contact)};
-  space.ratio = model.present.penalty_factor *
-                model.system.contacts[at(index)]->penalty(model.present.contacts[at(index)]) / space.stiffness;
+  space.ratio = model.present.penalty_factor * formulation.penalty(model.present.contacts[at(index)]) / space.stiffness;
   return space;
 }
 

@@ -53,7 +53,8 @@ template <int D, class Declares> DeclaredContacts declared_contacts(const Model<
     const Contact<D>& contact = model.system.scene.contacts[k];
     if (!declares(contact)) continue;
     if (declared.first.empty()) declared.first = contact.name;
-    if (!contact.where && model.system.contacts[k]->active(model.present.contacts[k])) declared.everywhere = true;
+    const contact::Formulation<D>& formulation = *model.system.contacts[k]; // the scene does not keep regions
+    if (formulation.points().whole && formulation.active(model.present.contacts[k])) declared.everywhere = true;
     declared.active += contact::resultant(model.present.contacts[k]).active;
   }
   return declared;
