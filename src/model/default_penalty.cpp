@@ -15,11 +15,20 @@ template <int D> double contact_stiffness(const Scene<D>& scene, const Contact<D
   return softer / element_size(scene, contact.slave, contact.points, contact.where);
 }
 
-template <int D> double default_penalty(const Scene<D>& scene, const Contact<D>& contact) {
+namespace {
+
+template <int D> double penalty_alone(const Scene<D>& scene, const Contact<D>& contact) {
   const auto through = [&](const Faces& faces) { return youngs_modulus(scene, faces) / thickness(scene, faces); };
   double softer = through(contact.slave);
   if (const auto* face = std::get_if<Faces>(&contact.master)) softer = std::min(softer, through(*face));
   return default_penalty_alone * std::max(contact_stiffness(scene, contact), softer);
+}
+
+} // namespace
+
+template <int D> double default_penalty(const Scene<D>& scene, const Contact<D>& contact) {
+  const double own = penalty_alone(scene, contact);
+  return contact.other_pass < 0 ? own : std::min(own, penalty_alone(scene, scene.contacts[at(contact.other_pass)]));
 }
 
 template <int D> void set_default_penalties(Scene<D>& scene) {

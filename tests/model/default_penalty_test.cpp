@@ -54,6 +54,19 @@ TEST(DefaultPenalty, IsAMultipleOfTheSofterModulusPerSlaveElement) {
   EXPECT_NEAR(filled(scene).normal, 10 * 20 * 4, 1e-10);
 }
 
+TEST(DefaultPenalty, IsEqualForBothHalfPasses) {
+  Scene<2> scene = two_blocks(default_law(Enforcement::penalty));
+  scene.contacts[0].method = contact::HalfPass{default_law(Enforcement::penalty), {}};
+  scene.contacts.push_back(scene.contacts[0]);
+  scene.contacts[1].slave = {1, north};
+  scene.contacts[1].master = FaceReference{0, south};
+  scene.contacts[0].other_pass = 1;
+  scene.contacts[1].other_pass = 0;
+  set_default_penalties(scene);
+  for (const Contact<2>& pass : scene.contacts)
+    EXPECT_NEAR(contact::penalty_law(pass.method)->normal, 30 * 3 * 4, 1e-10);
+}
+
 TEST(DefaultPenalty, DoesNotReplaceGivenParameters) {
   PenaltyLaw law = default_law(Enforcement::augmented, 0.2);
   law.normal = 7;
