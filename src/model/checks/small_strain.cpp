@@ -67,8 +67,7 @@ template <int D> VectorX middle_of(const nurbs::Discretization& space, int e) {
 
 } // namespace
 
-template <int D> std::vector<Message> large_strains(const Model<D>& model) {
-  std::vector<Message> warnings;
+template <int D> void warn_of_large_strains(const Model<D>& model, std::vector<Message>& warnings) {
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
     const auto& [name, body] = model.system.scene.bodies[b];
     const auto displacement = body_displacement(model, static_cast<int>(b));
@@ -91,10 +90,9 @@ template <int D> std::vector<Message> large_strains(const Model<D>& model) {
                                                                {"angle", angle},
                                                                {"strain", strain}}));
   }
-  return warnings;
 }
 
-template std::vector<Message> large_strains(const Model<2>&);
-template std::vector<Message> large_strains(const Model<3>&);
+template void warn_of_large_strains(const Model<2>&, std::vector<Message>&);
+template void warn_of_large_strains(const Model<3>&, std::vector<Message>&);
 
 } // namespace signorini::model

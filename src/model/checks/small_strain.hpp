@@ -5,9 +5,9 @@
 
 namespace signorini::model {
 
-/// One warning per linear elastic body of which an element is turned or strained, in the mean over its volume, by more
-/// than constants.hpp allows: Hooke's law takes a rotation by an angle θ for a strain cos θ − 1. Rotation and principal
-/// stretches are those of the polar decomposition F = R U of the mean deformation gradient.
-template <int D> std::vector<Message> large_strains(const Model<D>& model);
+/// Appends a warning for each linear elastic body of which an element is turned or strained, in the mean over its
+/// volume, by more than constants.hpp allows: Hooke's law takes a rotation by an angle θ for a strain cos θ − 1.
+/// Rotation and principal stretches are those of the polar decomposition F = R U of the mean deformation gradient.
+template <int D> void warn_of_large_strains(const Model<D>& model, std::vector<Message>& warnings);
 
 } // namespace signorini::model

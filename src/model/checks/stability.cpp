@@ -130,38 +130,38 @@ template <int D> Message described(System<D>& system, const VectorX& direction) 
 
 } // namespace
 
-template <int D> std::vector<Message> unstable_equilibrium(Model<D>& model) {
+template <int D> void warn_of_instability(Model<D>& model, std::vector<Message>& warnings) {
   System<D>& system = model.system;
   const int displacements = system.unknowns.free_displacements();
   // The stiffness of linear bodies does not change, so that only contacts which alone hold a body can be unstable.
   const bool constant = system.followers.empty() && std::ranges::all_of(system.scene.bodies, [](const auto& named) {
                           return named.body->linear();
                         });
-  if (displacements == 0 || (constant && !system.has_unconstrained()) || is_one_sided(model)) return {};
+  if (displacements == 0 || (constant && !system.has_unconstrained()) || is_one_sided(model)) return;
   // With a loose tolerance the state is not an equilibrium.
-  if (model.unbalanced.size() > 0 && model.unbalanced.norm() > loose_balance * force_norm(model)) return {};
+  if (model.unbalanced.size() > 0 && model.unbalanced.norm() > loose_balance * force_norm(model)) return;
   for (contact::Controls& control : model.controls) control = {.guessed = gap_rounding * largest_position(model)};
   Message why;
   const bool evaluated = evaluate(model, nullptr, true, why) == solve::Outcome::converged;
   const Stiffness k = displacement_stiffness(system.assembly.pattern(), system.assembly.values(), displacements);
   rollback(model);
-  if (!evaluated) return {};
+  if (!evaluated) return;
   const bool by_mumps = model.linear.kind() == solve::LinearKind::mumps;
   const solve::LinearKind kind = by_mumps ? solve::LinearKind::mumps : solve::LinearKind::umfpack;
   const VectorX lengths = scale_of(k);
   const Stiffness comparable = scaled(k, lengths), symmetric = symmetric_part(comparable);
-  if (is_definite(shifted(symmetric, neutral_stiffness), kind)) return {};
+  if (is_definite(shifted(symmetric, neutral_stiffness), kind)) return;
   const VectorX mode = most_negative(symmetric, kind);
-  if (!(mode.dot(times(symmetric, mode)) < -neutral_stiffness)) return {};
-  if (!solve::is_symmetric(k.pattern, k.values.data()) && !has_negative_eigenvalue(comparable, mode, kind)) return {};
+  if (!(mode.dot(times(symmetric, mode)) < -neutral_stiffness)) return;
+  if (!solve::is_symmetric(k.pattern, k.values.data()) && !has_negative_eigenvalue(comparable, mode, kind)) return;
   const VectorX u = mode.cwiseQuotient(lengths).normalized();
   VectorX direction = VectorX::Zero(system.unknowns.size()); // zero for multipliers
   direction.head(displacements) = u;
-  if (is_neutral(model, direction, u.dot(times(k, u)))) return {};
-  return {described(system, direction)};
+  if (is_neutral(model, direction, u.dot(times(k, u)))) return;
+  warnings.push_back(described(system, direction));
 }
 
-template std::vector<Message> unstable_equilibrium(Model<2>&);
-template std::vector<Message> unstable_equilibrium(Model<3>&);
+template void warn_of_instability(Model<2>&, std::vector<Message>&);
+template void warn_of_instability(Model<3>&, std::vector<Message>&);
 
 } // namespace signorini::model

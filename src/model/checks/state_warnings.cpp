@@ -19,11 +19,8 @@ template <int D> std::vector<Message> state_warnings(Model<D>& model) {
   warn_of_stiff_bending(model, warnings);
   warn_of_narrow_contacts(model, warnings);
   warn_of_soft_penalties(model, warnings);
-  const auto append = [&](const std::vector<Message>& found) {
-    warnings.insert(warnings.end(), found.begin(), found.end());
-  };
-  append(large_strains(model));
-  append(unstable_equilibrium(model));
+  warn_of_large_strains(model, warnings);
+  warn_of_instability(model, warnings);
   warn_of_ends(model, warnings);
   return warnings;
 }
