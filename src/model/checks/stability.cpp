@@ -145,7 +145,7 @@ template <int D> void warn_of_instability(Model<D>& model, std::vector<Message>&
   const bool evaluated = evaluate(model, nullptr, true, why) == solve::Outcome::converged;
   const Stiffness k = displacement_stiffness(system.assembly.pattern(), system.assembly.values(), displacements);
   rollback(model);
-  if (!evaluated) return;
+  if (!evaluated || std::ranges::all_of(k.values, [](double value) { return value == 0; })) return;
   const bool by_mumps = model.linear.kind() == solve::LinearKind::mumps;
   const solve::LinearKind kind = by_mumps ? solve::LinearKind::mumps : solve::LinearKind::umfpack;
   const VectorX lengths = scale_of(k);
