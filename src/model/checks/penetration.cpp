@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace signorini::model {
 
@@ -59,7 +60,9 @@ template <int D> SpringSums springs_of(const contact::History<D>& history, const
   return sum;
 }
 
-template <int D> void warn_of_springs(const Model<D>& model, int index, std::vector<Message>& warnings) {
+/// `energy(body)`: the strain energy of a body.
+template <int D, class Energy>
+void warn_of_springs(const Model<D>& model, int index, const Energy& energy, std::vector<Message>& warnings) {
   const Scene<D>& scene = model.system.scene;
   const contact::History<D>& history = model.present.contacts[at(index)];
   const Contact<D> contact =
@@ -74,8 +77,7 @@ template <int D> void warn_of_springs(const Model<D>& model, int index, std::vec
   double strain = model.system.springs.energy(model.present.displacement);
   const std::vector<char> behind = bodies_behind(scene, contact);
   for (int b = 0; b < std::ssize(scene.bodies); ++b)
-    if (behind[at(b)] && !lost)
-      strain += model.system.assembly.stored_energy(b, model.present.displacement, model.accepted.internal);
+    if (behind[at(b)] && !lost) strain += energy(b);
   const double part = sum.normal / (strain + sum.normal), approach = 2 * (strain + sum.normal) / sum.force;
   const bool stuck = law.friction > 0 && law.enforcement != contact::Enforcement::multipliers;
   const bool slips = stuck && sum.slip > noticeable_part * approach * sum.force;
@@ -108,12 +110,18 @@ template <int D> void warn_of_springs(const Model<D>& model, int index, std::vec
 } // namespace
 
 template <int D> void warn_of_soft_penalties(const Model<D>& model, std::vector<Message>& warnings) {
+  std::vector<std::optional<double>> energies(model.system.scene.bodies.size());
+  const auto energy = [&](int body) {
+    std::optional<double>& known = energies[at(body)];
+    if (!known) known = model.system.assembly.stored_energy(body, model.present.displacement, model.accepted.internal);
+    return *known;
+  };
   for (int k = 0; k < std::ssize(model.system.scene.contacts); ++k) {
     const Contact<D>& contact = model.system.scene.contacts[at(k)];
     const bool second_pass = contact.other_pass >= 0 && contact.other_pass < k;
     if (contact::penalty_law(contact.method) && !std::holds_alternative<contact::CohesiveLaw>(contact.method) &&
         !second_pass)
-      warn_of_springs(model, k, warnings);
+      warn_of_springs(model, k, energy, warnings);
   }
 }
 
