@@ -2,8 +2,10 @@
 
 #include "base/index.hpp"
 #include "model/rigid_motions.hpp"
+#include "model/weak_directions.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini::model {
 
@@ -19,15 +21,6 @@ template <int D> VectorX by_unknown(const Unknowns<D>& unknowns, int body, const
     all(unknown) = motion(i);
   }
   return all;
-}
-
-/// xᵀ K x.
-double stiffness_along(const solve::Pattern& pattern, const std::vector<double>& values, const VectorX& x) {
-  double sum = 0;
-  for (int j = 0; j < pattern.size; ++j)
-    for (int k = pattern.starts[at(j)]; k < pattern.starts[at(j) + 1]; ++k)
-      sum += x(pattern.rows[at(k)]) * values[at(k)] * x(j);
-  return sum;
 }
 
 } // namespace
@@ -47,8 +40,8 @@ template <int D> Message unheld_motions(const Model<D>& model, int body) {
   for (int m = 0; m < static_cast<int>(motions.size()); ++m) {
     const VectorX motion = by_unknown(unknowns, body, motions[at(m)]);
     if (motion.size() == 0) continue;
-    if (std::abs(stiffness_along(assembly.pattern(), assembly.values(), motion)) > least * motion.squaredNorm())
-      continue;
+    const double stiffness = motion.dot(VectorX(times(assembly.pattern(), assembly.values(), motion)));
+    if (std::abs(stiffness) > least * motion.squaredNorm()) continue;
     if (m < translations)
       moves.push_back(component_name(translations == 1 ? 1 : m));
     else

@@ -23,14 +23,6 @@ std::vector<double> shifted(const solve::Pattern& pattern, std::vector<double> v
   return values;
 }
 
-MatrixX times(const solve::Pattern& pattern, const std::vector<double>& values, const MatrixX& x) {
-  MatrixX product = MatrixX::Zero(x.rows(), x.cols());
-  for (int j = 0; j < pattern.size; ++j)
-    for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1]; ++k)
-      product.row(pattern.rows[static_cast<std::size_t>(k)]) += values[static_cast<std::size_t>(k)] * x.row(j);
-  return product;
-}
-
 /// Deterministic start vectors without preferred direction.
 MatrixX start_vectors(int size, int count) {
   MatrixX x(size, count);
@@ -70,6 +62,14 @@ WeakDirection iterate(solve::LinearKind kind, const solve::Pattern& pattern, con
 }
 
 } // namespace
+
+MatrixX times(const solve::Pattern& pattern, const std::vector<double>& values, const MatrixX& x) {
+  MatrixX product = MatrixX::Zero(x.rows(), x.cols());
+  for (int j = 0; j < pattern.size; ++j)
+    for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1]; ++k)
+      product.row(pattern.rows[static_cast<std::size_t>(k)]) += values[static_cast<std::size_t>(k)] * x.row(j);
+  return product;
+}
 
 WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements,
                              solve::LinearKind solver) {

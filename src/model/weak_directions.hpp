@@ -9,6 +9,9 @@
 
 namespace signorini::model {
 
+/// K x for each column of x; `values` in the order of the pattern.
+MatrixX times(const solve::Pattern& pattern, const std::vector<double>& values, const MatrixX& x);
+
 struct WeakDirection {
   VectorX direction; ///< by unknown, of length 1
   double stiffness;  ///< uᵀ K u

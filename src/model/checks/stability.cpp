@@ -17,11 +17,7 @@ namespace signorini::model {
 namespace {
 
 VectorX times(const Stiffness& k, const VectorX& u) {
-  VectorX product = VectorX::Zero(u.size());
-  for (int j = 0; j < k.pattern.size; ++j)
-    for (int i = k.pattern.starts[at(j)]; i < k.pattern.starts[at(j) + 1]; ++i)
-      product(k.pattern.rows[at(i)]) += k.values[at(i)] * u(j);
-  return product;
+  return model::times(k.pattern, k.values, u);
 }
 
 Stiffness symmetric_part(Stiffness k) {
