@@ -1,8 +1,8 @@
 #pragma once
 // Bodies that pass through each other, through themselves or through obstacles where no contact is declared.
 
+#include "model/checks/constants.hpp"
 #include "model/checks/outline.hpp"
-#include "model/constants.hpp"
 #include "model/model.hpp"
 
 #include <algorithm>
