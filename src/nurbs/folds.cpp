@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace signorini::nurbs {
@@ -150,7 +151,7 @@ VectorX negative_place(const BernsteinBox& span, const std::vector<int>& degrees
   const double tolerance = folded_digits * span.coefficients.cwiseAbs().maxCoeff();
   std::vector<BernsteinBox> open{span};
   for (std::size_t k = 0; k < open.size() && k < most_boxes; ++k) {
-    const BernsteinBox box = open[k];
+    const BernsteinBox box = std::move(open[k]); // up to megabytes, which are not needed again
     if (box.coefficients.minCoeff() >= -tolerance) continue;
     if (VectorX xi = negative_corner(box, degrees, tolerance); xi.size() > 0) return xi;
     Eigen::Index widest = 0;
