@@ -45,7 +45,7 @@ local state = fields {
     unstable_law = either(flag, data), used = maybe(data), warnings = each(text),
     adaptations = each(data), contact_zones = data, controls = data, fallbacks = data, overlaps = data,
     places = data, unsettled = data,
-    state_findings = maybe(each(fields { subject = text, stage = text, text = text, from = count, to = count })) },
+    state_findings = maybe(each(fields { subject = text, place = text, text = text, from = count, to = count })) },
 }
 
 --- Whether state, rows and histories can be those of a run.

@@ -164,13 +164,17 @@ local function unstable_law(run)
     position(found.at))
 end
 
---- Notes in run.state_findings the warnings about the state at the end of a stage; of each subject the first.
+--- Notes in run.state_findings the warnings about the state at the end of a stage, or where the run ends before; of
+--- each subject the first.
 function run_warnings.note_state(run, model, stage)
-  if run.reason == "interrupted" then return end
+  if run.reason == "interrupted" or run.rows == 0 then return end
+  local done = run.stages[#run.stages].steps
+  local place = (done < stage.steps and "in stage '%s', after step %d" or "at the end of stage '%s'"):format(stage.name,
+    run.steps)
   for _, found in ipairs(core.state_warnings(model)) do
     if not lists.any(run.state_findings, function(earlier) return earlier.subject == found.subject end) then
-      run.state_findings[#run.state_findings + 1] = { subject = found.subject, stage = stage.name, text = found.text,
-        from = run.steps - run.stages[#run.stages].steps, to = run.steps }
+      run.state_findings[#run.state_findings + 1] = { subject = found.subject, place = place, text = found.text,
+        from = run.steps - done, to = run.steps }
     end
   end
 end
@@ -194,12 +198,11 @@ local function first_unstable(run, model, finding)
   return between[unstable] and between[unstable].step or finding.to
 end
 
---- Sentences on the states at the ends of stages.
+--- Sentences on the states at the ends of stages and of the run.
 local function states(run, model)
   return lists.map(run.state_findings, function(found)
     local first = is_unstable(found) and first_unstable(run, model, found)
-    return ("at the end of stage '%s'%s: %s"):format(found.stage, first and (", from step %d on"):format(first) or "",
-      found.text)
+    return ("%s%s: %s"):format(found.place, first and (", from step %d on"):format(first) or "", found.text)
   end)
 end
 
