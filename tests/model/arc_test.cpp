@@ -100,10 +100,11 @@ struct Walk {
     set_target(model, 0, component, from + sense);
     const solve::NewtonReport report = solve_arc(model, {}, length);
     ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
+    const double fraction = model.step->fraction;
     accept(model);
     last_increment = model.present.displacement - before;
     EXPECT_NEAR(t.dot(weights.cwiseProduct(last_increment)), length, 1e-9 * length);
-    EXPECT_NEAR(target(), from + model.step->fraction * sense, 1e-14 * (1 + std::abs(from)));
+    EXPECT_NEAR(target(), from + fraction * sense, 1e-14 * (1 + std::abs(from)));
     EXPECT_NEAR(last_length(model), norm(last_increment), 1e-14);
     targets(component) = target();
     const VectorX residual = bench.residual(model.present.displacement) - drives.force(targets);
