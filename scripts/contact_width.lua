@@ -3,7 +3,7 @@
 -- Problem: a rigid cylinder (line) or sphere (point, axisymmetric) of radius 400 is pressed into a thick linear elastic
 --          block, E = 1, nu = 0.3, with elements of length 1 along its face. The depth increases until the contact is
 --          11 elements wide. The cylinder's axis is above a border of elements, a quarter or a half of an element
---          beside it. At each depth the peak pressure is compared with Hertz's for the computed force.
+--          next to it. At each depth the peak pressure is compared with Hertz's for the computed force.
 --          Columns: the largest width at which the peak is off by 10 % or more, in elements that touch, and the mean
 --          over an element by 10 %; the energy in penalty springs as part of all energy, 2/3 of the error of the force
 --          under a sphere, where the contact is 2.5 and 5 elements wide.
@@ -25,7 +25,7 @@ local E, nu, radius, depth = 1, 0.3, 400, 32
 local plane_modulus = E / (1 - nu^2)
 local widest, off = 5.5, 0.1 -- half-width, and the error that counts
 
-local function scene(problem, order, contact, beside)
+local function scene(problem, order, contact, shift)
   local point = problem == "point"
   local width = point and 32 or 48
   local block = sg.body{
@@ -34,7 +34,7 @@ local function scene(problem, order, contact, beside)
     material = sg.linear_elastic{ E = E, nu = nu },
   }
   local tool = point and sg.rigid.sphere{ center = {0, radius}, radius = radius }
-    or sg.rigid.cylinder{ center = {width / 2 + beside, radius}, radius = radius }
+    or sg.rigid.cylinder{ center = {width / 2 + shift, radius}, radius = radius }
   contact.slave, contact.master = block:face "north", tool
   local model = sg.model{
     kind = point and "axisymmetric" or "plane_strain", bodies = { block = block }, contacts = { touch = contact },
@@ -68,8 +68,8 @@ end
 --- The largest widths with a wrong peak and mean, and the shares of energy near two widths, over places of the tool.
 local function limits(problem, order, contact)
   local found = { peak = 0, mean = 0, share = {} }
-  for _, beside in ipairs(problem == "line" and { 0, 0.25, 0.5 } or { 0 }) do
-    local model, point = scene(problem, order, contact, beside)
+  for _, shift in ipairs(problem == "line" and { 0, 0.25, 0.5 } or { 0 }) do
+    local model, point = scene(problem, order, contact, shift)
     for i = 1, options.depths do
       local run = model:run{ { steps = 1, push = -approach(point, 0.15 + (widest - 0.15) * i / options.depths) } }
       if run.failed then break end

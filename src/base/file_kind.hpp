@@ -28,8 +28,8 @@ enum class FileKind {
 };
 
 /// The kind of a file that begins with these bytes; empty also if all are zero, as a power failure may leave a file.
-/// A table is text with lines of as many fields as the first, beside comments, and a number, truth value or nothing in
-/// one field of each line after it; or a single line of several words, its head.
+/// A table is text with lines of as many fields as the first, apart from comments, and a number, truth value or nothing
+/// in one field of each line after it; or a single line of several words, its head.
 FileKind kind_of(std::string_view beginning);
 
 /// Whether an output of a kind may replace a file of this name that begins with these bytes: one of the same kind, or

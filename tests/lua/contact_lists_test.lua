@@ -42,8 +42,9 @@ end
 
 local function same_columns(what, run, other, columns)
   for _, name in ipairs(columns) do
-    local expected = other:column(name)
-    for i, value in ipairs(run:column(name)) do check.within(what .. " " .. name, value, expected[i], 1e-11) end
+    -- The area ends where interpolated gaps are zero, which amplifies rounding errors of the gaps.
+    local expected, tolerance = other:column(name), name:find "area" and 1e-8 or 1e-11
+    for i, value in ipairs(run:column(name)) do check.within(what .. " " .. name, value, expected[i], tolerance) end
   end
 end
 
