@@ -177,8 +177,8 @@ template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& op
   System<D>& system = model.system;
   model.controls.assign(system.contacts.size(), {});
   // With another penalty factor a step goes on from its last state, and with the touches that it has foreseen.
-  const bool anew = model.present.displacement == model.accepted.displacement;
-  for (std::size_t k = 0; k < system.contacts.size() && anew; ++k)
+  const bool begins = model.present.displacement == model.accepted.displacement;
+  for (std::size_t k = 0; k < system.contacts.size() && begins; ++k)
     forget_touches(model.present.contacts[k], model.accepted.contacts[k]);
   model.active_set.begin(system.contacts, model.present.contacts, options, model.controls);
   bool any = false;

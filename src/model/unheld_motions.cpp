@@ -41,7 +41,7 @@ template <int D> Message unheld_motions(const Model<D>& model, int body) {
     const VectorX motion = by_unknown(unknowns, body, motions[at(m)]);
     if (motion.size() == 0) continue;
     const double stiffness = motion.dot(VectorX(times(assembly.pattern(), assembly.values(), motion)));
-    if (std::abs(stiffness) > least * motion.squaredNorm()) continue;
+    if (!(std::abs(stiffness) <= least * motion.squaredNorm())) continue; // also where it is not a number
     if (m < translations)
       moves.push_back(component_name(translations == 1 ? 1 : m));
     else

@@ -222,10 +222,14 @@ TEST(ProjectionOnSurface, SphereGivesItsRadialGapUpToThePole) {
   EXPECT_NEAR(below.gap, 0.25, 1e-12);
 }
 
+/// The face 0 ≤ x ≤ 3, 0 ≤ y ≤ 2, z = 0, of one element.
+Surface<3> flat_rectangle() {
+  return top_of(below({nurbs::KnotVector::single(1), nurbs::KnotVector::single(1)},
+                      (MatrixX(3, 4) << 0, 3, 0, 3, 0, 0, 2, 2, 0, 0, 0, 0).finished(), VectorX::Ones(4)));
+}
+
 TEST(ProjectionOnSurface, DoesNotDependOnWhatThePointHeldBefore) {
-  const Surface<3> flat =
-      top_of(below({nurbs::KnotVector::single(1), nurbs::KnotVector::single(1)},
-                   (MatrixX(3, 4) << 0, 3, 0, 3, 0, 0, 2, 2, 0, 0, 0, 0).finished(), VectorX::Ones(4)));
+  const Surface<3> flat = flat_rectangle();
   ElementBoxes<3> boxes;
   boxes.update(flat);
   FacePoint<3> point;
@@ -236,9 +240,7 @@ TEST(ProjectionOnSurface, DoesNotDependOnWhatThePointHeldBefore) {
 }
 
 TEST(ProjectionOnSurface, HasNoContactAtOpenBorders) {
-  const Surface<3> flat =
-      top_of(below({nurbs::KnotVector::single(1), nurbs::KnotVector::single(1)},
-                   (MatrixX(3, 4) << 0, 3, 0, 3, 0, 0, 2, 2, 0, 0, 0, 0).finished(), VectorX::Ones(4)));
+  const Surface<3> flat = flat_rectangle();
   ElementBoxes<3> boxes;
   boxes.update(flat);
   FacePoint<3> point;

@@ -42,7 +42,7 @@ check.case("without cutting the run fails, with the reason and the places", func
   check.equal({ run.reason, run.cause }, { "minimum_step", "crossed" })
 end)
 
-check.case("loops of one's own do not accept such a state", function()
+check.case("a user's own loop does not accept such a state", function()
   local model = cantilever()
   model:set_target("tip", { 0, -P / h / 4 })
   local result = model:solve_step {}
@@ -109,7 +109,7 @@ check.case("sliding off an end of the master is not crossing", function()
     return model:run { { steps = 1, grip = { 0, -0.02 } }, { steps = 4, grip = { 1.6, -0.02 } },
                        { steps = 1, grip = { 1.6, drop } }, { steps = 1, grip = { 5, drop } } }
   end
-  for _, drop in ipairs { -0.5, -3.5 } do -- beside the shelf and below it
+  for _, drop in ipairs { -0.5, -3.5 } do -- next to the shelf and below it
     local run = slide(drop)
     check.equal({ run.reason, run.cutbacks }, { "completed", 0 })
   end

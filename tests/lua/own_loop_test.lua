@@ -207,7 +207,7 @@ check.case("a roller whose height and angle are unknowns", function()
   own:accept()
   check.equal(its:solve_step {}.converged, true)
   its:accept()
-  -- The points that close as it rolls slip from their touch, in a loop of one's own from the start of the step.
+  -- The points that close as it rolls slip from their touch, in a user's own loop from the start of the step.
   check.near(own:free_motion("tool").angle, its:free_motion("tool").angle, 5e-3)
   check.near(own:free_motion("tool").uy, its:free_motion("tool").uy, 1e-5)
   assert(own:free_motion("tool").angle < -0.5)

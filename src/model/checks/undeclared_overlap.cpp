@@ -87,8 +87,8 @@ template <int D>
 std::optional<Overlapping<D>> overlapping(const PresentOutlines<D>& outlines, int body, const Facet<D>& facet,
                                           int other) {
   const Outline<D>& outline = outlines[other];
-  const Vec<D> beside = facet.middle + beside_outline * facet.radius * facet.normal; // outside its own outline
-  if (!outline.boxes(beside) || outline.layers(beside) < 1) return {};
+  const Vec<D> outside = facet.middle + beside_outline * facet.radius * facet.normal; // of its own outline
+  if (!outline.boxes(outside) || outline.layers(outside) < 1) return {};
   const auto nearest = outline.nearest(facet.middle, [&](const Facet<D>& behind) {
     if (outlines.within(other, behind.side)) return false;
     if (body != other) return true;
