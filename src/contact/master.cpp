@@ -44,15 +44,15 @@ Master<D>::Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning, doubl
 /// ‖ΔR‖ |x − c − t|.
 template <int D>
 double Master<D>::turned(const Mat<D>& before, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite) const {
-  const double change = (rotation_ - before).norm();
+  const double change = (turn_ - before).norm();
   const Vec<D> center = turning_->center + translation_;
   return change == 0 ? 0 : change * std::sqrt((opposite.colwise() - center).colwise().squaredNorm().maxCoeff());
 }
 
 /// x as seen from an obstacle that neither moves nor turns.
 template <int D> Vec<D> Master<D>::pulled_back(const Vec<D>& x) const {
-  if (!turning_) return x - translation_;
-  return turning_->center + rotation_.transpose() * (x - translation_ - turning_->center);
+  const Vec<D> own = x - translation_;
+  return turning_ ? Vec<D>(own + turn_.transpose() * (own - turning_->center)) : own;
 }
 
 template <int D>
@@ -66,15 +66,15 @@ double Master<D>::move(const double* displacement, const Eigen::Matrix<double, D
   double distance = (to - translation_).norm();
   translation_ = to;
   if (turning_) {
-    const Mat<D> before = rotation_;
-    rotation_ = Mat<D>::Identity() + Eigen::Map<const Mat<D>>(displacement + D) / turning_->arm;
+    const Mat<D> before = turn_;
+    turn_ = Eigen::Map<const Mat<D>>(displacement + D) / turning_->arm;
     distance += turned(before, opposite);
   }
   if (surface_ && distance > 0) {
     for (std::size_t i = 0; i < displacements_.size(); ++i) displacements_[i] = displacement[i % D];
     if (turning_) {
       Eigen::Map<Eigen::Matrix<double, D, Eigen::Dynamic>> all(displacements_.data(), D, surface_->functions());
-      all += (rotation_ - Mat<D>::Identity()) * (surface_->reference().colwise() - turning_->center);
+      all += turn_ * (surface_->reference().colwise() - turning_->center);
     }
     surface_->move(displacements_.data());
     boxes_.update(*surface_);
@@ -85,7 +85,7 @@ double Master<D>::move(const double* displacement, const Eigen::Matrix<double, D
 template <int D>
 double Master<D>::moved_since(const Master& before, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite) const {
   if (!rigid_) return surface_->moved_since(*before.surface_);
-  return (translation_ - before.translation_).norm() + (turning_ ? turned(before.rotation_, opposite) : 0);
+  return (translation_ - before.translation_).norm() + (turning_ ? turned(before.turn_, opposite) : 0);
 }
 
 /// Geometry of order 2 of a closed-form shape at point.xi.
@@ -93,9 +93,10 @@ template <int D> void Master<D>::place(FaceGeometry<D>& point) const {
   point.element = 0;
   with_shape<D>(*shape_, [&](const auto& shape) { contact::locate(shape, point); });
   if (turning_) {
-    point.position = turning_->center + rotation_ * (point.position - turning_->center);
-    for (auto& tangent : point.tangent) tangent = (rotation_ * tangent).eval();
-    for (auto& second : point.second) second = (rotation_ * second).eval();
+    const auto turn = [&](Vec<D>& vector, const Vec<D>& arm) { vector += turn_ * arm; };
+    turn(point.position, point.position - turning_->center);
+    for (auto& tangent : point.tangent) turn(tangent, Vec<D>(tangent));
+    for (auto& second : point.second) turn(second, Vec<D>(second));
   }
   point.position += translation_;
 }
@@ -128,7 +129,7 @@ template <int D> void Master<D>::functions(FacePoint<D>& point, int order) const
   const Vec<D> arm = scale * (pulled_back(point.position) - turning_->center);
   std::copy_n(arm.data(), D, point.value.begin() + 1);
   for (std::size_t a = 0; a < D - 1 && order > 0; ++a) {
-    const Vec<D> rate = scale * (rotation_.transpose() * point.tangent[a]);
+    const Vec<D> rate = scale * (point.tangent[a] + turn_.transpose() * point.tangent[a]);
     std::copy_n(rate.data(), D, point.derivative[a].begin() + 1);
   }
 }

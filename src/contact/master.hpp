@@ -74,8 +74,8 @@ private:
   ElementBoxes<D> boxes_;
   Vec<D> translation_ = Vec<D>::Zero(); ///< of a rigid master
   std::optional<Turning<D>> turning_;
-  Mat<D> rotation_ = Mat<D>::Identity(); ///< R, if it turns
-  std::vector<double> displacements_;    ///< working space: of the control points of a rigid face
+  Mat<D> turn_ = Mat<D>::Zero();      ///< R − I, without rounding errors of R far from the center
+  std::vector<double> displacements_; ///< working space: of the control points of a rigid face
 };
 
 } // namespace signorini::contact

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "contact/chord.hpp"
+#include "contact/near_point.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,19 +12,6 @@
 namespace signorini::contact {
 
 namespace {
-
-/// The direction that, rotated by −90°, is the normal.
-std::array<Vec<2>, 1> across(const Vec<2>& normal) {
-  return {Vec<2>(-normal(1), normal(0))};
-}
-
-/// Unit vectors a, b with a × b = axis; a is built from the coordinate axis with the largest angle to `axis`.
-std::array<Vec<3>, 2> across(const Vec<3>& axis) {
-  int least;
-  axis.cwiseAbs().minCoeff(&least);
-  const Vec<3> first = (Vec<3>::Unit(least) - axis(least) * axis).normalized();
-  return {first, axis.cross(first)};
-}
 
 void check_radius(double radius) {
   require(std::isfinite(radius) && radius > 0, "contact.obstacle.radius", {{"radius", radius}});
@@ -79,36 +67,16 @@ Torus make_torus(const Vec<3>& center, const Vec<3>& axis, double ring, double r
   return {center, axis.normalized(), ring, radius, hollow};
 }
 
-template <int D> double largest_coordinate(const Obstacle<D>& obstacle) {
-  return std::visit(
-      [](const auto& shape) {
-        using Shape = std::decay_t<decltype(shape)>;
-        if constexpr (std::is_same_v<Shape, Ball<D>>)
-          return shape.center.cwiseAbs().maxCoeff() + shape.radius;
-        else if constexpr (std::is_same_v<Shape, Cylinder>)
-          return shape.point.cwiseAbs().maxCoeff() + shape.radius;
-        else if constexpr (std::is_same_v<Shape, Torus>)
-          return shape.center.cwiseAbs().maxCoeff() + shape.ring + shape.radius;
-        else if constexpr (std::is_same_v<Shape, Plane<D>>)
-          return shape.point.cwiseAbs().maxCoeff();
-        else if constexpr (std::is_same_v<Shape, LevelSet<D>>)
-          return shape.compiled->mesh.points.cwiseAbs().maxCoeff();
-        else
-          return shape.points().cwiseAbs().maxCoeff();
-      },
-      obstacle);
-}
-
 template <int D> FaceCoordinates<D> closest(const Plane<D>& plane, const Vec<D>& x) {
   const auto directions = across(plane.normal);
   FaceCoordinates<D> xi;
-  for (int a = 0; a < D - 1; ++a) xi(a) = directions[at(a)].dot(x - plane.point);
+  for (int a = 0; a < D - 1; ++a) xi(a) = directions[at(a)].dot(x);
   return xi;
 }
 
 template <int D> void locate(const Plane<D>& plane, FaceGeometry<D>& point) {
   point.tangent = across(plane.normal);
-  point.position = plane.point;
+  point.position = plane.normal.dot(plane.point) * plane.normal;
   for (int a = 0; a < D - 1; ++a) point.position += point.xi(a) * point.tangent[at(a)];
   for (auto& second : point.second) second.setZero();
 }
@@ -116,7 +84,6 @@ template <int D> void locate(const Plane<D>& plane, FaceGeometry<D>& point) {
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template Plane<D> make_plane(const Vec<D>&, const Vec<D>&);                                                          \
   template Ball<D> make_ball(const Vec<D>&, double, bool);                                                             \
-  template double largest_coordinate<D>(const Obstacle<D>&);                                                           \
   template FaceCoordinates<D> closest(const Plane<D>&, const Vec<D>&);                                                 \
   template void locate(const Plane<D>&, FaceGeometry<D>&);
 SIGNORINI_INSTANTIATE(2)
@@ -124,15 +91,17 @@ SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE
 
 FaceCoordinates<2> closest(const Ball<2>& ball, const Vec<2>& x) {
-  const Vec<2> out = x - ball.center;
-  const double angle = std::atan2(out(1), out(0));
+  const NearPoint<2> near = near_point<2>(ball.center, ball.radius, Vec<2>::UnitX());
+  const double angle = angle_at(ball.radius, Vec<2>(x - near.point), across(near.normal)[0], near.normal);
   return FaceCoordinates<2>(ball.hollow ? -angle : angle);
 }
 
 void locate(const Ball<2>& ball, FaceGeometry<2>& point) {
+  const NearPoint<2> near = near_point<2>(ball.center, ball.radius, Vec<2>::UnitX());
   const double sign = ball.hollow ? -1 : 1;
-  const Vec<2> out = ball.radius * Vec<2>(std::cos(point.xi(0)), sign * std::sin(point.xi(0)));
-  point.position = ball.center + out;
+  const Vec<2> way = along_circle(ball.radius, sign * point.xi(0), across(near.normal)[0], near.normal),
+               out = ball.radius * near.normal + way;
+  point.position = near.point + way;
   point.tangent[0] = {-sign * out(1), sign * out(0)};
   point.second[0] = -out;
 }
@@ -153,30 +122,75 @@ FaceCoordinates<2> advance_slip(const Ball<2>& ball, const FaceCoordinates<2>& s
 
 // ── 3D ───────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
+namespace {
+
+/// A point near the contact, and unit vectors there: outward and along the circle about the axis.
+struct CylinderFrame {
+  Vec<3> point, out, around;
+};
+
+CylinderFrame cylinder_frame(const Cylinder& cylinder) {
+  const NearPoint<3> near =
+      near_point<3>(normal_part(cylinder.point, cylinder.axis), cylinder.radius, across(cylinder.axis)[0]);
+  return {near.point, near.normal, cylinder.axis.cross(near.normal)};
+}
+
+/// Unit vectors and the point nearest to the contact of a torus, its distance from the axis, and the outward normal of
+/// the tube there, with components along `out` and the axis.
+struct TorusFrame {
+  Vec<3> point, out, around;
+  double distance;
+  Vec<2> normal;
+};
+
+TorusFrame torus_frame(const Torus& torus) {
+  // The circle of the tube's center about the axis has a point near the contact, and so has the tube around it.
+  const Vec<3> usual = across(torus.axis)[0];
+  const NearPoint<3> ring = near_point<3>(normal_part(torus.center, torus.axis), torus.ring, usual);
+  const Vec<2> center(ring.normal.dot(ring.point), torus.axis.dot(torus.center));
+  const NearPoint<2> tube = near_point<2>(center, torus.radius, Vec<2>::UnitX());
+  const Vec<3> beside = ring.point - center(0) * ring.normal;
+  return {beside + tube.point(0) * ring.normal + tube.point(1) * torus.axis, ring.normal, torus.axis.cross(ring.normal),
+          torus.ring + torus.radius * tube.normal(0), tube.normal};
+}
+
+} // namespace
+
 FaceCoordinates<3> closest(const Ball<3>& ball, const Vec<3>& x) {
-  const Vec<3> out = x - ball.center;
-  return {std::atan2(out(1), out(0)), std::atan2(std::hypot(out(0), out(1)), out(2))};
+  const NearPoint<3> near = near_point<3>(ball.center, ball.radius, Vec<3>::UnitZ());
+  const auto [a, b] = across(near.normal);
+  const Vec<3> away = x - near.point;
+  const double first = a.dot(away), second = b.dot(away);
+  return {std::atan2(second, first), std::atan2(std::hypot(first, second), ball.radius + near.normal.dot(away))};
 }
 
 FaceCoordinates<3> closest(const Cylinder& cylinder, const Vec<3>& x) {
-  const auto [a, b] = across(cylinder.axis);
-  const Vec<3> out = x - cylinder.point;
-  return {std::atan2(b.dot(out), a.dot(out)), cylinder.axis.dot(out)};
+  const CylinderFrame frame = cylinder_frame(cylinder);
+  const Vec<3> away = x - frame.point;
+  return {angle_at(cylinder.radius, away, frame.around, frame.out), cylinder.axis.dot(away)};
 }
 
 FaceCoordinates<3> closest(const Torus& torus, const Vec<3>& x) {
-  const auto [a, b] = across(torus.axis);
-  const Vec<3> out = x - torus.center;
-  const double first = a.dot(out), second = b.dot(out);
-  return {std::atan2(second, first), std::atan2(torus.axis.dot(out), std::hypot(first, second) - torus.ring)};
+  const TorusFrame frame = torus_frame(torus);
+  const Vec<3> away = x - frame.point;
+  const double out = frame.out.dot(away), around = frame.around.dot(away);
+  // From the near point's distance L from the axis to that of x: (L + o)² + s² − L² = o (2 L + o) + s²
+  const double distance = std::hypot(frame.distance + out, around);
+  const Vec<2> in_plane((out * (2 * frame.distance + out) + around * around) / (distance + frame.distance),
+                        torus.axis.dot(away));
+  return {std::atan2(around, frame.distance + out),
+          angle_at(torus.radius, in_plane, across(frame.normal)[0], frame.normal)};
 }
 
 void locate(const Ball<3>& ball, FaceGeometry<3>& point) {
+  const NearPoint<3> near = near_point<3>(ball.center, ball.radius, Vec<3>::UnitZ());
+  const auto [a, b] = across(near.normal);
   const double azimuth = point.xi(0), polar = point.xi(1);
-  const Vec<3> around(-std::sin(azimuth), std::cos(azimuth), 0);
-  const Vec<3> down(std::cos(polar) * std::cos(azimuth), std::cos(polar) * std::sin(azimuth), -std::sin(polar));
+  const Vec<3> around = std::cos(azimuth) * b - std::sin(azimuth) * a;
+  const Vec<3> aside = std::cos(azimuth) * a + std::sin(azimuth) * b;
+  const Vec<3> down = std::cos(polar) * aside - std::sin(polar) * near.normal;
   const Vec<3> out = down.cross(around);
-  point.position = ball.center + ball.radius * out;
+  point.position = near.point + along_circle(ball.radius, polar, aside, near.normal);
   // Arc lengths over R along `down` and `around`: x,11 = x,22 = −R n, x,12 = 0 at the point
   point.tangent = {ball.radius * down, ball.radius * around};
   point.second = {-ball.radius * out, Vec<3>::Zero(), -ball.radius * out};
@@ -184,22 +198,25 @@ void locate(const Ball<3>& ball, FaceGeometry<3>& point) {
 }
 
 void locate(const Cylinder& cylinder, FaceGeometry<3>& point) {
-  const auto [a, b] = across(cylinder.axis);
+  const CylinderFrame frame = cylinder_frame(cylinder);
   const double c = std::cos(point.xi(0)), s = std::sin(point.xi(0));
-  const Vec<3> out = c * a + s * b;
-  point.position = cylinder.point + cylinder.radius * out + point.xi(1) * cylinder.axis;
-  point.tangent = {cylinder.radius * (c * b - s * a), cylinder.axis};
+  const Vec<3> out = c * frame.out + s * frame.around;
+  point.position =
+      frame.point + along_circle(cylinder.radius, point.xi(0), frame.around, frame.out) + point.xi(1) * cylinder.axis;
+  point.tangent = {cylinder.radius * (c * frame.around - s * frame.out), cylinder.axis};
   point.second = {-cylinder.radius * out, Vec<3>::Zero(), Vec<3>::Zero()};
   turn_if(cylinder.hollow, point);
 }
 
 void locate(const Torus& torus, FaceGeometry<3>& point) {
-  const auto [a, b] = across(torus.axis);
+  const TorusFrame frame = torus_frame(torus);
   const double c = std::cos(point.xi(0)), s = std::sin(point.xi(0));
-  const double along = torus.radius * std::cos(point.xi(1)), up = torus.radius * std::sin(point.xi(1));
-  const Vec<3> out = c * a + s * b, around = c * b - s * a;
-  // x = c + (R + r cos ψ) e(φ) + r sin ψ a
-  point.position = torus.center + (torus.ring + along) * out + up * torus.axis;
+  const Vec<3> out = c * frame.out + s * frame.around, around = c * frame.around - s * frame.out;
+  const Vec<2> way = along_circle(torus.radius, point.xi(1), across(frame.normal)[0], frame.normal);
+  const double along = torus.radius * frame.normal(0) + way(0), up = torus.radius * frame.normal(1) + way(1);
+  // x = c + (R + r cos ψ) e(φ) + r sin ψ a, measured from the near point
+  point.position = frame.point + along_circle(frame.distance, point.xi(0), frame.around, frame.out) + way(0) * out +
+                   way(1) * torus.axis;
   point.tangent = {(torus.ring + along) * around, along * torus.axis - up * out};
   point.second = {-(torus.ring + along) * out, -up * around, -along * out - up * torus.axis};
   turn_if(torus.hollow, point);
@@ -219,13 +236,13 @@ FaceCoordinates<3> advance_slip(const Ball<3>& ball, const FaceCoordinates<3>& s
   to.xi = slip;
   locate(ball, from);
   locate(ball, to);
+  const Vec<3> chord = to.position - from.position;
+  if (!(chord.norm() > length)) return slip;
   // Along the great circle; a chord of length L spans the angle 2 asin(L/2R).
-  const Vec<3> a = (from.position - ball.center) / ball.radius, b = (to.position - ball.center) / ball.radius;
-  const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
-  const double limit = 2 * std::asin(std::min(1.0, length / (2 * ball.radius)));
-  if (!(angle > limit)) return slip;
-  const Vec<3> across_a = (b - a.dot(b) * a).normalized();
-  return closest(ball, ball.center + ball.radius * (std::cos(limit) * a + std::sin(limit) * across_a));
+  const Vec<3> normal = normal_of<3>(from.tangent).normalized() * (ball.hollow ? -1 : 1);
+  const double angle = 2 * std::asin(std::min(1.0, length / (2 * ball.radius)));
+  return closest(ball,
+                 from.position + along_circle(ball.radius, angle, normal_part(chord, normal).normalized(), normal));
 }
 
 FaceCoordinates<3> advance_slip(const Cylinder& cylinder, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,

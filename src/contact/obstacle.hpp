@@ -7,19 +7,20 @@
 
 namespace signorini::contact {
 
-/// A half space with outward normal. ξ is the length along the line from `point` (2D), or two lengths in orthogonal
-/// directions (3D).
+/// A half space with outward normal. ξ is the length along the line from its point closest to the origin (2D), or two
+/// lengths in orthogonal directions (3D).
 template <int D> struct Plane { Vec<D> point, normal; };
 
 /// A ball; in 2D a disc: the section of a cylinder, of a sphere centered on the axis of revolution, or of a torus. ξ is
-/// the angle, of a hollow one clockwise (2D), or azimuth and polar angle (3D). Hollow shapes surround the body.
+/// the angle from the near point (near_point.hpp), of a hollow one clockwise (2D), or azimuth and polar angle about it
+/// (3D). Hollow shapes surround the body.
 template <int D> struct Ball {
   Vec<D> center;
   double radius;
   bool hollow = false;
 };
 
-/// An infinite cylinder; ξ is the angle about the axis (a unit vector) and the length along it.
+/// An infinite cylinder; ξ is the angle about the axis (a unit vector) and the length along it, from the near point.
 struct Cylinder {
   Vec<3> point, axis;
   double radius;
@@ -27,7 +28,7 @@ struct Cylinder {
 };
 
 /// A circle of `radius`, its center on a ring about the axis (a unit vector), revolved; ξ are the angles about the axis
-/// and along the circle.
+/// and along the circle, from the near point.
 struct Torus {
   Vec<3> center, axis;
   double ring, radius;
@@ -48,9 +49,6 @@ template <int D> Ball<D> make_ball(const Vec<D>& center, double radius, bool hol
 Cylinder make_cylinder(const Vec<3>& point, const Vec<3>& axis, double radius, bool hollow = false);
 /// Normalizes the axis. Throws Error if it is zero, or unless 0 < radius < ring.
 Torus make_torus(const Vec<3>& center, const Vec<3>& axis, double ring, double radius, bool hollow = false);
-
-/// Largest coordinate that enters a closest point: of points or center, plus the radius.
-template <int D> double largest_coordinate(const Obstacle<D>& obstacle);
 
 /// Coordinate of the point of the shape closest to x, both without the obstacle's translation.
 template <int D> FaceCoordinates<D> closest(const Plane<D>& plane, const Vec<D>& x);

@@ -2,6 +2,7 @@
 
 #include "base/whole_file.hpp"
 #include "contact/archive.hpp"
+#include "contact/former_coordinates.hpp"
 #include "model/changed_contact.hpp"
 #include "model/following.hpp"
 #include "model/scene_archive.hpp"
@@ -23,7 +24,9 @@ namespace model {
 
 namespace {
 
-const ArchiveKind kind{"checkpoint", 7, 7};
+const ArchiveKind kind{"checkpoint", 8, 7};
+/// The first version with coordinates on obstacles from a near point.
+constexpr std::uint32_t near_coordinates = 8;
 
 using Parts = std::vector<ScenePart>;
 
@@ -38,7 +41,8 @@ template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& saved) {
 }
 
 /// Reads the state into a snapshot of a model of the same scene.
-template <int D> void read_state(ArchiveReader& from, const System<D>& system, Snapshot<D>& saved) {
+template <int D>
+void read_state(ArchiveReader& from, std::uint32_t version, const System<D>& system, Snapshot<D>& saved) {
   auto& [displacement, targets, force, factor, contacts, internal] = saved.state;
   auto& [increment, previous, before, targets_before, bend, curved, force_scale, work] = saved.path;
   const Eigen::Index dofs = displacement.size(), components = targets.size();
@@ -53,6 +57,9 @@ template <int D> void read_state(ArchiveReader& from, const System<D>& system, S
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     contact::read_history<D>(from, *system.contacts[k], contacts[k]);
     check_changes(system.scene.contacts[k], contacts[k].changes);
+    if (const auto* master = std::get_if<ObstacleReference>(&system.scene.contacts[k].master);
+        master && version < near_coordinates)
+      contact::update_coordinates<D>(system.scene.obstacles[at(master->obstacle)], contacts[k]);
   }
   for (auto& values : internal) {
     const std::size_t count = values.size();
@@ -62,11 +69,11 @@ template <int D> void read_state(ArchiveReader& from, const System<D>& system, S
   }
 }
 
-template <int D> void take_state(Model<D>& model, std::string_view bytes) {
+template <int D> void take_state(Model<D>& model, std::string_view bytes, std::uint32_t version) {
   const Snapshot<D> before = snapshot(model);
   Snapshot<D> saved = before;
   ArchiveReader from(bytes, {.finite = true});
-  read_state(from, model.system, saved);
+  read_state(from, version, model.system, saved);
   try {
     restore(model, saved);
     settle(model);
@@ -80,6 +87,7 @@ template <int D> void take_state(Model<D>& model, std::string_view bytes) {
 /// Parts of a file.
 struct Content {
   std::unique_ptr<const std::string> bytes; ///< which do not move with the content
+  std::uint32_t version;
   int dimension;
   std::string_view text, scene, layers, state; ///< of bytes
 };
@@ -87,7 +95,8 @@ struct Content {
 using Layers = std::vector<nurbs::RaisedElements>;
 
 Content open(const std::string& file) {
-  Content content{std::make_unique<const std::string>(read_archive(file, kind).bytes), 0, {}, {}, {}, {}};
+  ArchiveBytes read = read_archive(file, kind);
+  Content content{std::make_unique<const std::string>(std::move(read.bytes)), read.version, 0, {}, {}, {}, {}};
   ArchiveReader from(*content.bytes);
   content.dimension = from.get<int>();
   content.text = from.section("text");
@@ -107,7 +116,7 @@ template <int D> void take(std::shared_ptr<Model<D>>& model, const Content& cont
     require(other != nullptr, "model.checkpoint.layers");
     model = std::move(other);
   }
-  take_state(*model, content.state);
+  take_state(*model, content.state, content.version);
 }
 
 /// A state has more numbers than its bodies have elements.

@@ -174,7 +174,7 @@ template <int D> VectorX Drives<D>::displacement(const VectorX& targets) const {
   for (const Follower& f : followers_) {
     double& u = result(f.dof);
     u = f.target >= 0 ? f.shape * targets(f.target) : 0;
-    if (f.angle >= 0) u += (rotated<D>(targets(f.angle) * radians_per_degree, f.axis, f.arm) - f.arm)(f.component);
+    if (f.angle >= 0) u += turned<D>(targets(f.angle) * radians_per_degree, f.axis, f.arm)(f.component);
   }
   return result;
 }
@@ -186,7 +186,7 @@ template <int D> VectorX Drives<D>::rate(const VectorX& targets, const VectorX& 
     u = f.target >= 0 ? f.shape * direction(f.target) : 0;
     if (f.angle >= 0)
       u += radians_per_degree * direction(f.angle) *
-           rotated<D>(targets(f.angle) * radians_per_degree, f.axis, f.arm, 1)(f.component);
+           rotation_rate<D>(targets(f.angle) * radians_per_degree, f.axis, f.arm, 1)(f.component);
   }
   return result;
 }

@@ -6,9 +6,9 @@ namespace signorini::model {
 
 namespace {
 
-/// R(θ) e_i, or a derivative, of an angle's marker.
-template <int D> Vec<D> marker(const FreeAngle<D>& angle, const VectorX& displacement, int i, int derivative) {
-  return rotated<D>(displacement(angle.dof) / angle.arm, angle.axis, Vec<D>::Unit(i), derivative);
+/// A derivative of R(θ) e_i, of an angle's marker.
+template <int D> Vec<D> marker_rate(const FreeAngle<D>& angle, const VectorX& displacement, int i, int order) {
+  return rotation_rate<D>(displacement(angle.dof) / angle.arm, angle.axis, Vec<D>::Unit(i), order);
 }
 
 } // namespace
@@ -17,26 +17,27 @@ template <int D> void follow_angles(const Unknowns<D>& unknowns, VectorX& displa
   for (const FreeAngle<D>& angle : unknowns.free_angles())
     for (int i = 0; i < D; ++i)
       displacement.template segment<D>(angle.markers + D * i) =
-          angle.arm * (marker(angle, displacement, i, 0) - Vec<D>::Unit(i));
+          angle.arm * turned<D>(displacement(angle.dof) / angle.arm, angle.axis, Vec<D>::Unit(i));
 }
 
 template <int D> VectorX angle_rates(const Unknowns<D>& unknowns, const VectorX& displacement) {
   VectorX rates = VectorX::Ones(unknowns.dofs());
   for (const FreeAngle<D>& angle : unknowns.free_angles())
-    for (int i = 0; i < D; ++i) rates.template segment<D>(angle.markers + D * i) = marker(angle, displacement, i, 1);
+    for (int i = 0; i < D; ++i)
+      rates.template segment<D>(angle.markers + D * i) = marker_rate(angle, displacement, i, 1);
   return rates;
 }
 
 template <int D> void add_moments(const Unknowns<D>& unknowns, const VectorX& displacement, VectorX& force) {
   for (const FreeAngle<D>& angle : unknowns.free_angles())
     for (int i = 0; i < D; ++i)
-      force(angle.dof) += force.template segment<D>(angle.markers + D * i).dot(marker(angle, displacement, i, 1));
+      force(angle.dof) += force.template segment<D>(angle.markers + D * i).dot(marker_rate(angle, displacement, i, 1));
 }
 
 template <int D> double angle_curvature(const FreeAngle<D>& angle, const VectorX& displacement, const VectorX& force) {
   double sum = 0;
   for (int i = 0; i < D; ++i)
-    sum += force.template segment<D>(angle.markers + D * i).dot(marker(angle, displacement, i, 2)) / angle.arm;
+    sum += force.template segment<D>(angle.markers + D * i).dot(marker_rate(angle, displacement, i, 2)) / angle.arm;
   return sum;
 }
 

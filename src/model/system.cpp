@@ -115,7 +115,10 @@ System<D>::System(Scene<D> given)
     : contacts(make_contacts(completed(given))), ties(make_ties(given)), scene(without_regions(std::move(given))),
       unknowns(scene, contacts, ties), drives(scene, unknowns), followers(scene, unknowns, drives),
       springs(scene, unknowns), assembly(scene, unknowns, contacts, ties, followers, springs) {
-  for (const auto& obstacle : scene.obstacles) size = std::max(size, contact::largest_coordinate<D>(obstacle));
+  // Other shapes have rounding errors of the points that touch them (near_point.hpp).
+  for (const auto& obstacle : scene.obstacles)
+    if (const auto* patch = std::get_if<nurbs::Patch>(&obstacle))
+      size = std::max(size, patch->points().cwiseAbs().maxCoeff());
   for (const auto& named : scene.bodies) {
     const MatrixX points = named.body->space().points();
     size = std::max(size, points.cwiseAbs().maxCoeff());

@@ -23,7 +23,7 @@ template <int D> struct System {
   const FollowerLoads<D> followers;
   const Springs<D> springs;
   Assembly<D> assembly; ///< with the tangent of the last evaluation with tangent
-  double size = 0;      ///< largest coordinate of a control point or an obstacle
+  double size = 0;      ///< largest coordinate of control points, of bodies and obstacles
   double extent = 0;    ///< largest diameter of a body about its middle, the scale of penetrations
 
   /// The initial state, not evaluated yet.

@@ -209,8 +209,8 @@ check.case("invalid files are errors at the user's line, with a hint", function(
     write(good:sub(1, at - 1) .. string.char(good:byte(at) ~ 16) .. good:sub(at + 1))
     refused "is damaged: its checksum is wrong"
   end
-  write(good:gsub("^(SIGNORINI checkpoint\n)\7", "%1\8"))
-  refused "was written by a newer version of the program, in format 8; this one reads formats up to 7"
+  write(good:gsub("^(SIGNORINI checkpoint\n)\8", "%1\9"))
+  refused "was written by a newer version of the program, in format 9; this one reads formats up to 8"
   os.remove(file)
   refused("cannot read", "No such file")
   check.fails(function() sg.load(3) end, "path must be a string")

@@ -22,6 +22,19 @@ function scenes.plane()
   }
 end
 
+--- A block that slides over a disc, with friction.
+function scenes.disc()
+  local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 0.5, corner = { -0.5, 0 } }, order = "N2",
+                         elements = { 4, 1 }, contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local disc = sg.rigid.cylinder{ center = { 0.3, -2 }, radius = 2 }
+  return sg.model{
+    bodies = { block = block },
+    supports = { grip = { on = block:face "north", drive = "xy" } },
+    contacts = { c = { slave = block:face "south", master = disc, penalty = 50,
+                       friction = { mu = 0.3, penalty = 50 } } },
+  }
+end
+
 --- A cube below a sphere, in mortar contact.
 function scenes.space()
   local cube = sg.body{ patch = sg.shapes.block{ size = { 1, 1, 1 } }, elements = { 1, 1, 1 }, order = "N2",

@@ -8,13 +8,15 @@ local scenes = require "scenes"
 local folder = arg[1]
 sg.mkdir(folder)
 
-local steps = 0
-pcall(function()
-  scenes.plane():run(scenes.path, { checkpoint = folder .. "/run.sgn", on_step = function()
-    steps = steps + 1
-    if steps == 3 then error "interrupted" end
-  end })
-end)
+for name, scene in pairs{ run = scenes.plane, disc = scenes.disc } do
+  local steps = 0
+  pcall(function()
+    scene():run(scenes.path, { checkpoint = ("%s/%s.sgn"):format(folder, name), on_step = function()
+      steps = steps + 1
+      if steps == 3 then error "interrupted" end
+    end })
+  end)
+end
 
 local space = scenes.space()
 space:run{ { steps = 1, tool = { -0.2 } } }
