@@ -10,12 +10,21 @@ template <int D> int first_control_point(const Scene<D>& scene, int body) {
   return first;
 }
 
+namespace {
+
+/// Unites the control points of a body that coincide.
+template <int D> void unite_coincident(const Scene<D>& scene, int body, Groups& groups) {
+  const int first = first_control_point(scene, body);
+  for (const std::vector<int>& group : nurbs::coincident_functions(scene.bodies[at(body)].body->space()))
+    for (int function : group) groups.unite(first + group.front(), first + function);
+}
+
+} // namespace
+
 template <int D> Groups coincident_points(const Scene<D>& scene) {
   const auto count = static_cast<int>(scene.bodies.size());
   Groups groups(first_control_point(scene, count));
-  for (int b = 0, first = 0; b < count; first += scene.bodies[at(b)].body->functions(), ++b)
-    for (const std::vector<int>& group : nurbs::coincident_functions(scene.bodies[at(b)].body->space()))
-      for (int function : group) groups.unite(first + group.front(), first + function);
+  for (int b = 0; b < count; ++b) unite_coincident(scene, b, groups);
   for (const Join& join : scene.joins) {
     const int first = first_control_point(scene, join.first.body),
               second = first_control_point(scene, join.second.body);
@@ -38,12 +47,16 @@ std::vector<int> shared_numbers(const Scene<D>& scene, const FaceReference& face
 } // namespace
 
 template <int D> contact::Surface<D> surface_of(const Scene<D>& scene, const Faces& faces, const Message& list) {
-  const Groups groups = coincident_points(scene);
   const auto space = [&](const FaceReference& face) -> const nurbs::Discretization& {
     return scene.bodies[at(face.body)].body->space();
   };
-  if (const FaceReference& face = faces.front(); faces.size() == 1)
+  if (const FaceReference& face = faces.front(); faces.size() == 1) {
+    // Points of one face coincide only at seams and poles of its own body.
+    Groups groups(first_control_point(scene, face.body + 1));
+    unite_coincident(scene, face.body, groups);
     return {space(face), face.side, first_control_point(scene, face.body), shared_numbers(scene, face, groups)};
+  }
+  const Groups groups = coincident_points(scene);
   std::vector<contact::FacePart> parts;
   for (const FaceReference& face : faces)
     parts.push_back({space(face).face(face.side), shared_numbers(scene, face, groups), nurbs::outward_sign(face.side),
