@@ -9,7 +9,7 @@ namespace signorini::model {
 
 namespace {
 
-/// Radii below this fraction of a body's largest one, and displacements below that of all bodies', are rounding error.
+/// Radii and displacements below this fraction of a body's size are rounding error.
 constexpr double on_axis = 1e-12;
 
 } // namespace
@@ -34,24 +34,22 @@ template <int D> Message off_axis(const System<D>& system, int drive, const std:
     targets(moving.first + static_cast<int>(k)) = values[k];
   const VectorX moved = system.drives.displacement(targets);
   const Support<D>& support = system.scene.supports[at(moving.support)];
-  double largest = 0;
-  for (const NamedBody<D>& named : system.scene.bodies)
-    largest = std::max(largest, named.body->space().points().row(0).cwiseAbs().maxCoeff());
-  const double least = on_axis * largest;
+  const double least = on_axis * system.extent; // a body on the axis has no larger radii
   for (const int obstacle : support.obstacles)
     if (const double across = moved(system.unknowns.obstacle_offset(obstacle)); std::abs(across) > least)
       return Message("model.axis.obstacle", {{"support", support.name}, {"across", across}});
-  const std::vector<char> held = radial_on_axis(system);
   for (const SupportedControlPoints& part : support.on) {
     const NamedBody<D>& named = system.scene.bodies[at(part.body)];
-    const MatrixX points = named.body->space().points();
     for (const int function : part.functions) {
       const int dof = system.unknowns.offset(part.body) + D * function;
-      if (held[at(dof)] != 0 && std::abs(moved(dof)) > least)
+      if (std::abs(moved(dof)) <= least) continue;
+      const auto point = named.body->space().homogeneous().col(function);
+      const Vec<D> place = point.template head<D>() / point(D);
+      if (place(0) <= least)
         return Message("model.axis.body",
                        {{"support", support.name},
                         {"body", named.name},
-                        {"at", Vec<D>(points.col(function))},
+                        {"at", place},
                         {"across", moved(dof)},
                         {"turns", Message(support.turns() ? "model.axis.turn" : "model.axis.drive")}});
     }
