@@ -22,8 +22,8 @@ struct ContactArea {
   std::vector<char> inside; ///< by contact point
   double area = 0;
 };
-/// `reference`: tractions act per reference area; `modulus`: Young's modulus of the softer body. `history` belongs to
-/// the current position of the faces.
+/// `reference`: areas of results are reference areas; `modulus`: Young's modulus of the softer body. `history` belongs
+/// to the current position of the faces.
 template <int D>
 ContactArea contact_area(const Formulation<D>& formulation, const History<D>& history, bool reference, double modulus);
 
