@@ -17,7 +17,6 @@ template <int D> Resultant<D> resultant(const History<D>& history) {
   for (const PointResult<D>& point : history.results) {
     sum.force += point.force;
     if (point.state == ContactState::open) continue;
-    sum.area += point.area;
     sum.max_pressure = std::max(sum.max_pressure, point.pressure);
     sum.max_penetration = std::max(sum.max_penetration, -point.gap);
     ++sum.active;

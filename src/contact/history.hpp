@@ -98,10 +98,11 @@ template <int D> bool acts(const ContactPoints<D>& points, const History<D>& his
 template <int D> double growth(const PointResult<D>& before, const PointResult<D>& after);
 template <int D> double growth(const MultiplierResult<D>& before, const MultiplierResult<D>& after);
 
-/// Sums over a contact. Area, largest pressure and penetration are over the points that are not open.
+/// Sums over a contact. Largest pressure and penetration are over the points that are not open. The area, which is not
+/// a sum over points, is that of contact_area.hpp.
 template <int D> struct Resultant {
   Vec<D> force = Vec<D>::Zero(); ///< of the master on the slave
-  double area = 0, max_pressure = 0, max_penetration = 0;
+  double max_pressure = 0, max_penetration = 0;
   int active = 0, slipping = 0;
 };
 template <int D> Resultant<D> resultant(const History<D>& history);

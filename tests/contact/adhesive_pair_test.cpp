@@ -53,7 +53,7 @@ TEST(AdhesivePair, UniformGapActsOnTheReferenceLength) {
     }
     EXPECT_NEAR((force - Vec<2>(0, total)).norm(), 0, 1e-12 * std::abs(stiffness(law, 0)) * r);
     EXPECT_NEAR((couple.pair.resultant().force - force).norm(), 0, 1e-14 * std::abs(total));
-    EXPECT_NEAR(couple.pair.resultant().area, r < strongest_distance(law) ? 3 : 0, 1e-13);
+    EXPECT_NEAR(couple.pair.area(), r < strongest_distance(law) ? 3 : 0, 1e-13);
     EXPECT_NEAR(couple.dense().force.tail<2>()(1), total, 1e-12 * std::abs(stiffness(law, 0)) * r);
   }
 }

@@ -28,6 +28,20 @@ TEST(ContactArea, EndsWhereALinearGapOfACurveIsZero) {
   }
 }
 
+/// Also where tractions act per reference area, pressures are those on the current area, of closed and open points.
+TEST(ContactArea, OfAStretchedFaceIsTheCurrentOne) {
+  for (const TractionArea per : {TractionArea::current, TractionArea::reference}) {
+    PenaltyLaw law{100, 80, 0};
+    law.per = per;
+    Couple couple(discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {7, 1}, "N2", "south"), "south",
+                  make_plane<2>({2.468, 0}, {0.01, 1}), law, 4);
+    const MatrixX points = couple.die.points();
+    for (int i = 0; i < couple.die.functions(); ++i) couple.u(2 * i) = points(0, i);
+    couple.evaluate();
+    EXPECT_NEAR(contact_area(couple.pair.formulation(), couple.pair.present(), current, modulus).area, 2.468, 1e-13);
+  }
+}
+
 /// Without a border the area is that of all points, or zero.
 TEST(ContactArea, IsThatOfTheFaceOrZeroWithoutABorder) {
   for (const double y : {0.1, -0.1}) {

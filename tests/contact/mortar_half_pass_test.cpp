@@ -158,7 +158,7 @@ TEST(MortarHalfPass, TractionsActPerCurrentArea) {
     for (const auto& multiplier : couple.pair.multipliers()) EXPECT_NEAR(multiplier.pressure, 2, 1e-13);
     for (const auto& point : couple.pair.results()) EXPECT_NEAR(point.pressure, 2, 1e-13);
     EXPECT_NEAR(couple.pair.resultant().force(1), 8, 1e-12);
-    EXPECT_NEAR(couple.pair.resultant().area, 4, 1e-12);
+    EXPECT_NEAR(couple.pair.area(), 4, 1e-12);
     couple.pair.accept();
     EXPECT_NEAR(couple.pair.history().growth, 0.5 * (0.5 * 100 * 0.02 * 0.02 * 2), 1e-14);
   }

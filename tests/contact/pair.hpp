@@ -1,6 +1,7 @@
 #pragma once
 // One contact with the state that a model holds for it, which can be evaluated, accepted and rolled back alone.
 
+#include "contact/contact_area.hpp"
 #include "contact/method.hpp"
 
 namespace signorini::contact::test {
@@ -88,6 +89,7 @@ public:
   const std::vector<PointResult<D>>& accepted_results() const { return accepted_.results; }
   const std::vector<Vec<D>>& reference_positions() const { return formulation_->points().reference; }
   Resultant<D> resultant() const { return contact::resultant(present_); }
+  double area() const { return contact_area(*formulation_, present_, false, 1).area; }
   double stiffness() const { return formulation_->stiffness(present_, factor_); }
   double potential() const { return contact::potential(present_); }
   double dissipated() const { return accepted_.dissipated; }
