@@ -206,7 +206,9 @@ its direction, or a surface in 3D, whose outward normal is the cross product of 
 patch:reverse(1) exchanges inside and outside. ]] .. driven,
     arguments = { { "patch", boundary, "curve in the plane, or surface in 3D" } },
     more = [[The patch may come from a file, sg.rigid.surface(sg.nurbs.read("tool.xml")[1]); of a body's shape take a
-face, patch:face "north".]],
+face, patch:face "north".
+Rounding errors are those of its largest coordinate: an arc of radius 4e6 on a layer 0.25 thick gives a force 2e-4 off.
+Planes, cylinders, spheres and tori have no such limit.]],
     returns = t.object "obstacle",
     example = { "sg.rigid.surface(sg.nurbs.arc{ center = {0, 0}, radius = 1, from = 0, to = 180 })",
                 'sg.rigid.surface(sg.shapes.block{ size = {9, 9, 1}, corner = {0, 0, -1} }:face "back")' } },
