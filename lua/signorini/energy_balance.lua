@@ -68,9 +68,10 @@ local function bond_hint(run, worst)
 end
 
 --- A sentence on the stage with the largest missing energy; nil if that is small. `list`: energies at the start of each
---- stage and at the end. Not counted are the energy in the springs of the contacts, because with friction penetrating
---- points travel another distance than their slip points, and stages with jumps.
-function energy_balance.warning(run, list)
+--- stage and at the end; `unbalanced`: a contact whose half passes differ, if any. Not counted are the energy in the
+--- springs of the contacts, because with friction penetrating points travel another distance than their slip points,
+--- and stages with jumps.
+function energy_balance.warning(run, list, unbalanced)
   local work, worst, first = 0, nil, 1
   for i, stage in ipairs(run.stages) do
     local a, b = list[i], list[i + 1]
@@ -89,9 +90,13 @@ function energy_balance.warning(run, list)
     first = last + 1
   end
   if not worst or worst.missing <= much * work or not acts(list) then return nil end
+  local hint = ("increments half as long (steps = %d) about halve the error"):format(2 * worst.increments)
+  if unbalanced then
+    hint = ("the half passes of contact '%s' do different work at any increments; use smaller elements on both "
+      .. "faces"):format(unbalanced)
+  end
   return ("the energy balance is off by %.2g %% of the work in stage '%s'. Hint: %s"):format(100 * worst.missing / work,
-    worst.stage.name, bond_hint(run, worst) or ("increments half as long (steps = %d) about halve the error"):format(
-      2 * worst.increments))
+    worst.stage.name, bond_hint(run, worst) or hint)
 end
 
 return energy_balance

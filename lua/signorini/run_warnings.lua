@@ -25,13 +25,18 @@ local function ever_acts(run, model, contact)
   end)
 end
 
---- Whether the bodies of a contact overlapped at the end of a stage unseen by it, which state_warnings() report.
+--- Whether the bodies of a contact, or of both half passes, overlapped at the end of a stage unseen by it, which
+--- state_warnings() report.
 local function unseen(run, contact)
+  local name = contact:gsub("%.master$", "")
   return lists.any({ "obstacle_inside", "unseen_overlap" }, function(code)
-    local subject = ("model.warning.%s %s "):format(code, contact)
+    local subject = ("model.warning.%s %s "):format(code, name)
     return lists.any(run.state_findings, function(found) return found.subject:sub(1, #subject) == subject end)
   end)
 end
+
+-- Depth relative to the smallest body's size above which points of mortar contact are in the master.
+local unseen_depth = 1e-6
 
 --- A sentence for an active contact that never touched in the rows of a run, with the smallest gap at its end.
 local function untouched(run, model, contact)
@@ -40,6 +45,11 @@ local function untouched(run, model, contact)
   local least = math.huge
   for _, gap in ipairs(model:profile(contact).gap) do
     if gap < least then least = gap end -- false for nan, where the master is not opposite
+  end
+  if least < -unseen_depth * (core.smallest_body(model) or 0) then
+    return ("contact '%s' has transmitted no force, although points of its slave face lie up to %.3g in the master: "
+      .. "the means of its gaps over functions of the slave face are open. Hint: use smaller elements of the slave "
+      .. "face there"):format(contact, -least)
   end
   local text = ("contact '%s' never touched; smallest gap %s"):format(contact,
     least < math.huge and ("%.4g"):format(least) or "unknown, because no point has a foot point on the master")
@@ -214,12 +224,21 @@ local function sticks(model)
   end)
 end
 
+local function has_friction(model)
+  return lists.any(model:contact_names(), function(contact) return (model:contact_law(contact).mu or 0) > 0 end)
+end
+
 --- A sentence for a last step whose equilibrium is not unique, so that damping has selected one. Where points stick,
---- the body has landed in the step, and friction determines its position.
+--- the body has landed in the step, and friction determines its position. An obstacle without friction has landed if
+--- the stiffness of its contacts holds it; the stiffness of bodies along a contact is an error of discretization.
 local function held(run, model)
   local attempts = run.histories[#run.histories] or {}
   local last = attempts[#attempts]
   if not (last and last.converged and last.fallback == "damping") or sticks(model) then return nil end
+  local moves_body = lists.any(model:unconstrained_bodies(), function(name)
+    return lists.holds(model:body_names(), name)
+  end)
+  if not moves_body and not has_friction(model) and not core.weak_hold(model) then return nil end
   return ("damping alone determines the position in step %d: %s. Hint: add a support, unless contact is to hold it "
     .. "later"):format(run.steps, run.singular or "its tangent is singular")
 end
@@ -245,11 +264,13 @@ end
 
 --- The warnings of a run; those of model:warnings() and about the path come first.
 function run_warnings.of_run(run, model, early)
-  local texts = lists.joined(model:warnings(), early)
+  local texts, differing = lists.joined(model:warnings(), early), nil
   for _, contact in ipairs(run.rows > 0 and model:contact_names() or {}) do
     texts[#texts + 1] = untouched(run, model, contact)
     texts[#texts + 1] = unsettled(run, contact)
-    texts[#texts + 1] = unbalanced(run, model, contact)
+    local text = unbalanced(run, model, contact)
+    texts[#texts + 1] = text
+    if text then differing = differing or contact end
   end
   texts = lists.joined(texts, run.overlaps)
   texts = lists.joined(texts, states(run, model))
@@ -259,7 +280,7 @@ function run_warnings.of_run(run, model, early)
   texts[#texts + 1] = unstable_law(run)
   texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length,
     path_controls.arc_options(run.histories))
-  texts[#texts + 1] = energy_balance.warning(run, run.energies)
+  texts[#texts + 1] = energy_balance.warning(run, run.energies, differing)
   return texts
 end
 

@@ -66,10 +66,36 @@ end)
 
 check.case("a contact that never touched is reported once, with the smallest gap", function()
   local run = scene(0, rough, { slave = "north" }):run(press)
-  check.equal({ run.reason, #run.warnings }, { "completed", 1 })
+  check.equal({ run.reason, #run.warnings }, { "completed", 2 })
   check.holds(run.warnings[1], "contact 'c' never touched; smallest gap 0.48")
+  check.holds(run.warnings[2], "face 'north' of body 'slab' lies 0.02 behind face 'south' of body 'block'")
   check.holds(run, "contact 'c' never touched")
   check.equal(#scene(0, rough):run(press).warnings, 0)
+end)
+
+check.case("half passes of which one has transmitted nothing although its points penetrate", function()
+  local function run(slab, arch)
+    local rubber = sg.neo_hookean{ E = 1, nu = 0.3 }
+    local low = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 0.6, corner = {-1, -0.6} }, elements = slab,
+                         order = "N3", contact = "north", material = rubber }
+    local up = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0, 0.501} },
+                        elements = arch, order = "N2", contact = "south", material = rubber }
+    local model = sg.model{ bodies = { low = low, up = up },
+      supports = { bed = { on = low:face "south", fix = "xy" }, lid = { on = { up:face "west", up:face "east" },
+                   drive = "xy" } },
+      contacts = { k = { slave = low:face "north", master = up:face "south", method = "half_passes",
+                         multipliers = "equal" } } }
+    return table.concat(model:run{ { steps = 4, lid = {0, -0.02} } }.warnings, "\n")
+  end
+  local found = run({16, 6}, {2, 1})
+  local depth = tonumber(found:match "'k.master' has transmitted no force, although points .- lie up to (%S+) in the")
+  assert(depth > 0.001 and depth < 0.019, depth)
+  check.equal(found:find("never touched", 1, true), nil)
+  check.holds(found, "the half passes of contact 'k' do different work at any increments")
+  -- Where both miss, the bodies' overlap is reported, once.
+  found = run({2, 3}, {2, 1})
+  check.holds(found, "no point of contacts.k is active")
+  check.equal(found:find("transmitted", 1, true), nil)
 end)
 
 check.case("a penalty that is soft against the bodies is reported with one that leaves 1 %", function()

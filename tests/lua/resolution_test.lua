@@ -130,6 +130,41 @@ check.case("a soft penalty is reported at any factor, with one that leaves 1 %",
   check.equal(pressed({ penalty = 20 }, { 2, 2 }, "N2").warnings, {})
 end)
 
+--- A tool of radius 2 that lies on a block under a load, with mortar contact.
+local function resting(contact, elements)
+  local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {-1, -1} }, elements = elements,
+                         order = "N3", contact = "north", material = sg.linear_elastic{ E = 1, nu = 0 } }
+  contact.slave, contact.master, contact.method = block:face "north", sg.rigid.cylinder{ center = {0, 2}, radius = 2 },
+    "mortar"
+  local model = sg.model{ bodies = { block = block }, contacts = { touch = contact },
+    supports = { bed = { on = block:face "south", fix = "xy" },
+                 tool = { on = contact.master, fix = "x", free = "y" } },
+    loads = { weight = { on = contact.master, force = {0, 0} } } }
+  return model:run{ { steps = 1, weight = {0, -0.02} } }, model
+end
+
+-- Pressure acts on the whole face where a contact of Hertz's width 4 (F R/(π E'))^½ is expected.
+check.case("mortar contact whose elements cannot follow the master is reported, with the depth", function()
+  local uneven, expected = "the means of its gaps over functions", 4 * math.sqrt(0.02 * 2 / math.pi)
+  for _, how in ipairs { {}, { enforcement = "multipliers" }, { enforcement = "augmented" },
+                         { enforcement = "multipliers", multipliers = "reduced" } } do
+    for _, count in ipairs { 1, 2 } do
+      local run, model = resting({ enforcement = how.enforcement, multipliers = how.multipliers }, { count, 3 })
+      local found = about(run, uneven)
+      check.equal(#found, 1)
+      check.within("area", model:contact_resultant("touch").area, 2, 1e-9)
+      local distance, approach = found[1]:match "points lie (%S+) from .- approach each other by (%S+):"
+      check.holds(found[1], "at the end of stage 'stage 1': contacts.touch", "Hint: use smaller elements")
+      check.at_most("approach", tonumber(approach), 0.02)
+      check.at_most("distance", tonumber(distance), 0.25) -- the arc's height over half of the face
+      assert(tonumber(distance) > tonumber(approach))
+    end
+    local run, model = resting({ enforcement = how.enforcement, multipliers = how.multipliers }, { 32, 6 })
+    check.equal(about(run, uneven), {})
+    check.within_share("area", model:contact_resultant("touch").area, expected, 0.05)
+  end
+end)
+
 check.case("a stage that lowers the penalty, and a loose tolerance of augmentation, are reported", function()
   local run, model = pressed({}, { 2, 2 }, "N2")
   check.equal(run.warnings, {})

@@ -6,6 +6,7 @@ package.path = core.home .. "/scripts/?.lua;" .. package.path
 local check = require "check"
 local other_warnings = require "other_warnings"
 local sg = require "signorini"
+local checks = require "robustness.checks"
 local families = require "robustness.families"
 local scenes = require "robustness.scenes"
 local survey = require "robustness.survey"
@@ -94,6 +95,20 @@ check.case("a roller deep in a slab is an error, also where multipliers are open
                 supports = { bed = { on = slab:face "south", fix = "xy" } } }
     end, "the obstacle is inside body 'slab' at the start", "deep inside the obstacle")
   end
+end)
+
+check.case("overlaps of faces in a contact none of whose points is active", function()
+  local function warnings(seed)
+    local account = checks.solve(scenes.describe(seed))
+    check.equal(account.outcome, "completed")
+    return table.concat(account.run.warnings, "\n")
+  end
+  -- A sheet, through which an arch passes by as much as both of the sheet's faces lie in it
+  check.holds(warnings(249), "face 'north' of body 'a' lies 0.0327 behind face 'south' of body 'c'",
+    "no point of contacts.k1 is active")
+  -- A contact of the wrong face of a slab, whose other one the arch enters
+  check.holds(warnings(1505), "face 'north' of body 'a' lies 0.0305 behind face 'south' of body 'c'",
+    "the bodies pass through each other, because no contact is defined between these faces")
 end)
 
 check.case("loads that rounding errors exceed are a warning", function()

@@ -126,4 +126,24 @@ check.case("friction holds a block that has landed by damping", function()
   end
 end)
 
+check.case("contact without friction holds a tool that has landed by damping", function()
+  local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {-1, -1} }, elements = {16, 4},
+                         order = "N2", contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local tool = sg.rigid.cylinder{ center = {0, 2.05}, radius = 2 }
+  local function landed(obstacle, free)
+    local model = sg.model{ bodies = { block = block },
+      contacts = { c = { slave = block:face "north", master = obstacle } },
+      supports = { bed = { on = block:face "south", fix = "xy" },
+                   grip = { on = obstacle, free = free, fix = free == "y" and "x" or nil } },
+      loads = { weight = { on = obstacle, force = {0, 0} } } }
+    local run = model:run{ { steps = 1, weight = {0, -0.01} } }
+    check.equal({ run.reason, run.fallbacks.damping }, { "completed", 1 })
+    check.near(model:contact_resultant("c").fy, -0.01, 1e-9)
+    return table.concat(run.warnings, " "):find("damping alone", 1, true) ~= nil
+  end
+  check.equal(landed(tool, "y"), false)
+  check.equal(landed(tool, "xy"), false)
+  check.equal(landed(sg.rigid.plane{ point = {0, 0}, normal = {0, -1} }, "xy"), true)
+end)
+
 check.done()

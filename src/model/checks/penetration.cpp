@@ -39,6 +39,7 @@ struct SpringSums {
   double force = 0, area = 0; ///< ∫ p da, and the area with pressure
   double normal = 0;          ///< ½ ∫ p |g| da
   double slip = 0;            ///< ∫ p |elastic slip| da where they stick
+  double uneven = 0;          ///< with multipliers: ∫ p |g| da over the points, beyond that of the mean gaps
 };
 
 /// Adds a point or a multiplier with its elastic slip.
@@ -54,7 +55,13 @@ template <class Result> void add_spring(SpringSums& sum, const Result& one, doub
 template <int D> SpringSums springs_of(const contact::History<D>& history, const contact::PenaltyLaw& law) {
   SpringSums sum;
   for (const auto& multiplier : history.multiplier_results) add_spring(sum, multiplier, multiplier.elastic.norm());
-  if (!history.multipliers.empty()) return sum;
+  if (!history.multipliers.empty()) {
+    for (const auto& point : history.results)
+      if (contact::touches(point.state) && point.pressure > 0)
+        sum.uneven += point.pressure * point.area * std::abs(point.gap);
+    sum.uneven = std::max(sum.uneven - 2 * sum.normal, 0.0);
+    return sum;
+  }
   const double compliance = law.friction > 0 ? 1 / law.tangential : 0;
   for (const auto& point : history.results) add_spring(sum, point, stretch(point) * point.friction.norm() * compliance);
   return sum;
@@ -77,14 +84,16 @@ void warn_of_springs(const Model<D>& model, int index, const Energy& energy, std
   double strain = model.system.springs.energy(model.present.displacement);
   const std::vector<char> behind = bodies_behind(scene, contact);
   for (int b = 0; b < std::ssize(scene.bodies); ++b)
-    if (behind[at(b)] && !lost) strain += energy(b);
+    if (behind[at(b)] && !lost) strain += std::max(energy(b), 0.0); // rounding errors can be negative
   const double part = sum.normal / (strain + sum.normal), approach = 2 * (strain + sum.normal) / sum.force;
   const bool stuck = law.friction > 0 && law.enforcement != contact::Enforcement::multipliers;
-  const bool slips = stuck && sum.slip > noticeable_part * approach * sum.force;
-  if (part <= noticeable_part && !slips) return;
   // A contact that touches at rounding error has a penetration p/ε far below an element's size.
-  const double size = modulus / contact_stiffness(scene, contact);
-  if (sum.normal + sum.slip <= contact_rounding * size * sum.force) return;
+  const double size = modulus / contact_stiffness(scene, contact), rounding = contact_rounding * size * sum.force;
+  const auto noticeable = [&](double sum_of, double of) { return sum_of > std::max(noticeable_part * of, rounding); };
+  const bool penetrates = noticeable(sum.normal, strain + sum.normal);
+  const bool slips = stuck && noticeable(sum.slip, approach * sum.force);
+  const bool uneven = noticeable(sum.uneven, approach * sum.force);
+  if (!penetrates && !slips && !uneven) return;
   const double usual = default_penalty(scene, contact);
   // Springs in series: part/(1 − part) is inversely proportional to the penalty.
   const double series = strain > 0 ? law.normal * (sum.normal / strain) * (1 - small_part) / small_part : 0;
@@ -92,7 +101,8 @@ void warn_of_springs(const Model<D>& model, int index, const Energy& energy, std
   const Message cure = law.enforcement == contact::Enforcement::augmented
                            ? Message("model.soft.augmented")
                            : Message("model.soft.penalty", {{"penalty", enough}});
-  const bool soft = part > noticeable_part && !(law.normal >= usual && is_narrow(model, index));
+  const bool narrow = is_narrow(model, index);
+  const bool soft = penetrates && !(law.normal >= usual && narrow);
   if (soft)
     warnings.push_back(Message("model.warning.penetration", {{"contact", contact.name},
                                                              {"percent", 100 * part},
@@ -105,6 +115,10 @@ void warn_of_springs(const Model<D>& model, int index, const Energy& energy, std
                  {"slip", sum.slip / sum.force},
                  {"percent", 100 * sum.slip / sum.force / approach},
                  {"penalty", std::max(usual, law.friction * sum.force / sum.area / (small_part * approach))}}));
+  if (uneven && !narrow)
+    warnings.push_back(
+        Message("model.warning.uneven",
+                {{"contact", contact.name}, {"distance", sum.uneven / sum.force}, {"approach", approach}}));
 }
 
 } // namespace

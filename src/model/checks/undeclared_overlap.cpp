@@ -189,19 +189,21 @@ void warn_of_overlaps(const Model<D>& model, const PresentOutlines<D>& outlines,
     }
   for (const auto& [bodies, found] : overlaps) {
     const int first = bodies[0], second = bodies[1];
+    const DeclaredContacts between = contacts_between(model, first, second);
+    const bool untouched = between.everywhere && between.active == 0;
+    const bool unseen = found.paired && untouched;
     // What is declared includes the edges and corners of faces in contact, from which their neighbors start.
-    const bool undeclared = found.deepest && found.deepest->depth > declared[parts(first, second)];
-    if (!undeclared && !found.paired) continue;
+    const bool undeclared =
+        !unseen && found.deepest && (untouched || found.deepest->depth > declared[parts(first, second)]);
+    if (!unseen && !undeclared) continue;
     const Overlapping<D>& overlap = undeclared ? *found.deepest : *found.paired;
     const Message face = face_message(scene, overlap.face), behind = face_message(scene, overlap.behind);
     const double depth = overlap.depth;
     const Vec<D>& at = overlap.position;
-    const DeclaredContacts between = contacts_between(model, first, second);
-    if (!undeclared) {
-      if (between.everywhere && between.active == 0)
-        warnings.push_back(
-            Message("model.warning.unseen_overlap",
-                    {{"contact", between.first}, {"face", face}, {"behind", behind}, {"depth", depth}, {"at", at}}));
+    if (unseen) {
+      warnings.push_back(
+          Message("model.warning.unseen_overlap",
+                  {{"contact", between.first}, {"face", face}, {"behind", behind}, {"depth", depth}, {"at", at}}));
     } else if (outlines.joined(first, second)) {
       warnings.push_back(
           Message("model.warning.self_overlap", {{"face", face}, {"behind", behind}, {"depth", depth}, {"at", at}}));
