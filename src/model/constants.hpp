@@ -163,7 +163,7 @@ template <int D> inline constexpr int worth_sharing = D == 2 ? 64 : 8;
 inline constexpr double locking_linear = 0.45, locking_quadratic = 0.497, locking_higher = 0.499;
 /// Coefficient of friction above which an angle in degrees is suspected; rubber on dry concrete has about 1.
 inline constexpr double most_friction = 3;
-/// ε_N h/E from which steps need cutting (10 to 100 times E/h is usual), and from which the rounding error of the
+/// ε_N h/E from which steps need cutting (10 to 100 times E/h is accurate), and from which the rounding error of the
 /// contact stiffness exceeds the stiffness of the body.
 inline constexpr double stiff_penalty = 1e4, beyond_rounding = 1e8;
 /// Rotation, in radians, and principal strain, each in the mean over an element, from which a warning about Hooke's law

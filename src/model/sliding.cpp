@@ -110,9 +110,11 @@ template <int D> Message exhausted_friction(const Model<D>& model) {
     if (normal > 0 && angle < std::acos(0) && demanded > normal * std::tan(angle))
       return Message("model.diagnosis.friction", {{"contact", scene.contacts[at(k)].name},
                                                   {"body", scene.bodies[at(b)].name},
-                                                  {"limit", mu * normal},
+                                                  {"ratio", demanded / normal},
                                                   {"normal", normal},
-                                                  {"demanded", demanded}});
+                                                  {"demanded", demanded},
+                                                  {"mu", mu},
+                                                  {"slip", sticks ? Message() : Message("model.diagnosis.slip")}});
   }
   return {};
 }

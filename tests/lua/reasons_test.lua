@@ -258,16 +258,38 @@ check.case("friction_exhausted: a block that its weight presses on a floor is pu
     check.equal({ run.reason, run.cause, run.steps }, { "minimum_step", "friction_exhausted", 8 })
     check.holds(run.failure, "friction of contact 'c', which alone holds body 'block', is exhausted",
       "the body slides from here on")
-    local most, normal, demanded =
-      run.failure:match "it is at most (%S+), mu times the normal force (%S+), but the loads demand (%S+)%. "
-    check.near({ tonumber(most), tonumber(normal) }, { mu * weight, weight }, 1e-3 * weight)
-    check.equal(tonumber(demanded) > tonumber(most), true)
+    local normal, demanded =
+      run.failure:match "press on it with (%S+) and demand a friction of (%S+), 0%.3%d+ times as much; mu is 0%.3"
+    check.near(tonumber(normal), weight, 1e-3 * weight)
+    check.equal(tonumber(demanded) > mu * weight, true)
     check.equal(run.failure:find("add a support to the body", 1, true), nil)
     check.equal(run.iterations < 200, true)
     -- Cut down to the limit, up to 1/64 of a step
     local own = model:target "own"
     check.near(math.sqrt(own[1] ^ 2 + (space and own[2] ^ 2 or 0)), mu * weight, 0.035 * weight / 32)
   end
+end)
+
+check.case("friction_exhausted: a saddle that is pulled above its face slides before mu times its weight", function()
+  local mu, weight, R, arm = 0.3, 1e-2, 1, 1.5
+  local function arc(radius) return sg.nurbs.arc{ center = {0, 0}, radius = radius, from = 110, to = 70 } end
+  local saddle = sg.body{ patch = sg.nurbs.ruled{ a = arc(R), b = arc(arm) }, elements = {4, 2}, order = "N2",
+                          contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  local model = sg.model{ bodies = { saddle = saddle },
+    loads = { top = { on = saddle:face "north", traction = {0, 0} } },
+    contacts = { c = { slave = saddle:face "south", master = sg.rigid.cylinder{ center = {0, 0}, radius = R },
+                       penalty = 100, friction = { mu = mu, penalty = 100 } } } }
+  local length = arm * math.rad(40)
+  local function force(x) return { x / length, -weight / length } end
+  check.equal(model:run{ { steps = 1, top = force(0) } }.reason, "completed")
+  local run = model:run{ { steps = 10, top = force(0.3 * weight) } }
+  check.equal(run.cause, "friction_exhausted")
+  local normal, demanded, ratio = run.failure:match
+    "press on it with (%S+) and demand a friction of (%S+), (%S+) times as much; mu is 0%.3, and all touching points slip"
+  normal, demanded, ratio = tonumber(normal), tonumber(demanded), tonumber(ratio)
+  check.near({ normal, ratio * normal }, { weight, demanded }, 1e-3 * weight)
+  -- Moments about the center: the pull, at most at the height `arm`, balances mu R times the sum of the pressures.
+  check.equal({ demanded > mu * R / arm * weight, ratio < mu }, { true, true })
 end)
 
 check.case("indefinite: a column beyond Euler's load", function()

@@ -82,7 +82,7 @@ end)
 check.case("a penalty beyond rounding is reported before the run and as the cause of its failure", function()
   local model = pressed{ penalty = 1e20 }
   check.holds(model:warnings()[1], "contacts.c: penalty = 1e+20 is 2.5e+19 times the stiffness E/h", "rounding error",
-    "10 to 100 times E/h = 4 is usual")
+    "10 to 100 times E/h = 4, by default 30 times")
   local run = model:run{ { steps = 2, push = -0.05 } }
   check.equal(run.failed, true)
   check.holds(run.failure, "at this ratio the body's stiffness is lost",

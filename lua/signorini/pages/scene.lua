@@ -343,9 +343,9 @@ contacts = { glue = { slave = slab:face "south", master = sg.rigid.plane{ point 
     head = "joins = { <name> = { face, face } }, in sg.model{ … }",
     more = [[Faces that match point by point share their control points' unknowns (C0): they have the same degrees and
 elements, with parameters that differ by a constant factor, the same control points, and weights that differ by a
-constant factor; directions may be reversed, in 3D also exchanged. On sides that cross a layer the layers must match,
-too, and points up to 1e-3 of the face's size apart are joined, with a warning. Two faces of one body can be joined, as
-in a ring. Where several joins meet, all share one unknown. Other pairs of faces are tied (help "tie"), with the face of
+constant factor; directions may be reversed, in 3D also exchanged. On sides of solids that cross a layer the layers must
+match, too, and points up to 1e-3 of the face's size apart are joined, with a warning. Two faces of one body can be
+joined, as in a ring. Where several joins meet, all share one unknown. Others are tied (help "tie"), with the face of
 more elements as slave, and with a warning if they are apart or overlap; model:tie_profile and model:tie_resultant then
 accept the join's name. print(model) shows for each join what was done, and what differs.
 Supports, symmetry and reactions act on all control points that share an unknown; a joined face lies inside the body and
