@@ -24,8 +24,8 @@
 -- Expected: the oscillations of Table 7.3 at m1 (in % of N2, dPy and dPx): N4 49.88 and 23.31, N6 24.57 and 11.81,
 --           N2-N6 23.83 and 12.09, N2-N2.1 5.98 and 30.84, N2-N2.2 4.31 and 7.51; N2-N4 and N2-N2.3 a few percentage
 --           points higher than printed. The oscillation is max − min over steps 110 to 165, about one element pitch in
---           the middle of the slab. Deep: all discretizations converge with 3(p + 1) contact points, N4 does not with
---           p + 1; with halved steps all converge (thesis: N2 fails at m1). Validation: Py = 0.054, Px = 0.29 Py in the
+--           the middle of the slab. Deep: all discretizations converge with p + 1 and 3(p + 1) contact points, N2 does
+--           not with 2(p + 1); with halved steps all converge (thesis: N2 fails at m1). Validation: Py = 0.054, Px = 0.29 Py in the
 --           middle of the sliding, for both N2 and N4. Cost: in 110 steps N2-N2.1 on 26 × 2 elements oscillates by 0.33
 --           % (Px) and 0.17 % (Py) in less than half of the time of N2-N2.2 on 24 × 6.
 -- Run: signorini scripts/ironing2d.lua [mesh=m1] [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [repeat=1]

@@ -2,7 +2,7 @@
 --
 -- Problem: one block lies on another; the upper one is supported by the contact alone and loaded by a uniform pressure.
 --
---           p0 = 0.1, per reference area
+--           p0 = 0.04, per reference area
 --         ↓ ↓ ↓ ↓ ↓ ↓ ↓ ↓
 --        ┌───┬───┬───┬───┐    upper block 2 × 1 (2 × 2 × 1), E = 2
 --        │               │    sides = guided: nu = 0.3, no displacement across the lateral faces

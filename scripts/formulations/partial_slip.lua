@@ -21,7 +21,8 @@
 -- Expected: c/a = √(1 − Q/(mu P)) within the length of a span; the L2 error of the traction over x/a falls with the
 --           mesh; sticking points slip by the traction over the tangential penalty.
 -- Run: signorini -q scripts/formulations/partial_slip.lua [orders=N2,N2-N2.2] [counts=4,8,16] [formulations=…]
---      [penalty=10] [steps=10] [out=out/formulations/partial_slip]; steps: of each shear.
+--      [penalty=10] [press=16] [steps=10] [out=out/formulations/partial_slip]; press, steps: of the pressing and of each
+--      shear; pressed: the integral of |q| over the contact after the pressing, which should cause no friction.
 
 local sg = require "signorini"
 local chart = require "formulations.chart"
@@ -32,7 +33,7 @@ local problem = require "formulations.partial_slip.problem"
 local options = sg.arguments{
   orders = { "N2", "N2-N2.2" }, counts = { { 4, 8, 16 }, at_least = 2 },
   formulations = formulations.argument(formulations.names), penalty = { 10.0, above = 0 },
-  steps = { 10, at_least = 1 }, out = "out/formulations/partial_slip",
+  press = { 16, at_least = 1 }, steps = { 10, at_least = 1 }, out = "out/formulations/partial_slip",
 }
 local augmented = { penetration = 1e-8, loops = 200 }
 local along = { 5.2e-5, 1.255e-4, 1.75e-4 }
@@ -51,7 +52,8 @@ local function solve(case)
     if done.failed then case.reason = done.cause or done.reason end
     return not done.failed
   end
-  if not run(problem.press) then return case end
+  if not run(problem.pressed(options.press)) then return case end
+  case.pressed = measures.pressed(model)
   local opposites = measures.opposite(model, model:profile "joint")
   for i, length in ipairs(along) do
     if not run(problem.shear(options.steps, length)) then return case end
@@ -75,20 +77,21 @@ end
 -- ── Output ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local rows, formats = {}, { ["Q/(mu P)"] = "%.3f", ["c/a"] = "%.3f", expected = "%.3f", ["span"] = "%.3f",
-                            ["L2 error"] = "%.1e", mean = "%.1e", largest = "%.1e" }
+                            ["L2 error"] = "%.1e", mean = "%.1e", largest = "%.1e", pressed = "%.1e" }
 for _, case in ipairs(cases) do
   for i = 1, #along do
     local state = case.states[i] or {}
     rows[#rows + 1] = { case.order, case.formulation.label, case.count, state.ratio, state.c, state.expected,
                         1 / case.count, state.error, state.mean_slip, state.largest_slip,
+                        i == 1 and case.pressed or nil,
                         i == 1 and case.iterations or nil, not case.states[i] and case.reason or nil }
   end
 end
 print "Partial slip against Cattaneo and Mindlin: stick zone, L2 error of the traction, slip of the sticking points"
 print(sg.table{
   columns = { "order", "formulation", "spans", "Q/(mu P)", "c/a", "expected", "span", "L2 error", "mean", "largest",
-              "iterations", "failed" },
-  units = { "", "", "per a", "", "", "", "a", "of mu p_0", "slip / a", "slip / a", "", "" }, rows = rows,
+              "pressed", "iterations", "failed" },
+  units = { "", "", "per a", "", "", "", "a", "of mu p_0", "slip / a", "slip / a", "of mu P", "", "" }, rows = rows,
   formats = formats })
 
 local files = sg.files(options.out)

@@ -2,7 +2,7 @@
 --
 -- Problem: patch_test.lua with 3 elements under 5, straight and skewed meshes, either block as slave.
 --
---           p0 = 0.1, per reference area
+--           p0 = 0.04, per reference area
 --         ↓ ↓ ↓ ↓ ↓ ↓ ↓ ↓
 --        ┌──┬──┬─┬──┬────┐    upper block 2 × 1 (2 × 2 × 1), E = 2, nu = 0.3, 5 elements along the face
 --        ├───┬────┬──────┤    lower block 2 × 1 (2 × 2 × 1), E = 1, nu = 0.3, 3 elements along the face

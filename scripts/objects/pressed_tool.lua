@@ -7,7 +7,7 @@
 -- Source: equilibrium; the work of the load, the drive and friction.
 -- Units: those of E and the size of the slab; any consistent ones.
 -- Expected: the contact carries P in every step; drag and sinking of both agree within 0.5 %; the rigid tool takes
---           about half of the time.
+--           0.8 of the time.
 -- Run: signorini scripts/objects/pressed_tool.lua [refinement=2] [order=N2] [P=0.15] [mu=0.2] [distance=1]
 --      [steps=50] [out=out/pressed_tool]
 

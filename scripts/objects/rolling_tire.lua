@@ -8,7 +8,7 @@
 --         the load; G. J. Parish, Brit. J. Appl. Phys. 9 (1958): rubber covers, with nu close to 1/2, travel farther
 --         than 2 pi R per turn.
 -- Units: mm, N, MPa.
--- Expected: the rolling radius is between the loaded radius, 280 mm, and the free one, 300 mm; nu = 0.45 has 318 mm.
+-- Expected: the rolling radius is between the loaded radius, 280 mm, and the free one, 300 mm; nu = 0.45 has 319 mm.
 --           Elastic tires have no rolling resistance: the moment of free rolling is below 0.1 % of load times radius
 --           on average. The traction at large slip is mu times the load within 1 %.
 -- Run: signorini scripts/objects/rolling_tire.lua [elements=72] [order=N2] [nu=0.2] [mu=0.5] [angle=90] [steps=60]

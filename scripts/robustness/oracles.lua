@@ -18,9 +18,41 @@ local has_warning = oracles.has_warning
 -- ── Overlap at the start ─────────────────────────────────────────────────────────────────────────────────────────────
 
 -- The program warns where closing an overlap strains a body by 0.1 % and refuses from 20 % of the mean thickness of
--- the thinner body on. Depths and thicknesses of samples differ from those of contact points: what is between is not
--- judged.
+-- the thinner body on. It does not warn where a body is free to move out, which this takes from the supports alone:
+-- only overlaps of bodies that are held in all directions must be warnings. Depths and thicknesses of samples differ
+-- from those of contact points: what is between is not judged.
 local worth_a_warning, refused = 0.05, 0.4
+
+--- Calls visit(reference) with all faces of a face or of a list of them.
+local function each_face(faces, visit)
+  if faces.body then return visit(faces) end
+  for _, one in ipairs(faces) do if not one.obstacle then each_face(one, visit) end end
+end
+
+--- Whether supports hold the bodies of faces, and what is joined with them, against translations in all directions.
+local function held(scene, faces)
+  local bodies, components = {}, ""
+  local function add(face) bodies[face.body] = true end
+  each_face(faces, add)
+  for _, seams in ipairs{ scene.joins, scene.ties, scene.joins, scene.ties } do
+    for _, seam in pairs(seams) do
+      local joined = false
+      each_face({ seam[1], seam[2] }, function(face) joined = joined or bodies[face.body] end)
+      if joined then each_face({ seam[1], seam[2] }, add) end
+    end
+  end
+  for _, support in pairs(scene.supports) do
+    each_face(support.on, function(face)
+      if bodies[face.body] then
+        components = components .. (support.fix or "") .. (support.drive or "") .. (support.spring and "xyz" or "")
+      end
+    end)
+  end
+  for component in (scene.space and "xyz" or scene.kind == "axisymmetric" and "y" or "xy"):gmatch "." do
+    if not components:find(component, 1, true) then return false end
+  end
+  return true
+end
 
 --- A contact that lies so deep in its master before the first step that it must be a warning or an error. Returns the
 --- contact, the depth, and what it must be; nil if there is none.
@@ -44,7 +76,8 @@ local function deep_contact(scene)
       thick = math.max(thick, geometry.thickness(master))
       local depth = geometry.depth(slave, master)
       local must = depth - allowed > (law.overlap and 2 or refused) * thick and "error"
-        or depth - allowed > (law.overlap and 2 or worth_a_warning) * thick and "warning" or nil
+        or depth - allowed > (law.overlap and 2 or worth_a_warning) * thick and held(scene, contact.slave)
+          and held(scene, contact.master) and "warning" or nil
       if must then return contact, depth, must end
     end
     ::next::

@@ -35,6 +35,15 @@ local function slips(model, profile, opposites, part)
   return math.abs(sum) / count, largest
 end
 
+--- The integral of |q| over the contact in a pressed state, over mu P; zero in the closed form.
+function measures.pressed(model)
+  local profile, p, q = model:profile "joint", 0, 0
+  for i, area in ipairs(profile.area) do
+    p, q = p + profile.pressure[i] * area, q + math.abs(profile.traction[i]) * area
+  end
+  return q / (problem.mu * p)
+end
+
 --- Compares a sheared state with the closed form: { ratio = Q/(mu P), c and expected, stick zone over a, s = x/a,
 --- traction over mu p0, error, its L2 error, mean_slip and largest_slip over a }. `opposites`: of the pressed state.
 function measures.compare(model, opposites)

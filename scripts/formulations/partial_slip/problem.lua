@@ -67,8 +67,9 @@ function problem.scene(o)
   }
 end
 
---- The stage that presses the blocks together, and the one that shears them by moving the upper one by `along`.
-problem.press = { name = "press", steps = 16, grip = { 0, -approach } }
+--- The stages that press the blocks together, and the one that shears them by moving the upper one by `along`.
+function problem.pressed(steps) return { name = "press", steps = steps, grip = { 0, -approach } } end
+problem.press = problem.pressed(16)
 function problem.shear(steps, along)
   return { name = "shear", steps = steps, grip = { along, -approach } }
 end
