@@ -13,28 +13,35 @@
 --         |____________________|
 --
 --          Neo-Hooke, nu = 0.3, plane strain or solids, with the controls of sg.robust. Mirrored models replace x by
---          -x: all forces must be equal except for their sign.
+--          -x: all forces must be equal except for their sign. Runs that are saved after every step must have the same
+--          forces.
 -- Source: chosen here.
 -- Units: the units of E; forces per depth in plane strain.
 -- Expected: if the master has no sharp edges, all models complete except one in several hundred; if the block is the
 --           master, about 1 % end early (35 % if the traction ended at the boundary of the master face).
--- Run: signorini scripts/stability/generated.lua [kind=plane] [first=1] [count=2209] [mirror=no] [jobs=2] [limit=600]
---      [out=out/stability/generated]; kind: plane (2D) or space (3D); first, count: seeds; limit: seconds per model. A
---      second call continues from the results in the folder.
+-- Run: signorini scripts/stability/generated.lua [kind=plane] [first=1] [count=2209] [mirror=no] [saved=no] [law=gpts]
+--      [fewer=1] [jobs=2] [limit=600] [out=out/stability/generated]; kind: plane (2D) or space (3D); first, count:
+--      seeds; law: gpts, mortar or multipliers; fewer: divides the numbers of steps, so that more of them are cut;
+--      limit: seconds per model. A second call continues from the results in the folder.
 
 local sg = require "signorini"
 local scenes = require "generated.scenes"
 
+local laws = { gpts = {}, mortar = { method = "mortar" },
+               multipliers = { method = "mortar", enforcement = "multipliers" } }
 local options = sg.arguments{
-  kind = { "plane", choices = scenes.kinds }, first = 1, count = 2209, mirror = false, jobs = 2, limit = 600.0,
-  out = "out/stability/generated",
+  kind = { "plane", choices = scenes.kinds }, first = 1, count = 2209, mirror = false, saved = false,
+  law = { "gpts", choices = { "gpts", "mortar", "multipliers" } }, fewer = { 1, at_least = 1 }, jobs = 2,
+  limit = 600.0, out = "out/stability/generated",
 }
-local tolerance = 1e-5 -- of the largest force, for a scene and its mirror image
+local tolerance = 1e-5 -- of the largest force, for a scene and its mirror image, or the same that is saved
 
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function solve(case)
   local scene = scenes.describe(case.kind, case.seed)
+  scene.law = laws[case.law]
+  for stage, steps in pairs(scene.steps) do scene.steps[stage] = math.max(1, steps // case.fewer) end
   local _, account = scenes.solve(scene, sg.robust{})
   local result = {
     shape = scene.shape, slave = scene.slave, ending = account.ending, steps = account.steps,
@@ -46,15 +53,23 @@ local function solve(case)
     result.image, result.difference = image.ending, scenes.difference(account, image)
     result.image_cutbacks = image.cutbacks
   end
+  if case.saved then
+    local file = os.tmpname()
+    local _, saved = scenes.solve(scene, sg.robust{ checkpoint = file })
+    os.remove(file)
+    result.saved_ending, result.saved_difference = saved.ending, scenes.difference(account, saved)
+  end
   return result
 end
 
 local seeds = {}
 for i = 1, options.count do seeds[i] = options.first + i - 1 end
+local name = options.kind .. (options.mirror and "_mirrored" or "") .. (options.saved and "_saved" or "")
+  .. (options.law ~= "gpts" and "_" .. options.law or "") .. (options.fewer > 1 and "_" .. options.fewer or "")
 local study = sg.study{
-  name = "generated " .. options.kind, folder = ("%s/%s%s"):format(options.out, options.kind,
-    options.mirror and "_mirrored" or ""),
-  cases = sg.grid{ kind = { options.kind }, mirror = { options.mirror }, seed = seeds }, run = solve,
+  name = "generated " .. options.kind, folder = options.out .. "/" .. name, run = solve,
+  cases = sg.grid{ kind = { options.kind }, mirror = { options.mirror }, saved = { options.saved },
+                   law = { options.law }, fewer = { options.fewer }, seed = seeds },
 }
 study:execute{ jobs = options.jobs, limit = options.limit }
 
@@ -116,19 +131,25 @@ local function print_seeds(text, holds)
 end
 
 local early = print_seeds("\nend early", function(row) return ending(row) ~= "completed" end)
-local unlike, apart = {}, {}
-if options.mirror then
-  unlike = print_seeds("differ in outcome when mirrored", function(row)
-    return row.ending and row.image ~= row.ending
+
+--- Prints the seeds of the rows whose variant ends in another way, or with other forces: two lists.
+local function compare(variant, outcome, difference)
+  local unlike = print_seeds("differ in outcome when " .. variant, function(row)
+    return row.ending and row[outcome] ~= row.ending
   end)
-  apart = print_seeds(("complete, but differ by more than %g of the largest force"):format(tolerance), function(row)
-    return row.ending == "completed" and row.image == "completed" and row.difference > tolerance
-  end)
-  print(("of %d scenes %d differ in outcome when mirrored, %d by more than %g of the largest force"):format(#rows,
-    #unlike, #apart, tolerance))
+  local apart = print_seeds(("complete, but differ by more than %g of the largest force"):format(tolerance),
+    function(row)
+      return row.ending == "completed" and row[outcome] == "completed" and row[difference] > tolerance
+    end)
+  print(("of %d scenes %d differ in outcome when %s, %d by more than %g of the largest force"):format(#rows, #unlike,
+    variant, #apart, tolerance))
+  return unlike, apart
 end
+
+local unlike, apart = {}, {}
+if options.mirror then unlike, apart = compare("mirrored", "image", "difference") end
+if options.saved then compare("saved", "saved_ending", "saved_difference") end
 local files = sg.files(options.out)
-local name = options.kind .. (options.mirror and "_mirrored" or "")
 study:csv(files(name .. ".csv"))
 study:report(files(name .. ".html"))
 files:report()

@@ -108,35 +108,35 @@ template <int D> void ActiveSet<D>::note(const Histories& histories, double resi
   if (entries_.size() > remembered_evaluations) entries_.pop_front();
 }
 
-template <int D> bool ActiveSet<D>::hold_back(const Histories& histories, Controls& controls) {
+template <int D>
+bool ActiveSet<D>::hold_back(const Histories& histories, const std::function<double(const PointIndex&)>& violation,
+                             Controls& controls) {
   if (entries_.size() < 2 || frozen_) return false;
   const std::vector<unsigned char>& before = entries_[entries_.size() - 2].states;
   std::vector<unsigned char>& now = entries_.back().states;
-  const auto changes = [&](int i) {
-    return now[at(i)] != before[at(i)] && now[at(i)] != beyond && before[at(i)] != beyond;
-  };
-  int changed = 0, first = -1;
+  std::vector<PointIndex> changed;
   for (std::size_t k = 0; k < histories.size(); ++k) {
     if (!solved_[k]) continue;
     if (!controls[k].fixed_states.empty()) return false;
-    for (int i = first_[k]; i < first_[k + 1]; ++i) {
-      if (!changes(i)) continue;
-      if (first < 0) first = i;
-      ++changed;
-    }
+    for (int i = first_[k]; i < first_[k + 1]; ++i)
+      if (now[at(i)] != before[at(i)] && now[at(i)] != beyond && before[at(i)] != beyond)
+        changed.push_back({static_cast<int>(k), i - first_[k]});
   }
-  if (changed <= 1) return false;
+  if (changed.size() <= 1) return false;
   // The same states twice are the beginning of a cycle, unless they are those of the accepted state, at the front.
   const bool again =
       std::any_of(entries_.begin() + 1, entries_.end() - 1, [&](const Entry& entry) { return entry.states == now; });
   if (!again) return false;
-  for (std::size_t k = 0; k < histories.size(); ++k) {
-    if (!solved_[k]) continue;
-    for (int i = first_[k]; i < first_[k + 1]; ++i) {
-      if (i != first && changes(i)) now[at(i)] = before[at(i)];
-      controls[k].fixed_states.push_back(held_state(now[at(i)]));
-    }
+  std::vector<double> violations;
+  for (const PointIndex& index : changed) violations.push_back(violation(index));
+  const double least = (1 - same_violation) * *std::max_element(violations.begin(), violations.end());
+  for (std::size_t c = 0; c < changed.size(); ++c) {
+    const auto i = at(first_[at(changed[c].contact)] + changed[c].point);
+    if (violations[c] < least) now[i] = before[i];
   }
+  for (std::size_t k = 0; k < histories.size(); ++k)
+    for (int i = first_[k]; i < first_[k + 1] && solved_[k]; ++i)
+      controls[k].fixed_states.push_back(held_state(now[at(i)]));
   held_ = true;
   return true;
 }

@@ -7,6 +7,7 @@
 #include "model/step_options.hpp"
 
 #include <deque>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -31,10 +32,13 @@ public:
   /// and would return, because the tangent of slip has no stiffness that stops it.
   void note(const Histories& histories, double residual, Controls& controls);
   /// Principal pivoting for multipliers that are unknowns (J. J. Júdice, F. M. Pires, Comput. Oper. Res. 21, 1994): all
-  /// states change at once until those of an earlier evaluation return; then states are held so that only the first of
-  /// them changes. Call after note(); returns whether states are held, for another evaluation. With a penalty pressures
-  /// are continuous in the gaps, and held states lead away from the solution.
-  bool hold_back(const Histories& histories, Controls& controls);
+  /// states change at once until those of an earlier evaluation return; then states are held so that only the one
+  /// changes whose conditions are violated most, with those that equal it by symmetry: a choice that neither the
+  /// direction of the face nor rounding error affects. `violation` returns the norm of the residual of the conditions.
+  /// Call after note(); returns whether states are held, for another evaluation. With a penalty pressures are
+  /// continuous in the gaps, and held states lead away from the solution.
+  bool hold_back(const Histories& histories, const std::function<double(const PointIndex&)>& violation,
+                 Controls& controls);
   /// Ends the freeze if `ratio`, |f·Δu| over its first value, is below options.freeze.
   void thaw(double ratio, Controls& controls);
   /// Frees the states that hold_back() holds, before an evaluation; returns whether any was held.

@@ -64,6 +64,9 @@ inline constexpr int most_trials = 30;
 /// Relative difference below which residuals repeat: far below the effect of a change of state, far above rounding
 /// error.
 inline constexpr double same_residual = 1e-9;
+/// Relative difference below which violated conditions of multipliers are equal, by symmetry: residuals at which states
+/// cycle are at least a million times their rounding errors.
+inline constexpr double same_violation = 1e-6;
 /// Number of recorded evaluations, three times the longest period detected; and of those searched for cycling points.
 inline constexpr std::size_t remembered_evaluations = 24, recent_evaluations = 8;
 /// Limit of rounds in which points that change too often are fixed and freed.

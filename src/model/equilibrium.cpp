@@ -88,9 +88,9 @@ template <int D> bool factor(Model<D>& model, const StepOptions& options) {
                               viscous || (options.damping && model.system.has_unconstrained()), options.mumps});
 }
 
-template <int D> bool solve_for(Model<D>& model, VectorX& b) {
+template <int D> bool solve_for(Model<D>& model, VectorX& b, bool fully) {
   ScopedTimer timer(model.timings.solution);
-  return model.linear.solve(b);
+  return model.linear.solve(b, fully);
 }
 
 template <int D> solve::Outcome check_crossing(Model<D>& model, Message& why) {
@@ -208,7 +208,7 @@ template <int D> void judge_lead(Model<D>& model) {
   template void take_residual(Model<D>&);                                                                              \
   template Tangent tangent_of(const Assembly<D>&);                                                                     \
   template bool factor(Model<D>&, const StepOptions&);                                                                 \
-  template bool solve_for(Model<D>&, VectorX&);                                                                        \
+  template bool solve_for(Model<D>&, VectorX&, bool);                                                                  \
   template solve::Outcome check_crossing(Model<D>&, Message&);                                                         \
   template solve::NewtonSystem newton_system(Model<D>&, std::function<solve::Outcome(bool, Message&)>,                 \
                                              std::function<bool(double&)>);                                            \

@@ -19,8 +19,8 @@ template <int D> void take_residual(Model<D>& model);
 template <int D> Tangent tangent_of(const Assembly<D>& assembly);
 /// Factors the tangent, with damping if options.damping; returns false if it is singular.
 template <int D> bool factor(Model<D>& model, const StepOptions& options);
-/// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular.
-template <int D> bool solve_for(Model<D>& model, VectorX& b);
+/// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular. `fully`: see LinearSolution.
+template <int D> bool solve_for(Model<D>& model, VectorX& b, bool fully = false);
 
 /// `crossed` if points of a contact have passed through the master since the accepted state, with the contact's name in
 /// `why`, otherwise `converged`. Such an equilibrium is not on the path: contact was not detected where it acts.

@@ -60,8 +60,10 @@ bool LinearSolution::factor(const Tangent& tangent, const LinearRequest& request
   return solver(tangent, request).factor(tangent.values.data());
 }
 
-bool LinearSolution::solve(VectorX& b) {
-  return b.size() == 0 || solver_->solve(b.data());
+bool LinearSolution::solve(VectorX& b, bool fully) {
+  if (b.size() == 0) return true;
+  if (fully) solver_->solve_fully();
+  return solver_->solve(b.data());
 }
 
 void LinearSolution::forget() {

@@ -33,8 +33,9 @@ public:
   /// Factors a tangent, which need not outlive the call. Returns false if it is singular to working precision. Throws
   /// Error if the request is `condensed` but the bodies' part of the tangent changes.
   bool factor(const Tangent& tangent, const LinearRequest& request);
-  /// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular.
-  bool solve(VectorX& b);
+  /// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular. `fully`: as accurate as the
+  /// solver can, where b is Newton's and an error would not vanish with the next correction.
+  bool solve(VectorX& b, bool fully = false);
   /// Drops the solver, but keeps its statistics and its choice.
   void forget();
 

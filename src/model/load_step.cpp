@@ -1,11 +1,13 @@
 #include "model/load_step.hpp"
 
 #include "base/error.hpp"
+#include "base/index.hpp"
 #include "base/timer.hpp"
 #include "model/constants.hpp"
 #include "model/equilibrium.hpp"
 #include "model/first_guess.hpp"
 #include "model/pseudo_transient.hpp"
+#include "solve/constants.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -15,11 +17,23 @@ namespace signorini::model {
 
 namespace {
 
+/// Whether an error of the next correction is not removed by those after it: friction starts where the guess of the
+/// step touches; and while residuals hardly fall, corrections change states, and errors grow.
+template <int D> bool is_decisive(const Model<D>& model) {
+  const auto& contacts = model.system.contacts;
+  const std::vector<double>& residuals = model.step->report.residuals;
+  const std::size_t n = residuals.size();
+  if (n > 2 && residuals[n - 1] > solve::least_fall * residuals[n - 2]) return true; // without prescribed displacements
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (!model.step->foreseen && contacts[k]->friction(model.present.contacts[k]) > 0) return true;
+  return false;
+}
+
 template <int D> bool advance(Model<D>& model, const StepOptions& options, double& energy) {
   ScopedTimer timer(model.timings.linear);
   if (!factor(model, options)) return false;
   VectorX step = -model.unbalanced;
-  if (!solve_for(model, step)) return false;
+  if (!solve_for(model, step, is_decisive(model))) return false;
   if (!step.allFinite()) return false;
   const double slope = model.unbalanced.dot(step);
   energy = std::abs(slope);
@@ -69,6 +83,15 @@ template <int D> Step begin_step(Model<D>& model, const StepOptions& options) {
   return step;
 }
 
+/// The residual of the conditions of a multiplier that is an unknown, a force: its gap in the springs of the penalty
+/// where it is closed, its pressure where it is open.
+template <int D> double violation(const Model<D>& model, const PointIndex& index) {
+  const contact::Formulation<D>& contact = *model.system.contacts[at(index.contact)];
+  const int each = contact.extra_unknowns() / contact.multipliers();
+  const int first = model.system.unknowns.of_contact(at(index.contact)).extra;
+  return model.residual.segment(first + each * index.point, each).norm();
+}
+
 template <int D> solve::Outcome assemble_step(Model<D>& model, bool tangent, Message& why) {
   Step& step = *model.step;
   const solve::NewtonReport& report = step.report;
@@ -83,7 +106,8 @@ template <int D> solve::Outcome assemble_step(Model<D>& model, bool tangent, Mes
   if (first) model.unbalanced += model.system.unknowns.gather(model.system.assembly.product());
   if (outcome != solve::Outcome::converged || !std::exchange(step.moved, false)) return outcome;
   set.note(model.present.contacts, model.unbalanced.norm(), model.controls);
-  if (!first && set.hold_back(model.present.contacts, model.controls)) {
+  const auto violated = [&](const PointIndex& index) { return violation(model, index); };
+  if (!first && set.hold_back(model.present.contacts, violated, model.controls)) {
     outcome = evaluate(model, nullptr, tangent, why);
     if (outcome != solve::Outcome::converged) return outcome;
   }

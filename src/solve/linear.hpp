@@ -26,6 +26,9 @@ public:
   /// Overwrites b by K⁻¹ b, to the accuracy that the solver guarantees. Call after a successful factor(), for any
   /// number of right-hand sides. Returns false if the matrix turns out to be singular to working precision.
   virtual bool solve(double* b) = 0;
+  /// Makes the next solution as accurate as the solver can, where it would only be accurate enough for a correction of
+  /// Newton's method, whose error the next one removes.
+  virtual void solve_fully() {}
   virtual LinearKind kind() const = 0;
   /// Changes to another pattern of the same unknowns, for example in sliding contact, and keeps what can be reused;
   /// call factor() next. Returns false if a new solver would be as good: then construct one.

@@ -30,6 +30,7 @@ public:
 
   bool factor(const double* values) override;
   bool solve(double* b) override;
+  void solve_fully() override { fully_ = true; }
   LinearKind kind() const override { return kind_; }
   bool adopt(const Pattern& pattern) override;
   void watch(const std::vector<int>& unknowns) override {
@@ -58,6 +59,7 @@ private:
   Preconditioner used_ = Preconditioner::none;
   bool present_ = false; ///< whether the preconditioner was made from the current values
   bool first_ = true;    ///< whether the next right-hand side is the first since factor()
+  bool fully_ = false;   ///< whether it is to be solved to the tightest tolerance
   Forcing forcing_;
   Gmres gmres_;
   VectorX right_, rest_, part_, sum_;
@@ -142,7 +144,8 @@ bool Reused::solve(double* b) {
   right_ = rest_ = Eigen::Map<const VectorX>(b, pattern_.size);
   const double norm = right_.norm();
   if (norm == 0) return true;
-  const double tolerance = first ? forcing_.next(norm) : tightest_tolerance;
+  const double forced = first ? forcing_.next(norm) : tightest_tolerance;
+  const double tolerance = std::exchange(fully_, false) ? tightest_tolerance : forced;
   const double renewal_cost = factor_cost_ + preparation * pattern_.entries();
   if (first && !present_ && excess_ * iteration_cost() > renewal_cost && !renew()) return false;
 

@@ -73,6 +73,25 @@ TEST(Reused, RightHandSideAfterZeroIsSolvedTightly) {
   EXPECT_LE(residual(drift.pattern, values, x, b), 1.0001 * tightest_tolerance);
 }
 
+TEST(Reused, SolvesFullyOnRequest) {
+  std::mt19937 random(57);
+  const Drift drift(random, cube(6), 10);
+  for (bool fully : {false, true}) {
+    const auto solver = make_solver(LinearKind::reuse, drift.pattern);
+    double worst = 0;
+    for (int time = 0; time < 10; ++time) {
+      const Values values = drift.at_time(time);
+      ASSERT_TRUE(solver->factor(values.data()));
+      if (fully) solver->solve_fully();
+      const VectorXd b = VectorXd::LinSpaced(drift.pattern.size, -1, 2);
+      VectorXd x = b;
+      ASSERT_TRUE(solver->solve(x.data()));
+      worst = std::max(worst, residual(drift.pattern, values, x, b));
+    }
+    EXPECT_EQ(worst > 1.0001 * tightest_tolerance, !fully) << worst;
+  }
+}
+
 TEST(Reused, FactorsAgainAfterAJumpOfTheMatrix) {
   std::mt19937 random(42);
   const Pattern pattern = cube(5);

@@ -96,7 +96,7 @@ end
 local mirrors = { plane = { 1, 0 }, space = { 1, 0, 0 } }
 local other_side = { west = "east", east = "west" } -- a mirrored patch has the opposite direction along x
 
---- Model and stages of a scene, or of its mirror image.
+--- Model and stages of a scene, or of its mirror image. scene.law: further arguments of the contact, such as `method`.
 function scenes.build(scene, mirrored)
   local plane = scene.kind == "plane"
   local all, sign = plane and "xy" or "xyz", mirrored and -1 or 1
@@ -117,13 +117,15 @@ function scenes.build(scene, mirrored)
     faces.body = bodies.body:face(face)
     for i, side in ipairs(sides) do driven[i] = bodies.body:face(mirrored and other_side[side] or side) end
   end
+  local interface = {
+    slave = faces[scene.slave], master = faces[scene.slave == "slab" and "body" or "slab"], penalty = scene.penalty,
+    friction = scene.mu > 0 and { mu = scene.mu, penalty = scene.penalty } or nil,
+  }
+  for key, value in pairs(scene.law or {}) do interface[key] = value end
   local model = sg.model{
     bodies = bodies,
     supports = { bed = { on = slab:face(bottom), fix = all }, grip = { on = driven, drive = all } },
-    contacts = { interface = {
-      slave = faces[scene.slave], master = faces[scene.slave == "slab" and "body" or "slab"], penalty = scene.penalty,
-      friction = scene.mu > 0 and { mu = scene.mu, penalty = scene.penalty } or nil,
-    } },
+    contacts = { interface = interface },
   }
   local function at(x, depth) return plane and { sign * x, -depth } or { sign * x, 0, -depth } end
   return model, {
