@@ -156,6 +156,13 @@ private:
   std::vector<char> is_contact_unknown_;
   int contact_version_ = 0;
   VectorX product_;
+  /// Of each nonlinear body the energy that stored_energy() computed last: at the end of a stage it is needed twice.
+  struct KnownEnergy {
+    VectorX displacement;
+    std::vector<double> internal;
+    double energy = 0;
+  };
+  mutable std::vector<KnownEnergy> energies_;
   double diagonal_norm_ = 0;
   int version_ = 0;
 };

@@ -33,7 +33,15 @@ double Assembly<D>::stored_energy(int index, const VectorX& displacement,
                                   const std::vector<std::vector<double>>& internal) const {
   const double* own = displacement.data() + unknowns_.offset(index);
   const solid::Body<D>& body = *scene_.bodies[at(index)].body;
-  if (!linear_) return solid::stored_energy(body, own, internal[at(index)]);
+  if (!linear_) {
+    energies_.resize(scene_.bodies.size());
+    KnownEnergy& known = energies_[at(index)];
+    const Eigen::Map<const VectorX> moved(own, D * body.functions());
+    if (known.displacement.size() != moved.size() || known.displacement != moved ||
+        known.internal != internal[at(index)])
+      known = {moved, internal[at(index)], solid::stored_energy(body, own, internal[at(index)])};
+    return known.energy;
+  }
   // ½ u·K u
   VectorX force = VectorX::Zero(D * body.functions());
   stiffness_[at(index)].multiply(own, force.data());

@@ -10,9 +10,7 @@
 namespace signorini::model {
 
 template <int D> double contact_stiffness(const Scene<D>& scene, const Contact<D>& contact) {
-  double softer = youngs_modulus(scene, contact.slave);
-  if (const auto* face = std::get_if<Faces>(&contact.master)) softer = std::min(softer, youngs_modulus(scene, *face));
-  return softer / element_size(scene, contact.slave, contact.points, contact.where);
+  return softer_modulus(scene, contact) / element_size(scene, contact.slave, contact.points, contact.where);
 }
 
 namespace {

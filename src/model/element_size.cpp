@@ -41,9 +41,16 @@ template <int D> double youngs_modulus(const Scene<D>& scene, const Faces& faces
   return least;
 }
 
+template <int D> double softer_modulus(const Scene<D>& scene, const Contact<D>& contact) {
+  const double slave = youngs_modulus(scene, contact.slave);
+  const auto* master = std::get_if<Faces>(&contact.master);
+  return master ? std::min(slave, youngs_modulus(scene, *master)) : slave;
+}
+
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template double element_size(const Scene<D>&, const Faces&, int, const contact::Region<D>&);                         \
-  template double youngs_modulus(const Scene<D>&, const Faces&);
+  template double youngs_modulus(const Scene<D>&, const Faces&);                                                       \
+  template double softer_modulus(const Scene<D>&, const Contact<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -127,9 +127,19 @@ template <int D> void warn_of_joins(const Scene<D>& scene, std::vector<Message>&
   }
 }
 
+template <int D> Groups connected_bodies(const Scene<D>& scene, bool tied) {
+  Groups connected(static_cast<int>(scene.bodies.size()));
+  for (const Join& join : scene.joins) connected.unite(join.first.body, join.second.body);
+  for (const Tie& tie : scene.ties)
+    if (tied || tie.from_join)
+      for (const FaceReference& face : both(tie.slave, &tie.master)) connected.unite(tie.slave.front().body, face.body);
+  return connected;
+}
+
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template void resolve_joins(Scene<D>&);                                                                              \
   template void warn_of_joins(const Scene<D>&, std::vector<Message>&);                                                 \
+  template Groups connected_bodies(const Scene<D>&, bool);                                                             \
   template Message difference(const Scene<D>&, const FaceReference&, const FaceReference&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

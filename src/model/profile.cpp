@@ -50,10 +50,8 @@ template <int D>
 contact::ContactArea contact_area(const Model<D>& model, std::size_t contact, const contact::History<D>& history) {
   const Scene<D>& scene = model.system.scene;
   const Contact<D>& own = scene.contacts[contact];
-  double modulus = youngs_modulus(scene, own.slave);
-  if (const auto* master = std::get_if<Faces>(&own.master)) modulus = std::min(modulus, youngs_modulus(scene, *master));
   const bool reference = std::holds_alternative<contact::MortarLaw>(own.method);
-  return contact::contact_area(*model.system.contacts[contact], history, reference, modulus);
+  return contact::contact_area(*model.system.contacts[contact], history, reference, softer_modulus(scene, own));
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \

@@ -102,6 +102,12 @@ template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
   return contacts;
 }
 
+template <int D> std::vector<double> stiffness_of_contacts(const Scene<D>& scene) {
+  std::vector<double> stiffness;
+  for (const Contact<D>& contact : scene.contacts) stiffness.push_back(contact_stiffness(scene, contact));
+  return stiffness;
+}
+
 /// Removes regions, which may refer to objects that exist only during construction.
 template <int D> Scene<D> without_regions(Scene<D> scene) {
   for (Contact<D>& contact : scene.contacts) contact.where = contact.bonded = {};
@@ -112,9 +118,10 @@ template <int D> Scene<D> without_regions(Scene<D> scene) {
 
 template <int D>
 System<D>::System(Scene<D> given)
-    : contacts(make_contacts(completed(given))), ties(make_ties(given)), scene(without_regions(std::move(given))),
-      unknowns(scene, contacts, ties), drives(scene, unknowns), followers(scene, unknowns, drives),
-      springs(scene, unknowns), assembly(scene, unknowns, contacts, ties, followers, springs) {
+    : contacts(make_contacts(completed(given))), ties(make_ties(given)), stiffness(stiffness_of_contacts(given)),
+      scene(without_regions(std::move(given))), unknowns(scene, contacts, ties), drives(scene, unknowns),
+      followers(scene, unknowns, drives), springs(scene, unknowns),
+      assembly(scene, unknowns, contacts, ties, followers, springs) {
   // Other shapes have rounding errors of the points that touch them (near_point.hpp).
   for (const auto& obstacle : scene.obstacles)
     if (const auto* patch = std::get_if<nurbs::Patch>(&obstacle))

@@ -15,8 +15,9 @@ template <int D> struct System {
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  contact::Formulations<D> contacts; ///< in the scene's order, with the current positions of their faces
-  const contact::Ties<D> ties;       ///< in the scene's order
+  contact::Formulations<D> contacts;   ///< in the scene's order, with the current positions of their faces
+  const contact::Ties<D> ties;         ///< in the scene's order
+  const std::vector<double> stiffness; ///< of the contacts: contact_stiffness()
   const Scene<D> scene;
   const Unknowns<D> unknowns;
   const Drives<D> drives;

@@ -20,7 +20,7 @@ struct Couplings {
   std::vector<Entry> column, row;
 };
 
-/// Consecutive multipliers that no entry of K_χχ couples with others.
+/// Consecutive multipliers that no entry of K_χχ couples with others, in either direction.
 struct MultiplierGroup {
   std::vector<int> unknowns;    ///< on which they act, increasing
   MatrixX columns, inner, rows; ///< K_uχ, K_χχ − E, K_χu
@@ -81,9 +81,8 @@ private:
   int add_group(int first) {
     int end = first + 1;
     for (int j = first; j < end; ++j)
-      each_entry(j, [&](int i, double) {
-        if (i >= displacements_) end = std::max(end, i + 1);
-      });
+      for (int k = pattern_.starts[at(j)]; k < pattern_.starts[at(j) + 1]; ++k)
+        if (const int i = pattern_.rows[at(k)]; i >= displacements_ && acts(k, i, j)) end = std::max(end, i + 1);
     MultiplierGroup group;
     bool constrains = false;
     for (int j = first; j < end; ++j) {

@@ -63,10 +63,12 @@ public:
     const Facet<D>* facet = nullptr; ///< null if no facet is accepted
     double distance = std::numeric_limits<double>::infinity();
   };
-  /// The nearest of the facets that `accept` returns true for, without collapsed ones.
-  template <class Accept> Nearest nearest(const Vec<D>& x, const Accept& accept) const {
+  /// The nearest of the facets that `accept` returns true for, without collapsed ones; or any that is not farther than
+  /// `enough`.
+  template <class Accept> Nearest nearest(const Vec<D>& x, const Accept& accept, double enough = 0) const {
     Nearest found;
     for (const Facet<D>& facet : facets_) {
+      if (found.distance <= enough) break;
       const double reach = found.distance + facet.radius;
       if ((x - facet.middle).squaredNorm() >= reach * reach || facet.normal.isZero(0) || !accept(facet)) continue;
       if (const double length = distance(facet, x); length < found.distance) found = {&facet, length};

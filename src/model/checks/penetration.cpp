@@ -5,6 +5,7 @@
 #include "model/constants.hpp"
 #include "model/default_penalty.hpp"
 #include "model/element_size.hpp"
+#include "model/joins.hpp"
 #include "model/region.hpp"
 
 #include <algorithm>
@@ -14,25 +15,6 @@
 namespace signorini::model {
 
 namespace {
-
-/// The bodies of a contact, and those that ties and joins connect with them.
-template <int D> std::vector<char> bodies_behind(const Scene<D>& scene, const Contact<D>& contact) {
-  std::vector<char> behind(scene.bodies.size(), 0);
-  for (int b = 0; b < std::ssize(scene.bodies); ++b) behind[at(b)] = acts_on(contact, b);
-  const auto connect = [&](int a, int b) {
-    const bool new_one = behind[at(a)] != behind[at(b)];
-    if (new_one) behind[at(a)] = behind[at(b)] = 1;
-    return new_one;
-  };
-  for (bool more = true; more;) {
-    more = false;
-    for (const Join& join : scene.joins) more |= connect(join.first.body, join.second.body);
-    for (const Tie& tie : scene.ties)
-      for (const FaceReference& slave : tie.slave)
-        for (const FaceReference& master : tie.master) more |= connect(slave.body, master.body);
-  }
-  return behind;
-}
 
 /// Sums over the contact points or, with multipliers, over these.
 struct SpringSums {
@@ -67,34 +49,39 @@ template <int D> SpringSums springs_of(const contact::History<D>& history, const
   return sum;
 }
 
-/// `energy(body)`: the strain energy of a body.
-template <int D, class Energy>
-void warn_of_springs(const Model<D>& model, int index, const Energy& energy, std::vector<Message>& warnings) {
+template <int D> void warn_of_springs(const Model<D>& model, int index, std::vector<Message>& warnings) {
   const Scene<D>& scene = model.system.scene;
   const contact::History<D>& history = model.present.contacts[at(index)];
-  const Contact<D> contact =
-      with_regions(scene.contacts[at(index)], *model.system.contacts[at(index)], model.system.size);
+  const Contact<D>& contact = scene.contacts[at(index)];
   const contact::PenaltyLaw law = contact::scaled(
       contact::changed(*contact::penalty_law(contact.method), history.changes), model.present.penalty_factor);
   const SpringSums sum = springs_of(history, law);
   if (sum.force <= 0) return;
-  const double modulus = youngs_modulus(scene, contact.slave);
-  const bool lost =
-      sum.force < lost_strain * modulus * sum.area && law.normal < far_too_soft * contact_stiffness(scene, contact);
+  const double modulus = youngs_modulus(scene, contact.slave), stiffness = model.system.stiffness[at(index)];
+  const bool lost = sum.force < lost_strain * modulus * sum.area && law.normal < far_too_soft * stiffness;
   double strain = model.system.springs.energy(model.present.displacement);
-  const std::vector<char> behind = bodies_behind(scene, contact);
-  for (int b = 0; b < std::ssize(scene.bodies); ++b)
-    if (behind[at(b)] && !lost) strain += std::max(energy(b), 0.0); // rounding errors can be negative
+  // The bodies of the contact, and those that joins and ties connect with them
+  const Groups connected = connected_bodies(scene, true);
+  const auto is_behind = [&](int body) {
+    for (int b = 0; b < std::ssize(scene.bodies); ++b)
+      if (acts_on(contact, b) && connected.leader(b) == connected.leader(body)) return true;
+    return false;
+  };
+  for (int b = 0; b < std::ssize(scene.bodies) && !lost; ++b)
+    if (is_behind(b))
+      strain += std::max( // rounding errors can be negative
+          model.system.assembly.stored_energy(b, model.present.displacement, model.accepted.internal), 0.0);
   const double part = sum.normal / (strain + sum.normal), approach = 2 * (strain + sum.normal) / sum.force;
   const bool stuck = law.friction > 0 && law.enforcement != contact::Enforcement::multipliers;
   // A contact that touches at rounding error has a penetration p/ε far below an element's size.
-  const double size = modulus / contact_stiffness(scene, contact), rounding = contact_rounding * size * sum.force;
+  const double size = modulus / stiffness, rounding = contact_rounding * size * sum.force;
   const auto noticeable = [&](double sum_of, double of) { return sum_of > std::max(noticeable_part * of, rounding); };
   const bool penetrates = noticeable(sum.normal, strain + sum.normal);
   const bool slips = stuck && noticeable(sum.slip, approach * sum.force);
   const bool uneven = noticeable(sum.uneven, approach * sum.force);
   if (!penetrates && !slips && !uneven) return;
-  const double usual = default_penalty(scene, contact);
+  const double usual =
+      default_penalty(scene, with_regions(contact, *model.system.contacts[at(index)], model.system.size));
   // Springs in series: part/(1 − part) is inversely proportional to the penalty.
   const double series = strain > 0 ? law.normal * (sum.normal / strain) * (1 - small_part) / small_part : 0;
   const double enough = std::max(usual, series);
@@ -124,18 +111,12 @@ void warn_of_springs(const Model<D>& model, int index, const Energy& energy, std
 } // namespace
 
 template <int D> void warn_of_soft_penalties(const Model<D>& model, std::vector<Message>& warnings) {
-  std::vector<std::optional<double>> energies(model.system.scene.bodies.size());
-  const auto energy = [&](int body) {
-    std::optional<double>& known = energies[at(body)];
-    if (!known) known = model.system.assembly.stored_energy(body, model.present.displacement, model.accepted.internal);
-    return *known;
-  };
   for (int k = 0; k < std::ssize(model.system.scene.contacts); ++k) {
     const Contact<D>& contact = model.system.scene.contacts[at(k)];
     const bool second_pass = contact.other_pass >= 0 && contact.other_pass < k;
     if (contact::penalty_law(contact.method) && !std::holds_alternative<contact::CohesiveLaw>(contact.method) &&
         !second_pass)
-      warn_of_springs(model, k, energy, warnings);
+      warn_of_springs(model, k, warnings);
   }
 }
 

@@ -3,9 +3,7 @@
 #include "base/index.hpp"
 #include "contact/peak.hpp"
 #include "model/constants.hpp"
-#include "model/default_penalty.hpp"
 #include "model/element_size.hpp"
-#include "model/region.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,14 +23,14 @@ struct PressureSpace {
 /// Empty for laws whose pressures are not those of contact alone.
 template <int D> std::optional<PressureSpace> pressure_space(const Model<D>& model, int index) {
   const contact::Formulation<D>& formulation = *model.system.contacts[at(index)];
-  const Contact<D> contact = with_regions(model.system.scene.contacts[at(index)], formulation, model.system.size);
+  const Contact<D>& contact = model.system.scene.contacts[at(index)];
   if (!contact::penalty_law(contact.method) || std::holds_alternative<contact::CohesiveLaw>(contact.method))
     return std::nullopt;
   std::optional<contact::MultiplierSpace> multipliers;
   if (const auto* mortar = std::get_if<contact::MortarLaw>(&contact.method)) multipliers = mortar->multipliers;
   if (const auto* half = std::get_if<contact::HalfPass>(&contact.method)) multipliers = half->multipliers;
   PressureSpace space{!multipliers, multipliers == contact::MultiplierSpace::reduced,
-                      contact_stiffness(model.system.scene, contact)};
+                      model.system.stiffness[at(index)]};
   space.ratio = model.present.penalty_factor * formulation.penalty(model.present.contacts[at(index)]) / space.stiffness;
   return space;
 }

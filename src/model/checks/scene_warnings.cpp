@@ -144,11 +144,9 @@ void warn_of_coarse_bonds(const Scene<D>& scene, const Contact<D>& contact, std:
   const auto* law = std::get_if<contact::CohesiveLaw>(&contact.method);
   if (!law) return;
   const double strength = law->cohesion.strength, energy = law->cohesion.energy;
-  double softer = youngs_modulus(scene, contact.slave), thinner = thickness(scene, contact.slave);
-  if (const auto* face = std::get_if<Faces>(&contact.master)) {
-    softer = std::min(softer, youngs_modulus(scene, *face));
-    thinner = std::min(thinner, thickness(scene, *face));
-  }
+  const double softer = softer_modulus(scene, contact);
+  double thinner = thickness(scene, contact.slave);
+  if (const auto* face = std::get_if<Faces>(&contact.master)) thinner = std::min(thinner, thickness(scene, *face));
   const double thick = softer * energy / (strength * strength);
   const double zone = std::min(thick, std::pow(thick, 0.25) * std::pow(thinner, 0.75));
   const double size = element_size(scene, contact.slave, 2), least = zone_elements * size;

@@ -1,7 +1,7 @@
 #include "model/checks/undeclared_overlap.hpp"
 
-#include "base/groups.hpp"
 #include "model/checks/constants.hpp"
+#include "model/joins.hpp"
 #include "model/results.hpp"
 #include "nurbs/coincident.hpp"
 
@@ -65,12 +65,30 @@ template <int D> Sides<D> sides_against(const Scene<D>& scene, int body, int oth
   return against;
 }
 
-/// How deep a corner of a facet lies in a body.
-template <int D> double depth_in(const Outline<D>& outline, const Facet<D>& facet) {
+/// Whether places of a facet are examined.
+template <int D> bool is_examined(const PresentOutlines<D>& outlines, int body, const Facet<D>& facet) {
+  return facet.radius > shortest_piece * outlines[body].thickness() && !facet.normal.isZero(0) &&
+         !outlines.within(body, facet.side);
+}
+
+/// The deepest corner of faces in contact with or tied to each other, of two parts: neighbors start from there.
+template <int D> double declared_depth(const PresentOutlines<D>& outlines, int first, int second) {
+  const auto parts = [&](int a, int b) { return std::minmax({outlines.part(a), outlines.part(b)}); };
+  const auto any = [](const Facet<D>&) { return true; };
   double depth = 0;
-  for (const Vec<D>& corner : facet.corners)
-    if (outline.boxes(corner) && outline.layers(corner) > 0)
-      depth = std::max(depth, outline.nearest(corner, [](const Facet<D>&) { return true; }).distance);
+  const auto find_deeper = [&](const Outline<D>& outline, const Vec<D>& corner) {
+    if (!outline.boxes(corner) || outline.layers(corner) < 1) return;
+    depth = std::max(depth, outline.nearest(corner, any, depth).distance);
+  };
+  for (int b = 0; b < outlines.bodies(); ++b)
+    for (int other = 0; other < outlines.bodies(); ++other) {
+      if (parts(b, other) != parts(first, second) || !outlines[b].meets(outlines[other])) continue;
+      const Sides<D> against = sides_against(outlines.scene(), b, other);
+      for (std::size_t i = 0; i < outlines[b].facets().size(); i += Outline<D>::stride)
+        if (const Facet<D>& facet = outlines[b].facets()[i];
+            against[number_of(facet.side)] && is_examined(outlines, b, facet))
+          for (const Vec<D>& corner : facet.corners) find_deeper(outlines[other], corner);
+    }
   return depth;
 }
 
@@ -89,13 +107,14 @@ std::optional<Overlapping<D>> overlapping(const PresentOutlines<D>& outlines, in
   const Outline<D>& outline = outlines[other];
   const Vec<D> outside = facet.middle + beside_outline * facet.radius * facet.normal; // of its own outline
   if (!outline.boxes(outside) || outline.layers(outside) < 1) return {};
-  const auto nearest = outline.nearest(facet.middle, [&](const Facet<D>& behind) {
+  const double allowed = outlines.allowed(body, facet);
+  const auto may_be_behind = [&](const Facet<D>& behind) {
     if (outlines.within(other, behind.side)) return false;
     if (body != other) return true;
     return behind.normal.dot(facet.normal) < same_bend && behind.normal.dot(facet.middle - behind.middle) < 0;
-  });
-  if (!nearest.facet) return {};
-  if (nearest.distance <= std::max(outlines.allowed(body, facet), outlines.allowed(other, *nearest.facet))) return {};
+  };
+  const auto nearest = outline.nearest(facet.middle, may_be_behind, allowed);
+  if (!nearest.facet || nearest.distance <= std::max(allowed, outlines.allowed(other, *nearest.facet))) return {};
   // At this depth a whole ball is covered. A tiny fold at an edge is not, far from all other faces.
   if (outline.layers(facet.middle + 0.5 * nearest.distance * facet.normal) < 1) return {};
   const FaceReference face{body, facet.side}, behind{other, nearest.facet->side};
@@ -124,7 +143,7 @@ template <int D> DeclaredContacts contacts_between(const Model<D>& model, int fi
 
 template <int D> PresentOutlines<D>::PresentOutlines(const Model<D>& model) : scene_(model.system.scene) {
   const auto count = static_cast<int>(scene_.bodies.size());
-  Groups joined(count), connected(count);
+  const Groups joined = connected_bodies(scene_, false), connected = connected_bodies(scene_, true);
   for (int b = 0; b < count; ++b) {
     const nurbs::Discretization& space = scene_.bodies[at(b)].body->space();
     outlines_.emplace_back(space, space.points() + body_displacement(model, b));
@@ -135,17 +154,8 @@ template <int D> PresentOutlines<D>::PresentOutlines(const Model<D>& model) : sc
       for (const nurbs::Side side : nurbs::sides(D))
         if (lies_on_axis(outlines_.back(), side)) within_.back()[number_of(side)] = true;
   }
-  for (const Join& join : scene_.joins) {
+  for (const Join& join : scene_.joins)
     for (const FaceReference& face : {join.first, join.second}) within_[at(face.body)][number_of(face.side)] = true;
-    joined.unite(join.first.body, join.second.body);
-    connected.unite(join.first.body, join.second.body);
-  }
-  for (const Tie& tie : scene_.ties)
-    for (const Faces& faces : {tie.slave, tie.master})
-      for (const FaceReference& face : faces) {
-        connected.unite(tie.slave.front().body, face.body);
-        if (tie.from_join) joined.unite(tie.slave.front().body, face.body);
-      }
   declared_.assign(at(count), 0);
   std::vector<double> declared(at(count), 0);
   for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
@@ -166,23 +176,12 @@ template <int D>
 void warn_of_overlaps(const Model<D>& model, const PresentOutlines<D>& outlines, std::vector<Message>& warnings) {
   const Scene<D>& scene = model.system.scene;
   std::map<std::array<int, 2>, Overlaps<D>> overlaps;
-  std::map<std::array<int, 2>, double> declared; // depth of the corners of faces in contact, by parts
-  const auto parts = [&](int first, int second) -> std::array<int, 2> {
-    const auto [least, most] = std::minmax({outlines.part(first), outlines.part(second)});
-    return {least, most};
-  };
   for (int b = 0; b < outlines.bodies(); ++b)
     for (int other = 0; other < outlines.bodies(); ++other) {
       if (!outlines[b].meets(outlines[other])) continue;
-      const Sides<D> against = sides_against(scene, b, other);
       for (std::size_t i = 0; i < outlines[b].facets().size(); i += Outline<D>::stride) {
         const Facet<D>& facet = outlines[b].facets()[i];
-        if (facet.radius <= shortest_piece * outlines[b].thickness() || facet.normal.isZero(0)) continue;
-        if (outlines.within(b, facet.side)) continue;
-        if (against[number_of(facet.side)]) {
-          double& depth = declared[parts(b, other)];
-          depth = std::max(depth, depth_in(outlines[other], facet));
-        }
+        if (!is_examined(outlines, b, facet)) continue;
         if (const auto found = overlapping(outlines, b, facet, other))
           overlaps[{std::min(b, other), std::max(b, other)}].add(*found);
       }
@@ -194,7 +193,7 @@ void warn_of_overlaps(const Model<D>& model, const PresentOutlines<D>& outlines,
     const bool unseen = found.paired && untouched;
     // What is declared includes the edges and corners of faces in contact, from which their neighbors start.
     const bool undeclared =
-        !unseen && found.deepest && (untouched || found.deepest->depth > declared[parts(first, second)]);
+        !unseen && found.deepest && (untouched || found.deepest->depth > declared_depth(outlines, first, second));
     if (!unseen && !undeclared) continue;
     const Overlapping<D>& overlap = undeclared ? *found.deepest : *found.paired;
     const Message face = face_message(scene, overlap.face), behind = face_message(scene, overlap.behind);
