@@ -17,7 +17,7 @@ local format = 1
 --- Fields of a run that are rebuilt or written in another form; all others are saved as they are.
 local apart = { "failed", "reason", "cause", "failure", "recorders", "before", "step", "names", "values", "histories",
                 "extra", "stored_states", "step_column", "increment_column", "iteration_column", "wall_column", "model",
-                "outline" }
+                "outline", "unexamined" }
 
 --- Calls a file function of the core; its errors become errors of model:run.
 local function call(name, ...) return on_behalf_of(where, "core." .. name, core[name], ...) end

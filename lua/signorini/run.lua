@@ -383,12 +383,12 @@ return function(model, stages, options)
       if run.reason ~= "completed" then
         display:line(("%s: %s in step %d of %d"):format(stage.name, run.reason, number, stage.steps))
         if options.states.last then run:store_state(model, stage.name) end
-        run_warnings.note_state(run, model, stage)
+        run_warnings.note_state(run, model, stage, true)
         return close(run, model, display, early, record)
       end
     end
     place.number = 0
-    run_warnings.note_state(run, model, stage)
+    run_warnings.note_state(run, model, stage, index == #path)
     display:stage_end(stage.name, stage.steps, run.stages[#run.stages].iterations, run.stages[#run.stages].wall)
   end
   display:clear()

@@ -116,7 +116,8 @@ function Run.new(model, path)
     wary = 0, places = {}, wall = 0, stages = {}, controls = {}, fallbacks = {}, energies = {}, extra = {},
     names = {}, values = {}, histories = {}, recorders = {}, stored_states = {}, before = model:timings(),
     warnings = {}, unsettled = {}, unstable_law = false,
-    jumps = jumps.record(), overlaps = {}, state_findings = {}, adaptations = {}, contact_zones = {},
+    jumps = jumps.record(), overlaps = {}, state_findings = {}, examined = 0,
+    unexamined = { states = {}, before = {} }, adaptations = {}, contact_zones = {},
   }, Run)
   layer_moves.begin(run, model)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
@@ -311,7 +312,7 @@ function Run:finish(model, early)
   energy_balance.note(self.energies, model)
   jumps.close(self.jumps)
   self.warnings = run_warnings.of_run(self, model, early)
-  self.jumps = nil
+  self.jumps, self.unexamined = nil, nil
   return self
 end
 

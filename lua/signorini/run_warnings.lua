@@ -174,46 +174,79 @@ local function unstable_law(run)
     position(found.at))
 end
 
---- Notes in run.state_findings the warnings about the state at the end of a stage, or where the run ends before; of
---- each subject the first.
-function run_warnings.note_state(run, model, stage)
-  if run.reason == "interrupted" or run.rows == 0 then return end
-  local done = run.stages[#run.stages].steps
-  local place = (done < stage.steps and "in stage '%s', after step %d" or "at the end of stage '%s'"):format(stage.name,
-    run.steps)
-  for _, found in ipairs(core.state_warnings(model)) do
+-- Iterations of a run per examination of everything about a state, which takes about as long as two:
+-- it is made at the end of a stage if this many belong to each of those so far, at the first stages, and where a run
+-- ends. In between states are kept, and examined if something is found later.
+local per_examination, first_examined = 100, 3
+
+--- Appends to run.state_findings what is found about a state; of each subject the first. Where it is found in a state
+--- after others that were not examined, it may have begun there.
+local function note_findings(run, model, state, everything)
+  local unexamined = run.unexamined
+  for _, found in ipairs(core.state_warnings(model, everything)) do
     if not lists.any(run.state_findings, function(earlier) return earlier.subject == found.subject end) then
-      run.state_findings[#run.state_findings + 1] = { subject = found.subject, place = place, text = found.text,
-        from = run.steps - done, to = run.steps }
+      run.state_findings[#run.state_findings + 1] = lists.merged(found, state)
+      unexamined.before[found.subject] = everything and unexamined.states
     end
   end
 end
 
+--- Notes the warnings about the state at the end of a stage, or where the run ends before; `last`: the run ends here.
+function run_warnings.note_state(run, model, stage, last)
+  if run.reason == "interrupted" or run.rows == 0 then return end
+  local began, unexamined = core.now(), run.unexamined
+  local done = run.stages[#run.stages].steps
+  local place = (done < stage.steps and "in stage '%s', after step %d" or "at the end of stage '%s'"):format(stage.name,
+    run.steps)
+  local state = { place = place, from = run.steps - done, to = run.steps }
+  local everything = last or run.examined < first_examined or run.examined * per_examination <= run.iterations
+  note_findings(run, model, state, everything)
+  if everything then
+    run.examined, unexamined.states = run.examined + 1, {}
+  else
+    state.snapshot, state.adaptations = model:snapshot(), #run.adaptations
+    unexamined.states[#unexamined.states + 1] = state
+  end
+  run:account("wall", core.now() - began)
+end
+
 local function is_unstable(finding) return finding.subject:find("model.warning.unstable", 1, true) == 1 end
 
---- The step from which on the states of a stage are unstable, by bisection of the stored ones between its start and its
---- end, where this was found; nil without any between them.
-local function first_unstable(run, model, finding)
-  local between = lists.filter(run.stored_states, function(state)
-    return state.step > finding.from and state.step < finding.to
-  end)
-  if #between == 0 or #run.adaptations > 0 then return nil end
-  local last, stable, unstable = model:snapshot(), 0, #between + 1
-  while unstable - stable > 1 do
-    local middle = (stable + unstable) // 2
-    model:restore(between[middle].snapshot)
-    if lists.any(core.state_warnings(model), is_unstable) then unstable = middle else stable = middle end
+--- The first of some states of a path in which something is found again, by bisection, and what is found there.
+local function first_with(model, states, finding)
+  local function again(found)
+    return found.subject == finding.subject or is_unstable(found) and is_unstable(finding)
+  end
+  if #states == 0 then return nil end
+  local last, without, with, first = model:snapshot(), 0, #states + 1, nil
+  while with - without > 1 do
+    local middle = (without + with) // 2
+    model:restore(states[middle].snapshot)
+    local found = lists.filter(core.state_warnings(model, true), again)[1]
+    if found then with, first = middle, found else without = middle end
   end
   model:restore(last)
-  return between[unstable] and between[unstable].step or finding.to
+  return states[with], first
+end
+
+--- A sentence on something found in a state: where it is found first, of states that were kept. Of an unstable one that
+--- is also a step, if states within the stage were stored.
+local function sentence(run, model, finding)
+  local kept = lists.filter(run.unexamined.before[finding.subject] or {}, function(state)
+    return state.adaptations == #run.adaptations
+  end)
+  local state, first = first_with(model, kept, finding)
+  if first then finding = lists.merged(state, first) end
+  local between = lists.filter(#run.adaptations == 0 and is_unstable(finding) and run.stored_states or {},
+    function(stored) return stored.step > finding.from and stored.step < finding.to end)
+  local stored = first_with(model, between, finding)
+  local from = #between > 0 and (", from step %d on"):format(stored and stored.step or finding.to) or ""
+  return ("%s%s: %s"):format(finding.place, from, finding.text)
 end
 
 --- Sentences on the states at the ends of stages and of the run.
 local function states(run, model)
-  return lists.map(run.state_findings, function(found)
-    local first = is_unstable(found) and first_unstable(run, model, found)
-    return ("%s%s: %s"):format(found.place, first and (", from step %d on"):format(first) or "", found.text)
-  end)
+  return lists.map(run.state_findings, function(finding) return sentence(run, model, finding) end)
 end
 
 --- Whether points of a contact with friction stick.

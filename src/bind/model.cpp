@@ -220,10 +220,10 @@ std::string subject(const Message& warning) {
   return all;
 }
 
-template <int D> int push_state_warnings(lua_State* L, model::Model<D>& model) {
+template <int D> int push_state_warnings(lua_State* L, model::Model<D>& model, bool everything) {
   lua_newtable(L);
   int count = 0;
-  for (const Message& warning : model::state_warnings(model)) {
+  for (const Message& warning : model::state_warnings(model, everything)) {
     lua_createtable(L, 0, 2);
     push(L, subject(warning));
     lua_setfield(L, -2, "subject");
@@ -234,11 +234,11 @@ template <int D> int push_state_warnings(lua_State* L, model::Model<D>& model) {
   return 1;
 }
 
-/// core.state_warnings(model): the warnings about its accepted state as a list of { subject, text }; those of two
-/// states with the same subject differ in figures only.
+/// core.state_warnings(model, everything): the warnings about its accepted state as a list of { subject, text }; those
+/// of two states with the same subject differ in figures only.
 int state_warnings(lua_State* L) {
-  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_state_warnings(L, **plane);
-  if (const auto* space = test_object<Model<3>>(L, 1)) return push_state_warnings(L, **space);
+  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_state_warnings(L, **plane, lua_toboolean(L, 2));
+  if (const auto* space = test_object<Model<3>>(L, 1)) return push_state_warnings(L, **space, lua_toboolean(L, 2));
   lua_newtable(L);
   return 1;
 }

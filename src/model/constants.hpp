@@ -178,6 +178,8 @@ inline constexpr double most_small_rotation = 0.17453292519943295, most_small_st
 /// relative to that of the displacements that they constrain: softer by 1e-4 than in the limit, and with rounding
 /// errors below those of the first.
 inline constexpr double neutral_stiffness = 1e-13, constraint_stiffness = 1e4;
+/// A last correction below this part of the displacements changes the stiffness that loads cause by about as much.
+inline constexpr double small_correction = 1e-3;
 /// A motion is rigid from this share of it on, and its stiffness is due to the discretization of the contacts below
 /// this part of their force per extent.
 inline constexpr double rigid_share = 0.9, neutral_share = 0.1;

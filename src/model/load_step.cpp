@@ -39,6 +39,9 @@ template <int D> bool advance(Model<D>& model, const StepOptions& options, doubl
   energy = std::abs(slope);
   Step& own = *model.step;
   VectorX& displacement = model.present.displacement;
+  const bool damped = options.damping && model.system.has_unconstrained();
+  own.definite = !damped && model.linear.statistics().definite &&
+                 step.norm() <= small_correction * model.system.unknowns.gather(displacement).norm();
   const Unknowns<D>& unknowns = model.system.unknowns;
   if (options.newton.line_search != solve::LineSearchKind::none) {
     own.before = displacement;

@@ -110,11 +110,13 @@ template <int D> void accept(Model<D>& model) {
   present.targets = model.targets;
   accepted = present;
   path.force_scale = force_norm(model);
+  model.definite = model.step->definite;
   model.step.reset();
 }
 
 template <int D> void rollback(Model<D>& model) {
   model.step.reset();
+  model.definite = false;
   model.inversion.reset();
   for (auto& history : model.accepted.contacts) look_again(history); // the penalty factor may have changed
   model.present = model.accepted;

@@ -42,6 +42,9 @@ template <int D> struct Model {
   /// The last inverted element since the last roll-back.
   std::optional<BodyInversion> inversion;
   LinearSolution linear;
+  /// Whether the last step's last tangent was that of its equilibrium, up to a small correction, and had positive
+  /// pivots only: the accepted state is stable.
+  bool definite = false;
   Timings timings;
   /// By body, for the stress at points; what they keep does not affect results.
   mutable std::vector<solid::ProjectedVolume<D>> projected_volumes;

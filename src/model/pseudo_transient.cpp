@@ -9,6 +9,7 @@ namespace signorini::model {
 
 template <int D> bool advance_in_pseudo_time(Model<D>& model, const StepOptions& options, double& energy) {
   Step& step = *model.step;
+  step.definite = false;
   Assembly<D>& assembly = model.system.assembly;
   VectorX& displacement = model.present.displacement;
   if (step.viscosity.size() == 0) {

@@ -19,6 +19,7 @@ struct Step {
   int augmentations = 0;
   VectorX before = {}, move = {}; ///< for line search: the state before the last move, and the move
   double slope = 0;               ///< f·Δu in that state
+  bool definite = false;          ///< see Model
   solve::PseudoTime pseudo_time = {};
   VectorX viscosity = {}; ///< D of pseudo-transient continuation, by unknown
   VectorX origin = {};    ///< displacement at its start

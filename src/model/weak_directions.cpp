@@ -18,11 +18,6 @@ double largest_entry(const solve::Pattern& pattern, const std::vector<double>& v
   return largest;
 }
 
-std::vector<double> shifted(const solve::Pattern& pattern, std::vector<double> values, double shift) {
-  for (int i = 0; i < pattern.size; ++i) values[static_cast<std::size_t>(pattern.find(i, i))] += shift;
-  return values;
-}
-
 /// Deterministic start vectors without preferred direction.
 MatrixX start_vectors(int size, int count) {
   MatrixX x(size, count);
@@ -69,6 +64,11 @@ MatrixX times(const solve::Pattern& pattern, const std::vector<double>& values, 
     for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1]; ++k)
       product.row(pattern.rows[static_cast<std::size_t>(k)]) += values[static_cast<std::size_t>(k)] * x.row(j);
   return product;
+}
+
+std::vector<double> shifted(const solve::Pattern& pattern, std::vector<double> values, double shift) {
+  for (int i = 0; i < pattern.size; ++i) values[static_cast<std::size_t>(pattern.find(i, i))] += shift;
+  return values;
 }
 
 WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements,

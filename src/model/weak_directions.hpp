@@ -12,6 +12,9 @@ namespace signorini::model {
 /// K x for each column of x; `values` in the order of the pattern.
 MatrixX times(const solve::Pattern& pattern, const std::vector<double>& values, const MatrixX& x);
 
+/// The values of K + σ I.
+std::vector<double> shifted(const solve::Pattern& pattern, std::vector<double> values, double shift);
+
 struct WeakDirection {
   VectorX direction; ///< by unknown, of length 1
   double stiffness;  ///< uᵀ K u

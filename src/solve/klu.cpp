@@ -39,6 +39,7 @@ public:
                   klu_refactor(pattern_.starts.data(), pattern_.rows.data(), read, symbolic_, numeric_, &common_) &&
                   common_.status == KLU_OK && pivots().regular();
     if (!refactored_) return factor_with_pivots(read);
+    judge_pivots();
     values_.assign(values, values + pattern_.entries());
     return true;
   }
@@ -78,7 +79,16 @@ private:
     klu_free_numeric(&numeric_, &common_);
     numeric_ = klu_factor(pattern_.starts.data(), pattern_.rows.data(), values, symbolic_, &common_);
     statistics_.memory = static_cast<double>(common_.memusage);
-    return numeric_ != nullptr && common_.status == KLU_OK && pivots().regular();
+    const bool regular = numeric_ != nullptr && common_.status == KLU_OK && pivots().regular();
+    if (regular) judge_pivots();
+    return regular;
+  }
+
+  /// Looks at the pivots' signs.
+  void judge_pivots() {
+    const double* pivots = static_cast<const double*>(numeric_->Udiag);
+    statistics_.definite = std::equal(numeric_->Pnum, numeric_->Pnum + pattern_.size, symbolic_->Q) &&
+                           std::all_of(pivots, pivots + pattern_.size, [](double pivot) { return pivot > 0; });
   }
 
   Pattern pattern_;

@@ -86,6 +86,7 @@ public:
     statistics_.memory = report_.entries * (settings_.single ? sizeof(float) : sizeof(double));
     statistics_.rank_memory = report_.peak;
     statistics_.negative = symmetry_ ? report_.negative : -1;
+    statistics_.definite = statistics_.negative == 0;
     return succeeded(report_) && report_.null == 0 && pivots().regular();
   }
 

@@ -68,6 +68,27 @@ check.case("a stored state tells from which step on", function()
   check.near(model:reaction("base").fy, 2 * euler(1), 1e-8) -- at the last state again
 end)
 
+check.case("a stage that was not examined is found when a later one is", function()
+  local body = column{}
+  local model = sg.model{ bodies = { column = body }, supports = { base = { on = body:face "south", fix = "xy" } },
+                          loads = { p = { on = body:face "north", traction = { 0, 0 } } } }
+  local path = {}
+  for i = 1, 12 do path[i] = { name = "s" .. i, steps = 1, p = { 0, -i / 8 * euler(1) / thickness } } end
+  local examine, count = core.state_warnings, 0
+  core.state_warnings = function(of, everything)
+    if everything then count = count + 1 end
+    return examine(of, everything)
+  end
+  local ok, run = pcall(model.run, model, path)
+  core.state_warnings = examine
+  assert(ok, run)
+  check.holds(warned(run), "at the end of stage 's9': ") -- 9/8 of the buckling load
+  assert(count < #path, count) -- the first stages, the last one, and those of a bisection
+  check.near(model:reaction("base").fy, 1.5 * euler(1), 1e-8) -- at the last state again
+  local spent = run.timings -- with those of the checks
+  check.near(spent.bulk + spent.contact + spent.linear + spent.rest, run.wall, 1e-9)
+end)
+
 --- Pressed by a frictionless plane: its upper end moves sideways but does not turn, so that it carries 4 times as much.
 local function pressed(contact)
   return function(times, options)

@@ -53,6 +53,24 @@ TEST_P(Linear, SingularMatricesAreReportedAndLeaveNoTrace) {
   }
 }
 
+/// KLU's pivots show whether a symmetric matrix is positive definite, also where it reuses the former ones.
+TEST(Klu, KnowsDefiniteMatrices) {
+  std::mt19937 random(7);
+  auto [pattern, values] = free_springs(random, 30);
+  const auto solver = make_solver(LinearKind::klu, pattern);
+  const auto judged = [&](double shift) {
+    Values shifted = values;
+    for (int i = 0; i < pattern.size; ++i) shifted[at(pattern.find(i, i))] += shift;
+    EXPECT_TRUE(solver->factor(shifted.data()));
+    return solver->statistics().definite;
+  };
+  EXPECT_TRUE(judged(1e-3)); // of springs the least eigenvalue is 0
+  EXPECT_TRUE(judged(1));
+  EXPECT_FALSE(judged(-1e-3));
+  EXPECT_FALSE(judged(-100));
+  EXPECT_TRUE(judged(1e-3));
+}
+
 /// An unconstrained chain of springs: the last pivot is zero up to rounding error.
 TEST_P(Linear, SingularityToWorkingPrecisionIsReported) {
   std::mt19937 random(6);

@@ -44,9 +44,8 @@ Stiffness scaled(Stiffness k, const VectorX& d) {
   return k;
 }
 
-Stiffness shifted(Stiffness k, double shift) {
-  for (int i = 0; i < k.pattern.size; ++i) k.values[at(k.pattern.find(i, i))] += shift;
-  return k;
+Stiffness shifted(const Stiffness& k, double shift) {
+  return {k.pattern, model::shifted(k.pattern, k.values, shift)};
 }
 
 /// By CHOLMOD, or by MUMPS if the tangents of the path are too large for one process.
@@ -133,7 +132,7 @@ template <int D> void warn_of_instability(Model<D>& model, std::vector<Message>&
   const bool constant = system.followers.empty() && std::ranges::all_of(system.scene.bodies, [](const auto& named) {
                           return named.body->linear();
                         });
-  if (displacements == 0 || (constant && !system.has_unconstrained()) || is_one_sided(model)) return;
+  if (displacements == 0 || model.definite || (constant && !system.has_unconstrained()) || is_one_sided(model)) return;
   // With a loose tolerance the state is not an equilibrium.
   if (model.unbalanced.size() > 0 && model.unbalanced.norm() > loose_balance * force_norm(model)) return;
   for (contact::Controls& control : model.controls) control = {.guessed = gap_rounding * largest_position(model)};

@@ -10,22 +10,26 @@
 
 namespace signorini::model {
 
-template <int D> std::vector<Message> state_warnings(Model<D>& model) {
+template <int D> std::vector<Message> state_warnings(Model<D>& model, bool everything) {
   std::vector<Message> warnings;
   if (!settled(model)) return warnings;
-  const PresentOutlines<D> outlines(model);
-  warn_of_overlaps(model, outlines, warnings);
-  warn_of_obstacles(model, outlines, warnings);
-  warn_of_stiff_bending(model, warnings);
+  if (everything) {
+    const PresentOutlines<D> outlines(model);
+    warn_of_overlaps(model, outlines, warnings);
+    warn_of_obstacles(model, outlines, warnings);
+    warn_of_stiff_bending(model, warnings);
+  }
   warn_of_narrow_contacts(model, warnings);
   warn_of_soft_penalties(model, warnings);
-  warn_of_large_strains(model, warnings);
-  warn_of_instability(model, warnings);
+  if (everything) {
+    warn_of_large_strains(model, warnings);
+    warn_of_instability(model, warnings);
+  }
   warn_of_ends(model, warnings);
   return warnings;
 }
 
-template std::vector<Message> state_warnings(Model<2>&);
-template std::vector<Message> state_warnings(Model<3>&);
+template std::vector<Message> state_warnings(Model<2>&, bool);
+template std::vector<Message> state_warnings(Model<3>&, bool);
 
 } // namespace signorini::model
