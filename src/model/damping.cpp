@@ -14,7 +14,16 @@ namespace signorini::model {
 
 namespace {
 
-/// The bodies of a scene, those together that joins or ties connect.
+/// The smallest |gap| of a contact; 0 if it is closed.
+template <int D> double nearest_gap(const contact::Formulation<D>& contact, const contact::History<D>& history) {
+  if (resultant(history).active > 0) return 0;
+  double distance = std::numeric_limits<double>::infinity();
+  for (const double gap : contact.gaps(history)) distance = std::min(distance, std::abs(gap));
+  return distance;
+}
+
+} // namespace
+
 template <int D> std::vector<std::vector<int>> connected_groups(const Scene<D>& scene) {
   std::vector<std::vector<int>> groups;
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) groups.push_back({b});
@@ -35,28 +44,22 @@ template <int D> std::vector<std::vector<int>> connected_groups(const Scene<D>& 
   return groups;
 }
 
-/// The smallest |gap| of a contact; 0 if it is closed.
-template <int D> double nearest_gap(const contact::Formulation<D>& contact, const contact::History<D>& history) {
-  if (resultant(history).active > 0) return 0;
-  double distance = std::numeric_limits<double>::infinity();
-  for (const double gap : contact.gaps(history)) distance = std::min(distance, std::abs(gap));
-  return distance;
+template <int D> MatrixX reference_points(const Scene<D>& scene, const std::vector<int>& bodies) {
+  MatrixX points(D, 0);
+  for (const int b : bodies) {
+    const MatrixX own = scene.bodies[at(b)].body->space().points();
+    points.conservativeResize(D, points.cols() + own.cols());
+    points.rightCols(own.cols()) = own;
+  }
+  return points;
 }
-
-} // namespace
 
 template <int D>
 std::vector<UnconstrainedMotion> unconstrained_motions(const Scene<D>& scene, const Unknowns<D>& unknowns) {
   const Springs<D> springs(scene, unknowns);
   std::vector<UnconstrainedMotion> unconstrained;
   for (const std::vector<int>& group : connected_groups(scene)) {
-    MatrixX points(D, 0);
-    for (const int b : group) {
-      const MatrixX own = scene.bodies[at(b)].body->space().points();
-      points.conservativeResize(D, points.cols() + own.cols());
-      points.rightCols(own.cols()) = own;
-    }
-    for (const VectorX& motion : rigid_motions<D>(points, scene.kind)) {
+    for (const VectorX& motion : rigid_motions<D>(reference_points(scene, group), scene.kind)) {
       std::vector<UnconstrainedMotion> parts;
       bool free = true;
       for (Eigen::Index first = 0; const int b : group) {
@@ -155,6 +158,8 @@ void damp_obstacles(const Scene<D>& scene, const Unknowns<D>& unknowns,
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template std::vector<std::vector<int>> connected_groups(const Scene<D>&);                                            \
+  template MatrixX reference_points(const Scene<D>&, const std::vector<int>&);                                         \
   template std::vector<UnconstrainedMotion> unconstrained_motions(const Scene<D>&, const Unknowns<D>&);                \
   template VectorX damping(const Scene<D>&, const Unknowns<D>&, const std::vector<UnconstrainedMotion>&,               \
                            const VectorX&, const VectorX&, const std::vector<double>&);                                \

@@ -8,6 +8,12 @@
 
 namespace signorini::model {
 
+/// The bodies of a scene, those together that joins or ties connect.
+template <int D> std::vector<std::vector<int>> connected_groups(const Scene<D>& scene);
+
+/// The control points of some bodies before the first step, one body after the other.
+template <int D> MatrixX reference_points(const Scene<D>& scene, const std::vector<int>& bodies);
+
 /// A rigid-body mode that no support prevents: a translation or rotation of the reference configuration (of a body of
 /// revolution the translation along the axis) without prescribed degrees of freedom; the largest component is at
 /// most 1. Tied bodies move as one, and each has its part of the motion.

@@ -53,6 +53,16 @@ check.case("a block is pulled off along the law, and pressed in along its tangen
   end
 end)
 
+check.case("faces that overlap although adhesion holds them apart are reported", function()
+  local function warnings(lid) return block{}:run{ { steps = 5, lid = {lid} } }.warnings end
+  check.equal(warnings(-0.9 * equilibrium), {})
+  local depth, apart, penalty = table.concat(warnings(-0.5)):match
+    "contacts.film: the faces overlap by (%S+), .- holds them (%S+) apart.- penalty of (%S+),"
+  check.within("depth", tonumber(depth), -gap_below(-0.5), 1e-3)
+  check.within("apart", tonumber(apart), equilibrium, 1e-3)
+  check.within("penalty", tonumber(penalty), -traction(0) / -equilibrium, 1e-2)
+end)
+
 check.case("pulling off takes the work of adhesion, 15^(1/3) A/(16 pi r0²) per area", function()
   local model, steps, last = block{}, 400, 4
   local run = model:run{ { steps = steps, lid = {last} } }

@@ -132,6 +132,29 @@ check.case("motions without stiffness are neutral", function()
     contacts = { left = { slave = disc:face "south", master = side(1), penalty = groove },
                  right = { slave = disc:face "south", master = side(-1), penalty = groove } } }
   check.equal(warned(model:run{ { steps = 2, g = { 0, -10 / (math.pi * R ^ 2) } } }), nil)
+  -- Of one patch or several ones it rolls on a plane, and on a slab as slave or as master; it falls off a cylinder.
+  local rubber, slab = sg.neo_hookean{ E = 1000, nu = 0.3 }, nil
+  slab = sg.body{ patch = sg.shapes.rectangle{ width = 20, height = 4, corner = { -10, -4 } }, elements = { 40, 4 },
+                  order = "N2", contact = "north", material = rubber }
+  local function lies(patch, elements, face, master, swap)
+    local body = sg.body{ patch = patch, elements = elements, order = "N2", material = rubber }
+    local on_slab = master == slab
+    local slave, other = body:face(face), on_slab and slab:face "north" or master
+    if swap then slave, other = other, slave end
+    local rolling = sg.model{ bodies = { body = body, slab = on_slab and slab or nil },
+      loads = { g = { on = body, force = { 0, 0 } } }, contacts = { k = { slave = slave, master = other } },
+      supports = { bed = on_slab and { on = slab:face "south", fix = "xy" } or nil } }
+    local run = rolling:run({ { steps = 1, g = { 0, -10 / (math.pi * R ^ 2) } } }, sg.robust{})
+    check.equal(run.reason, "completed")
+    return warned(run) ~= nil
+  end
+  local plane = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } }
+  local top = sg.rigid.cylinder{ center = { 0, -20 }, radius = 20 }
+  for _, one in ipairs{ { sg.shapes.polar_disc{ radius = R, center = { 0, R } }, { 16, 4 }, "south" },
+                        { sg.shapes.disc{ radius = R, center = { 0, R } }, { 12, 4 }, "outer" } } do
+    local function falls(master, swap) return lies(one[1], one[2], one[3], master, swap) end
+    check.equal({ falls(plane), falls(slab), falls(slab, true), falls(top) }, { false, false, false, true })
+  end
 end)
 
 check.done()

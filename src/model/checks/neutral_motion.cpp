@@ -2,7 +2,10 @@
 
 #include "base/index.hpp"
 #include "base/orthonormal.hpp"
+#include "model/checks/outline.hpp"
 #include "model/constants.hpp"
+#include "model/damping.hpp"
+#include "solve/least_eigenpair.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,20 +23,27 @@ template <int D> struct RigidMotion {
   Mat<D> gradient;
 };
 
-/// The rigid part of a body's displacements; empty if it has no unconstrained motion or others prevail.
-template <int D> std::optional<Points<D>> rigid_part(System<D>& system, std::size_t body, const VectorX& direction) {
-  std::vector<VectorX> motions;
-  for (const auto& [mover, motion] : system.unconstrained())
-    if (at(mover) == body) motions.push_back(motion);
-  if (motions.empty()) return std::nullopt;
-  const auto size = motions.front().size();
-  MatrixX columns(size, static_cast<Eigen::Index>(motions.size()));
-  for (std::size_t m = 0; m < motions.size(); ++m) columns.col(static_cast<Eigen::Index>(m)) = motions[m];
+/// The rigid part of the displacements of bodies that move as one; empty if they have no unconstrained motion or others
+/// prevail.
+template <int D>
+std::optional<Points<D>> rigid_part(System<D>& system, const std::vector<int>& group, const VectorX& direction) {
   const VectorX all = system.unknowns.spread(direction);
-  const VectorX own = all.segment(system.unknowns.offset(static_cast<int>(body)), size);
+  VectorX own(0);
+  MatrixX columns(0, 0);
+  for (const int b : group) {
+    std::vector<VectorX> motions; // of all bodies of the group in the same order
+    for (const auto& [mover, motion] : system.unconstrained())
+      if (mover == b) motions.push_back(motion);
+    if (motions.empty()) return std::nullopt;
+    const auto size = motions.front().size();
+    own.conservativeResize(own.size() + size);
+    own.tail(size) = all.segment(system.unknowns.offset(b), size);
+    columns.conservativeResize(own.size(), static_cast<Eigen::Index>(motions.size()));
+    for (std::size_t m = 0; m < motions.size(); ++m) columns.col(static_cast<Eigen::Index>(m)).tail(size) = motions[m];
+  }
   const VectorX rigid = own - residual_of(orthonormal(columns), own);
   if (rigid.squaredNorm() < rigid_share * all.squaredNorm()) return std::nullopt;
-  return Points<D>(rigid.reshaped(D, size / D));
+  return Points<D>(rigid.reshaped(D, rigid.size() / D));
 }
 
 template <int D> RigidMotion<D> fitted(const Points<D>& points, const Points<D>& moves) {
@@ -76,29 +86,87 @@ template <int D> std::optional<VectorX> center_of_rotation(const Points<D>& poin
   return VectorX(plane * *center);
 }
 
-/// Whether a body touches others and obstacles by round faces only, which turn about their centers or roll on planes.
-template <int D> bool rolls(const Model<D>& model, int body, const RigidMotion<D>& motion) {
+/// Pieces of faces before the first step.
+template <int D> std::vector<Facet<D>> facets_on(const Scene<D>& scene, const Faces& faces) {
+  std::vector<Facet<D>> list;
+  for (const FaceReference& face : faces) {
+    const nurbs::Discretization& space = scene.bodies[at(face.body)].body->space();
+    const Outline<D> outline(space, space.points());
+    for (const Facet<D>& facet : outline.facets())
+      if (facet.side == face.side) list.push_back(facet);
+  }
+  return list;
+}
+
+/// Points on faces.
+template <int D> Points<D> corners_of(const std::vector<Facet<D>>& facets) {
+  Points<D> points(D, D * static_cast<Eigen::Index>(facets.size()));
+  Eigen::Index column = 0;
+  for (const Facet<D>& facet : facets)
+    for (const Vec<D>& corner : facet.corners) points.col(column++) = corner;
+  return points;
+}
+
+/// Whether points lie in a plane, or on a line in 2D.
+template <int D> bool is_flat(const Points<D>& points) {
+  constexpr double thin = 1e-12; // squared
+  const Points<D> relative = points.colwise() - Vec<D>(points.rowwise().mean());
+  const MatrixX spread = relative * relative.transpose();
+  return solve::least_eigenpair(spread).value < thin * spread.trace();
+}
+
+/// Whether bodies that move as one touch others and obstacles by round faces only, which turn about their centers or
+/// roll on planes.
+template <int D> bool rolls(const Model<D>& model, const std::vector<int>& group, const RigidMotion<D>& motion) {
   constexpr double small = 0.05;
+  const Scene<D>& scene = model.system.scene;
   const Mat<D> spin = 0.5 * (motion.gradient - motion.gradient.transpose());
+  const auto moves = [&](const Faces& faces) { return std::ranges::any_of(group, [&](int b) { return faces.on(b); }); };
   bool touches = false;
   for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
-    const Contact<D>& contact = model.system.scene.contacts[k];
-    if (!acts_on(contact, body) || contact::resultant(model.accepted.contacts[k]).active == 0) continue;
+    const Contact<D>& contact = scene.contacts[k];
+    const auto* master = std::get_if<Faces>(&contact.master);
+    const bool as_slave = moves(contact.slave), as_master = master && moves(*master);
+    if (as_slave == as_master) {
+      if (as_slave) return false;
+      continue;
+    }
+    if (contact::resultant(model.accepted.contacts[k]).active == 0) continue;
     touches = true;
-    const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);
-    if (!contact.slave.on(body)) return false;
-    const auto& reference = model.system.contacts[k]->points().reference;
-    Points<D> points(D, static_cast<Eigen::Index>(reference.size()));
-    for (std::size_t i = 0; i < reference.size(); ++i) points.col(static_cast<Eigen::Index>(i)) = reference[i];
+    const Points<D> points = corners_of(facets_on(scene, as_slave ? contact.slave : *master));
     const auto center = center_of_rotation<D>(points, spin);
     if (!center) return false;
-    const bool flat =
-        obstacle && std::holds_alternative<contact::Plane<D>>(model.system.scene.obstacles[at(obstacle->obstacle)]);
+    const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);
+    const bool flat = obstacle ? std::holds_alternative<contact::Plane<D>>(scene.obstacles[at(obstacle->obstacle)])
+                               : is_flat<D>(corners_of(facets_on(scene, as_slave ? *master : contact.slave)));
     const double radius = (points.colwise() - Vec<D>(*center)).norm() / std::sqrt(static_cast<double>(points.cols()));
     const double moved = (motion.at + motion.gradient * *center).norm();
     if (!flat && moved > small * spin.norm() * radius) return false;
   }
   return touches;
+}
+
+/// Whether an obstacle is a ball, a cylinder or a torus.
+template <int D> bool is_full(const contact::Obstacle<D>& obstacle) {
+  return std::visit(
+      [](const auto& shape) {
+        if constexpr (requires { shape.hollow; }) return !shape.hollow;
+        return false;
+      },
+      obstacle);
+}
+
+/// Whether round faces, such as a disc's and not those of a hook, lie on top of a ball or cylinder, off which they
+/// roll.
+template <int D> bool lies_on_top(const Scene<D>& scene, const Contact<D>& contact) {
+  const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);
+  if (!obstacle || !is_full<D>(scene.obstacles[at(obstacle->obstacle)])) return false;
+  const std::vector<Facet<D>> facets = facets_on(scene, contact.slave);
+  const auto center = center_of(corners_of(facets));
+  if (!center) return false;
+  double outward = 0;
+  for (const Facet<D>& facet : facets) outward += facet.area * facet.normal.dot(facet.middle - Vec<D>(*center));
+  return outward > 0;
 }
 
 /// The sum of the forces of the contacts.
@@ -113,12 +181,21 @@ template <int D> double contact_force(const Model<D>& model) {
 
 template <int D> bool is_neutral(Model<D>& model, const VectorX& direction, double stiffness) {
   System<D>& system = model.system;
-  for (std::size_t b = 0; b < system.scene.bodies.size(); ++b) {
-    const auto moves = rigid_part(system, b, direction);
+  for (const std::vector<int>& group : connected_groups(system.scene)) {
+    const auto moves = rigid_part(system, group, direction);
     if (!moves) continue;
+    std::vector<const Contact<D>*> touching;
+    for (std::size_t k = 0; k < system.contacts.size(); ++k) {
+      const Contact<D>& contact = system.scene.contacts[k];
+      if (std::ranges::any_of(group, [&](int b) { return acts_on(contact, b); }) &&
+          contact::resultant(model.accepted.contacts[k]).active > 0)
+        touching.push_back(&contact);
+    }
+    // The turning disc is neutral there, but not its way to the side.
+    if (touching.size() == 1 && lies_on_top(system.scene, *touching.front())) return false;
     const double largest = moves->template lpNorm<Eigen::Infinity>();
     if (-stiffness < neutral_share * contact_force(model) / system.extent * largest * largest) return true;
-    return rolls(model, static_cast<int>(b), fitted<D>(system.scene.bodies[b].body->space().points(), *moves));
+    return rolls(model, group, fitted<D>(reference_points(system.scene, group), *moves));
   }
   return false;
 }

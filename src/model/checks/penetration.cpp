@@ -108,6 +108,17 @@ template <int D> void warn_of_springs(const Model<D>& model, int index, std::vec
                 {{"contact", contact.name}, {"distance", sum.uneven / sum.force}, {"approach", approach}}));
 }
 
+/// Below its equilibrium distance adhesion repels like a penalty, by which stiff bodies overlap.
+void warn_of_adhesion(const std::string& contact, const contact::Adhesion& law, double overlap,
+                      std::vector<Message>& warnings) {
+  if (overlap <= noticeable_part * law.distance) return;
+  const double nearest = contact::equilibrium_distance(law);
+  warnings.push_back(Message("model.warning.adhesive_overlap", {{"contact", contact},
+                                                                {"depth", overlap},
+                                                                {"distance", nearest},
+                                                                {"penalty", -contact::stiffness(law, nearest)}}));
+}
+
 } // namespace
 
 template <int D> void warn_of_soft_penalties(const Model<D>& model, std::vector<Message>& warnings) {
@@ -117,6 +128,8 @@ template <int D> void warn_of_soft_penalties(const Model<D>& model, std::vector<
     if (contact::penalty_law(contact.method) && !std::holds_alternative<contact::CohesiveLaw>(contact.method) &&
         !second_pass)
       warn_of_springs(model, k, warnings);
+    if (const auto* law = std::get_if<contact::Adhesion>(&contact.method))
+      warn_of_adhesion(contact.name, *law, contact::resultant(model.present.contacts[at(k)]).max_penetration, warnings);
   }
 }
 
