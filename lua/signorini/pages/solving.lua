@@ -160,12 +160,13 @@ newton.tolerance above 1e-3; contacts that never touched; a last step whose posi
 that contacts without friction do not hold; loads or contact whose forces are not far above rounding errors; closest
 points that were not found; at the end of a stage states in unstable equilibrium (of the states between that were stored
 the first one), contacts too narrow for the mesh, more than 1 % of a contact's force beyond an end of the master,
-penetration or elastic slip above 5 % of the approach of the faces, mortar contact at whose points gaps are above 5 % of
-it where their means are closed, faces that overlap although adhesion holds them apart, linear elastic bodies that are turned by 10 degrees
-or strained by 5 % in the mean over an element, bodies that bend with elements of degree 1, bodies that pass through
-each other, through themselves or through obstacles where no contact is defined, or pass between contact points; steps
-that may have jumped to another branch of solutions (solved by certain fallbacks) or probably have (judged by
-displacements and released energy); stages whose energy balance lacks more than a tenth of the work]] },
+penetration or elastic slip above 5 % of the approach of the faces, mortar contact at whose points gaps are above 5 %
+of it where their means are closed, faces that overlap although adhesion holds them apart, linear elastic bodies that
+are turned by 10 degrees or strained by 5 % in the mean over an element, bodies that bend with elements of degree 1,
+bodies that pass through each other, through themselves or through obstacles where no contact is defined, or pass
+between contact points; steps that may have jumped to another branch of solutions (solved by certain fallbacks) or
+probably have (judged by displacements and released energy); stages whose energy balance lacks more than a tenth of the
+work]] },
     } },
   { "run:columns", "Returns the names of all columns, in order.",
     returns = t.list(t.text),
