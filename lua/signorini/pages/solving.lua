@@ -160,7 +160,7 @@ newton.tolerance above 1e-3; contacts that never touched; a last step whose posi
 that contacts without friction do not hold; loads or contact whose forces are not far above rounding errors; closest
 points that were not found; at the end of a stage states in unstable equilibrium (of the states between that were stored
 the first one), contacts too narrow for the mesh, more than 1 % of a contact's force beyond an end of the master,
-penetration or elastic slip above 5 % of the approach of the faces, mortar contact at whose points gaps are above 5 %
+penetration or elastic slip above 5 % of the approach of the faces, mortar contact at whose points gaps are above 10 %
 of it where their means are closed, faces that overlap although adhesion holds them apart, linear elastic bodies that
 are turned by 10 degrees or strained by 5 % in the mean over an element, bodies that bend with elements of degree 1,
 bodies that pass through each other, through themselves or through obstacles where no contact is defined, or pass

@@ -1,6 +1,7 @@
 #include "model/checks/penetration.hpp"
 
 #include "base/index.hpp"
+#include "model/checks/constants.hpp"
 #include "model/checks/resolution.hpp"
 #include "model/constants.hpp"
 #include "model/default_penalty.hpp"
@@ -75,10 +76,12 @@ template <int D> void warn_of_springs(const Model<D>& model, int index, std::vec
   const bool stuck = law.friction > 0 && law.enforcement != contact::Enforcement::multipliers;
   // A contact that touches at rounding error has a penetration p/ε far below an element's size.
   const double size = modulus / stiffness, rounding = contact_rounding * size * sum.force;
-  const auto noticeable = [&](double sum_of, double of) { return sum_of > std::max(noticeable_part * of, rounding); };
-  const bool penetrates = noticeable(sum.normal, strain + sum.normal);
-  const bool slips = stuck && noticeable(sum.slip, approach * sum.force);
-  const bool uneven = noticeable(sum.uneven, approach * sum.force);
+  const auto above = [&](double part_of, double sum_of, double all) {
+    return sum_of > std::max(part_of * all, rounding);
+  };
+  const bool penetrates = above(noticeable_part, sum.normal, strain + sum.normal);
+  const bool slips = stuck && above(noticeable_part, sum.slip, approach * sum.force);
+  const bool uneven = above(uneven_part, sum.uneven, approach * sum.force);
   if (!penetrates && !slips && !uneven) return;
   const double usual =
       default_penalty(scene, with_regions(contact, *model.system.contacts[at(index)], model.system.size));
