@@ -4,8 +4,8 @@
 -- Problem: a tapered panel in plane strain, clamped on the left, with a dead shear traction on the right. Corners
 --          (0, 0), (48, 44), (48, 60), (0, 44); equal numbers of elements along both sides.
 --
---                     _.-| (48, 60)     linear: linear elastic, lambda = 7500, G = 0.375 (nu = 0.499975), force 1,
---          (0, 44) _-'   ^              a hundredth of which is solved for; neo-Hooke: E = 240.565, nu = 0.4999, force 100
+--                     _.-| (48, 60)     linear: linear elastic, lambda = 7500, G = 0.375 (nu = 0.499975), force 1, of
+--          (0, 44) _-'   ^              which a hundredth acts; neo-Hooke: E = 240.565, nu = 0.4999, force 100
 --                 |    _.| (48, 44)
 --                 |_.-'
 --           (0, 0)
@@ -41,8 +41,8 @@ local side = 16 -- length of the right side
 local panel = sg.nurbs.ruled{ a = sg.nurbs.line{ from = { 0, 0 }, to = { 48, 44 } },
                               b = sg.nurbs.line{ from = { 0, 44 }, to = { 48, 60 } } }
 
---- The vertical displacement of the middle of the right side, by the part of the force that acts, nil where the solution
---- fails; seconds per iteration of Newton's method for assembly and linear solution.
+--- The vertical displacement of the middle of the right side over the part of the force that acts, nil where the
+--- solution fails; seconds per iteration of Newton's method for assembly and linear solution.
 local function tip(law, order, count, volumetric)
   local body = sg.body{ patch = panel, elements = { count, count }, order = order, volumetric = volumetric,
                         material = law.material }

@@ -25,9 +25,9 @@
 --           N2-N6 23.83 and 12.09, N2-N2.1 5.98 and 30.84, N2-N2.2 4.31 and 7.51; N2-N4 and N2-N2.3 a few percentage
 --           points higher than printed. The oscillation is max − min over steps 110 to 165, about one element pitch in
 --           the middle of the slab. Deep: all discretizations converge with p + 1 and 3(p + 1) contact points, N2 does
---           not with 2(p + 1); with halved steps all converge (thesis: N2 fails at m1). Validation: Py = 0.054, Px = 0.29 Py in the
---           middle of the sliding, for both N2 and N4. Cost: in 110 steps N2-N2.1 on 26 × 2 elements oscillates by 0.33
---           % (Px) and 0.17 % (Py) in less than half of the time of N2-N2.2 on 24 × 6.
+--           not with 2(p + 1); with halved steps all converge (thesis: N2 fails at m1). Validation: Py = 0.054, Px =
+--           0.29 Py in the middle of the sliding, for both N2 and N4. Cost: in 110 steps N2-N2.1 on 26 × 2 elements
+--           oscillates by 0.33 % (Px) and 0.17 % (Py) in less than half of the time of N2-N2.2 on 24 × 6.
 -- Run: signorini scripts/ironing2d.lua [mesh=m1] [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [repeat=1]
 --      [linear=auto] [out=out/ironing2d]; several meshes (mesh=m1,m2,m3,m4) add charts over the mesh and times at equal
 --      accuracy; times are medians of `repeat` runs; linear: sparse solver, as for model:run.

@@ -284,8 +284,9 @@ check.case("friction_exhausted: a saddle that is pulled above its face slides be
   check.equal(model:run{ { steps = 1, top = force(0) } }.reason, "completed")
   local run = model:run{ { steps = 10, top = force(0.3 * weight) } }
   check.equal(run.cause, "friction_exhausted")
-  local normal, demanded, ratio = run.failure:match
-    "press on it with (%S+) and demand a friction of (%S+), (%S+) times as much; mu is 0%.3, and all touching points slip"
+  local normal, demanded, ratio = run.failure:match(
+    "press on it with (%S+) and demand a friction of (%S+), (%S+) times as much; " ..
+    "mu is 0%.3, and all touching points slip")
   normal, demanded, ratio = tonumber(normal), tonumber(demanded), tonumber(ratio)
   check.near({ normal, ratio * normal }, { weight, demanded }, 1e-3 * weight)
   -- Moments about the center: the pull, at most at the height `arm`, balances mu R times the sum of the pressures.
