@@ -59,10 +59,11 @@ local function die(dimension, order, n)
                           elements = { n, 1 }, order = order, material = hard }
     return ring, ring:face "south", { ring:face "west", ring:face "east" }, { 0, -0.1 }, { 1.2, -0.1 }
   end
+  -- The lowest point of the cap, one patch through a sphere, is 0.00175 below the height of its corner.
   local cap = sg.body{ order = order, material = hard, elements = { n // 4, n // 4, 1 },
     patch = sg.shapes.spherical_indenter{ width = 0.8, depth = 0.8, height = 0.5, radius = 1, elements = 2,
-                                          corner = { 0.7, 0.3, 0.7 } } }
-  return cap, cap:face "front", cap:face "back", { 0, 0, -0.08 }, { 0.8, 0, -0.08 }
+                                          corner = { 0.7, 0.3, 0.702 } } }
+  return cap, cap:face "front", cap:face "back", { 0, 0, -0.082 }, { 0.8, 0, -0.082 }
 end
 
 local function slide(kind, dimension, options)

@@ -26,7 +26,7 @@ local files = sg.files(options.out)
 local nu, penalty, deep = 0.3, options.penalty, options.approach / 2
 local rigid_penalty = 320 -- almost rigid at this approach; for a quarter of the radius of contact 4 times as high
 local material = sg.linear_elastic{ E = 1, nu = nu }
-local start = 1 - 1e-4 -- height of the plates: the first iteration finds points in contact
+local start = 1 - 1e-5 -- height of the plates: the first iteration finds points in contact
 
 local function hertz(d)
   local modulus, a = 1 / (1 - nu^2), math.sqrt(d)
