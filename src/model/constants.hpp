@@ -18,6 +18,8 @@ inline constexpr double most_bent = 0.3;
 /// Deviation of the last step from its quadratic extrapolation up to which the quadratic one is used in any case;
 /// above, only if the linear one deviated more.
 inline constexpr double hardly_curved = 0.1;
+/// Stands for both deviations where rates have a jump: above all others, and finite as archives ask.
+inline constexpr double across_kink = 1e300;
 
 // ── Forces of a run ──────────────────────────────────────────────────────────────────────────────────────────────────
 

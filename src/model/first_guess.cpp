@@ -58,6 +58,18 @@ double deviation(const Model<D>& model, const VectorX& increment, const std::opt
   return difference.head(displacements).norm() / increment.head(displacements).norm();
 }
 
+/// Whether a contact with friction, open in the accepted state, has closed in the present one.
+template <int D> bool begins_friction(const Model<D>& model) {
+  const auto& contacts = model.system.contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const auto& present = model.present.contacts[k];
+    if (contacts[k]->friction(present) > 0 && resultant(model.accepted.contacts[k]).active == 0 &&
+        resultant(present).active > 0)
+      return true;
+  }
+  return false;
+}
+
 } // namespace
 
 template <int D> bool guess_first(Model<D>& model, Predictor predictor, const VectorX& prescribed) {
@@ -80,8 +92,11 @@ template <int D> bool guess_first(Model<D>& model, Predictor predictor, const Ve
 
 template <int D> void note_increment(Model<D>& model, const VectorX& increment) {
   PathHistory& path = model.path;
-  path.bend = deviation(model, increment, first_order(model));
-  path.curved = deviation(model, increment, second_order(model));
+  // Rates jump where a contact begins: an extrapolation of such a step has an error of first order, and with it the
+  // slip that friction leaves out before a touch.
+  const bool kink = begins_friction(model), after_kink = path.bend == across_kink;
+  path.bend = kink ? across_kink : deviation(model, increment, first_order(model));
+  path.curved = kink || after_kink ? across_kink : deviation(model, increment, second_order(model));
   path.before = std::exchange(path.increment, increment);
   path.targets_before = std::exchange(path.previous_targets, model.accepted.targets);
 }
