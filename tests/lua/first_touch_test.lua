@@ -119,8 +119,8 @@ end)
 
 -- ── A tool that turns as it is pressed in ────────────────────────────────────────────────────────────────────────────
 
---- The model of a rigid cylinder above a slab, both turned by an angle (degrees), mirrored for side = -1. It is above the
---- slab's middle, where two multipliers touch at once, or to the right of it by `off`.
+--- The model of a rigid cylinder above a slab, both turned by an angle (degrees), mirrored for side = -1. The cylinder
+--- is above the slab's middle, where two multipliers touch almost at once, or `off` to the right of it.
 local function indented(formulation, side, angle, off)
   local c, s = math.cos(math.rad(angle or 0)), math.sin(math.rad(angle or 0))
   local function turned(x, y) return { c * side * x - s * y, s * side * x + c * y } end
@@ -184,7 +184,28 @@ check.case("mirrored and turned scenes have the same friction", function()
   end
 end)
 
-check.case("a step in which contact begins is not extrapolated: touches are foreseen as by the tangent predictor", function()
+--- The force along x of a rigid sphere that is pressed into a slab and turns as the cylinder does.
+local function dragged_in_space(formulation, steps)
+  local slab = sg.body{ patch = sg.shapes.block{ size = {2, 2, 1}, corner = {-1, -1, -1} }, elements = {7, 7, 1},
+                        order = "N2", contact = "back", material = steel }
+  local tool = sg.rigid.sphere{ center = {0.03, 0.02, 1.02}, radius = 1 }
+  local model = sg.model{ bodies = { slab = slab },
+    supports = { bed = { on = slab:face "front", fix = "xyz" }, tool = { on = tool, drive = "xyz" } },
+    contacts = { touch = rows.contact(rows[formulation], { slave = slab:face "back", master = tool, penalty = 100,
+                                                           friction = { mu = 2, penalty = 100 } }) } }
+  model:run{ { steps = steps, tool = function(t) return { 0.02 * t * t, 0.01 * t * t, -0.12 * t } end } }
+  return model:reaction "tool".fx
+end
+
+check.case("and in space", function()
+  for _, formulation in ipairs{ "gpts", "equal" } do
+    local limit = (4 * dragged_in_space(formulation, 32) - dragged_in_space(formulation, 16)) / 3
+    check.at_most(formulation .. ": order 1.6 over two halvings", (dragged_in_space(formulation, 8) / limit - 1) /
+      (dragged_in_space(formulation, 2) / limit - 1), 2 ^ (-2 * 1.6))
+  end
+end)
+
+check.case("a step in which contact begins is not extrapolated: touches as with the tangent predictor", function()
   for _, steps in ipairs{ 30, 31, 36 } do
     local function force(options)
       return dragged("equal", steps, { off = 0.025, straight = true, options = options })
