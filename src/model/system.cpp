@@ -7,6 +7,7 @@
 #include "model/default_penalty.hpp"
 #include "model/joins.hpp"
 #include "model/path_norm.hpp"
+#include "model/region.hpp"
 #include "model/ties.hpp"
 #include "model/turning.hpp"
 #include "nurbs/constants.hpp"
@@ -102,12 +103,6 @@ template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {
   return contacts;
 }
 
-template <int D> std::vector<double> stiffness_of_contacts(const Scene<D>& scene) {
-  std::vector<double> stiffness;
-  for (const Contact<D>& contact : scene.contacts) stiffness.push_back(contact_stiffness(scene, contact));
-  return stiffness;
-}
-
 /// Removes regions, which may refer to objects that exist only during construction.
 template <int D> Scene<D> without_regions(Scene<D> scene) {
   for (Contact<D>& contact : scene.contacts) contact.where = contact.bonded = {};
@@ -118,10 +113,9 @@ template <int D> Scene<D> without_regions(Scene<D> scene) {
 
 template <int D>
 System<D>::System(Scene<D> given)
-    : contacts(make_contacts(completed(given))), ties(make_ties(given)), stiffness(stiffness_of_contacts(given)),
-      scene(without_regions(std::move(given))), unknowns(scene, contacts, ties), drives(scene, unknowns),
-      followers(scene, unknowns, drives), springs(scene, unknowns),
-      assembly(scene, unknowns, contacts, ties, followers, springs) {
+    : contacts(make_contacts(completed(given))), ties(make_ties(given)), scene(without_regions(std::move(given))),
+      unknowns(scene, contacts, ties), drives(scene, unknowns), followers(scene, unknowns, drives),
+      springs(scene, unknowns), assembly(scene, unknowns, contacts, ties, followers, springs) {
   // Other shapes have rounding errors of the points that touch them (near_point.hpp).
   for (const auto& obstacle : scene.obstacles)
     if (const auto* patch = std::get_if<nurbs::Patch>(&obstacle))
@@ -133,6 +127,8 @@ System<D>::System(Scene<D> given)
     const double radius = (points.colwise() - middle).colwise().norm().maxCoeff();
     extent = std::max(extent, 2 * radius);
   }
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    stiffness.push_back(contact_stiffness(scene, with_regions(scene.contacts[k], *contacts[k], size)));
 }
 
 template <int D> State<D> System<D>::start() const {

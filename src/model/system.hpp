@@ -15,17 +15,17 @@ template <int D> struct System {
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
-  contact::Formulations<D> contacts;   ///< in the scene's order, with the current positions of their faces
-  const contact::Ties<D> ties;         ///< in the scene's order
-  const std::vector<double> stiffness; ///< of the contacts: contact_stiffness()
+  contact::Formulations<D> contacts; ///< in the scene's order, with the current positions of their faces
+  const contact::Ties<D> ties;       ///< in the scene's order
   const Scene<D> scene;
   const Unknowns<D> unknowns;
   const Drives<D> drives;
   const FollowerLoads<D> followers;
   const Springs<D> springs;
-  Assembly<D> assembly; ///< with the tangent of the last evaluation with tangent
-  double size = 0;      ///< largest coordinate of control points, of bodies and obstacles
-  double extent = 0;    ///< largest diameter of a body about its middle, the scale of penetrations
+  Assembly<D> assembly;          ///< with the tangent of the last evaluation with tangent
+  std::vector<double> stiffness; ///< of the contacts: contact_stiffness()
+  double size = 0;               ///< largest coordinate of control points, of bodies and obstacles
+  double extent = 0;             ///< largest diameter of a body about its middle, the scale of penetrations
 
   /// The initial state, not evaluated yet.
   State<D> start() const;
