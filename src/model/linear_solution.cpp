@@ -66,6 +66,11 @@ bool LinearSolution::solve(VectorX& b, bool fully) {
   return solver_->solve(b.data());
 }
 
+bool LinearSolution::proves_definite(const Tangent& tangent) const {
+  return solver_ && pattern_version_ == tangent.pattern_version && contact_version_ == tangent.contact_version &&
+         solver_->proves_definite(tangent.values.data());
+}
+
 void LinearSolution::forget() {
   if (!solver_) return;
   past_ = sum(past_, solver_->statistics());

@@ -36,6 +36,8 @@ public:
   /// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular. `fully`: as accurate as the
   /// solver can, where b is Newton's and an error would not vanish with the next correction.
   bool solve(VectorX& b, bool fully = false);
+  /// Whether the present factors show that the symmetric part of a tangent is positive definite; false if they do not.
+  bool proves_definite(const Tangent& tangent) const;
   /// Drops the solver, but keeps its statistics and its choice.
   void forget();
 

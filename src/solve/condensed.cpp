@@ -65,6 +65,7 @@ public:
     ++statistics_.solutions;
     return part_.solve(b);
   }
+  bool proves_definite(const double* values) const override { return regular_ && part_.proves_definite(values); }
   LinearKind kind() const override { return LinearKind::condensed; }
   /// The factors do not depend on the pattern: new entries are zero in K₀, and C is read where it now is.
   bool adopt(const Pattern& pattern) override {

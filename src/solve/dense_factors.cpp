@@ -93,4 +93,12 @@ template bool factor_dense(DenseMatrix<float>&, std::vector<int>&);
 template void solve_dense(const DenseMatrix<double>&, const std::vector<int>&, Eigen::Ref<VectorX>);
 template void solve_dense(const DenseMatrix<float>&, const std::vector<int>&, Eigen::Ref<VectorX>);
 
+bool is_positive_definite(DenseMatrix<double> a) {
+  a = (0.5 * (a + a.transpose())).eval();
+  const int size = static_cast<int>(a.rows());
+  int info = 0;
+  if (size > 0) dpotrf_("L", &size, a.data(), &size, &info);
+  return info == 0;
+}
+
 } // namespace signorini::solve

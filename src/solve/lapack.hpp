@@ -25,6 +25,8 @@ void sgemm_(const char* transposed_a, const char* transposed_b, const int* rows,
 /// C ← α A Aᵀ + β C on a triangle of C.
 void dsyrk_(const char* triangle, const char* transposed, const int* size, const int* columns, const double* alpha,
             const double* a, const int* leading, const double* beta, double* c, const int* leading_c);
+/// Cholesky factors of a triangle of a symmetric matrix; info > 0 unless it is positive definite.
+void dpotrf_(const char* triangle, const int* size, double* a, const int* leading, int* info);
 /// Eigenvalues, increasing, and in place of the matrix the eigenvectors of a dense symmetric one.
 void dsyev_(const char* vectors, const char* triangle, const int* size, double* a, const int* leading, double* values,
             double* work, const int* work_size, int* info);

@@ -29,6 +29,8 @@ public:
   /// Makes the next solution as accurate as the solver can, where it would only be accurate enough for a correction of
   /// Newton's method, whose error the next one removes.
   virtual void solve_fully() {}
+  /// Whether factors at hand show that the symmetric part of other values is positive definite; false if they do not.
+  virtual bool proves_definite(const double*) const { return false; }
   virtual LinearKind kind() const = 0;
   /// Changes to another pattern of the same unknowns, for example in sliding contact, and keeps what can be reused;
   /// call factor() next. Returns false if a new solver would be as good: then construct one.

@@ -25,6 +25,8 @@ public:
   virtual const MatrixX& complement() const = 0;
   /// Replaces b by the solution: `middle` replaces b_c − A_ci A_ii⁻¹ b_i by x_c, then x_i = A_ii⁻¹ (b_i − A_ic x_c).
   virtual bool solve(double* b, const std::function<bool(double*)>& middle) = 0;
+  /// Whether a successful factorization shows that A_ii is positive definite.
+  virtual bool proves_definite() const { return false; }
   /// Pivots of A_ii.
   virtual PivotRange pivots() const = 0;
   virtual SolverStatistics statistics() const = 0;

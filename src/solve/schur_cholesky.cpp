@@ -35,6 +35,7 @@ public:
   const std::vector<int>& border() const override { return border_; }
   const MatrixX& complement() const override { return complement_; }
   bool solve(double* b, const std::function<bool(double*)>& middle) override;
+  bool proves_definite() const override { return true; }
   PivotRange pivots() const override { return pivots_; }
   SolverStatistics statistics() const override { return statistics_; }
 

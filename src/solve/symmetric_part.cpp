@@ -80,12 +80,17 @@ bool SymmetricPart::condense(const Pattern& pattern, const std::vector<double>& 
   return true;
 }
 
-template <class Real> bool SymmetricPart::factor_block(const double* values) {
-  if (!std::holds_alternative<DenseMatrix<Real>>(block_)) block_.emplace<DenseMatrix<Real>>();
-  auto& block = std::get<DenseMatrix<Real>>(block_);
+/// S − K⁰_cc + K_cc
+template <class Real> void SymmetricPart::set_block(const double* values, DenseMatrix<Real>& block) const {
   block = constant_.cast<Real>();
   for (const auto& [position, row, column, length] : runs_)
     for (int i = 0; i < length; ++i) block(row + i, column) += static_cast<Real>(values[position + i]);
+}
+
+template <class Real> bool SymmetricPart::factor_block(const double* values) {
+  if (!std::holds_alternative<DenseMatrix<Real>>(block_)) block_.emplace<DenseMatrix<Real>>();
+  auto& block = std::get<DenseMatrix<Real>>(block_);
+  set_block(values, block);
   const bool factored = factor_dense(block, exchanges_);
   block_pivots_ = {};
   for (int k = 0; k < border(); ++k) block_pivots_.add(static_cast<double>(block(k, k)));
@@ -108,6 +113,12 @@ bool SymmetricPart::solve(double* b) {
   });
 }
 
+bool SymmetricPart::proves_definite(const double* values) const {
+  DenseMatrix<double> block;
+  set_block(values, block);
+  return solver_->proves_definite() && is_positive_definite(std::move(block));
+}
+
 PivotRange SymmetricPart::pivots() const {
   PivotRange all = solver_->pivots();
   all.add(block_pivots_);
@@ -116,6 +127,7 @@ PivotRange SymmetricPart::pivots() const {
 
 SolverStatistics SymmetricPart::statistics() const {
   SolverStatistics sum = solver_->statistics();
+  sum.definite = false; // of the interior
   const double square = static_cast<double>(border()) * border();
   sum.entries += square; // factors of the block
   sum.memory += 3 * sizeof(double) * square;

@@ -38,6 +38,8 @@ public:
   bool update(const double* values);
   /// Overwrites b by M⁻¹ b. Call after a successful factor() or update().
   bool solve(double* b);
+  /// Whether the factors of K⁰_ii show that M with K_cc from other values has a positive definite symmetric part.
+  bool proves_definite(const double* values) const;
   /// Pivots of K⁰_ii, and of the block of c at the last update().
   PivotRange pivots() const;
   /// An update() is not counted as a factorization.
@@ -52,6 +54,7 @@ private:
 
   void analyze(const Pattern& pattern);
   void locate(const Pattern& pattern);
+  template <class Real> void set_block(const double* values, DenseMatrix<Real>& block) const;
   template <class Real> bool factor_block(const double* values);
   int border() const { return static_cast<int>(solver_->border().size()); }
 

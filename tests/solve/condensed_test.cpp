@@ -170,6 +170,26 @@ TEST(Condensed, SolvesChangingContactBlocks) {
   }
 }
 
+/// Compared with the least eigenvalue of the symmetric part, by another algorithm.
+TEST(Condensed, ProvesThatTheSymmetricPartIsDefinite) {
+  std::mt19937 random(13);
+  const Pattern pattern = chain(60);
+  const Condensation condensation{random_definite(random, pattern), random_subset(random, 60, 12)};
+  const auto solver = make_solver(LinearKind::condensed, pattern, {&condensation});
+  int definite = 0, others = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const Values values =
+        with_contact(random, pattern, condensation, 0.5, (trial % 2 ? -1 : 1) * std::pow(10.0, trial % 8 - 3));
+    const MatrixX k = dense(pattern, values);
+    const double least = dense::symmetric_eigenvalues(0.5 * (k + k.transpose()))(0);
+    ASSERT_GT(std::abs(least), 1e-10);
+    EXPECT_EQ(solver->proves_definite(values.data()), least > 0);
+    ++(least > 0 ? definite : others);
+  }
+  EXPECT_GT(definite, 5);
+  EXPECT_GT(others, 5);
+}
+
 /// Springs that only contact supports: K₀ is singular, K₀ + C is not.
 TEST(Condensed, ContactMayBeTheOnlySupport) {
   std::mt19937 random(12);

@@ -138,6 +138,7 @@ template <int D> void warn_of_instability(Model<D>& model, std::vector<Message>&
   for (contact::Controls& control : model.controls) control = {.guessed = gap_rounding * largest_position(model)};
   Message why;
   const bool evaluated = evaluate(model, nullptr, true, why) == solve::Outcome::converged;
+  if (evaluated && model.linear.proves_definite(tangent_of(system.assembly))) return rollback(model);
   const Stiffness k = displacement_stiffness(system.assembly.pattern(), system.assembly.values(), displacements);
   rollback(model);
   if (!evaluated || std::ranges::all_of(k.values, [](double value) { return value == 0; })) return;
