@@ -19,35 +19,35 @@ local function later(module, key)
   end
 end
 
-sg.help = later("signorini.help", "show")
-sg.csv = require "signorini.csv"
-sg.json = require "signorini.json"
-sg.table = require "signorini.table"
-sg.arguments = later "signorini.script_arguments"
-sg.files = require "signorini.files"
-sg.median = require "signorini.median"
-sg.reference = later("signorini.reference", "read")
+sg.help = later("signorini.prompt.help", "show")
+sg.csv = require "signorini.output.csv"
+sg.json = require "signorini.output.json"
+sg.table = require "signorini.output.table"
+sg.arguments = later "signorini.call.script_arguments"
+sg.files = require "signorini.output.files"
+sg.median = require "signorini.call.median"
+sg.reference = later("signorini.study.reference", "read")
 sg.grid = later "signorini.study.grid"
-sg.study = later("signorini.study", "new")
-sg.recommend = later "signorini.recommend"
-sg.convergence_map = later "signorini.convergence_map"
-sg.work_precision = later "signorini.work_precision"
-sg.cheapest = later "signorini.cheapest"
-sg.pvd = later "signorini.pvd"
-sg.scenes = require "signorini.scenes"
-sg.rigid.level_set = later "signorini.level_set"
-local profile = require "signorini.profile"
+sg.study = later("signorini.study.study", "new")
+sg.recommend = later "signorini.study.recommend"
+sg.convergence_map = later "signorini.study.convergence_map"
+sg.work_precision = later "signorini.study.work_precision"
+sg.cheapest = later "signorini.study.cheapest"
+sg.pvd = later "signorini.output.pvd"
+sg.scenes = require "signorini.scene.scenes"
+sg.rigid.level_set = later "signorini.scene.level_set"
+local profile = require "signorini.study.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
-sg.hyperelastic = later("signorini.hyperelastic", "new")
+sg.hyperelastic = later("signorini.scene.hyperelastic", "new")
 for _, name in ipairs { "mooney_rivlin", "yeoh", "ogden", "saint_venant_kirchhoff" } do
-  sg[name] = later("signorini.elastic_laws", name)
+  sg[name] = later("signorini.scene.elastic_laws", name)
 end
-require "signorini.compound_type" (sg)
+require "signorini.scene.compound_type" (sg)
 
 -- Types that the modules of their objects define.
-local defined_in = { study = "signorini.study", patch_list = "signorini.patch_list",
-                     comparison = "signorini.work_precision",
-                     map = "signorini.convergence_map", series = "signorini.pvd" }
+local defined_in = { study = "signorini.study.study", patch_list = "signorini.scene.patch_list",
+                     comparison = "signorini.study.work_precision",
+                     map = "signorini.study.convergence_map", series = "signorini.output.pvd" }
 setmetatable(types, { __index = function(_, name)
   if not defined_in[name] then return nil end
   require(defined_in[name])
@@ -57,22 +57,22 @@ end, __pairs = function()
   return next, types
 end })
 
-types.model.run = require "signorini.run"
-types.model.cost = require "signorini.cost"(types.model.cost)
-local energies, profiles, named = types.model.energy, types.model.profile, require "signorini.named"
+types.model.run = require "signorini.run.run"
+types.model.cost = require "signorini.run.cost"(types.model.cost)
+local energies, profiles, named = types.model.energy, types.model.profile, require "signorini.call.named"
 function types.model:energy() return named.strict("model:energy()", energies(self)) end
 function types.model:profile(contact)
   return named.strict("a contact profile", profiles(self, contact),
     "lists with one value per contact point, such as profile.pressure[1]")
 end
 for _, kind in ipairs { "model", "state", "patch" } do
-  types[kind].show = function(...) return require("signorini.display").method(kind)(...) end
+  types[kind].show = function(...) return require("signorini.prompt.display").method(kind)(...) end
 end
-function types.picture:show() return require("signorini.display").show_picture(self) end
-sg.robust = require("signorini.controls").robust
-sg.plain = require("signorini.controls").plain
+function types.picture:show() return require("signorini.prompt.display").show_picture(self) end
+sg.robust = require("signorini.run.controls").robust
+sg.plain = require("signorini.run.controls").plain
 
-local methods = require "signorini.methods"
+local methods = require "signorini.call.methods"
 methods.guard("model", "run cost energy profile show")
 methods.guard("state", "show")
 methods.guard("patch", "show")
@@ -84,13 +84,13 @@ methods.guard("data", "by column")
 methods.offer(sg, "sg")
 
 -- Their names cannot be misspelled or overwritten; print(sg) lists them.
-local sealed, text = require "signorini.sealed", require("signorini.show.language").of_table
+local sealed, text = require "signorini.call.sealed", require("signorini.prompt.show.language").of_table
 for _, name in ipairs { "shapes", "nurbs", "rigid", "csv", "json", "scenes" } do
   sealed.seal(sg[name], "sg." .. name, text)
 end
 sealed.seal(sg, "sg", text)
 
-print = core.offered(require "signorini.print")
-require "signorini.prompt" -- has a help page too
+print = core.offered(require "signorini.prompt.print")
+require "signorini.prompt.prompt" -- has a help page too
 
 return sg

@@ -20,8 +20,8 @@
 -- sentence if the values contradict each other.
 
 local core = require "signorini.core"
-local describe = require "signorini.describe"
-local lists = require "signorini.lists"
+local describe = require "signorini.call.describe"
+local lists = require "signorini.call.lists"
 local filter, map = lists.filter, lists.map
 
 -- A script may change them before a page is loaded.
@@ -112,7 +112,7 @@ end
 --- What help shows of the page of a name, or nil.
 function pages.text(name)
   local page = pages.find(name)
-  return page and require("signorini.help.page_text").whole(page)
+  return page and require("signorini.prompt.help.page_text").whole(page)
 end
 
 --- The names of all pages, sorted.

@@ -10,7 +10,7 @@ endforeach()
 string(SHA256 hash "${all}")
 string(SUBSTRING ${hash} 0 16 hash)
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT
-"#include \"bind/library.hpp\"
+"#include \"bind/program/library.hpp\"
 
 const char* const signorini::bind::source_hash = \"${hash}\";
 ")

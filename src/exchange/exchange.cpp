@@ -1,7 +1,7 @@
 #include "exchange/exchange.hpp"
 
-#include "base/whole_file.hpp"
 #include "exchange/text.hpp"
+#include "os/whole_file.hpp"
 
 #include <algorithm>
 #include <cctype>

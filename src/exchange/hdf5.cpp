@@ -1,7 +1,7 @@
 #include "exchange/hdf5.hpp"
 
 #include "base/error.hpp"
-#include "base/module.hpp"
+#include "os/module.hpp"
 
 namespace signorini::exchange {
 

@@ -1,6 +1,6 @@
 #pragma once
 // The interface of signorini_hdf5.so, the only part of the program that is linked with HDF5. It stores arrays under
-// paths; which ones a run has is decided in lua/signorini/hdf5.lua.
+// paths; which ones a run has is decided in lua/signorini/output/hdf5.lua.
 
 #include <cstdint>
 #include <memory>

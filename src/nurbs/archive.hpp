@@ -1,8 +1,8 @@
 #pragma once
 // Serialization of patches and discretizations, bit by bit.
 
-#include "base/archive.hpp"
 #include "nurbs/discretization.hpp"
+#include "os/archive.hpp"
 
 namespace signorini::nurbs {
 

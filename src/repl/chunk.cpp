@@ -1,7 +1,7 @@
 #include "repl/chunk.hpp"
 
 #include "base/match.hpp"
-#include "bind/stack.hpp"
+#include "bind/lua/stack.hpp"
 
 #include <cstring>
 #include <sstream>
@@ -77,7 +77,7 @@ bool asks_to_leave(lua_State* L, const std::string& line) {
 
 bool translate_commands(lua_State* L, std::string& code) {
   if (!may_hold_commands(code)) return true;
-  push_library_function(L, "signorini.commands", "translate");
+  push_library_function(L, "signorini.prompt.commands", "translate");
   bind::push(L, code);
   if (lua_pcall(L, 1, 1, 0) != LUA_OK) return false;
   code = lua_tostring(L, -1);

@@ -11,9 +11,9 @@ namespace signorini::repl {
 enum class Chunk { unfinished, statements, expression };
 
 /// Loads the lines so far as an expression or as statements, in which lines may be commands ("?sg.body", "%who", "!ls":
-/// lua/signorini/commands.lua), and leaves a function, or an error message, as the only stack entry. An expression
-/// returns nil as its first result, so that a call in it is not a tail call, which would lose its position in errors.
-/// `name`: of the code in messages.
+/// lua/signorini/prompt/commands.lua), and leaves a function, or an error message, as the only stack entry. An
+/// expression returns nil as its first result, so that a call in it is not a tail call, which would lose its position
+/// in errors. `name`: of the code in messages.
 Chunk load(lua_State* L, std::string code, const std::string& name = "prompt");
 
 /// The same for a cell of a notebook, whose value is that of an expression at its end.

@@ -1,8 +1,8 @@
 #include "repl/command_line.hpp"
 
 #include "base/match.hpp"
-#include "bind/message.hpp"
-#include "bind/threads.hpp"
+#include "bind/lua/message.hpp"
+#include "bind/lua/threads.hpp"
 
 #include <algorithm>
 #include <charconv>

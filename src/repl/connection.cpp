@@ -1,7 +1,7 @@
 #include "repl/connection.hpp"
 
-#include "base/whole_file.hpp"
-#include "bind/message.hpp"
+#include "bind/lua/message.hpp"
+#include "os/whole_file.hpp"
 
 #include <algorithm>
 #include <filesystem>

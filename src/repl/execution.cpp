@@ -1,8 +1,8 @@
 #include "repl/execution.hpp"
 
-#include "base/interrupt.hpp"
-#include "base/limits.hpp"
-#include "bind/stack.hpp"
+#include "bind/lua/stack.hpp"
+#include "os/interrupt.hpp"
+#include "os/limits.hpp"
 #include "repl/interrupt.hpp"
 
 #include <cstdio>
@@ -13,7 +13,7 @@ namespace {
 
 /// Records local variables of a line for error messages about undefined variables.
 void note_locals(lua_State* L, const std::string& code) {
-  push_library_function(L, "signorini.prompt", "note_locals");
+  push_library_function(L, "signorini.prompt.prompt", "note_locals");
   bind::push(L, code);
   lua_call(L, 1, 0);
 }
@@ -42,7 +42,7 @@ Execution execute(Interpreter& interpreter, Chunk chunk, const std::string& code
   execution.ok = execution.ok && !execution.was_interrupted;
   forget_interrupt(L);
   if (execution.was_interrupted) {
-    push_library_function(L, "signorini.prompt", "interrupted");
+    push_library_function(L, "signorini.prompt.prompt", "interrupted");
     interpreter.call(0, keep_traceback);
   }
   if (!execution.ok) execution.message = lua_tostring(L, -1);

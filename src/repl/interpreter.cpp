@@ -1,11 +1,11 @@
 #include "repl/interpreter.hpp"
 
-#include "base/interrupt.hpp"
-#include "base/limits.hpp"
 #include "base/match.hpp"
-#include "bind/functions.hpp"
-#include "bind/limits.hpp"
-#include "bind/message.hpp"
+#include "bind/lua/functions.hpp"
+#include "bind/lua/limits.hpp"
+#include "bind/lua/message.hpp"
+#include "os/interrupt.hpp"
+#include "os/limits.hpp"
 #include "repl/color.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace signorini::repl {
 namespace {
 
 /// Whether an error is meant for the user of the command, such as a wrong argument
-/// (lua/signorini/script_arguments.lua).
+/// (lua/signorini/call/script_arguments.lua).
 bool is_refusal(lua_State* L) {
   const bool found = luaL_getmetafield(L, 1, "without_traceback") != LUA_TNIL;
   if (found) lua_pop(L, 1);
@@ -101,7 +101,8 @@ int open_all(lua_State* L) {
   bind::open_library(L, *static_cast<const bind::Settings*>(lua_touserdata(L, 1)));
   const auto& settings = *static_cast<const bind::Settings*>(lua_touserdata(L, 1));
   // Before the first module that keeps a function of Lua for itself.
-  luaL_loadstring(L, settings.sandbox.empty() ? "require 'signorini.strict'" : "require 'signorini.sandbox'");
+  luaL_loadstring(L,
+                  settings.sandbox.empty() ? "require 'signorini.call.strict'" : "require 'signorini.prompt.sandbox'");
   lua_call(L, 0, 0);
   return 0;
 }

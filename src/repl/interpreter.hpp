@@ -1,7 +1,7 @@
 #pragma once
 // A Lua state with the complete language, which runs chunks and reports their errors.
 
-#include "bind/library.hpp"
+#include "bind/program/library.hpp"
 
 #include <memory>
 #include <string>

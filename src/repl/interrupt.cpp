@@ -1,11 +1,11 @@
 #include "repl/interrupt.hpp"
 
-#include "base/interrupt.hpp"
-#include "base/limits.hpp"
-#include "bind/coroutines.hpp"
-#include "bind/limits.hpp"
-#include "bind/message.hpp"
-#include "bind/stack.hpp"
+#include "bind/lua/coroutines.hpp"
+#include "bind/lua/limits.hpp"
+#include "bind/lua/message.hpp"
+#include "bind/lua/stack.hpp"
+#include "os/interrupt.hpp"
+#include "os/limits.hpp"
 
 #include <csignal>
 #include <string_view>

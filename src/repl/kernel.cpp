@@ -1,8 +1,8 @@
 #include "repl/kernel.hpp"
 
-#include "base/interrupt.hpp"
-#include "base/module.hpp"
-#include "bind/functions.hpp"
+#include "bind/lua/functions.hpp"
+#include "os/interrupt.hpp"
+#include "os/module.hpp"
 #include "repl/connection.hpp"
 #include "repl/execution.hpp"
 #include "repl/interrupt.hpp"
@@ -51,7 +51,8 @@ private:
   lua_State* L_;
 };
 
-// ── What Lua asks of the front end (lua/signorini/kernel.lua) ────────────────────────────────────────────────────────
+// ── What Lua asks of the front end (lua/signorini/prompt/kernel.lua)
+// ────────────────────────────────────────────────────────
 
 FrontEnd& front_end(lua_State* L) {
   return *static_cast<FrontEnd*>(lua_touserdata(L, lua_upvalueindex(2)));
@@ -183,8 +184,8 @@ private:
     const AcceptsInterrupts scope(L);
     if (code.find_first_not_of(" \t\n") == std::string::npos) return {};
     if (asks_to_leave(L, code)) return {failure_of({.message = no_exit}), {}};
-    const Execution execution =
-        signorini::repl::execute(interpreter_, load_cell(L, code, name), code, {"signorini.kernel", results}, false);
+    const Execution execution = signorini::repl::execute(interpreter_, load_cell(L, code, name), code,
+                                                         {"signorini.prompt.kernel", results}, false);
     Outcome outcome;
     if (!execution.ok)
       outcome.failure = failure_of(execution);
@@ -203,7 +204,7 @@ private:
   template <class PushArguments> bool call(const char* function, PushArguments push_arguments, int count) {
     lua_State* L = interpreter_.state();
     lua_settop(L, 0);
-    push_library_function(L, "signorini.kernel", function);
+    push_library_function(L, "signorini.prompt.kernel", function);
     push_arguments();
     return interpreter_.call(count, true);
   }

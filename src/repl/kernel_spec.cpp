@@ -1,9 +1,9 @@
 #include "repl/kernel_spec.hpp"
 
-#include "base/machine.hpp"
-#include "base/whole_file.hpp"
-#include "bind/library.hpp"
-#include "bind/message.hpp"
+#include "bind/lua/message.hpp"
+#include "bind/program/library.hpp"
+#include "os/machine.hpp"
+#include "os/whole_file.hpp"
 #include "repl/kernel.hpp"
 
 #include <cstdlib>

@@ -1,7 +1,7 @@
 #include "repl/line_editor.hpp"
 
-#include "base/interrupt.hpp"
-#include "bind/message.hpp"
+#include "bind/lua/message.hpp"
+#include "os/interrupt.hpp"
 #include "repl/history.hpp"
 #include "repl/interrupt.hpp"
 #include "terminal/dialogue.hpp"
@@ -33,7 +33,7 @@ std::vector<std::string> completions(const char* word, const std::string& before
   const int top = lua_gettop(state);
   std::vector<std::string> list;
   signorini::bind::push_require(state);
-  lua_pushstring(state, "signorini.complete");
+  lua_pushstring(state, "signorini.prompt.complete");
   if (lua_pcall(state, 1, 1, 0) == LUA_OK) {
     lua_pushstring(state, word);
     lua_pushlstring(state, before.data(), before.size());

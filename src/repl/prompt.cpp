@@ -1,6 +1,6 @@
 #include "repl/prompt.hpp"
 
-#include "base/limits.hpp"
+#include "os/limits.hpp"
 #include "repl/chunk.hpp"
 #include "repl/color.hpp"
 #include "repl/execution.hpp"
@@ -17,7 +17,7 @@ namespace {
 /// Runs the result of load() and prints its results.
 bool run(Interpreter& interpreter, Chunk chunk, const std::string& code) {
   start_time_limit();
-  const Execution execution = execute(interpreter, chunk, code, {"signorini.prompt", "results"}, true);
+  const Execution execution = execute(interpreter, chunk, code, {"signorini.prompt.prompt", "results"}, true);
   if (!execution.ok) std::cerr << painted(execution.message, Color::red, STDERR_FILENO) << std::endl;
   lua_settop(interpreter.state(), 0);
   return execution.ok;
@@ -28,7 +28,7 @@ bool run(Interpreter& interpreter, Chunk chunk, const std::string& code) {
 bool prompt(Interpreter& interpreter, bool quiet) {
   lua_State* L = interpreter.state();
   std::optional<LineEditor> editor;
-  push_library_function(L, "signorini.prompt", "traceback");
+  push_library_function(L, "signorini.prompt.prompt", "traceback");
   lua_setglobal(L, "traceback");
   if (isatty(STDIN_FILENO)) {
     editor.emplace(L);

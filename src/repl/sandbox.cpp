@@ -1,10 +1,10 @@
 #include "repl/sandbox.hpp"
 
 #include "base/error.hpp"
-#include "base/limits.hpp"
-#include "base/machine.hpp"
-#include "base/sandbox.hpp"
-#include "bind/library.hpp"
+#include "bind/program/library.hpp"
+#include "os/limits.hpp"
+#include "os/machine.hpp"
+#include "os/sandbox.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -43,7 +43,7 @@ void clean_environment(const fs::path& folder, char** arguments) {
   for (std::string& variable : variables) words.push_back(variable.data());
   words.push_back(nullptr);
   ::execve(program_file().c_str(), arguments, words.data());
-  fail("base.process.start", {{"program", arguments[0]}, {"reason", std::strerror(errno)}});
+  fail("os.process.start", {{"program", arguments[0]}, {"reason", std::strerror(errno)}});
 }
 
 void enter(CommandLine& line, char** arguments) {

@@ -1,7 +1,7 @@
 #pragma once
 // Serialization of bodies: their tables are rebuilt from space, material and kind, with identical bits.
 
-#include "base/archive.hpp"
+#include "os/archive.hpp"
 #include "solid/body.hpp"
 
 namespace signorini::solid {

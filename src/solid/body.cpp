@@ -1,9 +1,9 @@
 #include "solid/body.hpp"
 
 #include "base/error.hpp"
-#include "base/interrupt.hpp"
 #include "nurbs/basis_grid.hpp"
 #include "nurbs/constants.hpp"
+#include "os/interrupt.hpp"
 #include "solid/projected.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "solve/dense_factors.hpp"
 
 #include "base/index.hpp"
-#include "base/parallel.hpp"
+#include "os/parallel.hpp"
 #include "solve/constants.hpp"
 #include "solve/lapack.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "base/index.hpp"
-#include "base/module.hpp"
-#include "base/sandbox.hpp"
+#include "os/module.hpp"
+#include "os/sandbox.hpp"
 #include "solve/cholmod.hpp"
 
 #include <algorithm>

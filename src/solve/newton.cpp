@@ -1,8 +1,8 @@
 #include "solve/newton.hpp"
 
 #include "base/error.hpp"
-#include "base/interrupt.hpp"
-#include "base/limits.hpp"
+#include "os/interrupt.hpp"
+#include "os/limits.hpp"
 #include "solve/constants.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 // Formulas in files.
 
-#include "base/archive.hpp"
+#include "os/archive.hpp"
 #include "symbolic/graph.hpp"
 
 namespace signorini::symbolic {

@@ -1,7 +1,7 @@
 #include "terminal/dialogue.hpp"
 
-#include "base/interrupt.hpp"
-#include "base/timer.hpp"
+#include "os/interrupt.hpp"
+#include "os/timer.hpp"
 
 #include <array>
 #include <cstdio>

@@ -1,8 +1,8 @@
 #include "terminal/screen.hpp"
 
 #include "base/error.hpp"
-#include "base/module.hpp"
-#include "base/process.hpp"
+#include "os/module.hpp"
+#include "os/process.hpp"
 #include "terminal/character_art.hpp"
 #include "terminal/dialogue.hpp"
 #include "terminal/encode.hpp"

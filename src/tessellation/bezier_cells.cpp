@@ -2,9 +2,9 @@
 
 #include "base/index.hpp"
 #include "base/orthonormal.hpp"
-#include "model/face_values.hpp"
-#include "model/results.hpp"
-#include "model/sample.hpp"
+#include "model/results/face_values.hpp"
+#include "model/results/results.hpp"
+#include "model/results/sample.hpp"
 #include "nurbs/bezier.hpp"
 #include "nurbs/bezier_element.hpp"
 #include "solid/quadrature.hpp"

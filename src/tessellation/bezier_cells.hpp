@@ -2,8 +2,8 @@
 // The present state of a model as rational Bézier cells with exact geometry and displacement, and fields in the same
 // bases.
 
-#include "model/field.hpp"
-#include "model/model.hpp"
+#include "model/results/field.hpp"
+#include "model/steps/model.hpp"
 
 namespace signorini::tessellation {
 

@@ -1,7 +1,7 @@
 #include "tessellation/sampling.hpp"
 
 #include "base/index.hpp"
-#include "model/sample.hpp"
+#include "model/results/sample.hpp"
 
 namespace signorini::tessellation {
 

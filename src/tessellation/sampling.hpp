@@ -2,7 +2,7 @@
 // Sampling points of bodies for pictures.
 
 #include "base/window.hpp"
-#include "model/model.hpp"
+#include "model/steps/model.hpp"
 
 namespace signorini::tessellation {
 

@@ -1,7 +1,7 @@
 #include "tessellation/tessellate.hpp"
 
-#include "model/face_values.hpp"
-#include "model/results.hpp"
+#include "model/results/face_values.hpp"
+#include "model/results/results.hpp"
 #include "tessellation/grid.hpp"
 
 #include <algorithm>

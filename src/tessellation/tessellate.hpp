@@ -1,8 +1,8 @@
 #pragma once
 // Tessellation of the exact geometry of bodies into points, triangles and lines, for pictures.
 
-#include "model/face_values.hpp"
-#include "model/sample.hpp"
+#include "model/results/face_values.hpp"
+#include "model/results/sample.hpp"
 #include "tessellation/sampling.hpp"
 
 namespace signorini::tessellation {

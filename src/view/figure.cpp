@@ -1,9 +1,9 @@
 #include "view/figure.hpp"
 
 #include "base/error.hpp"
-#include "base/limits.hpp"
-#include "base/module.hpp"
-#include "base/parallel.hpp"
+#include "os/limits.hpp"
+#include "os/module.hpp"
+#include "os/parallel.hpp"
 #include "view/text.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 // Figures, their bytes as PNG, SVG or PDF, and the modules that draw them.
 
-#include "base/file_kind.hpp"
 #include "base/warning.hpp"
+#include "os/file_kind.hpp"
 #include "view/frame.hpp"
 #include "view/relief.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "base/error.hpp"
 #include "base/match.hpp"
-#include "base/process.hpp"
-#include "base/whole_file.hpp"
+#include "os/process.hpp"
+#include "os/whole_file.hpp"
 #include "view/figure.hpp"
 #include "view/ogg.hpp"
 #include "view/parts_folder.hpp"

@@ -1,11 +1,11 @@
--- Checks that every message code used by the modules left of bind has a sentence in src/bind/wording with placeholders
--- for all of its data, that every sentence is used, and that these modules pass codes without text to require(), fail()
--- and similar functions.
+-- Checks that every message code used by the modules left of bind has a sentence in src/bind/lua/wording with
+-- placeholders for all of its data, that every sentence is used, and that these modules pass codes without text to
+-- require(), fail() and similar functions.
 --   build/signorini tests/architecture/wording.lua [folder of the sources]
 
 local source = arg and arg[1] or "src"
-local modules = { "base", "symbolic", "nurbs", "exchange", "solid", "contact", "solve", "model", "tessellation", "view",
-  "terminal" }
+local modules = { "base", "os", "symbolic", "nurbs", "exchange", "solid", "contact", "solve", "model", "tessellation",
+  "view", "terminal" }
 
 local function output(command)
   local pipe = assert(io.popen(command))
@@ -74,14 +74,14 @@ local function check(folder)
         if name == "require" or name == "fail" or name == "wrong" or name == "warn" or name == "Message" then
           for words in call:gsub('\\"', ""):gmatch '"([^"\n]*)"' do
             if words:find " " then
-              complain("%s: %s(… \"%s\" …): text belongs in src/bind/wording", file, name, words)
+              complain("%s: %s(… \"%s\" …): text belongs in src/bind/lua/wording", file, name, words)
             end
           end
         end
       end
     end
   end
-  for file in output(("find %s/bind/wording -name '*.def'"):format(folder)):gmatch "[^\n]+" do
+  for file in output(("find %s/bind/lua/wording -name '*.def'"):format(folder)):gmatch "[^\n]+" do
     read_rows(read(file), rows)
   end
   for code, places in pairs(uses) do
@@ -104,9 +104,9 @@ end
 -- Shows that the test can fail: it rejects a tree with one mistake of each kind, and accepts it without these.
 local trial = os.tmpname()
 os.remove(trial)
-os.execute(("mkdir -p %s/base %s/bind/wording"):format(trial, trial))
+os.execute(("mkdir -p %s/base %s/bind/lua/wording"):format(trial, trial))
 local function complaints(use, row)
-  for name, text in pairs { ["base/a.cpp"] = use, ["bind/wording/base.def"] = row } do
+  for name, text in pairs { ["base/a.cpp"] = use, ["bind/lua/wording/base.def"] = row } do
     local file = assert(io.open(trial .. "/" .. name, "w"))
     file:write(text)
     file:close()

@@ -1,5 +1,5 @@
 // The cohesive law at one point: traction, its derivative, energies, and secant unloading.
-#include "contact/cohesion.hpp"
+#include "contact/point/cohesion.hpp"
 
 #include "differences.hpp"
 #include "nurbs/random_patch.hpp"

@@ -1,7 +1,7 @@
 // The contact area: the part of the slave face inside g = 0, on curves and surfaces with gaps that are linear.
-#include "contact/contact_area.hpp"
 #include "contact/couple.hpp"
 #include "contact/faces3d.hpp"
+#include "contact/gauss/contact_area.hpp"
 #include "contact/mortar_discs.hpp"
 
 #include <gtest/gtest.h>

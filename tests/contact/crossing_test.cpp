@@ -1,5 +1,5 @@
 // Points that pass through a master in one step are distinguished from points that it pushes, passes or leaves.
-#include "contact/crossing.hpp"
+#include "contact/point/crossing.hpp"
 
 #include "contact/faces.hpp"
 

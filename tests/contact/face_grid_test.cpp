@@ -1,5 +1,5 @@
 // Lists of faces as one face: grids of parts in any orientation, and lists that are not one surface.
-#include "contact/face_grid.hpp"
+#include "contact/face/face_grid.hpp"
 
 #include "nurbs/directions.hpp"
 #include "nurbs/random_patch.hpp"

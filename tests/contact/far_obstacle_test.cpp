@@ -1,7 +1,7 @@
 // Round obstacles with a far center and planes through a far point: closest points, gaps and slip points as exact as
 // coordinates near the contact, tangents of contacts, and coordinates of files of version 7.
-#include "contact/former_coordinates.hpp"
-#include "contact/master.hpp"
+#include "contact/method/former_coordinates.hpp"
+#include "contact/point/master.hpp"
 
 #include "contact/couple.hpp"
 #include "contact/couple3d.hpp"

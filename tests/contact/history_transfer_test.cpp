@@ -1,5 +1,5 @@
 // Histories carried from the points of one rule to those of another, by place.
-#include "contact/history_transfer.hpp"
+#include "contact/gauss/history_transfer.hpp"
 
 #include "contact/couple.hpp"
 #include "contact/faces.hpp"

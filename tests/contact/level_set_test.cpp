@@ -1,7 +1,7 @@
 // Level sets: the same closest points and forces as closed-form shapes; forces of others against differences; errors.
-#include "contact/archive.hpp"
 #include "contact/couple.hpp"
 #include "contact/level_sets.hpp"
+#include "contact/method/archive.hpp"
 
 #include <cmath>
 #include <functional>

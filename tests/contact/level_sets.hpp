@@ -1,7 +1,7 @@
 #pragma once
 // Formulas of level sets.
 
-#include "contact/obstacle.hpp"
+#include "contact/rigid/obstacle.hpp"
 
 namespace signorini::contact::test {
 

@@ -2,8 +2,8 @@
 // A law at one contact point as a function of its local variables, on a master that is quadratic about the foot point:
 // x(η) = x̄ + τ_α η^α + ½ x_,αβ η^α η^β.
 
-#include "contact/adhesion.hpp"
-#include "contact/penalty.hpp"
+#include "contact/point/adhesion.hpp"
+#include "contact/point/penalty.hpp"
 
 #include "differences.hpp"
 #include "nurbs/random_patch.hpp"

@@ -1,7 +1,7 @@
 // Elements with one foot point only: bounds on derivatives, the distance below which they hold, and folds within an
 // element, where a foot point on one side must not hide the other one.
+#include "contact/closest/projection.hpp"
 #include "contact/faces3d.hpp"
-#include "contact/projection.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Multiplier spaces: degree, continuity and number of functions, partition of unity, non-negative functions.
 #include "base/dense.hpp"
 #include "contact/faces.hpp"
-#include "contact/multiplier_functions.hpp"
+#include "contact/mortar/multiplier_functions.hpp"
 
 #include "nurbs/bezier.hpp"
 #include "nurbs/joins.hpp"

@@ -1,7 +1,7 @@
 // Planes, balls, cylinders, tori and level sets in 3D: closest points, geometry against differences, slip points on the
 // shortest path; and slip points on surfaces.
-#include "contact/master.hpp"
-#include "contact/slip.hpp"
+#include "contact/point/master.hpp"
+#include "contact/point/slip.hpp"
 
 #include "contact/faces3d.hpp"
 #include "contact/level_sets.hpp"

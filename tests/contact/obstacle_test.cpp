@@ -1,6 +1,6 @@
 // Closed-form rigid masters: closest points against brute force, geometry against differences, slip points, and the
 // same shapes as NURBS curves.
-#include "contact/master.hpp"
+#include "contact/point/master.hpp"
 
 #include "contact/faces.hpp"
 #include "differences.hpp"

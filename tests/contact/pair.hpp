@@ -1,8 +1,8 @@
 #pragma once
 // One contact with the state that a model holds for it, which can be evaluated, accepted and rolled back alone.
 
-#include "contact/contact_area.hpp"
-#include "contact/method.hpp"
+#include "contact/gauss/contact_area.hpp"
+#include "contact/method/method.hpp"
 
 namespace signorini::contact::test {
 

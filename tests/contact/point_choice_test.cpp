@@ -1,5 +1,5 @@
 // Which elements have their full rule, over generated series of contact states.
-#include "contact/point_choice.hpp"
+#include "contact/point/point_choice.hpp"
 
 #include "contact/faces.hpp"
 

@@ -1,5 +1,5 @@
 // The products of many contact points against the sum of their terms.
-#include "contact/products.hpp"
+#include "contact/face/products.hpp"
 
 #include "nurbs/random_patch.hpp"
 

@@ -1,5 +1,5 @@
 // The closest point of a surface against brute force, and the rules at borders, kinks and poles.
-#include "contact/projection.hpp"
+#include "contact/closest/projection.hpp"
 
 #include "contact/faces3d.hpp"
 #include "nurbs/curves.hpp"

@@ -1,5 +1,5 @@
 // The closest point against brute force, and the rules at ends, kinks and element borders.
-#include "contact/projection.hpp"
+#include "contact/closest/projection.hpp"
 
 #include "contact/faces.hpp"
 

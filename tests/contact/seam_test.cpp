@@ -1,7 +1,7 @@
 // Seams of tied faces: polygons, areas opposite the master, exact integrals of both faces' functions, distances.
 #include "contact/faces3d.hpp"
-#include "contact/polygon.hpp"
-#include "contact/tie.hpp"
+#include "contact/tie/polygon.hpp"
+#include "contact/tie/tie.hpp"
 
 #include <gtest/gtest.h>
 

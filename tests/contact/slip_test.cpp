@@ -1,4 +1,4 @@
-#include "contact/slip.hpp"
+#include "contact/point/slip.hpp"
 
 #include "contact/faces.hpp"
 

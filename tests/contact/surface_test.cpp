@@ -1,5 +1,5 @@
 // Contact faces against their patches, undeformed and displaced, and the direction of outward normals.
-#include "contact/surface.hpp"
+#include "contact/face/surface.hpp"
 
 #include "contact/faces.hpp"
 

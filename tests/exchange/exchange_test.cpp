@@ -2,11 +2,11 @@
 // messages about damaged files.
 #include "exchange/exchange.hpp"
 
-#include "base/whole_file.hpp"
 #include "nurbs/directions.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/refine.hpp"
 #include "nurbs/shapes.hpp"
+#include "os/whole_file.hpp"
 #include "scratch.hpp"
 
 #include <fstream>

@@ -1,11 +1,11 @@
 // Interfaces and boundaries in files: found in any orientation, written and read in every format.
 #include "exchange/interfaces.hpp"
 
-#include "base/whole_file.hpp"
 #include "nurbs/directions.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/refine.hpp"
 #include "nurbs/shapes.hpp"
+#include "os/whole_file.hpp"
 #include "scratch.hpp"
 
 #include <fstream>

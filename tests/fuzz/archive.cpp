@@ -1,5 +1,5 @@
-#include "base/archive.hpp"
-#include "contact/archive.hpp"
+#include "os/archive.hpp"
+#include "contact/method/archive.hpp"
 #include "nurbs/archive.hpp"
 #include "solid/archive.hpp"
 #include "symbolic/archive.hpp"

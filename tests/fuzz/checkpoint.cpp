@@ -1,5 +1,5 @@
-#include "model/checkpoint.hpp"
-#include "base/archive.hpp"
+#include "model/files/checkpoint.hpp"
+#include "os/archive.hpp"
 #include "targets.hpp"
 
 namespace signorini::fuzz {

@@ -1,5 +1,5 @@
-#include "bind/functions.hpp"
-#include "bind/open.hpp"
+#include "bind/lua/functions.hpp"
+#include "bind/lua/open.hpp"
 #include "targets.hpp"
 
 namespace signorini::fuzz {

@@ -92,7 +92,7 @@ end
 
 -- ── Values that are right in form ────────────────────────────────────────────────────────────────────────────────────
 
-local check = require "signorini.check"
+local check = require "signorini.call.check"
 local pages = require "signorini.pages"
 
 local absurd = {}

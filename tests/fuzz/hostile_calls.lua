@@ -13,7 +13,7 @@ require("signorini").mkdir "objects"
 core.quiet = true
 local calls = require "calls"
 local hostile = require "hostile"
-local names = require "signorini.help.names"
+local names = require "signorini.prompt.help.names"
 local pages = require "signorini.pages"
 
 --- Functions whose calls take long, or whose results are files and processes: called less often.

@@ -2,7 +2,7 @@
 -- folder, tests/fuzz/corpus. Findings are further files there, with names that tell what was wrong.
 
 local core = require "signorini.core"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local sg = require "signorini"
 package.path = ("%s;%s/tests/lua/?.lua"):format(package.path, core.home)
 local scenes = require "walk_scenes"

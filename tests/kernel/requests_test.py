@@ -188,7 +188,7 @@ class Errors(Case):
     def test_a_case_shows_no_picture(self):
         with tempfile.TemporaryDirectory() as folder:
             result = self.run_cell(f"""
-                local display = require "signorini.display"
+                local display = require "signorini.prompt.display"
                 sg.study{{ name = "s", folder = "{folder}/s", cases = sg.grid{{ a = {{1}} }},
                   run = function() display.show(sg.chart{{ x = {{1, 2}}, {{ y = {{1, 2}} }} }}) return {{}} end }}:execute()""")
         self.assertHolds(result.value, "a notebook shows no pictures")

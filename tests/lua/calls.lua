@@ -4,10 +4,10 @@
 local sg = require "signorini"
 local check = require "check"
 local core = require "signorini.core"
-local describe = require "signorini.describe"
-local names = require "signorini.help.names"
+local describe = require "signorini.call.describe"
+local names = require "signorini.prompt.help.names"
 local pages = require "signorini.pages"
-local type_in_call = require("signorini.check").type_in_call
+local type_in_call = require("signorini.call.check").type_in_call
 
 local folder = check.folder()
 

@@ -5,7 +5,7 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local debond = require "debond"
-local show = require "signorini.show"
+local show = require "signorini.prompt.show"
 
 core.quiet = true
 

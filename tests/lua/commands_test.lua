@@ -1,7 +1,7 @@
 -- The commands of the prompt: ?name, %time, %who, %run, !command; piped to it, and among the lines of a block.
 
 local check = require "check"
-local complete = require "signorini.complete"
+local complete = require "signorini.prompt.complete"
 local core = require "signorini.core"
 
 sg = require "signorini" -- as at the prompt

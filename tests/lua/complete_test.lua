@@ -1,7 +1,7 @@
 -- Completion at the prompt: names, methods, keywords, named arguments.
 
 local check = require "check"
-local complete = require "signorini.complete"
+local complete = require "signorini.prompt.complete"
 
 sg = require "signorini" -- as at the prompt
 help = sg.help
@@ -38,7 +38,7 @@ check.case("help's words come in one list whose work does not grow with their nu
 end)
 
 check.case("methods of Lua's objects, without those for the library only", function()
-  run = setmetatable({}, require("signorini.run_result"))
+  run = setmetatable({}, require("signorini.run.run_result"))
   check.equal(all "run:co", { "run:column", "run:columns" })
   check.equal(all "run:record", {})
   check.equal(all "run:", { "run:attempts", "run:column", "run:columns", "run:csv", "run:hdf5", "run:report",

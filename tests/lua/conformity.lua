@@ -3,7 +3,7 @@
 
 local annotations = require "annotations"
 local core = require "signorini.core"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 
 local conformity = {}
 
@@ -150,7 +150,7 @@ local refuses_more = { ["sg.csv.write"] = true }
 
 --- From here on every valid call of a function of the library must conform to its definition.
 function conformity.watch_calls()
-  local checker, pages = require "signorini.check", require "signorini.pages"
+  local checker, pages = require "signorini.call.check", require "signorini.pages"
   local check_call = checker.call
   function checker.call(name, owner, ...)
     local page = pages.find(name)
@@ -167,7 +167,7 @@ end
 
 --- From here on the results of the library's functions must conform to their definitions, too.
 function conformity.watch_results()
-  local names, pages = require "signorini.help.names", require "signorini.pages"
+  local names, pages = require "signorini.prompt.help.names", require "signorini.pages"
   for _, name in ipairs(pages.names()) do
     local call = names.value(name)
     if type(call) == "function" then

@@ -1,7 +1,7 @@
 -- The keys of a contact for each method and enforcement, for tests that run all of them.
 
 local sg = require "signorini"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 
 local contact_keys = {}
 

@@ -5,8 +5,8 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local contact_keys = require "contact_keys"
-local lists = require "signorini.lists"
-local show = require "signorini.show"
+local lists = require "signorini.call.lists"
+local show = require "signorini.prompt.show"
 
 local here = "contact_stages_test.lua:"
 local penalty, mu = 1000, 0.3

@@ -33,7 +33,7 @@ end)
 check.case("texts that spreadsheets would read as formulas are texts there and read back", function()
   local names = { "=1+2", "+mu", "-end", "@SUM(A1)", "'=quoted", "''@", "=a,\"b\"", "-5", "-", "'plain'", "\t=1" }
   local columns = { "=name", "value" }
-  sg.csv.write(file, { columns = columns, rows = require("signorini.lists").map(names, function(name, i)
+  sg.csv.write(file, { columns = columns, rows = require("signorini.call.lists").map(names, function(name, i)
     return { name, -(i or 1) }
   end) })
   local read = sg.csv.read(file)

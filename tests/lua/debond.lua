@@ -1,7 +1,7 @@
 -- Bonded scenes: a block pulled off, a double cantilever beam opened by rotations.
 
 local sg = require "signorini"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 
 local debond = {}
 

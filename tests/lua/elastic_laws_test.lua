@@ -2,7 +2,7 @@
 -- ones, in all kinds of models; the program's neo-Hooke as a formula; what is printed and saved; warnings.
 
 local core = require "signorini.core"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local sg = require "signorini"
 local check = require "check"
 

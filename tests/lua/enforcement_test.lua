@@ -2,7 +2,7 @@
 
 local sg = require "signorini"
 local check = require "check"
-local show = require "signorini.show"
+local show = require "signorini.prompt.show"
 
 local here = "enforcement_test.lua:"
 local file = os.tmpname()

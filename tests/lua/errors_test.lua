@@ -233,7 +233,8 @@ study()
       .. "\tstudy.lua:4: in main chunk\n")
   check.holds(check.script [[error("a case: no luck\nstack traceback:\n\nits end", 0)]],
     "signorini: a case: no luck\nstack traceback:\n\nits end\nstack traceback:\n\tstudy.lua:1: in main chunk\n")
-  check.holds(check.script [[require("signorini.lists").sorted_names(1)]], "lua/signorini/lists.lua:", "[C]: in ")
+  check.holds(check.script [[require("signorini.call.lists").sorted_names(1)]], "lua/signorini/call/lists.lua:",
+    "[C]: in ")
 end)
 
 check.case("syntax errors, missing files and thrown values are reported", function()

@@ -1,6 +1,6 @@
 -- Bodies that touch from the start within rounding error, or never touch.
 
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local sg = require "signorini"
 local check = require "check"
 local other_warnings = require "other_warnings"

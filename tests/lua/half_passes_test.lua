@@ -6,7 +6,7 @@ local check = require "check"
 local core = require "signorini.core"
 local ironing = require "ironing"
 local sg = require "signorini"
-local show = require "signorini.show"
+local show = require "signorini.prompt.show"
 
 local function solved(model, stages, options)
   local run = model:run(stages, options)

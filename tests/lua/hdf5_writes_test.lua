@@ -154,7 +154,7 @@ end)
 check.case("runs without the option do not load HDF5; a program without the module says what to install", function()
   local output = script [[
 model:run{ { steps = 1, top = {0, -0.1} } }
-print(io.open "/proc/self/maps":read "a":find "hdf5", package.loaded["signorini.hdf5"])
+print(io.open "/proc/self/maps":read "a":find "hdf5", package.loaded["signorini.output.hdf5"])
 ]]
   check.equal(output, "nil\tnil\n")
   check.shell(("cp '%s' %s/program"):format(program, folder))

@@ -4,10 +4,10 @@
 local check = require "check"
 local core = require "signorini.core"
 local sg = require "signorini"
-local examples_of = require("signorini.help.page_text").examples
-local names = require "signorini.help.names"
+local examples_of = require("signorini.prompt.help.page_text").examples
+local names = require "signorini.prompt.help.names"
 local pages = require "signorini.pages"
-local scripts = require "signorini.help.scripts"
+local scripts = require "signorini.prompt.help.scripts"
 
 -- Methods of Lua's types that the library calls; users read about the others.
 local private = {
@@ -101,8 +101,8 @@ end)
 
 check.case("every argument of a table is read by the code, and no key occurs twice", function()
   local code = {}
-  for _, folder in ipairs { "src/bind", "lua/signorini", "lua/signorini/study", "lua/signorini/convergence_map",
-                            "lua/signorini/scenes" } do
+  for _, folder in ipairs { "src/bind", "lua/signorini", "lua/signorini/study", "lua/signorini/study/convergence_map",
+                            "lua/signorini/scene/scenes" } do
     for _, file in ipairs(core.list_folder(core.home .. "/" .. folder)) do
       if file:find "%.[lch]" then code[#code + 1] = core.read_file(("%s/%s/%s"):format(core.home, folder, file)) end
     end
@@ -124,8 +124,8 @@ check.case("every example runs on the scene of the examples, with the stated res
   local lines = { "sg = require 'signorini' help = sg.help",
     ("package.path = %q .. package.path"):format(core.home .. "/tests/lua/?.lua;"),
     "require('conformity').watch_calls() require('conformity').watch_results()",
-    "local text = require('signorini.show').text",
-    require("signorini.help.texts").scene, [[
+    "local text = require('signorini.prompt.show').text",
+    require("signorini.prompt.help.texts").scene, [[
     local function example(name, code, expected)
       local own = setmetatable({}, { __index = _G })
       local chunk, message = load("return " .. code, "=" .. name, "t", own)
@@ -188,8 +188,8 @@ check.case("terms of other programs lead to pages, none of which has the term as
   local names = {}
   for _, name in ipairs(pages.names()) do names[name], names[name:match "[^.:]+$"] = true, true end
   for _, group in ipairs(pages.groups()) do names[group.word] = true end
-  for name in pairs(require "signorini.help.texts") do names[name] = true end
-  for _, entry in ipairs(require "signorini.help.synonyms") do
+  for name in pairs(require "signorini.prompt.help.texts") do names[name] = true end
+  for _, entry in ipairs(require "signorini.prompt.help.synonyms") do
     if #entry < 3 or not entry[2]:find "%.$" then error(entry[1] .. " has no answer or no page") end
     for i = 3, #entry do
       if not pages.find(entry[i]) then error(("%s leads to '%s', which is not a page"):format(entry[1], entry[i])) end
@@ -215,7 +215,7 @@ check.case("terms of other programs lead to pages, none of which has the term as
 end)
 
 check.case("share/doc/reference.md agrees with the pages", function()
-  if core.read_file(core.home .. "/share/doc/reference.md") ~= require "signorini.help.markdown"() then
+  if core.read_file(core.home .. "/share/doc/reference.md") ~= require "signorini.prompt.help.markdown"() then
     error "share/doc/reference.md is not what the help pages say: run scripts/reference"
   end
 end)

@@ -2,7 +2,7 @@
 
 local sg = require "signorini"
 local check = require "check"
-local jumps = require "signorini.jumps"
+local jumps = require "signorini.run.jumps"
 local peeling = require "peeling2d.problem"
 
 --- What is found in stages of steps, each { length, released }, that take up work of 1 each.

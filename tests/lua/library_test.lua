@@ -8,12 +8,12 @@ local calls = require "calls"
 local check = require "check"
 local conformity = require "conformity"
 local core = require "signorini.core"
-local names = require "signorini.help.names"
+local names = require "signorini.prompt.help.names"
 local pages = require "signorini.pages"
 
 check.case("the files are what the help pages say", function()
   local committed = annotations.files()
-  for name, text in pairs(require "signorini.editor.library"()) do
+  for name, text in pairs(require "signorini.prompt.editor.library"()) do
     if committed[name] ~= text then error(("share/library/%s is out of date: run scripts/reference"):format(name)) end
     committed[name] = nil
   end

@@ -1,7 +1,7 @@
 -- Common operations on lists.
 
 local check = require "check"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 
 check.case("questions", function()
   check.equal(lists.holds({ 1, 2 }, 2), true)

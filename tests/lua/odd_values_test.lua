@@ -83,7 +83,7 @@ check.case("objects of the library in place of tables are errors of the function
 end)
 
 check.case("a bar that hardly moves shows that years remain", function()
-  local display = require "signorini.progress"(1)
+  local display = require "signorini.run.progress"(1)
   for _, part in ipairs{ 1e-30, 5e-324 } do check.equal(display:to_go(part), "years left") end
 end)
 

@@ -5,7 +5,7 @@ local core = require "signorini.core"
 local check = require "check"
 local other_warnings = require "other_warnings"
 local contact_keys = require "contact_keys"
-local show = require "signorini.show"
+local show = require "signorini.prompt.show"
 
 local here = "offset_test.lua:"
 core.quiet = true

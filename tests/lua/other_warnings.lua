@@ -1,6 +1,6 @@
 -- Warnings of a run that are not about the resolution of its contacts: tests of other subjects use coarse meshes.
 
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 
 return function(run)
   return lists.filter(run.warnings, function(warning)

@@ -3,7 +3,7 @@
 
 local sg = require "signorini"
 local check = require "check"
-local path_controls = require "signorini.path_controls"
+local path_controls = require "signorini.run.path_controls"
 local other_warnings = require "other_warnings"
 local ironing = require "ironing"
 local spring = require "spring"

@@ -184,7 +184,7 @@ check.case("a profile has only its lists, and is read, written and stored as a t
   local saved = core.read_json(core.write_json(pr))
   check.near(saved.gap, pr.gap, 0)
   check.equal(saved.presure, nil)
-  local show = require "signorini.show"
+  local show = require "signorini.prompt.show"
   check.equal(show.text(saved), show.text(pr))
   check.holds(show.text(pr), ("contact profile of %d points: "):format(#pr.x))
   local record = require "signorini.study.case"(function() return pr end, { case = {}, text = "a" })

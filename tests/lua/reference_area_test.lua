@@ -4,7 +4,7 @@
 local check = require "check"
 local core = require "signorini.core"
 local sg = require "signorini"
-local show = require "signorini.show"
+local show = require "signorini.prompt.show"
 
 core.quiet = true
 

@@ -1,5 +1,5 @@
--- --sandbox: escapes that a script may try, each with the wall that stops it: "Lua" (lua/signorini/sandbox.lua) or
--- "kernel" (src/base/sandbox.hpp, whose walls tests/base/sandbox_test.cpp tries without Lua); work that must go on.
+-- --sandbox: escapes that a script may try, each with the wall that stops it: "Lua" (lua/signorini/prompt/sandbox.lua)
+-- or "kernel" (src/os/sandbox.hpp, whose walls tests/os/sandbox_test.cpp tries without Lua); work that must go on.
 
 local check = require "check"
 local sg = require "signorini"
@@ -59,8 +59,8 @@ local escapes = {
   { "signorini.core", [[return require "signorini.core"]], "Lua", "'signorini.core' is a part of the library" },
   { "signorini.core by package.loaded", [[return package.loaded["signorini.core"], "nothing"]], "Lua", "nothing" },
   { "signorini.core by package.preload", [[return package.preload["signorini.core"], "nothing"]], "Lua", "nothing" },
-  { "a module that checks arguments", [[return require "signorini.check"]], "Lua", "cannot load" },
-  { "such a module by package.loaded", [[return package.loaded["signorini.check"], "nothing"]], "Lua", "nothing" },
+  { "a module that checks arguments", [[return require "signorini.call.check"]], "Lua", "cannot load" },
+  { "such a module by package.loaded", [[return package.loaded["signorini.call.check"], "nothing"]], "Lua", "nothing" },
   { "the functions of strings", [[return getmetatable("") or nil, "hidden"]], "Lua", "hidden" },
   { "os.tmpname", [[os.tmpname()]], "Lua", "use io.open" },
   { "io.tmpfile", [[io.tmpfile()]], "Lua", "use io.open" },
@@ -104,7 +104,8 @@ local escapes = {
       run = function() return {} end }:execute{ on = "slurm" }]], "Lua", "no other machine" },
   { "a study by ssh", [[sg.study{ name = "b", folder = "s", cases = sg.grid{ a = {1} },
       run = function() return {} end }:execute{ on = "ssh:localhost" }]], "Lua", "no other machine" },
-  { "a command of the prompt's shell", [[require("signorini.commands").shell "ls"]], "Lua", "no programs are started" },
+  { "a command of the prompt's shell", [[require("signorini.prompt.commands").shell "ls"]],
+    "Lua", "no programs are started" },
   { "a film by ffmpeg", [[local one = sg.chart{ x = {1, 2}, { y = {1, 2} } }
       sg.film{ one, one, file = "a.mp4" }]], "program", "ffmpeg" },
   { "MPI", [[local m, path = sg.scenes.hertz{} m:run(path, { linear = "mumps" })]], "program",
@@ -144,7 +145,7 @@ check.case("a script that replaces Lua's functions does not change the checks of
     local function yes() return "number" end
     type, math.type, select, pairs, ipairs, require = yes, yes, yes, yes, yes, yes
     string.format, string.find, string.match, table.concat, tostring = yes, yes, yes, yes, yes
-    package.loaded["signorini.check"] = { call = function(_, _, ...) return ... end }
+    package.loaded["signorini.call.check"] = { call = function(_, _, ...) return ... end }
     print(pcall(sg.shapes.rectangle, { width = {}, height = 1 }))
     print(pcall(sg.rigid.plane, { point = {}, normal = "x" }))]]
   check.equal(status, 0)

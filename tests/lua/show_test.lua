@@ -2,7 +2,7 @@
 
 local check = require "check"
 local sg = require "signorini"
-local show = require "signorini.show"
+local show = require "signorini.prompt.show"
 
 local slab = sg.body { patch = sg.shapes.rectangle { width = 3, height = 1 }, elements = { 4, 2 }, order = "N2-N2.2",
   contact = "south", material = sg.neo_hookean { E = 1, nu = 0.3 } }

@@ -3,7 +3,7 @@
 local check = require "check"
 local core = require "signorini.core"
 local chunks = require "signorini.study.chunks"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 
 --- Waits for an event; the number of looks bounds the time, which is not measured.
 local function await(what, happened)

@@ -4,6 +4,6 @@
 local core = require "signorini.core"
 
 return load([[
-local check_call, run_path = require("signorini.check").call, require "signorini.run"
+local check_call, run_path = require("signorini.call.check").call, require "signorini.run.run"
 return function(model, ...) return run_path(model, check_call("model:run", model, ...)) end
 ]], ("@%s/lua/spring_run.lua"):format(core.home))()

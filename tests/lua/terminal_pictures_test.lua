@@ -230,7 +230,7 @@ check.case("wrong words behind --pictures are errors of usage", function()
 end)
 
 check.case("a front end shows pictures in the terminal's place", function()
-  local display, shown = require "signorini.display", {}
+  local display, shown = require "signorini.prompt.display", {}
   display.screen = function(picture) shown[#shown + 1] = tostring(picture) end
   local sg = require "signorini"
   sg.chart { { x = { 1, 2 }, y = { 1, 2 } } }:show()

@@ -316,7 +316,7 @@ check.case("a large number of elements is announced before they are made, and to
 end)
 
 check.case("faces in coordinate planes are named where a patch is shown", function()
-  local text = require("signorini.show").text(sg.shapes.sphere_octant{ inner = 0.5, outer = 1 })
+  local text = require("signorini.prompt.show").text(sg.shapes.sphere_octant{ inner = 0.5, outer = 1 })
   check.holds(text, "faces: west in y = 0; east in x = 0; south in z = 0; north in x = 0, y = 0")
 end)
 

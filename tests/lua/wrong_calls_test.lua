@@ -4,7 +4,7 @@
 
 local calls = require "calls"
 local check = require "check"
-local names = require "signorini.help.names"
+local names = require "signorini.prompt.help.names"
 
 local function title(call) return ("%s, argument %s: %s"):format(call.page.name, call.place, call.what) end
 

@@ -1,6 +1,6 @@
 // Active set over iterations: freezing, fixing of points and detection of cycling, on a strip with a given contact
 // area.
-#include "model/active_set.hpp"
+#include "model/steps/active_set.hpp"
 
 #include "contact/faces.hpp"
 

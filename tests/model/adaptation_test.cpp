@@ -1,8 +1,8 @@
 // Bodies replaced by bodies with other rows in the middle of a path: nothing changes where the new rows contain the old
 // ones, little where they do not, and the path continues.
-#include "model/adaptation.hpp"
+#include "model/adapt/adaptation.hpp"
 
-#include "model/checkpoint.hpp"
+#include "model/files/checkpoint.hpp"
 #include "model/scenes.hpp"
 #include "nurbs/shapes.hpp"
 #include "text_of.hpp"

@@ -1,8 +1,8 @@
 // Paths with turning points: an adhesive bar with snap-back, whose path is known, and a shallow arch with snap-through.
 #include "base/dense.hpp"
 #include "model/bench.hpp"
-#include "model/path_norm.hpp"
 #include "model/scenes.hpp"
+#include "model/system/path_norm.hpp"
 #include "text_of.hpp"
 
 #include <Eigen/LU>

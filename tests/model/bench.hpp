@@ -2,7 +2,7 @@
 // The parts of a model, for states that are not in equilibrium, and a comparison of its tangent with finite
 // differences.
 
-#include "model/system.hpp"
+#include "model/system/system.hpp"
 
 #include "differences.hpp"
 #include "nurbs/random_patch.hpp"

@@ -1,8 +1,8 @@
 // Saved models: bitwise equal results after any history; invalid files.
-#include "model/checkpoint.hpp"
+#include "model/files/checkpoint.hpp"
 
-#include "base/archive.hpp"
 #include "model/scenes.hpp"
+#include "os/archive.hpp"
 #include "scratch.hpp"
 #include "text_of.hpp"
 
@@ -183,14 +183,14 @@ TEST(Checkpoint, NamesThePartsOfAnotherScene) {
 TEST(Checkpoint, FilesOfAnotherKindAreErrors) {
   const ScratchFolder folder;
   write_archive(folder.file("a"), {"something else", 1, 1}, {});
-  EXPECT_NE(message_of([&] { load(folder.file("a")); }).find("base.archive.kind"), std::string::npos);
+  EXPECT_NE(message_of([&] { load(folder.file("a")); }).find("os.archive.kind"), std::string::npos);
   write_archive(folder.file("b"), {"checkpoint", 99, 99}, {});
   EXPECT_NE(message_of([&] {
               load(folder.file("b"));
-            }).find("base.archive.newer: file = " + folder.file("b") + ", written = 99"),
+            }).find("os.archive.newer: file = " + folder.file("b") + ", written = 99"),
             std::string::npos);
   write_archive(folder.file("c"), {"checkpoint", 2, 2}, {});
-  EXPECT_NE(message_of([&] { load(folder.file("c")); }).find("base.archive.older"), std::string::npos);
+  EXPECT_NE(message_of([&] { load(folder.file("c")); }).find("os.archive.older"), std::string::npos);
 }
 
 } // namespace checkpoint_test

@@ -1,9 +1,9 @@
 // Checkpoints whose checksum is right, but not their contents: each is an error or a model, never a crash.
-#include "base/archive.hpp"
-#include "base/whole_file.hpp"
-#include "model/checkpoint.hpp"
-#include "model/scene_check.hpp"
+#include "model/files/checkpoint.hpp"
+#include "model/scene/scene_check.hpp"
 #include "model/scenes.hpp"
+#include "os/archive.hpp"
+#include "os/whole_file.hpp"
 #include "scratch.hpp"
 
 #include <gtest/gtest.h>

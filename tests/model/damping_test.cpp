@@ -1,5 +1,5 @@
 // Unconstrained bodies, supported by contact only: rigid-body modes, damped motion, final state.
-#include "model/damping.hpp"
+#include "model/system/damping.hpp"
 
 #include "model/scenes.hpp"
 #include "text_of.hpp"

@@ -1,6 +1,6 @@
 // Penalty parameters from material and mesh, and contacts of one model that are enforced in different ways.
-#include "model/checkpoint.hpp"
-#include "model/default_penalty.hpp"
+#include "model/files/checkpoint.hpp"
+#include "model/scene/default_penalty.hpp"
 #include "model/scenes.hpp"
 #include "scratch.hpp"
 #include "text_of.hpp"

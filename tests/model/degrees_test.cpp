@@ -1,5 +1,5 @@
 // A model with a row of several degrees: steps and checkpoints.
-#include "model/checkpoint.hpp"
+#include "model/files/checkpoint.hpp"
 #include "model/scenes.hpp"
 #include "nurbs/joins.hpp"
 #include "scratch.hpp"

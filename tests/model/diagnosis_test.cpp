@@ -1,9 +1,9 @@
 // Diagnosis of provoked failures: outcome, places, messages.
-#include "model/diagnosis.hpp"
+#include "model/diagnosis/diagnosis.hpp"
 
 #include "base/dense.hpp"
+#include "model/diagnosis/weak_directions.hpp"
 #include "model/scenes.hpp"
-#include "model/weak_directions.hpp"
 #include "solve/mumps.hpp"
 #include "text_of.hpp"
 

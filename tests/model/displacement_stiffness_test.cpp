@@ -1,5 +1,5 @@
 // The stiffness of displacements that conditions constrain, against the inverse of the dense matrix.
-#include "model/checks/displacement_stiffness.hpp"
+#include "model/warnings/displacement_stiffness.hpp"
 
 #include "base/eigen.hpp"
 #include "model/constants.hpp"

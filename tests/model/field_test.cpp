@@ -1,5 +1,5 @@
 // Fields of both laws in plane strain and axisymmetric, also on the axis.
-#include "model/sample.hpp"
+#include "model/results/sample.hpp"
 #include "model/scenes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // The published ironing problem at mesh m1 with Newton's method alone: every discretization converges quadratically in
 // few iterations, and forces balance.
-#include "model/arc.hpp"
-#include "model/load_step.hpp"
-#include "model/results.hpp"
+#include "model/results/results.hpp"
+#include "model/steps/arc.hpp"
+#include "model/steps/load_step.hpp"
 
 #include "model/quadratic.hpp"
 #include "model/scenes.hpp"

@@ -3,7 +3,7 @@
 #include "model/bench.hpp"
 #include "model/scenes.hpp"
 
-#include "base/parallel.hpp"
+#include "os/parallel.hpp"
 
 namespace signorini::model {
 namespace linear_bodies_test {

@@ -1,5 +1,5 @@
 // Dead loads: exact states under tractions and pressures, loads as targets, and initial loads.
-#include "model/sample.hpp"
+#include "model/results/sample.hpp"
 #include "model/scenes.hpp"
 #include "text_of.hpp"
 

@@ -1,9 +1,9 @@
 // Supports, reactions, accept and roll-back, and independence of the solution of solver and history.
-#include "model/arc.hpp"
-#include "model/load_step.hpp"
-#include "model/results.hpp"
+#include "model/results/results.hpp"
+#include "model/steps/arc.hpp"
+#include "model/steps/load_step.hpp"
 
-#include "model/sample.hpp"
+#include "model/results/sample.hpp"
 #include "model/scenes.hpp"
 #include "text_of.hpp"
 

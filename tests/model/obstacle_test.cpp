@@ -1,5 +1,5 @@
 // Models with rigid obstacles: driven obstacles, their reactions, and exact states on a plane.
-#include "model/profile.hpp"
+#include "model/results/profile.hpp"
 #include "model/scenes.hpp"
 
 #include <gtest/gtest.h>

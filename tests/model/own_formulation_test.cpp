@@ -2,7 +2,7 @@
 #include "model/scenes.hpp"
 
 #include "model/bench.hpp"
-#include "model/checkpoint.hpp"
+#include "model/files/checkpoint.hpp"
 #include "text_of.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "model/partition.hpp"
+#include "model/system/partition.hpp"
 
-#include "base/parallel.hpp"
 #include "bench.hpp"
+#include "os/parallel.hpp"
 #include "scenes.hpp"
 
 #include <set>

@@ -1,7 +1,7 @@
 // Different predictors lead to the same states.
 #include "model/scenes.hpp"
 
-#include "model/drives.hpp"
+#include "model/system/drives.hpp"
 #include "text_of.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #pragma once
 // Measurement of the quadratic convergence of Newton's method on a model, from starts made by the test.
 
-#include "model/arc.hpp"
-#include "model/load_step.hpp"
-#include "model/results.hpp"
+#include "model/results/results.hpp"
+#include "model/steps/arc.hpp"
+#include "model/steps/load_step.hpp"
 #include "text_of.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 #pragma once
 // Scenes for tests: the published ironing problem, and small scenes of one body.
 
-#include "model/arc.hpp"
-#include "model/load_step.hpp"
-#include "model/results.hpp"
+#include "model/results/results.hpp"
+#include "model/steps/arc.hpp"
+#include "model/steps/load_step.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 #include "solid/linear_elastic.hpp"

@@ -1,13 +1,13 @@
 // Models of solids: quadratic convergence of frictional ironing and twisting with the consistent tangent, balance of
 // forces, moments and energy, and a pole that remains one point.
-#include "model/arc.hpp"
-#include "model/load_step.hpp"
-#include "model/results.hpp"
+#include "model/results/results.hpp"
+#include "model/steps/arc.hpp"
+#include "model/steps/load_step.hpp"
 
-#include "base/parallel.hpp"
 #include "model/quadratic.hpp"
 #include "nurbs/coincident.hpp"
 #include "nurbs/shapes.hpp"
+#include "os/parallel.hpp"
 #include "solid/neo_hookean.hpp"
 #include "text_of.hpp"
 

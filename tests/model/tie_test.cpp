@@ -3,11 +3,11 @@
 #include "model/scenes.hpp"
 
 #include "model/bench.hpp"
-#include "model/linear_choice.hpp"
-#include "model/tie_results.hpp"
-#include "model/tie_terms.hpp"
-#include "model/ties.hpp"
-#include "model/weak_directions.hpp"
+#include "model/diagnosis/weak_directions.hpp"
+#include "model/results/tie_results.hpp"
+#include "model/scene/ties.hpp"
+#include "model/steps/linear_choice.hpp"
+#include "model/system/tie_terms.hpp"
 #include "text_of.hpp"
 
 namespace signorini::model {

@@ -1,7 +1,7 @@
 // Rigid obstacles that turn and move freely: derivatives over generated states, and equilibrium.
-#include "model/equilibrium.hpp"
+#include "model/scene/turning.hpp"
 #include "model/scenes.hpp"
-#include "model/turning.hpp"
+#include "model/steps/equilibrium.hpp"
 
 #include "differences.hpp"
 #include "text_of.hpp"

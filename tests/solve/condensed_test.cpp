@@ -2,8 +2,8 @@
 #include "solve/condensed.hpp"
 
 #include "base/dense.hpp"
-#include "base/parallel.hpp"
 #include "nurbs/random_patch.hpp"
+#include "os/parallel.hpp"
 #include "solve/matrices.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // LU of dense matrices: residuals, pivots, singular matrices, threads.
 #include "solve/dense_factors.hpp"
 
-#include "base/parallel.hpp"
+#include "os/parallel.hpp"
 
 #include <gtest/gtest.h>
 

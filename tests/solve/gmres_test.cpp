@@ -2,7 +2,7 @@
 #include "solve/gmres.hpp"
 
 #include "base/dense.hpp"
-#include "base/parallel.hpp"
+#include "os/parallel.hpp"
 #include "solve/columns.hpp"
 #include "solve/matrices.hpp"
 

@@ -1,7 +1,7 @@
 // The loop on systems small enough to predict its results.
 #include "solve/newton.hpp"
 
-#include "base/interrupt.hpp"
+#include "os/interrupt.hpp"
 #include "text_of.hpp"
 
 #include <gtest/gtest.h>

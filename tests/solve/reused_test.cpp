@@ -2,7 +2,7 @@
 #include "solve/reused.hpp"
 #include "solve/values.hpp"
 
-#include "base/parallel.hpp"
+#include "os/parallel.hpp"
 #include "solve/matrices.hpp"
 
 #include <gtest/gtest.h>

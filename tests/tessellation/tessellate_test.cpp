@@ -1,6 +1,6 @@
 #include "tessellation/tessellate.hpp"
 
-#include "model/load_step.hpp"
+#include "model/steps/load_step.hpp"
 #include "nurbs/shapes.hpp"
 #include "solid/neo_hookean.hpp"
 

@@ -331,7 +331,7 @@ TEST(Chart, RejectsInvalidInput) {
   ChartOptions tiny;
   tiny.size = {40, 30};
   EXPECT_TRUE(holds(refusal({line_of({1, 2})}, tiny), {"view.frame.size: width = 40, height = 30"}));
-  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, {}, "missing/no.png"), {"base.file.no_folder"}));
+  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, {}, "missing/no.png"), {"os.file.no_folder"}));
 }
 
 } // namespace chart_test

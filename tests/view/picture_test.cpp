@@ -140,7 +140,7 @@ TEST(Picture, RejectsInvalidInput) {
   EXPECT_TRUE(
       holds(refusal(bodies), {"view.body.triangles: body = (view.sheet.body: state = (), number = 0), most = 2700"}));
   EXPECT_TRUE(holds(refusal(rings(), {}, "no.jpg"), {"view.file.ending"}));
-  EXPECT_TRUE(holds(refusal(rings(), {}, "missing/no.png"), {"base.file.no_folder"}));
+  EXPECT_TRUE(holds(refusal(rings(), {}, "missing/no.png"), {"os.file.no_folder"}));
 }
 
 TEST(Colormap, IsMonotonicFromDarkToLightUnlessDiverging) {

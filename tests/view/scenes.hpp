@@ -1,7 +1,7 @@
 #pragma once
 // Synthetic bodies and curves that resemble those of a study.
 
-#include "base/whole_file.hpp"
+#include "os/whole_file.hpp"
 #include "view/chart.hpp"
 #include "view/picture.hpp"
 

@@ -1,8 +1,8 @@
 -- Pages: bodies, rigid obstacles.
 
 local core = require "signorini.core"
-local patch_types = require "signorini.patch_types"
-local t = require "signorini.types"
+local patch_types = require "signorini.call.patch_types"
+local t = require "signorini.call.types"
 
 local thesis = "V. Agrawal, thesis, IIT Guwahati, 2020"
 
@@ -39,7 +39,7 @@ local layer_knots = by_dimension(t.either(parts, t.list(t.either(t.number, t.num
 
 --- A place of a part of a body of several patches.
 local function part_place(count, noun)
-  return t.name(function(body) return require("signorini.compound").place_names(body, count) end, noun)
+  return t.name(function(body) return require("signorini.scene.compound").place_names(body, count) end, noun)
 end
 
 local name_of_face = "west, east (ends of xi1), south, north (xi2), front, back (xi3)"

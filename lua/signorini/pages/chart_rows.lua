@@ -1,8 +1,8 @@
 -- Rows that the pages of charts and heat maps share with those of studies and convergence maps.
 
 local core = require "signorini.core"
-local lists = require "signorini.lists"
-local t = require "signorini.types"
+local lists = require "signorini.call.lists"
+local t = require "signorini.call.types"
 
 local rows = {}
 

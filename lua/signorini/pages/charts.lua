@@ -1,7 +1,7 @@
 -- Pages: charts and heat maps.
 
-local lists = require "signorini.lists"
-local t = require "signorini.types"
+local lists = require "signorini.call.lists"
+local t = require "signorini.call.types"
 local rows = require "signorini.pages.chart_rows"
 
 local curve = t.worded(t.named(rows.curve), "a curve { y = {…} }", "curves { y = {…} }")

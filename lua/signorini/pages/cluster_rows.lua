@@ -1,7 +1,7 @@
 -- The rows of study:execute for cases that other machines solve.
 
 local core = require "signorini.core"
-local t = require "signorini.types"
+local t = require "signorini.call.types"
 
 local rows = {
   { "on", t.either(t.choice { "local", "slurm" }, t.one_or_more(t.text)), [[where the cases are solved: on

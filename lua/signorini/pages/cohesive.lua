@@ -1,6 +1,6 @@
 -- Rows of the bonds of a cohesive contact.
 
-local t = require "signorini.types"
+local t = require "signorini.call.types"
 
 local cohesive = {}
 

@@ -1,6 +1,6 @@
 -- Rows of the constants of a contact that a load path changes.
 
-local t = require "signorini.types"
+local t = require "signorini.call.types"
 
 --- Why a table of constants without any cannot be meant.
 local function conflict(_, given)

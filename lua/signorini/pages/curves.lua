@@ -1,8 +1,8 @@
 -- Pages: NURBS curves, surfaces and volumes, made or read from files.
 
 local core = require "signorini.core"
-local patch_types = require "signorini.patch_types"
-local t = require "signorini.types"
+local patch_types = require "signorini.call.patch_types"
+local t = require "signorini.call.types"
 
 local points = { "points", t.points, "control points, fastest in xi1", unit = "length" }
 local weights = { "weights", t.numbers(), "one per control point", otherwise = "1 each" }

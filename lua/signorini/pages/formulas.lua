@@ -1,6 +1,6 @@
 -- Pages: functions of numbers and symbols.
 
-local t = require "signorini.types"
+local t = require "signorini.call.types"
 
 local x = { { "x", t.worded(t.either(t.number, t.object "symbol"), "a number or a symbol"), "" } }
 

@@ -1,6 +1,6 @@
 -- Pages: materials.
 
-local t = require "signorini.types"
+local t = require "signorini.call.types"
 
 local thesis = "V. Agrawal, thesis, IIT Guwahati, 2020"
 

@@ -1,8 +1,8 @@
 -- Pages: the low-level methods of a model, for user-defined solution loops.
 
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local rows = require "signorini.pages.step_rows"
-local t = require "signorini.types"
+local t = require "signorini.call.types"
 
 local driven = { "name", t.name(function(model) return model:driven_names() end), "a support or a load" }
 

@@ -1,8 +1,8 @@
 -- Pages: patches and their methods.
 
 local core = require "signorini.core"
-local patch_types = require "signorini.patch_types"
-local t = require "signorini.types"
+local patch_types = require "signorini.call.patch_types"
+local t = require "signorini.call.types"
 
 local a_patch = t.object "patch"
 local xi = { "xi", patch_types.parameters, "parametric coordinates" }

@@ -1,7 +1,7 @@
 -- Pages: shapes and patches.
 
-local patch_types = require "signorini.patch_types"
-local t = require "signorini.types"
+local patch_types = require "signorini.call.patch_types"
+local t = require "signorini.call.types"
 
 local a_patch = t.object "patch"
 

@@ -1,10 +1,10 @@
 -- Pages: pictures of states and patches, sheets, films.
 
 local core = require "signorini.core"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local filter, merged = lists.filter, lists.merged
-local patch_types = require "signorini.patch_types"
-local t = require "signorini.types"
+local patch_types = require "signorini.call.patch_types"
+local t = require "signorini.call.types"
 local chart_rows = require "signorini.pages.chart_rows"
 
 local axes = t.choice { "x", "y", "z", "-x", "-y", "-z" }

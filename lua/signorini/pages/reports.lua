@@ -2,8 +2,8 @@
 
 local chart_rows = require "signorini.pages.chart_rows"
 local core = require "signorini.core"
-local lists = require "signorini.lists"
-local t = require "signorini.types"
+local lists = require "signorini.call.lists"
+local t = require "signorini.call.types"
 
 local joined, merged = lists.joined, lists.merged
 local picture = t.object "picture"

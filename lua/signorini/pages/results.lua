@@ -1,7 +1,7 @@
 -- Pages: results of a model.
 
 local core = require "signorini.core"
-local t = require "signorini.types"
+local t = require "signorini.call.types"
 
 local a_contact = { "contact", t.name(function(model) return model:contact_names() end), "name of a contact" }
 local a_tie = { "tie", t.name(function(model) return model:tie_names() end), "name of a tie" }

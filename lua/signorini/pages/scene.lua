@@ -1,9 +1,9 @@
 -- Pages: a scene and its parts.
 
 local cohesive = require "signorini.pages.cohesive"
-local describe = require "signorini.describe"
-local lists = require "signorini.lists"
-local t = require "signorini.types"
+local describe = require "signorini.call.describe"
+local lists = require "signorini.call.lists"
+local t = require "signorini.call.types"
 
 local thesis = "V. Agrawal, thesis, IIT Guwahati, 2020"
 local axes = t.choice { "x", "y", "z", "xy", "xz", "yz", "xyz" }

@@ -1,6 +1,6 @@
 -- Pages: ready scenes.
 
-local t = require "signorini.types"
+local t = require "signorini.call.types"
 
 --- The arguments that all scenes have.
 local function order(default)

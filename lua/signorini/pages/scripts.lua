@@ -1,6 +1,6 @@
 -- Pages: tables, files, scripts.
 
-local t = require "signorini.types"
+local t = require "signorini.call.types"
 
 local model = { "model", t.object "model", "" }
 local deformed = { "deformed", t.flag, "current shape; false: reference shape", default = true }
@@ -19,7 +19,7 @@ local function conflict_of_cells(values)
   end
 end
 
-local help_words = t.name(function() return require("signorini.help").words() end)
+local help_words = t.name(function() return require("signorini.prompt.help").words() end)
 
 return {
   title = "Tables, files, scripts",
@@ -127,7 +127,7 @@ column of the file.]],
     example = [[sg.json.read("limits.json").meshes[2]  --> 2]] },
   { "sg.reference", [[Returns a published table supplied with the program, as sg.csv.read does; the first comment names
 its source and corrections.]],
-    arguments = { { "name", t.name(function() return require("signorini.reference").names() end),
+    arguments = { { "name", t.name(function() return require("signorini.study.reference").names() end),
                     "name of a file in share/reference; a wrong one lists them" } },
     returns = t.object "data",
     example = [[#sg.reference("ironing2d_dofs_table7_2").rows  --> 8]] },

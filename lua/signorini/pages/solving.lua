@@ -1,7 +1,7 @@
 -- Pages: models, load paths and their runs.
 
 local rows = require "signorini.pages.step_rows"
-local t = require "signorini.types"
+local t = require "signorini.call.types"
 
 --- The hint for an option among the stages.
 local function cure_of_option(key)

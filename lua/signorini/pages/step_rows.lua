@@ -2,9 +2,9 @@
 -- sg.robust and sg.plain share: each default is written once.
 
 local core = require "signorini.core"
-local describe = require "signorini.describe"
-local joined = require("signorini.lists").joined
-local t = require "signorini.types"
+local describe = require "signorini.call.describe"
+local joined = require("signorini.call.lists").joined
+local t = require "signorini.call.types"
 
 local rows = {}
 

@@ -2,9 +2,9 @@
 
 local chart_rows = require "signorini.pages.chart_rows"
 local cluster_rows = require "signorini.pages.cluster_rows"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local filter, joined = lists.filter, lists.joined
-local t = require "signorini.types"
+local t = require "signorini.call.types"
 
 --- Parameters of callbacks.
 local model_and_run = { { "model", t.object "model" }, { "run", t.object "run" } }

@@ -1,8 +1,8 @@
 -- The cases of a study: plain data by the names of parameters, each with a name for messages and files.
 
-local check = require "signorini.check"
+local check = require "signorini.call.check"
 local core = require "signorini.core"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local values = require "signorini.study.values"
 
 local cases = {}

@@ -1,6 +1,6 @@
 -- The cells of a study's table, for texts, CSV files, reports and notebooks.
 
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local values = require "signorini.study.values"
 
 local map = lists.map

@@ -1,7 +1,7 @@
 -- Packs the cases of a study into chunks of about equal cost, one per task of a job array.
 
-local lists = require "signorini.lists"
-local median = require "signorini.median"
+local lists = require "signorini.call.lists"
+local median = require "signorini.call.median"
 
 local chunks = {}
 

@@ -4,7 +4,7 @@
 -- (remote.lua), or until the same task starts again.
 
 local core = require "signorini.core"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 
 local claims = {}
 

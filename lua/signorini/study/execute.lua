@@ -2,14 +2,14 @@
 -- has other machines solve them (remote.lua).
 
 local core = require "signorini.core"
-local counted = require "signorini.counted"
+local counted = require "signorini.call.counted"
 local display = require "signorini.study.display"
 local inputs = require "signorini.study.inputs"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local make_record = require "signorini.study.record"
 local missing = require "signorini.study.missing"
 local outcomes = require "signorini.study.outcomes"
-local progress = require "signorini.progress"
+local progress = require "signorini.run.progress"
 local solve_case = require "signorini.study.case"
 local split_alone = require "signorini.study.split_alone"
 local store = require "signorini.study.store"

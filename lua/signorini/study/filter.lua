@@ -1,8 +1,8 @@
 -- Filters of a study's rows: study:where and study:row.
 
-local check = require "signorini.check"
-local lists = require "signorini.lists"
-local meant = require "signorini.meant"
+local check = require "signorini.call.check"
+local lists = require "signorini.call.lists"
+local meant = require "signorini.call.meant"
 local values = require "signorini.study.values"
 
 local any = lists.any

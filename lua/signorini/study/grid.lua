@@ -1,10 +1,10 @@
 -- sg.grid: all combinations of a few parameters' values, as cases of a study.
 
 local core = require "signorini.core"
-local counted = require "signorini.counted"
-local cut = require "signorini.cut"
-local format_table = require "signorini.table"
-local lists = require "signorini.lists"
+local counted = require "signorini.call.counted"
+local cut = require "signorini.call.cut"
+local format_table = require "signorini.output.table"
+local lists = require "signorini.call.lists"
 local values = require "signorini.study.values"
 
 local most, widest = 20, 40 -- printed cases, and characters of a value

@@ -3,15 +3,15 @@
 -- out of date. The text of whole scripts would be a simpler key, but then a change of a chart would repeat all cases.
 
 local core = require "signorini.core"
-local sorted_names = require("signorini.lists").sorted_names
-local release = require "signorini.release"
+local sorted_names = require("signorini.call.lists").sorted_names
+local release = require "signorini.call.release"
 
 local inputs = {}
 
 -- Lua's globals and modules and those of the library belong to the program, whose version is an input. This file is
 -- loaded with the first study: the globals and modules of then may be the user's.
 local globals, program = { sg = true, help = true, arg = true }, {}
-for name, value in next, require("signorini.prompt").standard do
+for name, value in next, require("signorini.prompt.prompt").standard do
   globals[name] = true
   if type(value) == "table" then program[value] = true end
 end

@@ -3,11 +3,11 @@
 -- not known to have ended.
 
 local core = require "signorini.core"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local missing = require "signorini.study.missing"
-local quoted = require "signorini.quoted"
+local quoted = require "signorini.call.quoted"
 local store = require "signorini.study.store"
-local release = require "signorini.release"
+local release = require "signorini.call.release"
 
 local jobs = {}
 

@@ -2,19 +2,19 @@
 -- results only and cannot be executed.
 
 local cells = require "signorini.study.cells"
-local check = require "signorini.check"
+local check = require "signorini.call.check"
 local core = require "signorini.core"
-local counted = require "signorini.counted"
-local csv = require "signorini.csv"
-local cut = require "signorini.cut"
+local counted = require "signorini.call.counted"
+local csv = require "signorini.output.csv"
+local cut = require "signorini.call.cut"
 local filter = require "signorini.study.filter"
-local on_behalf_of = require "signorini.on_behalf_of"
-local format_table = require "signorini.table"
-local lists = require "signorini.lists"
-local median = require "signorini.median"
+local on_behalf_of = require "signorini.call.on_behalf_of"
+local format_table = require "signorini.output.table"
+local lists = require "signorini.call.lists"
+local median = require "signorini.call.median"
 local outcomes = require "signorini.study.outcomes"
 local pictures = require "signorini.study.pictures"
-local types = require "signorini.types"
+local types = require "signorini.call.types"
 local values = require "signorini.study.values"
 
 local map = lists.map
@@ -22,7 +22,7 @@ local widest = 60 -- characters of a printed cell
 
 local methods = { chart = pictures.chart, heatmap = pictures.heatmap }
 
-function methods:report(options) return require "signorini.report.study"(self, options) end
+function methods:report(options) return require "signorini.output.report.study"(self, options) end
 
 --- A study of these rows; `more` replaces other fields of the old one.
 local function part_of(study, rows, more)

@@ -5,7 +5,7 @@ local inputs = require "signorini.study.inputs"
 local outcomes = require "signorini.study.outcomes"
 local store = require "signorini.study.store"
 local values = require "signorini.study.values"
-local release = require "signorini.release"
+local release = require "signorini.call.release"
 
 local missing = {}
 

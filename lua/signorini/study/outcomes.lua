@@ -1,7 +1,7 @@
 -- The outcomes of cases without a result, in words. row.outcome is "failed" if run said so, "time" after the limit; an
 -- "error" or a process that "crashed" is not a result, but a mistake to be fixed.
 
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 
 local outcomes = {}
 

@@ -1,11 +1,11 @@
 -- The pictures of a study: its rows as curves, or as a heat map over two of its parameters.
 
-local check = require "signorini.check"
+local check = require "signorini.call.check"
 local core = require "signorini.core"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local outcomes = require "signorini.study.outcomes"
 local quantity = require "signorini.study.quantity"
-local types = require "signorini.types"
+local types = require "signorini.call.types"
 local values = require "signorini.study.values"
 
 local pictures = {}

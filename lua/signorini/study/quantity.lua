@@ -1,6 +1,6 @@
 -- Quantities of a study's rows: a column or a function, with its name, unit and axis label.
 
-local map = require("signorini.lists").map
+local map = require("signorini.call.lists").map
 local outcomes = require "signorini.study.outcomes"
 local values = require "signorini.study.values"
 

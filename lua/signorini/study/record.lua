@@ -1,8 +1,8 @@
 -- The record of a case: what its process returned, or how this ended, with what it depends on and where it was made.
 
 local core = require "signorini.core"
-local lists = require "signorini.lists"
-local release = require "signorini.release"
+local lists = require "signorini.call.lists"
+local release = require "signorini.call.release"
 
 local record = {}
 

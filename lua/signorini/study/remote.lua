@@ -4,13 +4,13 @@
 
 local core = require "signorini.core"
 local claims = require "signorini.study.claims"
-local counted = require "signorini.counted"
+local counted = require "signorini.call.counted"
 local display = require "signorini.study.display"
 local engine = require "signorini.study.engine"
 local inputs = require "signorini.study.inputs"
 local jobs = require "signorini.study.jobs"
-local lists = require "signorini.lists"
-local progress = require "signorini.progress"
+local lists = require "signorini.call.lists"
+local progress = require "signorini.run.progress"
 local store = require "signorini.study.store"
 
 local remote = {}

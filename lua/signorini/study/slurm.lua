@@ -4,8 +4,8 @@
 local core = require "signorini.core"
 local chunks = require "signorini.study.chunks"
 local jobs = require "signorini.study.jobs"
-local lists = require "signorini.lists"
-local quoted = require "signorini.quoted"
+local lists = require "signorini.call.lists"
+local quoted = require "signorini.call.quoted"
 
 local slurm = {}
 

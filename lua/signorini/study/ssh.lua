@@ -3,10 +3,10 @@
 -- come from ~/.ssh/config.
 
 local core = require "signorini.core"
-local counted = require "signorini.counted"
+local counted = require "signorini.call.counted"
 local jobs = require "signorini.study.jobs"
-local lists = require "signorini.lists"
-local quoted = require "signorini.quoted"
+local lists = require "signorini.call.lists"
+local quoted = require "signorini.call.quoted"
 
 local ssh = {}
 

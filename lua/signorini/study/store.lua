@@ -2,10 +2,10 @@
 -- atomically and are on the disk before the next case begins, so that readers, and studies resumed after a power
 -- failure, find only complete results.
 
-local on_behalf_of = require "signorini.on_behalf_of"
+local on_behalf_of = require "signorini.call.on_behalf_of"
 local core = require "signorini.core"
 local outcomes = require "signorini.study.outcomes"
-local release = require "signorini.release"
+local release = require "signorini.call.release"
 
 local store = {}
 

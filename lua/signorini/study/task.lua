@@ -4,16 +4,16 @@
 
 local core = require "signorini.core"
 local claims = require "signorini.study.claims"
-local counted = require "signorini.counted"
+local counted = require "signorini.call.counted"
 local inputs = require "signorini.study.inputs"
 local jobs = require "signorini.study.jobs"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local make_record = require "signorini.study.record"
 local slurm = require "signorini.study.slurm"
 local solve_case = require "signorini.study.case"
 local split_alone = require "signorini.study.split_alone"
 local store = require "signorini.study.store"
-local release = require "signorini.release"
+local release = require "signorini.call.release"
 
 local where = "study:execute"
 local grace_share = 0.5 -- of the notice, which Slurm may give late; the rest is for ending and requeuing

@@ -4,11 +4,11 @@
 -- values of parameters and results by name, wall (s), and for a failed case failed = true and reason. Parameters and
 -- results are plain data; tables among them are shown by their field `name`.
 
-local check = require "signorini.check"
+local check = require "signorini.call.check"
 local core = require "signorini.core"
-local lists = require "signorini.lists"
+local lists = require "signorini.call.lists"
 local outcomes = require "signorini.study.outcomes"
-local types = require "signorini.types"
+local types = require "signorini.call.types"
 
 local values = {}
 

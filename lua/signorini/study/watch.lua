@@ -2,10 +2,10 @@
 
 local claims = require "signorini.study.claims"
 local core = require "signorini.core"
-local format_table = require "signorini.table"
+local format_table = require "signorini.output.table"
 local engine = require "signorini.study.engine"
-local lists = require "signorini.lists"
-local progress = require "signorini.progress"
+local lists = require "signorini.call.lists"
+local progress = require "signorini.run.progress"
 local remote = require "signorini.study.remote"
 local store = require "signorini.study.store"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Prescribed motions that axisymmetric scenes cannot follow: off the axis x = 0, or of a rigid ring that would widen.
 
-#include "model/system.hpp"
+#include "model/system/system.hpp"
 
 namespace signorini::model {
 

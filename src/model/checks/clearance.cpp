@@ -5,8 +5,8 @@
 #include "model/checks/constants.hpp"
 #include "model/checks/outline.hpp"
 #include "model/constants.hpp"
-#include "model/element_size.hpp"
-#include "model/thickness.hpp"
+#include "model/scene/element_size.hpp"
+#include "model/scene/thickness.hpp"
 
 #include <algorithm>
 #include <limits>

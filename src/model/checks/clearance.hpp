@@ -1,7 +1,7 @@
 #pragma once
 // Check of initial penetration: a contact algorithm cannot resolve bodies inside each other or inside an obstacle.
 
-#include "model/system.hpp"
+#include "model/system/system.hpp"
 
 namespace signorini::model {
 

@@ -2,7 +2,7 @@
 
 #include "base/index.hpp"
 #include "model/checks/axis.hpp"
-#include "model/turning.hpp"
+#include "model/scene/turning.hpp"
 
 #include <algorithm>
 #include <cmath>

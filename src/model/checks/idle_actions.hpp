@@ -2,7 +2,7 @@
 // Loads and springs without effect, because supports prescribe all displacements on which they act, and free angles of
 // obstacles that nothing turns.
 
-#include "model/system.hpp"
+#include "model/system/system.hpp"
 
 namespace signorini::model {
 

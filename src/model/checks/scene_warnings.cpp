@@ -3,8 +3,8 @@
 #include "base/error.hpp"
 #include "base/index.hpp"
 #include "model/constants.hpp"
-#include "model/element_size.hpp"
-#include "model/thickness.hpp"
+#include "model/scene/element_size.hpp"
+#include "model/scene/thickness.hpp"
 #include "solid/quadrature_error.hpp"
 
 #include <algorithm>

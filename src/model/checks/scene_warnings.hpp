@@ -1,7 +1,7 @@
 #pragma once
 // Warnings about valid but suspicious constants and contacts of a scene.
 
-#include "model/scene.hpp"
+#include "model/scene/scene.hpp"
 
 namespace signorini::model {
 

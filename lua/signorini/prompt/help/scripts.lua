@@ -1,0 +1,50 @@
+-- The supplied scripts with their headers, for help.
+
+local core = require "signorini.core"
+
+local filter = require("signorini.call.lists").filter
+
+local scripts = {}
+
+--- The header comment of a script, without its dashes.
+local function header(text)
+  local lines = {}
+  for line in text:gmatch "([^\n]*)\n" do
+    if not line:find "^%-%-" then break end
+    lines[#lines + 1] = line:gsub("^%-%- ?", "", 1)
+  end
+  return table.concat(lines, "\n")
+end
+
+--- All scripts that can be run, in order: { name, path, header, title }.
+function scripts.all()
+  local list = {}
+  if not core.exists(core.home .. "/scripts") then return list end
+  for _, folder in ipairs { "", "stability/", "formulations/", "mumps/", "objects/" } do
+    for _, file in ipairs(core.list_folder(core.home .. "/scripts/" .. folder)) do
+      local path = ("%s/scripts/%s%s"):format(core.home, folder, file)
+      local page = file:find "%.lua$" and header(core.read_file(path)) or ""
+      if page:find "\nRun: " then
+        list[#list + 1] = { name = folder .. file, path = path, header = page, title = page:match "^[^\n]*" }
+      end
+    end
+  end
+  return list
+end
+
+--- The script with a name, with or without folder and ending, or nil.
+function scripts.of(name)
+  return filter(scripts.all(), function(script)
+    local short = script.name:match "([^/]*)%.lua$"
+    return name == script.name or name == "scripts/" .. script.name or name == short or name == short .. ".lua"
+  end)[1]
+end
+
+--- The scripts whose headers contain a word.
+function scripts.with(word)
+  return filter(scripts.all(), function(script)
+    return (script.name .. "\n" .. script.header):lower():find(word:lower(), 1, true)
+  end)
+end
+
+return scripts

@@ -1,0 +1,77 @@
+-- Help pages on subjects.
+
+local core = require "signorini.core"
+
+local scene = core.read_file(core.home .. "/lua/signorini/prompt/help/scene.lua"):gsub("%s+$", "")
+
+local texts = {
+  scene = scene,
+  start = [[
+signorini: isogeometric contact mechanics.
+  sg.scenes.ironing{}     a scene to begin with: m, path = sg.scenes.ironing{}; m:run(path); help "scenes" lists more
+  help "orders"           order labels of discretizations such as N2-N2.2
+  help "geometry"         patches and how to make them
+  help "contact"          parts of a scene and its path; also support, load, material, stage
+  help "prompt"           commands and keys of the prompt; also notebook
+  help "examples"         the scene used by the examples of help
+  help "solving"          a subject: patches, bodies, solving, results, methods, scenes, pictures, studies, scripts
+  help(sg.shapes)         the functions in a table
+  help(sg.shapes.block)   one function: arguments, units, defaults, an example
+  help "refine"           all pages and scripts with a word, also for terms of other programs: help "boundary condition"
+  help "gallery"          supplied scripts: published problems, studies
+Any consistent units can be used; angles are in degrees; directions and indices count from 1.]],
+  prompt = [[
+At the prompt:
+  ?sg.body, sg.body?      help on a name, a word, a variable, a field (?run.failed) or an argument (?sg.body.order)
+  2 * x                   shows the value of an expression; _ is the last such value
+  %time code              runs an expression or a statement and shows its wall-clock time and processor time
+  %who                    lists the variables with their types
+  %run file arguments     runs a script as from the command line, in a fresh state: it sees no variables of the prompt,
+                          and modules next to it are read again. Then its global variables (not its local ones) are
+                          those of the prompt, too, and _ is the first value that it returned
+  !command                runs a command of the shell
+  %help                   lists these commands
+  Tab                     completes names, fields, methods, named arguments in name{ … }, texts and file names in quotes
+                          and after %run and !
+  Up, Down                return earlier statements, whole if they have several lines; inside such a block they move
+                          from line to line (Ctrl-P, Ctrl-N: always to another statement). Enter runs the block
+  Ctrl-C                  stops a solve after the current iteration: the model keeps its last accepted state, and _ is
+                          the run; otherwise discards the statement, which Up returns. It does not end the prompt
+  Ctrl-D, exit, quit      ends the prompt; within an unfinished statement, Ctrl-D discards the statement
+  traceback()             shows the traceback of the last error
+A statement may extend over several lines. Local variables are lost after their line: omit `local`. The history is saved
+in ~/.local/state/signorini/history. NO_COLOR in the environment turns colors off. sg.scenes has models to begin with:
+m, path = sg.scenes.ironing{}; m:run(path).]],
+  notebook = [[
+Notebooks: signorini --install-kernel makes this program a kernel of Jupyter, which then offers "Signorini" notebooks.
+  the last expression     of a cell is shown; _ is the last such value
+  pictures, charts        appear below the cell if they are its last value
+  Tab, Shift-Tab          complete names and arguments, show the help page at the cursor
+  interrupt               stops a run after the current iteration; _ is the run so far
+  local x                 belongs to its cell; omit `local` for variables of the notebook
+See share/doc/notebook.md.]],
+  examples = [[
+The examples use this scene, which can be typed or copied to the prompt:
+
+]] .. scene,
+  orders = [[
+Order labels of discretizations, values of `order` in sg.body{ … }, for the directions along the contact face:
+  Np          NURBS of degree p, continuity C^(p-1)
+  Np.s        Np, then degree-elevated s times: degree p + s, still C^(p-1)
+  Lp          Lagrange elements of degree p, C0; the geometry is interpolated at p equidistant parameters per span
+  Nb-Nc       degree b in the bulk; the row of control points on the contact face k-refined to degree c
+  Nb-Nc.s     the same, that row then degree-elevated s times
+  Nb-Nc.sxr   the same for the first r rows from the contact face, such as N2-N2.2x2 (default: x1)
+The face of a solid has two directions: one label applies to both; order = {"N2-N2.2", "N2"} gives one for each, the
+direction of the lower xi first. Without a contact face, a list has one label per parametric direction.
+`layer` of sg.body limits the layer to a part of the face, `layer_knots` adds knots to the contact rows only.
+Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method (thesis, IIT Guwahati).]],
+  geometry = [[
+A patch is a NURBS curve, surface or volume, an immutable value.
+  sg.shapes.*    ready-made patches: rectangle, half_annulus, quarter_annulus, block, …
+  sg.nurbs.*     curve, surface, volume from knots and points; line, arc, circle, ruled, extrude, revolve, coons
+  patch(xi)      a point; patch:face "south", patch:refine{ elements = {8, 3} } and more: help "patch"
+Faces: west/east are the ends of xi1, south/north of xi2, front/back of xi3. Points run fastest in xi1.]],
+}
+
+return texts

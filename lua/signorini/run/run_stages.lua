@@ -1,0 +1,136 @@
+-- The stages of model:run, checked against the model.
+
+local core = require "signorini.core"
+local check = require "signorini.call.check"
+local contact_changes = require "signorini.run.contact_changes"
+local counted = require "signorini.call.counted"
+local drives = require "signorini.run.drives"
+local list_shape = require "signorini.call.list_shape"
+local lists = require "signorini.call.lists"
+local pages = require "signorini.pages"
+local t = require "signorini.call.types"
+
+local where = "model:run"
+
+--- The rows of a stage of this model: targets, lists by driven component, after the rows of every stage.
+local function rows_of(model)
+  local rows = lists.filter(pages.rows "stage", function(row) return row[1] ~= "contacts" end)
+  rows[#rows + 1] = contact_changes.row(model)
+  for _, name in ipairs(model:driven_names()) do
+    local components = drives.components(model, name)
+    local list = t.numbers(#components)
+    list.cure = function() return "one for each driven component" end
+    rows[#rows + 1] = { name, #components == 1 and t.either(t.number, list) or list, table.concat(components, ", "),
+                        optional = true }
+  end
+  return rows
+end
+
+local function is_finite(value) return type(value) == "number" and value - value == 0 end
+
+--- The values that a function has returned, or nil and what it has returned in words; of a list of the right length its
+--- first entry that is not a finite number.
+local function values_of(given, count)
+  local values = type(given) == "number" and { given } or given
+  if list_shape.length(values) ~= count then return nil, core.describe(given) end
+  for i, value in ipairs(values) do
+    if not is_finite(value) then
+      local entry = core.describe(value)
+      return nil, values == given and ("a list with %s as entry %d"):format(entry, i) or entry
+    end
+  end
+  return lists.map(values, function(value) return value + 0.0 end)
+end
+
+local function braces(values)
+  local words = table.concat(lists.map(values, function(value) return ("%.6g"):format(value) end), ", ")
+  return #values == 1 and words or "{" .. words .. "}"
+end
+
+local rounding = 1e-9 -- of values that should be equal, relative to the largest of the stage
+
+--- A sentence for a function that does not begin at the values `now` before the stage, so that its first step jumps. A
+--- function that has no values at 0, such as a list of those at the ends of steps, may begin anywhere.
+local function jump(course, now, path, name, stage)
+  local ok, given = pcall(course, 0.0)
+  if not ok and core.answer_interrupt() then error(given, 0) end
+  local first = ok and values_of(given, #now)
+  if not first then return nil end
+  local scale, gap = 0, 0
+  for _, values in ipairs(lists.joined({ now, first }, path)) do
+    for _, value in ipairs(values) do scale = math.max(scale, math.abs(value)) end
+  end
+  for i, value in ipairs(first) do gap = math.max(gap, math.abs(value - now[i])) end
+  if gap <= rounding * scale then return nil end
+  return ("stage '%s': the function of '%s' returns %s for s = 0, but the stage begins at %s, so that its first step "
+    .. "leads from there to %s. Hint: values are measured from the reference state, not from the previous stage; "
+    .. "return the values that hold before the stage for s = 0"):format(stage, name, braces(first), braces(now),
+      braces(path[1]))
+end
+
+--- The values of a function at the end of each step.
+local function values_along(model, course, name, label, steps)
+  local components, path = drives.components(model, name), {}
+  for k = 1, steps do
+    local values, given = values_of(course(k / steps), #components)
+    if not values then
+      core.fail(("%s: %s.%s must return %s (%s), got %s for the fraction %g. Hint: it is called with the fraction of "
+        .. "the stage at the end of each step, as in function(s) return %s end"):format(where, label, name,
+          counted(#components, "finite number"), table.concat(components, ", "), given, k / steps,
+          #components == 1 and "0.1 * s" or "{" .. ("0, "):rep(#components - 1) .. "0.1 * s}"))
+    end
+    path[k] = values
+  end
+  return path
+end
+
+--- `now`: the values before the stage by support or load, then those after it.
+local function read_stage(model, rows, index, stage, options, now)
+  local label = ("stages[%d]"):format(index)
+  for key in pairs(stage) do
+    if drives.is_support(model, key) and #model:driven(key) == 0 then
+      core.fail(("%s: %s: the support '%s' is not driven. Hint: give it drive = \"x\", \"xy\" or the like in sg.model")
+        :format(where, label, key))
+    end
+  end
+  local names, plain, targets, paths, jumps = model:driven_names(), lists.merged(stage), {}, {}, {}
+  for _, name in ipairs(names) do
+    if type(plain[name]) == "function" then plain[name] = nil end
+  end
+  local values = check.value(t.named(rows), plain, where, label)
+  local title = values.name or ("stage %d"):format(index)
+  for _, name in ipairs(names) do
+    local goal = stage[name]
+    if type(goal) == "function" then
+      paths[name] = values_along(model, goal, name, label, values.steps)
+      jumps[#jumps + 1] = jump(goal, now[name], paths[name], name, title)
+      goal = paths[name][values.steps]
+    end
+    targets[name] = type(goal) == "number" and { goal } or goal and lists.joined(goal)
+    for _, reached in ipairs(paths[name] or { targets[name] }) do
+      local wrong = core.off_axis(model, name, reached)
+      if wrong then core.fail(("%s: %s.%s: %s"):format(where, label, name, wrong)) end
+    end
+    now[name] = targets[name] or now[name]
+  end
+  local contacts = lists.merged(values.contacts or {})
+  contact_changes.check(model, where, label, contacts, options)
+  return { name = title, steps = values.steps, targets = targets, paths = paths, contacts = contacts, jumps = jumps }
+end
+
+--- The stages, each { name, steps, targets (by support or load), paths (values of functions at the ends of steps),
+--- contacts (constants by contact), jumps (warnings about functions) }, and their steps in all.
+return function(model, stages, options)
+  if #model:driven_names() + #model:support_names() + #model:contact_names() == 0 then
+    core.fail(where .. ": the model has neither supports nor loads. Hint: name some in sg.model, such as "
+      .. "supports = { bed = { on = body:face \"south\", fix = \"xy\" } }")
+  end
+  local rows, read, total, now = rows_of(model), {}, 0, {}
+  for _, name in ipairs(model:driven_names()) do now[name] = model:target(name) end
+  for i, stage in ipairs(stages) do
+    read[i] = read_stage(model, rows, i, stage, options, now)
+    total = total + read[i].steps
+  end
+  contact_changes.check_fits(model, where, read, options)
+  return read, total
+end

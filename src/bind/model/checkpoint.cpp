@@ -1,0 +1,94 @@
+// Objects as bytes: checkpoints of models, and contents for comparison.
+
+#include "model/files/checkpoint.hpp"
+#include "bind/geometry/patch.hpp"
+#include "bind/lua/functions.hpp"
+#include "bind/lua/open.hpp"
+#include "bind/scene/scene.hpp"
+#include "contact/method/archive.hpp"
+#include "nurbs/archive.hpp"
+#include "os/archive.hpp"
+#include "solid/archive.hpp"
+
+namespace signorini::bind {
+
+namespace {
+
+/// Calls visit(model) for the shared pointer to the model at stack index 1.
+template <class Visit> int with_model(lua_State* L, Visit visit) {
+  if (auto* model = test_object<Model<3>>(L, 1))
+    visit(*model);
+  else
+    visit(read_object<Model<2>>(L, 1));
+  return 0;
+}
+
+/// core.save(model, path, text, durable): as model:save, with a text stored next to the model, such as the state of a
+/// run. durable: flushed to disk on return.
+int core_save(lua_State* L) {
+  return with_model(
+      L, [&](auto& model) { model::save(*model, to<std::string>(L, 2), to<std::string>(L, 3), to<bool>(L, 4)); });
+}
+
+/// core.restore(model, path): restores the state from a file saved from the same scene.
+int core_restore(lua_State* L) {
+  return with_model(L, [&](auto& model) { model::restore(model, to<std::string>(L, 2)); });
+}
+
+int load(lua_State* L) {
+  std::visit(
+      [&](const auto& model) {
+        push_object(L, model);
+        count_memory(L, model::memory(*model));
+      },
+      model::load(to<std::string>(L, 1)));
+  return 1;
+}
+
+/// Writes the object at index 1, or the result of `part` for it, if it is of this type; returns whether it is.
+template <class T, class Part> bool write_if(lua_State* L, ArchiveWriter& to, Part part) {
+  const T* object = test_object<T>(L, 1);
+  if (object) std::apply([&](const auto&... parts) { to.put(parts...); }, part(*object));
+  return object != nullptr;
+}
+
+template <int D> bool write_scene_object(lua_State* L, ArchiveWriter& to) {
+  return write_if<Body<D>>(L, to, [](const auto& body) { return std::tie(*body); }) ||
+         write_if<BoundaryPart<D>>(L, to, [](const auto& at) { return std::tie(*at.body, at.name, at.functions); }) ||
+         write_if<Rigid<D>>(L, to, [](const auto& rigid) { return std::tie(rigid->form, rigid->shape); }) ||
+         write_if<Snapshot<D>>(
+             L, to, [](const auto& snapshot) { return std::tuple(model::content(*snapshot.model, snapshot.state)); }) ||
+         write_if<Model<D>>(L, to, [](const auto& model) {
+           return std::tuple(model::content(*model, model::snapshot(*model)), model->present.displacement,
+                             model->present.penalty_factor);
+         });
+}
+
+/// core.content(object): the contents of a patch, material, body, face, obstacle, model or snapshot as bytes for
+/// comparison; nil for other values.
+int content(lua_State* L) {
+  ArchiveWriter bytes;
+  const auto whole = [](const auto& object) { return std::tie(object); };
+  if (!write_if<nurbs::Patch>(L, bytes, whole) && !write_if<solid::Material>(L, bytes, whole) &&
+      !write_scene_object<2>(L, bytes) && !write_scene_object<3>(L, bytes))
+    return 0;
+  push(L, bytes.bytes());
+  return 1;
+}
+
+constexpr Function core_rows[] = {
+    {"save", core_save},
+    {"restore", core_restore},
+    {"checkpoint_text", call<model::load_text>}, // the text given to core.save
+    {"content", content},
+};
+constexpr Function checkpoint_functions[] = {{"load", load}};
+
+} // namespace
+
+void open_checkpoint(lua_State* L) {
+  register_functions(L, "sg", checkpoint_functions);
+  register_functions(L, "core", core_rows);
+}
+
+} // namespace signorini::bind

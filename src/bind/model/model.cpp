@@ -1,0 +1,265 @@
+#include "bind/model/model.hpp"
+#include "base/index.hpp"
+#include "base/words.hpp"
+#include "bind/lua/open.hpp"
+#include "bind/lua/wording/wording.hpp"
+#include "model/checks/axis.hpp"
+#include "model/diagnosis/weak_hold.hpp"
+#include "model/scene/joins.hpp"
+#include "model/steps/equilibrium.hpp"
+#include "model/warnings/state_warnings.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace signorini::bind {
+
+namespace {
+
+/// The names of the items in a list of the scene.
+template <int D, auto list> std::vector<std::string> scene_names(const model::Model<D>& model) {
+  return names_of(model.system.scene.*list);
+}
+
+template <int D> std::vector<std::string> driven_names(const model::Model<D>& model) {
+  return names_of(model.system.drives.all());
+}
+
+template <int D> Body<D> body_of(const model::Model<D>& model, const std::string& name) {
+  return model.system.scene.bodies[at(find_body(model, name))].body;
+}
+
+template <int D> int timings(const model::Model<D>& model, lua_State* L) {
+  const model::Timings& spent = model.timings;
+  push_fields(L, "bulk", spent.bulk, "contact", spent.contact, "linear", spent.linear, "factorization",
+              spent.factorization, "solution", spent.solution, "search", model::search_seconds(model));
+  return 1;
+}
+
+template <int D> std::vector<std::string> warnings(const model::Model<D>& model) {
+  return worded(model.scene_warnings);
+}
+
+template <int D> void time_search(const model::Model<D>& model, bool wanted) {
+  for (const auto& contact : model.system.contacts) contact->time_search(wanted);
+}
+
+template <int D> int solver(const model::Model<D>& model, lua_State* L) {
+  const solve::SolverStatistics done = model.linear.statistics();
+  push_fields(L, "linear", solve::name_of(model.linear.kind()), "unknowns", model.system.unknowns.size(), "patterns",
+              model.system.assembly.pattern_version(), "factorizations", done.factorizations, "solutions",
+              done.solutions, "iterations", done.iterations, "factor_operations", done.operations, "factor_memory",
+              done.memory, "memory", model::memory(model));
+  const auto& unknowns = model.system.unknowns;
+  if (done.negative >= 0 && unknowns.free_displacements() == unknowns.size())
+    set_field(L, "negative_eigenvalues", done.negative);
+  if (done.rank_memory > 0) set_field(L, "rank_memory", done.rank_memory);
+  return 1;
+}
+
+/// What became of each join.
+template <int D> std::string joins_text(const model::Scene<D>& scene) {
+  std::string result;
+  const auto add = [&](const std::string& name, const auto&... words) {
+    result += text(result.empty() ? "; joins: " : ", ", name, " ", words...);
+  };
+  for (const model::Join& join : scene.joins) add(join.name, "shares ", counted(join.pairs.size(), "control point"));
+  for (const model::Tie& tie : scene.ties)
+    if (tie.from_join)
+      add(tie.name, "is tied, because ", worded(model::difference(scene, tie.slave.front(), tie.master.front())));
+  return result;
+}
+
+/// The names of the parts that satisfy a condition, after a word.
+template <class Part, class Condition>
+std::string names_text(const char* word, const std::vector<Part>& parts, const Condition& holds) {
+  std::string result;
+  for (const Part& part : parts)
+    if (holds(part)) result += text(result.empty() ? text("; ", word, ": ") : ", ", part.name);
+  return result;
+}
+
+template <int D> std::string model_text(const model::Model<D>& model) {
+  const auto& scene = model.system.scene;
+  constexpr const char* kinds[] = {"plane-strain", "axisymmetric", "plane-stress"};
+  const char* kind = D == 3 ? "solid" : kinds[static_cast<int>(scene.kind)];
+  return text(
+      kind, " model of ", listed(names_of(scene.bodies)), ": ", model.system.unknowns.dofs(), " degrees of freedom, ",
+      model.system.unknowns.size(), " of them free, ", counted(scene.supports.size(), "support"), ", ",
+      counted(scene.contacts.size(), "contact"), scene.ties.empty() ? "" : ", " + counted(scene.ties.size(), "tie"),
+      joins_text(scene),
+      names_text("on springs", scene.supports,
+                 [](const auto& support) { return !support.spring.isZero(0) || !support.obstacle_spring.isZero(0); }),
+      names_text("frees an obstacle", scene.supports,
+                 [](const auto& support) {
+                   return support.free_angle ||
+                          (!support.obstacles.empty() && std::ranges::count(support.freed, true) > 0);
+                 }),
+      names_text("rotates an obstacle", scene.supports,
+                 [](const auto& support) { return support.turns() && !support.obstacles.empty(); }),
+      names_text("follows the deformation", scene.loads,
+                 [](const auto& load) { return load.kind == model::LoadKind::follower_pressure; }));
+}
+
+template <int D>
+constexpr Function model_entries[] = {
+    {"__tostring", call<model_text<D>>},
+    {"body_names", call<scene_names<D, &model::Scene<D>::bodies>>},
+    {"support_names", call<scene_names<D, &model::Scene<D>::supports>>},
+    {"load_names", call<scene_names<D, &model::Scene<D>::loads>>},
+    {"contact_names", call<scene_names<D, &model::Scene<D>::contacts>>},
+    {"tie_names", call<scene_names<D, &model::Scene<D>::ties>>},
+    {"driven_names", call<driven_names<D>>},
+    {"body", call<body_of<D>>},
+    {"warnings", call<warnings<D>>},
+    {"timings", call<timings<D>>},
+    {"time_search", call<time_search<D>>},
+    {"solver", call<solver<D>>},
+};
+
+/// All methods, grouped by subject.
+template <int D> std::vector<Function> all_rows() {
+  std::vector<Function> all(std::begin(model_entries<D>), std::end(model_entries<D>));
+  for (const std::span<const Function> part : {path_rows<D>(), contact_rows<D>(), result_rows<D>()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+template <int D> std::string snapshot_text(const Snapshot<D>& snapshot) {
+  return text("snapshot of a model with ", snapshot.model->system.unknowns.dofs(), " degrees of freedom");
+}
+
+template <int D> int push_smallest_body(lua_State* L, const model::Model<D>& model) {
+  double least = std::numeric_limits<double>::infinity();
+  const std::string* smallest = nullptr;
+  for (const auto& [name, body] : model.system.scene.bodies) {
+    const MatrixX points = body->space().points();
+    const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+    if (size >= least) continue;
+    least = size;
+    smallest = &name;
+  }
+  push(L, least);
+  push(L, *smallest);
+  return 2;
+}
+
+/// core.smallest_body(model): the diagonal of the bounding box of the smallest body's control points, and its name;
+/// nothing for other values.
+int smallest_body(lua_State* L) {
+  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_smallest_body(L, **plane);
+  if (const auto* space = test_object<Model<3>>(L, 1)) return push_smallest_body(L, **space);
+  return 0;
+}
+
+template <int D> int push_rounding(lua_State* L, const model::Model<D>& model) {
+  const double rounding = model::rounding_floor(model);
+  push(L, rounding);
+  push(L, std::max(model::force_norm(model), model::contact_norm(model)));
+  push(L, model.external.norm() > 0 || model::contact_acts(model, rounding));
+  const bool judged = model.path.force_scale > 0; // a step has been in balance
+  push(L, judged ? model.unbalanced.norm() : 0.0);
+  return 4;
+}
+
+/// core.rounding(model): the estimated rounding error of the residual, the largest norm of the forces of supports and
+/// loads in all accepted states, or of the contacts at present, whether loads or contacts act at present, and the
+/// residual of the accepted state. core.is_deformed(model): whether bodies are deformed there.
+int rounding(lua_State* L) {
+  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_rounding(L, **plane);
+  if (const auto* space = test_object<Model<3>>(L, 1)) return push_rounding(L, **space);
+  return 0;
+}
+
+template <int D> int push_off_axis(lua_State* L, const model::Model<D>& model) {
+  const auto& drives = model.system.drives.all();
+  const auto drive = std::ranges::find(drives, to<std::string>(L, 2), &model::Drive::name);
+  if (drive == drives.end()) return 0;
+  const Message wrong =
+      model::off_axis(model.system, static_cast<int>(drive - drives.begin()), to<std::vector<double>>(L, 3));
+  if (wrong.code.empty()) return 0;
+  push(L, worded(wrong));
+  return 1;
+}
+
+/// core.off_axis(model, name, values): what is wrong with values of a support in an axisymmetric model; else nothing.
+int off_axis(lua_State* L) {
+  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_off_axis(L, **plane);
+  return 0;
+}
+
+int is_deformed(lua_State* L) {
+  const auto* plane = test_object<Model<2>>(L, 1);
+  const auto* space = test_object<Model<3>>(L, 1);
+  push(L, plane ? model::is_deformed(**plane) : space && model::is_deformed(**space));
+  return 1;
+}
+
+template <int D> int push_weak_hold(lua_State* L, model::Model<D>& model) {
+  const auto warning = model::weak_hold(model);
+  if (!warning) return 0;
+  push(L, worded(*warning));
+  return 1;
+}
+
+/// core.weak_hold(model): a warning if contacts alone hold a body and hold it weakly; nothing otherwise.
+int weak_hold(lua_State* L) {
+  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_weak_hold(L, **plane);
+  if (const auto* space = test_object<Model<3>>(L, 1)) return push_weak_hold(L, **space);
+  return 0;
+}
+
+/// The code of a warning and the names in it.
+std::string subject(const Message& warning) {
+  std::string all = warning.code;
+  for (const auto& [name, value] : warning.data) {
+    if (const auto* word = std::get_if<std::string>(&value)) all += " " + *word;
+    if (const auto* parts = std::get_if<std::vector<Message>>(&value))
+      for (const Message& part : *parts) all += " " + subject(part);
+  }
+  return all;
+}
+
+template <int D> int push_state_warnings(lua_State* L, model::Model<D>& model, bool everything) {
+  lua_newtable(L);
+  int count = 0;
+  for (const Message& warning : model::state_warnings(model, everything)) {
+    lua_createtable(L, 0, 2);
+    push(L, subject(warning));
+    lua_setfield(L, -2, "subject");
+    push(L, worded(warning));
+    lua_setfield(L, -2, "text");
+    lua_rawseti(L, -2, ++count);
+  }
+  return 1;
+}
+
+/// core.state_warnings(model, everything): the warnings about its accepted state as a list of { subject, text }; those
+/// of two states with the same subject differ in figures only.
+int state_warnings(lua_State* L) {
+  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_state_warnings(L, **plane, lua_toboolean(L, 2));
+  if (const auto* space = test_object<Model<3>>(L, 1)) return push_state_warnings(L, **space, lua_toboolean(L, 2));
+  lua_newtable(L);
+  return 1;
+}
+
+constexpr Function model_core[] = {{"contact_problem", wrap<contact_problem>},
+                                   {"contact_warnings", wrap<contact_warnings>},
+                                   {"rounding", rounding},
+                                   {"smallest_body", smallest_body},
+                                   {"off_axis", off_axis},
+                                   {"is_deformed", is_deformed},
+                                   {"state_warnings", state_warnings},
+                                   {"weak_hold", weak_hold}};
+
+template <int D> constexpr Function snapshot_entries[] = {{"__tostring", call<snapshot_text<D>>}};
+
+} // namespace
+
+void open_model(lua_State* L) {
+  register_functions(L, "core", model_core);
+  register_type<Model<2>, Model<3>>(L, all_rows<2>(), all_rows<3>());
+  register_type<Snapshot<2>, Snapshot<3>>(L, snapshot_entries<2>, snapshot_entries<3>);
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,110 @@
+#include "bind/scene/material.hpp"
+#include "base/index.hpp"
+#include "base/words.hpp"
+#include "bind/lua/functions.hpp"
+#include "bind/lua/open.hpp"
+#include "bind/lua/wording/wording.hpp"
+#include "bind/scene/scene.hpp"
+#include "bind/scene/symbols.hpp"
+#include "solid/hyperelastic.hpp"
+#include "solid/linear_elastic.hpp"
+#include "solid/neo_hookean.hpp"
+#include "solid/stability.hpp"
+
+#include <algorithm>
+
+namespace signorini::bind {
+
+std::string constants_in_words(const solid::Material& material) {
+  const solid::ElasticConstants& law = material.constants();
+  return text("E = ", law.youngs_modulus, ", nu = ", law.poissons_ratio);
+}
+
+namespace {
+
+template <auto make> solid::Material material(const Arguments& a) {
+  return make(a.get<double>("E"), a.get<double>("nu"));
+}
+
+/// A law of a formula has two more lines: "E = …, nu = … without strain", and the formula.
+std::string material_text(const solid::Material& material) {
+  const solid::Hyperelastic* law = solid::hyperelastic_law(material);
+  if (!law) return text(material.name(), ": ", constants_in_words(material));
+  const solid::EnergyFormula& formula = law->formula();
+  std::string fibers;
+  for (const Vec<3>& fiber : formula.fibers) fibers += text(fibers.empty() ? "" : ", ", coordinates(fiber));
+  return text(formula.label, ": ", constants_in_words(material), " without strain", fibers.empty() ? "" : ", fibers ",
+              fibers, "\n  W(", listed(formula.graph.variables()),
+              ") = ", symbolic::text_of(formula.graph, formula.energy));
+}
+
+solid::Measure measure_of(const std::string& name) {
+  return name == "stretches" ? solid::Measure::stretches : solid::Measure::invariants;
+}
+
+/// core.strain_symbols("invariants" or "stretches", number of fibers): a list of the arguments of an energy.
+int strain_symbols(lua_State* L) {
+  push_variables(L, solid::variable_names(measure_of(to<std::string>(L, 1)),
+                                          static_cast<std::size_t>(std::clamp(to<int>(L, 2), 0, 100))));
+  return 1;
+}
+
+/// core.hyperelastic{ label, measure, fibers = {{x, y, z}, …}, energy = symbol }
+solid::Material hyperelastic(const Arguments& a) {
+  std::vector<Vec<3>> fibers;
+  a.list("fibers", [&](int, int index, const std::string&) {
+    const auto given = to<std::vector<double>>(a.state(), index);
+    require(given.size() <= 3, "a fiber is a list of at most 3 numbers");
+    Vec<3> fiber = Vec<3>::Zero();
+    for (std::size_t i = 0; i < given.size(); ++i) fiber(static_cast<int>(i)) = given[i];
+    fibers.push_back(fiber);
+  });
+  const auto& energy = a.object<Symbol>("energy");
+  try {
+    return solid::hyperelastic({a.get<std::string>("label"), measure_of(a.get<std::string>("measure")),
+                                std::move(fibers), *energy.graph, energy.node});
+  } catch (const Error& error) {
+    throw ArgumentError(text(a.get<std::string>("called"), ": ", worded(error)));
+  }
+}
+
+template <int D> int push_instability(lua_State* L, const model::Model<D>& model) {
+  const auto& bodies = model.system.scene.bodies;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const double* displacement = model::body_displacement(model, static_cast<int>(b)).data();
+    const auto found = solid::unstable_point(*bodies[b].body, displacement);
+    if (!found) continue;
+    push_fields(L, "body", bodies[b].name, "stretches", VectorX(found->stretches), "at", found->point);
+    return 1;
+  }
+  return 0;
+}
+
+/// core.unstable_law(model): a point of the first body whose law from a formula is unstable in the present state,
+/// { body, stretches, at }; nil if there is none, and for other values.
+int unstable_law(lua_State* L) {
+  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_instability(L, **plane);
+  if (const auto* space = test_object<Model<3>>(L, 1)) return push_instability(L, **space);
+  return 0;
+}
+
+constexpr Function material_functions[] = {
+    {"neo_hookean", call<material<solid::neo_hookean>>},
+    {"linear_elastic", call<material<solid::linear_elastic>>},
+};
+constexpr Function material_core_entries[] = {
+    {"strain_symbols", strain_symbols},
+    {"hyperelastic", call<hyperelastic>},
+    {"unstable_law", unstable_law},
+};
+constexpr Function material_entries[] = {{"__tostring", call<material_text>}};
+
+} // namespace
+
+void open_material(lua_State* L) {
+  register_functions(L, "sg", material_functions);
+  register_functions(L, "core", material_core_entries);
+  register_type<solid::Material>(L, material_entries);
+}
+
+} // namespace signorini::bind

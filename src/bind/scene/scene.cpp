@@ -1,0 +1,307 @@
+#include "base/index.hpp"
+#include "bind/lua/functions.hpp"
+#include "bind/lua/open.hpp"
+#include "bind/lua/wording/wording.hpp"
+#include "bind/scene/scene_builder.hpp"
+
+#include <algorithm>
+
+namespace signorini::bind {
+
+namespace {
+
+/// A disc is a cylinder in the plane; in an axisymmetric model a sphere on the axis, or a torus.
+void check_disc(const RigidShape<2>& rigid, bool revolved, const std::string& where) {
+  const auto* disc = std::get_if<contact::Ball<2>>(&rigid.shape);
+  if (!disc) return;
+  const double x = disc->center(0);
+  require(rigid.form == RigidForm::cylinder || revolved, where,
+          rigid.form == RigidForm::sphere ? " is a sphere" : " is a torus",
+          " in a plane model: use sg.rigid.cylinder, or kind = \"axisymmetric\" for the model");
+  require(rigid.form != RigidForm::cylinder || !revolved, where,
+          " is a cylinder across an axisymmetric model: use sg.rigid.sphere with its center on the axis x = 0, "
+          "sg.rigid.torus off the axis, or for a shaft or a bore about the axis sg.rigid.plane with normal {1, 0} or "
+          "{-1, 0}");
+  if (rigid.form == RigidForm::sphere && x != 0)
+    fail(where, " has its center at x = ", x,
+         ": in an axisymmetric model a sphere's center lies on the axis, x = 0; a disc off the axis is a torus: use "
+         "sg.rigid.torus");
+  if (rigid.form == RigidForm::torus && x <= disc->radius)
+    fail(where, " has its center at x = ", x, " and radius ", disc->radius,
+         ": in an axisymmetric model a torus must not reach the axis, x = 0; use sg.rigid.sphere for a disc on the "
+         "axis");
+}
+
+/// Gauss points per slave element and direction: 3(p+1), p the full degree along the slave face (thesis 7.1.1), the
+/// higher of its two directions.
+template <int D> int default_points(const model::Scene<D>& scene, const model::Faces& slave) {
+  int degree = 0;
+  for (const model::FaceReference& part : slave) {
+    const nurbs::Row face = scene.bodies[at(part.body)].body->space().face(part.side);
+    for (const nurbs::Space1D& direction : face.directions()) degree = std::max(degree, direction.degree());
+  }
+  return 3 * (degree + 1);
+}
+
+contact::Cohesion read_cohesion(const Arguments& a, double penalty) {
+  contact::Cohesion cohesion{a.get<double>("strength"), a.get<double>("energy")};
+  if (a.get<std::string>("law") == "exponential") return cohesion;
+  cohesion.softening = contact::Softening::bilinear;
+  cohesion.stiffness = a.get("stiffness", penalty);
+  return cohesion;
+}
+
+template <int D> contact::Method<D> read_method(const Arguments& a) {
+  if (a.has("adhesion")) {
+    const Arguments adhesion = a.table("adhesion");
+    return contact::Adhesion{adhesion.get<double>("hamaker"), adhesion.get<double>("r0")};
+  }
+  contact::PenaltyLaw law{a.get("penalty", 0.0)};
+  if (a.has("friction")) {
+    const Arguments friction = a.table("friction");
+    law.friction = friction.get<double>("mu");
+    law.tangential = friction.get("penalty", 0.0);
+    law.frictional = true;
+  }
+  const auto enforcement = a.get<std::string>("enforcement");
+  law.enforcement = enforcement == "penalty"     ? contact::Enforcement::penalty
+                    : enforcement == "augmented" ? contact::Enforcement::augmented
+                                                 : contact::Enforcement::multipliers;
+  if (a.has("cohesive")) {
+    law.per = contact::TractionArea::reference;
+    return contact::CohesiveLaw{law, read_cohesion(a.table("cohesive"), law.normal)};
+  }
+  const auto method = a.get<std::string>("method");
+  std::optional<contact::MultiplierSpace> multipliers;
+  if (a.has("multipliers"))
+    multipliers = a.get<std::string>("multipliers") == "reduced" ? contact::MultiplierSpace::reduced
+                                                                 : contact::MultiplierSpace::equal;
+  if (method == "half_passes") return contact::HalfPass{law, multipliers};
+  const bool mortar = method == "mortar";
+  if (mortar || (a.has("per") && a.get<std::string>("per") == "reference")) law.per = contact::TractionArea::reference;
+  if (!mortar) return law;
+  return contact::MortarLaw{law, multipliers.value_or(contact::MultiplierSpace::equal)};
+}
+
+/// The user's function of the reference position, below a path of keys. It is called only while the model is created,
+/// when sg.model's argument at the bottom of the stack holds it.
+template <int D> contact::Region<D> read_region(const Arguments& a, const std::vector<std::string>& path) {
+  if (!a.has("where")) return {};
+  return [L = a.state(), path, name = a.name("where")](const Vec<D>& place) {
+    const int top = lua_gettop(L);
+    lua_pushvalue(L, 1);
+    for (const std::string& key : path) lua_getfield(L, -1, key.c_str());
+    lua_getfield(L, -1, "where");
+    push(L, VectorX(place));
+    lua_call(L, 1, 1);
+    if (!lua_isboolean(L, -1))
+      fail(name, " must return true or false, got ", describe(L, -1),
+           ": return a comparison, as in return X[1] <= 150");
+    const bool acts = lua_toboolean(L, -1) != 0;
+    lua_settop(L, top);
+    return acts;
+  };
+}
+
+template <int D> model::Faces read_faces(const SceneBuilder<D>& builder, const Arguments& a, const char* key) {
+  model::Faces faces;
+  a.list(key,
+         [&](int, int index, const std::string&) { faces.push_back(builder.face(a.state(), index, a.name(key))); });
+  return faces;
+}
+
+/// An entry of `contacts` with this name in sg.model's argument.
+template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const Arguments& a, const std::string& name) {
+  model::Contact<D> contact{{}, read_faces(builder, a, "slave"), {}, {}, 0, {}};
+  if (has_type(a.state(), a.push("master"), Type<Rigid<D>>::name))
+    contact.master = model::ObstacleReference{builder.index_of(a.object<Rigid<D>>("master"), a.name("master"))};
+  else
+    contact.master = read_faces(builder, a, "master");
+  const auto* master = std::get_if<model::Faces>(&contact.master);
+  for (const model::FaceReference& face : contact.slave)
+    require(!master || !master->contains(face), a.name("master"), " is the same face as ", a.name("slave"),
+            "; self-contact is not available: use a face of the other body");
+  contact.method = read_method<D>(a);
+  contact.adaptive_points = lua_type(a.state(), a.push("points")) == LUA_TSTRING;
+  contact.points =
+      a.has("points") && !contact.adaptive_points ? a.get<int>("points") : default_points(builder.scene, contact.slave);
+  contact.where = read_region<D>(a, {"contacts", name});
+  if (a.has("cohesive")) contact.bonded = read_region<D>(a.table("cohesive"), {"contacts", name, "cohesive"});
+  contact.start = {a.get<bool>("active"), a.get<double>("offset"), a.get<std::string>("overlap") == "interference"};
+  return contact;
+}
+
+/// The half pass over the master face of a contact.
+template <int D> model::Contact<D> swapped(const SceneBuilder<D>& builder, const Arguments& a, model::Contact<D> pass) {
+  const model::Faces slave = std::get<model::Faces>(pass.master);
+  pass.master = pass.slave;
+  pass.slave = slave;
+  if (!a.has("points") || pass.adaptive_points) pass.points = default_points(builder.scene, slave);
+  pass.name += ".master";
+  return pass;
+}
+
+/// An entry of `ties`.
+template <int D> model::Tie read_tie(const SceneBuilder<D>& builder, const Arguments& a) {
+  model::Tie tie{
+      {}, read_faces(builder, a, "slave"), read_faces(builder, a, "master"), contact::MultiplierSpace::equal};
+  if (a.get<std::string>("multipliers") == "reduced") tie.multipliers = contact::MultiplierSpace::reduced;
+  return tie;
+}
+
+/// The two faces of an entry of `joins`, a list at a stack index.
+template <int D>
+model::Join read_join(const SceneBuilder<D>& builder, lua_State* L, int index, const std::string& where) {
+  const auto face = [&](int i) {
+    lua_rawgeti(L, index, i);
+    const model::FaceReference found = builder.face(L, lua_gettop(L), text(where, "[", i, "]"));
+    lua_pop(L, 1);
+    return found;
+  };
+  const model::FaceReference first = face(1);
+  return {{}, first, face(2)};
+}
+
+template <int D> std::vector<model::NamedBody<D>> read_bodies(const Arguments& a) {
+  std::vector<model::NamedBody<D>> bodies;
+  a.each("bodies", [&](const std::string& name, int index, const std::string& path) {
+    const Body<D>& body = read_object<Body<D>>(a.state(), index, {path});
+    for (const auto& other : bodies)
+      if (other.body == body) a.fail(path, " is the same body as bodies.", other.name, ": make each with sg.body");
+    bodies.push_back({name, body});
+  });
+  return bodies;
+}
+
+/// Names become columns ("grip.fx") and stage keys, so they must be unique and different from the keys of a stage.
+template <int D>
+void check_name(const Arguments& a, const model::Scene<D>& scene, const std::string& name, const std::string& path) {
+  const auto clash = [&](const auto& items, const char* kind) {
+    if (std::any_of(items.begin(), items.end(), [&](const auto& item) { return item.name == name; }))
+      a.fail(path, " has the name of a ", kind, ": columns such as '", name,
+             ".fx' would be ambiguous; choose another name");
+  };
+  clash(scene.supports, "support");
+  clash(scene.loads, "load");
+  clash(scene.contacts, "contact"); // the second one of two half passes
+  clash(scene.ties, "tie");
+  clash(scene.joins, "join");
+  if (name == "name" || name == "steps" || name == "contacts")
+    a.fail(path, " cannot be called '", name, "', which is a key of stages: choose another name");
+}
+
+/// 2 or 3: that of the first body.
+int dimension_of(const Arguments& a) {
+  int dimension = 0;
+  a.each("bodies", [&](const std::string&, int index, const std::string&) {
+    if (dimension == 0) dimension = test_object<Body<3>>(a.state(), index) ? 3 : 2;
+  });
+  return dimension;
+}
+
+solid::Kind kind_of(const std::string& name) {
+  return name == "axisymmetric"   ? solid::Kind::axisymmetric
+         : name == "plane_stress" ? solid::Kind::plane_stress
+                                  : solid::Kind::plane_strain;
+}
+
+/// The bodies as bodies of revolution, or under plane stress.
+void set_kind(model::Scene<2>& scene) {
+  for (auto& named : scene.bodies) try {
+      named.body =
+          scene.kind == solid::Kind::axisymmetric ? solid::revolved(*named.body) : solid::in_plane_stress(*named.body);
+    } catch (const Error& error) {
+      fail("bodies.", named.name, ": ", worded(error));
+    }
+}
+
+template <int D> int push_model(const Arguments& a, lua_State* L) {
+  SceneBuilder<D> builder;
+  model::Scene<D>& scene = builder.scene;
+  if (D == 3 && a.has("kind")) a.fail("kind is for plane models, but the bodies are solids in 3D: omit it");
+  if (D == 2) scene.kind = kind_of(a.get<std::string>("kind"));
+  scene.bodies = read_bodies<D>(a);
+  const auto each = [&](const char* key, const auto& add) {
+    if (!a.has(key)) return;
+    a.each(key, [&](const std::string& name, int index, const std::string& path) {
+      check_name(a, scene, name, path);
+      add(Arguments(L, index, path), name) = name;
+    });
+  };
+  // Loads are accepted among the supports: both are external actions on a body.
+  const auto add_boundary_condition = [&](const Arguments& part, const std::string&) -> std::string& {
+    if (part.has("traction") || part.has("pressure") || part.has("force") || part.has("moment"))
+      return scene.loads.emplace_back(read_load(builder, part)).name;
+    return scene.supports.emplace_back(read_support(builder, part)).name;
+  };
+  each("supports", add_boundary_condition);
+  each("loads", add_boundary_condition);
+  each("contacts", [&](const Arguments& part, const std::string& name) -> std::string& {
+    const std::size_t first = scene.contacts.size();
+    scene.contacts.push_back(read_contact(builder, part, name));
+    if (std::holds_alternative<contact::HalfPass>(scene.contacts[first].method)) {
+      scene.contacts[first].name = name;
+      model::Contact<D> other = swapped(builder, part, scene.contacts[first]);
+      check_name(a, scene, other.name, text("the second pass '", other.name, "' of contacts.", name));
+      scene.contacts.push_back(std::move(other));
+      scene.contacts[first].other_pass = static_cast<int>(first + 1);
+      scene.contacts[first + 1].other_pass = static_cast<int>(first);
+    }
+    return scene.contacts[first].name;
+  });
+  each("ties", [&](const Arguments& part, const std::string&) -> std::string& {
+    return scene.ties.emplace_back(read_tie(builder, part)).name;
+  });
+  if (a.has("joins"))
+    a.each("joins", [&](const std::string& name, int index, const std::string& path) {
+      check_name(a, scene, name, path);
+      scene.joins.push_back(read_join(builder, L, index, path));
+      scene.joins.back().name = name;
+    });
+  if constexpr (D == 2)
+    if (scene.kind != solid::Kind::plane_strain) set_kind(scene);
+  const auto& made = push_object<Model<D>>(L, std::make_shared<model::Model<D>>(std::move(scene)));
+  count_memory(L, model::memory(*made));
+  std::ranges::move(builder.warnings, std::back_inserter(made->scene_warnings));
+  for (const Message& warning : made->scene_warnings) warn(worded(warning));
+  return 1;
+}
+
+int make_model(const Arguments& a, lua_State* L) {
+  return dimension_of(a) == 3 ? push_model<3>(a, L) : push_model<2>(a, L);
+}
+
+constexpr Function scene_functions[] = {{"model", call<make_model>}};
+
+} // namespace
+
+template <int D> int SceneBuilder<D>::index_of(const Body<D>& body, const std::string& where) const {
+  const auto found = std::ranges::find(scene.bodies, body, &model::NamedBody<D>::body);
+  require(found != scene.bodies.end(), where, " is on a body that is not in bodies: add the body");
+  return static_cast<int>(found - scene.bodies.begin());
+}
+
+template <int D> int SceneBuilder<D>::index_of(const Rigid<D>& rigid, const std::string& where) {
+  const auto found = std::find(obstacles.begin(), obstacles.end(), rigid);
+  const auto index = static_cast<int>(found - obstacles.begin());
+  if (found != obstacles.end()) return index;
+  if constexpr (D == 2) check_disc(*rigid, scene.kind == solid::Kind::axisymmetric, where);
+  obstacles.push_back(rigid);
+  scene.obstacles.push_back(rigid->shape);
+  return index;
+}
+
+template <int D> model::FaceReference SceneBuilder<D>::face(lua_State* L, int index, const std::string& where) const {
+  const BoundaryPart<D>& place = read_object<BoundaryPart<D>>(L, index, {where});
+  if (!place.side) reject_place(place, where, "a face", text(with_article(place.kind), " has no surface"));
+  return {index_of(place, where), *place.side};
+}
+
+template struct SceneBuilder<2>;
+template struct SceneBuilder<3>;
+
+void open_scene(lua_State* L) {
+  register_functions(L, "sg", scene_functions);
+}
+
+} // namespace signorini::bind

@@ -1,0 +1,124 @@
+#include "contact/face/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::contact {
+
+namespace {
+
+/// Squared distance d of a foot point x(ξ₁) below which no other point x(ξ₂) of a part is nearer. With the tangents A
+/// amid their box, |J − A| ≤ ρ |A| in all directions δ = ξ₂ − ξ₁, and since the line to x(ξ₁), of length d, is normal
+/// to J(ξ₁), the squared distance grows by at least
+///     |c|² − 2 d |c − J(ξ₁) δ|,   c = x(ξ₂) − x(ξ₁),   |c| ≥ (1 − ρ) |A δ|,   |c − J(ξ₁) δ| ≤ ½ max |x_,αβ δ^α δ^β|.
+/// In the lengths y_α = |A_α| |δ^α|: |A δ|² ≥ (1 − |cos|) |y|², cos that of the angle between A₁ and A₂, and
+/// |x_,αβ δ^α δ^β| ≤ κ |y|², κ the largest eigenvalue of |x_,αβ|/(|A_α| |A_β|). So d is (1 − ρ)² (1 − |cos|)/κ.
+template <int D> double lone_distance2(const DerivativeBounds<D>& bounds) {
+  std::array<Vec<D>, D - 1> tangent;
+  double lengths[D - 1], spread2 = 0;
+  for (std::size_t a = 0; a < D - 1; ++a) {
+    tangent[a] = 0.5 * (bounds.lower[a] + bounds.upper[a]);
+    lengths[a] = tangent[a].norm();
+    if (!(lengths[a] > 0)) return 0;
+    spread2 += (0.25 * (bounds.upper[a] - bounds.lower[a]).squaredNorm()) / (lengths[a] * lengths[a]);
+  }
+  double skew = 1, curvature; // 1 − |cos|, κ
+  if constexpr (D == 2) {
+    curvature = bounds.second[0] / (lengths[0] * lengths[0]);
+  } else {
+    skew -= std::abs(tangent[0].dot(tangent[1])) / (lengths[0] * lengths[1]);
+    if (!(skew > 0)) return 0;
+    const double a = bounds.second[0] / (lengths[0] * lengths[0]), b = bounds.second[1] / (lengths[0] * lengths[1]);
+    const double c = bounds.second[2] / (lengths[1] * lengths[1]);
+    curvature = 0.5 * (a + c) + std::hypot(0.5 * (a - c), b);
+  }
+  const double rest = 1 - std::sqrt(spread2 / skew); // 1 − ρ
+  if (rest <= 0) return 0;
+  const double distance = rest * rest * skew / curvature;
+  return distance * distance;
+}
+
+} // namespace
+
+template <int D> Neighborhood smooth_neighborhood(const Surface<D>& surface, int element) {
+  const int n = surface.direction(0).elements();
+  Neighborhood block{{element % n, element / n}, {element % n, element / n}};
+  for (std::size_t d = 0; d < D - 1; ++d) {
+    // No border is smooth at the ends.
+    const std::vector<int>& smoothness = surface.direction(static_cast<int>(d)).smoothness();
+    const int own = block.first[d];
+    if (smoothness[at(own)] > 0) --block.first[d];
+    if (smoothness[at(own + 1)] > 0) ++block.last[d];
+  }
+  return block;
+}
+
+template <int D> bool smoothly_adjacent(const Surface<D>& surface, int element, int other) {
+  const int n = surface.direction(0).elements();
+  const std::array<int, 2> place{other % n, other / n};
+  const Neighborhood block = smooth_neighborhood(surface, element);
+  return block.first[0] <= place[0] && place[0] <= block.last[0] && block.first[1] <= place[1] &&
+         place[1] <= block.last[1];
+}
+
+template <int D> void ElementBoxes<D>::find_lone_distances(const Surface<D>& surface) {
+  const int n = surface.direction(0).elements();
+  bounds_.clear();
+  for (int e = 0; e < surface.elements(); ++e) bounds_.push_back(surface.derivative_bounds(e));
+  lone2_.resize(bounds_.size());
+  for (int e = 0; e < surface.elements(); ++e) {
+    const Neighborhood block = smooth_neighborhood(surface, e);
+    DerivativeBounds<D> all = bounds_[at(e)];
+    for (int j = block.first[1]; j <= block.last[1]; ++j)
+      for (int i = block.first[0]; i <= block.last[0]; ++i) all.include(bounds_[at(i + n * j)]);
+    lone2_[at(e)] = lone_distance2(all);
+  }
+}
+
+template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
+  if (nodes_.empty()) {
+    const int u = surface.direction(0).elements();
+    leaves_.resize(at(surface.elements()));
+    build(surface, {0, 0}, {u, surface.elements() / u});
+  }
+  for (std::size_t i = nodes_.size(); i-- > 0;) {
+    Node& node = nodes_[i];
+    if (node.element >= 0) {
+      surface.bounds(node.element, node.box.lower, node.box.upper);
+      continue;
+    }
+    const Box &a = nodes_[i + 1].box, &b = nodes_[at(node.second)].box;
+    node.box = {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
+  }
+  find_lone_distances(surface);
+}
+
+/// Builds the tree of the elements first … last − 1 in both directions.
+template <int D>
+void ElementBoxes<D>::build(const Surface<D>& surface, std::array<int, 2> first, std::array<int, 2> last) {
+  const std::size_t index = nodes_.size();
+  nodes_.push_back({-1, -1, {Vec<D>::Zero(), Vec<D>::Zero()}});
+  const int u = last[0] - first[0], v = last[1] - first[1];
+  if (u == 1 && v == 1) {
+    const int element = first[0] + surface.direction(0).elements() * first[1];
+    nodes_[index].element = element;
+    leaves_[at(element)] = static_cast<int>(index);
+    return;
+  }
+  const std::size_t d = u >= v ? 0 : 1;
+  std::array<int, 2> end = last, start = first;
+  end[d] = start[d] = (first[d] + last[d]) / 2;
+  build(surface, first, end);
+  nodes_[index].second = static_cast<int>(nodes_.size());
+  build(surface, start, last);
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template Neighborhood smooth_neighborhood(const Surface<D>&, int);                                                   \
+  template bool smoothly_adjacent(const Surface<D>&, int, int);                                                        \
+  template class ElementBoxes<D>;
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::contact

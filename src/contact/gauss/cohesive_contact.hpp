@@ -1,0 +1,42 @@
+#pragma once
+// Gauss-point penalty contact between faces that are bonded in the initial state, with debonding and friction.
+
+#include "contact/gauss/penalty_contact.hpp"
+#include "contact/point/cohesion.hpp"
+
+namespace signorini::contact {
+
+/// Bonds and the contact that remains where they break.
+struct CohesiveLaw {
+  PenaltyLaw penalty;
+  Cohesion cohesion;
+};
+
+/// At a point whose bond has the damage d, friction acts on the fraction d of its area (G. Alfano, E. Sacco, IJNME 68,
+/// 2006). Points that are not bonded are in penalty contact.
+template <int D> class CohesiveContact final : public PenaltyContact<D> {
+public:
+  /// Throws Error if a constant is invalid, or no contact point is left or bonded.
+  CohesiveContact(const ContactSetting<D>& setting, const CohesiveLaw& law);
+
+  std::span<const Projection<D>> bonds() const override { return bonds_; }
+  std::vector<double> damage(const History<D>& history) const override;
+  double stiffness(const History<D>& history, double penalty_factor) const override;
+
+private:
+  using typename GaussPointContact<D>::Part;
+  using typename GaussPointContact<D>::Feet;
+  void evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) override;
+  void commit_points(History<D>& present, const History<D>& accepted, double penalty_factor) override;
+  double rubbing(const History<D>& history, std::size_t i) const override;
+  Vec<D> friction_of(const History<D>& history, std::size_t i) const override;
+  double pressure_of(const History<D>& history, std::size_t i) const override;
+  bool is_bonded(std::size_t i) const { return bonds_[i].foot != Foot::none; }
+  void record_bond(std::size_t i, const Trial<D>& trial, const Bond<D>& bond, const Separation& separation,
+                   const FacePoint<D>& bonded, Part& part, const FacePoint<D>* foot = nullptr) const;
+
+  Cohesion law_;
+  std::vector<Projection<D>> bonds_;
+};
+
+} // namespace signorini::contact

@@ -1,0 +1,119 @@
+#include "contact/mortar/mortar_law.hpp"
+
+#include <cmath>
+
+namespace signorini::contact {
+
+namespace {
+
+/// Plane normal to n_A with its directions, and their derivatives:
+///   δn = turn δN,   δe₁ = −(e₁·δn) n + φ e₂,   δe₂ = −(e₂·δn) n − φ e₁,   φ = spin_normal δn + spin_along δ(Σ w
+///   xˢ_,1).
+template <int D> struct Frame {
+  Vec<D> normal;
+  Eigen::Matrix<double, D, D - 1> axes;
+  Mat<D> turn;
+  Eigen::Matrix<double, 1, D> spin_normal = Eigen::Matrix<double, 1, D>::Zero(), spin_along = spin_normal; ///< 3D only
+};
+
+template <int D> Frame<D> frame_of(const MultiplierSums<D>& sums) {
+  Frame<D> frame;
+  const double length = sums.normal.norm();
+  const Vec<D> n = sums.normal / length;
+  frame.normal = n;
+  frame.turn = (Mat<D>::Identity() - n * n.transpose()) / length;
+  const double across = n.dot(sums.along);
+  const Vec<D> first = sums.along - across * n;
+  frame.axes.col(0) = first.normalized();
+  if constexpr (D == 3) {
+    const Vec<D> second = n.cross(Vec<D>(frame.axes.col(0)));
+    frame.axes.col(1) = second;
+    // φ = e₂·δe₁ = e₂·(δa − (n·a) δn)/|first|,  a = Σ w xˢ_,1
+    frame.spin_along = second.transpose() / first.norm();
+    frame.spin_normal = -across * frame.spin_along;
+  }
+  return frame;
+}
+
+/// The vector e₂ of a frame for components (c₁, c₂): c₁ e₂ − c₂ e₁, by which Σ c_i e_i changes per spin.
+template <int D> Vec<D> turned(const Frame<D>& frame, const FaceCoordinates<D>& c) {
+  if constexpr (D == 2)
+    return Vec<D>::Zero();
+  else
+    return c(0) * frame.axes.col(1) - c(1) * frame.axes.col(0);
+}
+
+template <int D>
+void friction(const PenaltyLaw& law, const MultiplierSums<D>& sums, const MultiplierHistory<D>& history,
+              const MultiplierControl& control, MultiplierResult<D>& result, MultiplierTangent<D>& tangent) {
+  using Components = FaceCoordinates<D>;
+  using Square = Eigen::Matrix<double, D - 1, D - 1>;
+  const Frame<D> frame = frame_of(sums);
+  const auto& e = frame.axes;
+  const Vec<D> v = sums.slip / sums.area - history.touch;
+  // Trial λ_TA + ε_T (η_A + e·V), V = V_A − V*_A
+  const Components slip = e.transpose() * v, trial = history.friction + law.tangential * (history.elastic + slip);
+  const double magnitude = trial.norm(), limit = law.friction * result.pressure;
+  const double tie = (law.tangential + law.friction * law.normal) * control.tie;
+  Components traction = trial;
+  Square scale = Square::Identity(); // ∂traction/∂trial
+  result.state = ContactState::stick;
+  const bool slips = control.fixed_state == FixedContactState::slip ||
+                     (control.fixed_state != FixedContactState::stick && magnitude > limit + tie && magnitude > -tie);
+  if (slips && magnitude > 0) {
+    // t = μ z d,  δt = μ δz d + μ z/|trial| (I − d dᵀ) δtrial
+    result.state = ContactState::slip;
+    const Components d = trial / magnitude;
+    traction = limit * d;
+    scale = (limit / magnitude) * (Square::Identity() - d * d.transpose());
+    tangent.of_gap = (law.friction * tangent.pressure) * (e * d);
+  }
+  result.components = traction;
+  result.elastic = (traction - history.friction) / law.tangential;
+  result.slipped = (slip + history.elastic - result.elastic).norm();
+  result.friction = e * traction;
+  result.potential += 0.5 * law.tangential * result.elastic.squaredNorm() * sums.area;
+
+  // t = Σ_i t_i e_i,  δtrial_i = ε_T (e_i·δV + δe_i·V),  with δe_i of the frame
+  const Eigen::Matrix<double, D, D - 1> stiff = law.tangential * e * scale;
+  const Vec<D>& n = frame.normal;
+  tangent.of_slip = stiff * e.transpose();
+  Components spun = Components::Zero(); // ∂(e_i·V)/∂φ
+  if constexpr (D == 3) spun = Components(slip(1), -slip(0));
+  const Vec<D> by_spin = stiff * spun + turned(frame, traction);
+  Mat<D> by_normal = -n.dot(v) * (stiff * e.transpose()) - n * result.friction.transpose();
+  by_normal += by_spin * frame.spin_normal;
+  tangent.of_normal = by_normal * frame.turn;
+  tangent.of_along = by_spin * frame.spin_along;
+}
+
+} // namespace
+
+template <int D>
+MultiplierTangent<D> mortar_law(const PenaltyLaw& law, const MultiplierSums<D>& sums,
+                                const MultiplierHistory<D>& history, const MultiplierControl& control,
+                                MultiplierResult<D>& result) {
+  MultiplierTangent<D> tangent;
+  result.area = sums.area;
+  result.gap = sums.gap / sums.area;
+  // z > 0 below a gap of λ/ε
+  const double distance = result.gap - history.pressure / law.normal;
+  FixedContactState fixed = control.fixed_state;
+  if (fixed == FixedContactState::free && std::abs(distance) < control.guessed) fixed = FixedContactState::stick;
+  if (fixed == FixedContactState::open || (fixed == FixedContactState::free && distance >= 0)) return tangent;
+  if (fixed == FixedContactState::free && control.landing) fixed = FixedContactState::stick;
+  result.pressure = history.pressure - law.normal * result.gap;
+  tangent.pressure = -law.normal;
+  result.state = ContactState::stick;
+  result.potential = 0.5 * law.normal * result.gap * result.gap * sums.area;
+  if (law.friction > 0 && (result.pressure > 0 || fixed == FixedContactState::stick))
+    friction(law, sums, history, {fixed, control.guessed, control.tie, control.landing}, result, tangent);
+  return tangent;
+}
+
+template MultiplierTangent<2> mortar_law(const PenaltyLaw&, const MultiplierSums<2>&, const MultiplierHistory<2>&,
+                                         const MultiplierControl&, MultiplierResult<2>&);
+template MultiplierTangent<3> mortar_law(const PenaltyLaw&, const MultiplierSums<3>&, const MultiplierHistory<3>&,
+                                         const MultiplierControl&, MultiplierResult<3>&);
+
+} // namespace signorini::contact

@@ -1,0 +1,45 @@
+#pragma once
+// Law of one multiplier of mortar contact: penalty with augmentation, and Coulomb friction.
+
+#include "contact/point/history.hpp"
+#include "contact/point/penalty.hpp"
+
+namespace signorini::contact {
+
+/// Sums over the points k with a projection, with w_k their areas times M_A(k) of one multiplier. Areas
+/// are those on which tractions act, see MortarContact.
+template <int D> struct MultiplierSums {
+  double area = 0;                ///< a_A = Σ w_k
+  double gap = 0;                 ///< Σ w_k g_k
+  double before = 0;              ///< at the guess of a step: the same with the gaps of the accepted state
+  Vec<D> normal = Vec<D>::Zero(); ///< Σ w_k n̄_k; this and the following with friction only
+  Vec<D> slip = Vec<D>::Zero();   ///< Σ w_k v_k
+  Vec<D> along = Vec<D>::Zero();  ///< Σ w_k xˢ_,1
+};
+
+/// Rules of a step that take precedence, see Controls.
+struct MultiplierControl {
+  FixedContactState fixed_state = FixedContactState::free;
+  double guessed = 0; ///< contact tolerance of the gap
+  double tie = 0;     ///< of the elastic slip; negative: slips
+  bool landing = false;
+};
+
+/// Derivatives of z_A and t_A with respect to ḡ_A, Σ w n̄, V_A = Σ w v/a_A and Σ w xˢ_,1; zero if open.
+template <int D> struct MultiplierTangent {
+  double pressure = 0; ///< ∂z/∂ḡ
+  Vec<D> of_gap = Vec<D>::Zero();
+  Mat<D> of_normal = Mat<D>::Zero(), of_slip = Mat<D>::Zero(), of_along = Mat<D>::Zero();
+};
+
+/// z_A = λ_A − ε_N ḡ_A where positive, and with n_A = Σ w n̄/‖·‖ the friction t_A in the plane normal to n_A:
+///   trial λ_TA + ε_T (η_A + V_A − V*_A), returned to |t_A| ≤ μ z_A,   η_A the elastic slip of the accepted state,
+/// V*_A the slip V_A of the step where the multiplier touches.
+/// λ_TA and η_A are components along e₁, the direction of Σ w xˢ_,1 in this plane, and e₂ = n_A × e₁ (3D), so that they
+/// turn with the slave.
+template <int D>
+MultiplierTangent<D> mortar_law(const PenaltyLaw& law, const MultiplierSums<D>& sums,
+                                const MultiplierHistory<D>& history, const MultiplierControl& control,
+                                MultiplierResult<D>& result);
+
+} // namespace signorini::contact

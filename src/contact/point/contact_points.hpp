@@ -1,0 +1,47 @@
+#pragma once
+// Constant data of the Gauss points of a slave face.
+
+#include "contact/face/surface.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace signorini::contact {
+
+/// Predicate of a point in the reference configuration: whether the contact acts there; empty: everywhere.
+template <int D> using Region = std::function<bool(const Vec<D>&)>;
+
+struct ContactPoint {
+  int element;           ///< of the slave face
+  int number;            ///< index in the element, ξ¹ fastest, points outside the region included
+  double weight;         ///< parametric
+  double reference_area; ///< per parametric area
+  std::size_t values;    ///< offset into ContactPoints::values
+  bool sparse = false;   ///< of the element's sparse rule
+};
+
+template <int D> struct ContactPoints {
+  /// `per_direction` Gauss points per slave element and direction, element by element, without those outside `where`.
+  /// `revolved`: the scene is axisymmetric about the second axis. `sparse`: points per direction of each element's
+  /// sparse rule, which follow those of its full rule; 0: none. Throws Error if no point is left.
+  ContactPoints(const Surface<D>& slave, int per_direction, bool revolved, const Region<D>& where, int sparse = 0);
+
+  std::size_t size() const { return list.size(); }
+  /// R_A of the slave element's functions at point i, then R_A,1 …
+  const double* functions(std::size_t i) const { return values.data() + list[i].values; }
+
+  bool revolved;
+  int full, sparse;  ///< points per direction of the rules
+  bool whole = true; ///< none is outside the region
+  std::vector<ContactPoint> list;
+  std::vector<double> values;
+  std::vector<Vec<D>> reference; ///< positions in the reference configuration
+};
+
+/// Current position of point i.
+template <int D> Vec<D> position(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i);
+/// Current tangents of the slave face there.
+template <int D>
+std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i);
+
+} // namespace signorini::contact

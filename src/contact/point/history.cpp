@@ -1,0 +1,104 @@
+#include "contact/point/history.hpp"
+
+#include <algorithm>
+
+namespace signorini::contact {
+
+template <int D>
+History<D>::History(const ContactPoints<D>& of, int count, bool bonded)
+    : points(of.size()), results(of.size()), multipliers(at(count)), multiplier_results(at(count)),
+      bonds(bonded ? of.size() : 0) {
+  for (std::size_t i = 0; i < of.size(); ++i) results[i].position = of.reference[i];
+  if (of.sparse > 0) sparse.resize(at(of.list.back().element + 1), 0);
+}
+
+template <int D> Resultant<D> resultant(const History<D>& history) {
+  Resultant<D> sum;
+  for (const PointResult<D>& point : history.results) {
+    sum.force += point.force;
+    if (point.state == ContactState::open) continue;
+    sum.max_pressure = std::max(sum.max_pressure, point.pressure);
+    sum.max_penetration = std::max(sum.max_penetration, -point.gap);
+    ++sum.active;
+    if (point.state == ContactState::slip) ++sum.slipping;
+  }
+  return sum;
+}
+
+template <int D> int constraints(const History<D>& history) {
+  return static_cast<int>(history.multipliers.empty() ? history.results.size() : history.multipliers.size());
+}
+
+template <int D> Constraint constraint(const History<D>& history, int index) {
+  const auto of = [](const auto& result) { return Constraint{result.state, result.beyond, result.gap}; };
+  return history.multipliers.empty() ? of(history.results[at(index)]) : of(history.multiplier_results[at(index)]);
+}
+
+template <int D> double potential(const History<D>& history) {
+  double sum = 0;
+  for (const PointResult<D>& point : history.results) sum += point.potential;
+  for (const MultiplierResult<D>& multiplier : history.multiplier_results) sum += multiplier.potential;
+  return sum;
+}
+
+template <int D> double growth(const PointResult<D>& before, const PointResult<D>& after) {
+  const double first = before.law_area, last = after.law_area;
+  return first == 0 || last == 0 ? 0 : 0.5 * (before.potential / first + after.potential / last) * (last - first);
+}
+
+template <int D> double growth(const MultiplierResult<D>& before, const MultiplierResult<D>& after) {
+  if (before.state == ContactState::open || after.state == ContactState::open) return 0;
+  return 0.5 * (before.potential / before.area + after.potential / after.area) * (after.area - before.area);
+}
+
+template <int D> double memory(const History<D>& history) {
+  return static_cast<double>(
+      history.points.capacity() * sizeof(PointHistory<D>) + history.results.capacity() * sizeof(PointResult<D>) +
+      history.bonds.capacity() * sizeof(PointBond<D>) + history.multipliers.capacity() * sizeof(MultiplierHistory<D>) +
+      history.multiplier_results.capacity() * sizeof(MultiplierResult<D>));
+}
+
+template <int D> void look_again(History<D>& history) {
+  for (PointHistory<D>& point : history.points)
+    if (point.multiplier > 0) point.cleared = 0;
+}
+
+template <int D> void look_everywhere(History<D>& history) {
+  for (PointHistory<D>& point : history.points) point.cleared = 0;
+  for (MultiplierHistory<D>& multiplier : history.multipliers) multiplier.cleared = 0;
+}
+
+template <int D> void forget_touches(History<D>& present, const History<D>& accepted) {
+  for (std::size_t i = 0; i < present.points.size(); ++i) present.points[i].slips = accepted.points[i].slips;
+  for (MultiplierHistory<D>& multiplier : present.multipliers) multiplier.touch.setZero();
+}
+
+template <int D> void change(History<D>& history, const Changes& changes) {
+  history.changes = changes;
+  look_everywhere(history);
+  if (changes.active != false) return;
+  for (PointHistory<D>& point : history.points) point.multiplier = 0;
+  for (MultiplierHistory<D>& multiplier : history.multipliers) {
+    multiplier.pressure = 0;
+    multiplier.friction.setZero();
+  }
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template struct History<D>;                                                                                          \
+  template Resultant<D> resultant(const History<D>&);                                                                  \
+  template int constraints(const History<D>&);                                                                         \
+  template Constraint constraint(const History<D>&, int);                                                              \
+  template double potential(const History<D>&);                                                                        \
+  template double growth(const PointResult<D>&, const PointResult<D>&);                                                \
+  template double growth(const MultiplierResult<D>&, const MultiplierResult<D>&);                                      \
+  template double memory(const History<D>&);                                                                           \
+  template void look_again(History<D>&);                                                                               \
+  template void look_everywhere(History<D>&);                                                                          \
+  template void forget_touches(History<D>&, const History<D>&);                                                        \
+  template void change(History<D>&, const Changes&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::contact

@@ -1,0 +1,139 @@
+#pragma once
+// History and results of contact points: plain values, part of a model's state.
+
+#include "contact/point/changes.hpp"
+#include "contact/point/contact_points.hpp"
+#include "contact/point/local.hpp"
+
+namespace signorini::contact {
+
+/// Result of one contact point in an evaluation.
+template <int D> struct PointResult {
+  ContactState state = ContactState::open;
+  Vec<D> position = Vec<D>::Zero(); ///< current slave point
+  double gap = 0;                   ///< of an active point, less its offset
+  bool beyond = false;              ///< its closest point is an open end of the master
+  bool settled = true;              ///< the searches for its closest point and, once accepted, its slip point converged
+  double pressure = 0;
+  double area = 0; ///< to which the tractions refer: current; adhesion: reference
+  /// Of the slave face at a touching point, current, not of unit length
+  Eigen::Matrix<double, D, D - 1> tangents = Eigen::Matrix<double, D, D - 1>::Zero();
+  Vec<D> friction = Vec<D>::Zero(); ///< t_T; the traction on the slave is t_N n̄ − t_T
+  Vec<D> force = Vec<D>::Zero();    ///< on the slave: traction × area
+  double law_area = 0;              ///< on which the law's tractions act: current or reference
+  double potential = 0;             ///< energy of the law at this point
+};
+
+/// `area` per `law_area`: the law's pressure is `pressure` times this.
+template <int D> double stretch(const PointResult<D>& point) {
+  return point.law_area != 0 ? point.area / point.law_area : 1;
+}
+
+/// History of one contact point.
+template <int D> struct PointHistory {
+  Projection<D> projection; ///< start of the next closest-point projection
+  double cleared = 0;       ///< value of Formulation::travel_ up to which an open point stays open
+  bool slips = false;       ///< has a slip point
+  MasterPoint<D> slip;
+  double limit = 0;      ///< μ t_N times the area in the accepted state
+  double multiplier = 0; ///< λ_N of the augmented Lagrangian method, a pressure
+};
+
+/// Bond of one contact point: history and result.
+template <int D> struct PointBond {
+  double opening = 0;            ///< δ
+  double largest = 0;            ///< of all accepted states and this one
+  double pressure = 0;           ///< its share of PointResult::pressure, negative where it pulls
+  Vec<D> shear = Vec<D>::Zero(); ///< its share of PointResult::friction
+};
+
+/// Result of one multiplier of mortar contact in an evaluation; components as in mortar_law.hpp.
+template <int D> struct MultiplierResult {
+  ContactState state = ContactState::open;
+  bool beyond = false;              ///< none of its points has a projection
+  double area = 0;                  ///< a_A, reference, in a half pass current
+  double gap = 0;                   ///< ḡ_A
+  double pressure = 0;              ///< z_A
+  double potential = 0;             ///< energy of its springs
+  Vec<D> friction = Vec<D>::Zero(); ///< t_A; the traction on the slave is Σ M_A (z_A n̄ − t_A)
+  FaceCoordinates<D> components = FaceCoordinates<D>::Zero(); ///< of t_A
+  FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero();    ///< slip of its spring
+  double slipped = 0;                                         ///< since the accepted state
+};
+
+/// History of one multiplier.
+template <int D> struct MultiplierHistory {
+  double cleared = 0;  ///< value of Formulation::travel_ up to which all its points stay open
+  double pressure = 0; ///< λ_A of the augmented Lagrangian method
+  FaceCoordinates<D> friction = FaceCoordinates<D>::Zero(); ///< λ_TA
+  FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero();  ///< slip of its spring in the accepted state
+  double limit = 0;                                         ///< μ z_A a_A in the accepted state
+  Vec<D> touch = Vec<D>::Zero(); ///< V*_A: the part of V_A before the multiplier touches in the present step
+};
+
+/// One entry per contact point in the first two lists, one per multiplier in the others.
+template <int D> struct History {
+  explicit History(const ContactPoints<D>& of, int multipliers = 0, bool bonded = false);
+
+  std::vector<PointHistory<D>> points;
+  std::vector<PointResult<D>> results;
+  std::vector<MultiplierHistory<D>> multipliers;
+  std::vector<MultiplierResult<D>> multiplier_results;
+  std::vector<PointBond<D>> bonds = {}; ///< one per point of a cohesive contact, otherwise none
+  std::vector<char> sparse = {};        ///< per slave element, whether its sparse rule acts; empty if there are none
+  Changes changes = {};
+  /// Sums over all accepted steps, by the trapezoidal rule over each: work of friction, ∫ μ t_N dγ da; ∫∫ φ dA, the
+  /// law's energy φ per area times the growth of the area A on which its tractions act, which no force does; and the
+  /// work of changing offsets o, ∫∫ t_N do dA.
+  double dissipated = 0, growth = 0, offset_work = 0;
+  double debonding = 0; ///< energy that bonds have dissipated
+};
+
+/// Whether point i acts: it belongs to the rule of its element.
+template <int D> bool acts(const ContactPoints<D>& points, const History<D>& history, std::size_t i) {
+  return history.sparse.empty() || (history.sparse[at(points.list[i].element)] != 0) == points.list[i].sparse;
+}
+
+/// ½ (φ₀ + φ₁) (A₁ − A₀) of a point or a multiplier over a step, zero if it is open before or after.
+template <int D> double growth(const PointResult<D>& before, const PointResult<D>& after);
+template <int D> double growth(const MultiplierResult<D>& before, const MultiplierResult<D>& after);
+
+/// Sums over a contact. Largest pressure and penetration are over the points that are not open. The area, which is not
+/// a sum over points, is that of contact_area.hpp.
+template <int D> struct Resultant {
+  Vec<D> force = Vec<D>::Zero(); ///< of the master on the slave
+  double max_pressure = 0, max_penetration = 0;
+  int active = 0, slipping = 0;
+};
+template <int D> Resultant<D> resultant(const History<D>& history);
+
+/// Constraints of a contact, which open and close: its multipliers or, without any, its points.
+struct Constraint {
+  ContactState state;
+  bool beyond; ///< no closest point, because that is an open end of the master
+  double gap;  ///< if not open
+};
+template <int D> int constraints(const History<D>& history);
+template <int D> Constraint constraint(const History<D>& history, int index);
+
+/// Energy of the law: springs of the penalty law and of bonds, or adhesion.
+template <int D> double potential(const History<D>& history);
+
+/// Bytes in memory.
+template <int D> double memory(const History<D>& history);
+
+/// Makes the next evaluation project all points with a multiplier: after a change of the penalty parameter the gap at
+/// which they touch differs.
+template <int D> void look_again(History<D>& history);
+
+/// Makes the next evaluation project all points: `cleared` of a history that is kept is worthless once settle() has
+/// started the travel of its formulation again, or in another formulation.
+template <int D> void look_everywhere(History<D>& history);
+
+/// Drops the touches that another attempt of the step has foreseen.
+template <int D> void forget_touches(History<D>& present, const History<D>& accepted);
+
+/// Changes constants. The next evaluation projects all points; a contact that is switched off loses its multipliers.
+template <int D> void change(History<D>& history, const Changes& changes);
+
+} // namespace signorini::contact

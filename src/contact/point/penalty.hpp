@@ -1,0 +1,50 @@
+#pragma once
+// Penalty law at one contact point: normal contact and Coulomb friction with the consistent tangent.
+
+#include "contact/point/changes.hpp"
+#include "contact/point/local.hpp"
+
+namespace signorini::contact {
+
+/// The slave's area on which the tractions of a law act.
+enum class TractionArea : unsigned char { current, reference };
+
+/// How the contact conditions are enforced: by penalty alone, by the augmented Lagrangian method (Uzawa), or with
+/// Lagrange multipliers as unknowns (mortar contact).
+enum class Enforcement : unsigned char { penalty, augmented, multipliers };
+
+/// Penalty parameters are pressure per length. Those of a scene may be 0, which stands for values from material and
+/// mesh. With multipliers as unknowns they are the c of semi-smooth Newton methods, on which results do not
+/// depend.
+struct PenaltyLaw {
+  double normal;                            ///< ε_N > 0
+  double tangential = 0;                    ///< ε_T, used when friction > 0
+  double friction = 0;                      ///< Coulomb's μ ≥ 0
+  TractionArea per = TractionArea::current; ///< reference, without friction: the forces derive from an energy
+  Enforcement enforcement = Enforcement::penalty;
+  bool frictional = false; ///< μ may change along the path, also if it is 0
+};
+
+/// Whether friction acts or may act later.
+inline bool may_rub(const PenaltyLaw& law) {
+  return law.frictional || law.friction > 0;
+}
+/// The law with the constants that a path has changed.
+PenaltyLaw changed(PenaltyLaw law, const Changes& changes);
+
+/// Throws Error if a constant is invalid.
+const PenaltyLaw& checked(const PenaltyLaw& law);
+/// The law with its penalty parameters times a factor.
+PenaltyLaw scaled(PenaltyLaw law, double factor);
+/// The larger penalty parameter in use.
+double largest_penalty(const PenaltyLaw& law);
+
+/// The friction from which a point slips in a step, times its area: Coulomb's limit in the accepted state or, where a
+/// path has lowered μ, the friction `held` there, if it exceeds the lower limit.
+double limit_before(double limit, double mu_before, double mu, double held);
+
+/// Evaluates the law (return mapping) at a closed point, t_N = λ_N − ε_N (g − o) > 0 with the offset o, or at one with
+/// a fixed state.
+template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D>& geometry, LocalForce<D>& result);
+
+} // namespace signorini::contact

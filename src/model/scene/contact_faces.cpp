@@ -1,0 +1,75 @@
+#include "model/scene/contact_faces.hpp"
+
+#include "nurbs/coincident.hpp"
+
+namespace signorini::model {
+
+template <int D> int first_control_point(const Scene<D>& scene, int body) {
+  int first = 0;
+  for (int b = 0; b < body; ++b) first += scene.bodies[at(b)].body->functions();
+  return first;
+}
+
+namespace {
+
+/// Unites the control points of a body that coincide.
+template <int D> void unite_coincident(const Scene<D>& scene, int body, Groups& groups) {
+  const int first = first_control_point(scene, body);
+  for (const std::vector<int>& group : nurbs::coincident_functions(scene.bodies[at(body)].body->space()))
+    for (int function : group) groups.unite(first + group.front(), first + function);
+}
+
+} // namespace
+
+template <int D> Groups coincident_points(const Scene<D>& scene) {
+  const auto count = static_cast<int>(scene.bodies.size());
+  Groups groups(first_control_point(scene, count));
+  for (int b = 0; b < count; ++b) unite_coincident(scene, b, groups);
+  for (const Join& join : scene.joins) {
+    const int first = first_control_point(scene, join.first.body),
+              second = first_control_point(scene, join.second.body);
+    for (const auto& [a, b] : join.pairs) groups.unite(first + a, second + b);
+  }
+  return groups;
+}
+
+namespace {
+
+/// Numbers of a face's control points, equal for those that share unknowns.
+template <int D>
+std::vector<int> shared_numbers(const Scene<D>& scene, const FaceReference& face, const Groups& groups) {
+  const int first = first_control_point(scene, face.body);
+  std::vector<int> nodes = scene.bodies[at(face.body)].body->space().face_functions(face.side);
+  for (int& node : nodes) node = groups.leader(first + node);
+  return nodes;
+}
+
+} // namespace
+
+template <int D> contact::Surface<D> surface_of(const Scene<D>& scene, const Faces& faces, const Message& list) {
+  const auto space = [&](const FaceReference& face) -> const nurbs::Discretization& {
+    return scene.bodies[at(face.body)].body->space();
+  };
+  if (const FaceReference& face = faces.front(); faces.size() == 1) {
+    // Points of one face coincide only at seams and poles of its own body.
+    Groups groups(first_control_point(scene, face.body + 1));
+    unite_coincident(scene, face.body, groups);
+    return {space(face), face.side, first_control_point(scene, face.body), shared_numbers(scene, face, groups)};
+  }
+  const Groups groups = coincident_points(scene);
+  std::vector<contact::FacePart> parts;
+  for (const FaceReference& face : faces)
+    parts.push_back({space(face).face(face.side), shared_numbers(scene, face, groups), nurbs::outward_sign(face.side),
+                     face_message(scene, face)});
+  return contact::Surface<D>(contact::arrange(parts, list));
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template int first_control_point(const Scene<D>&, int);                                                              \
+  template Groups coincident_points(const Scene<D>&);                                                                  \
+  template contact::Surface<D> surface_of(const Scene<D>&, const Faces&, const Message&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::model

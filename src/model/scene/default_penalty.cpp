@@ -1,0 +1,57 @@
+#include "model/scene/default_penalty.hpp"
+
+#include "base/index.hpp"
+#include "model/constants.hpp"
+#include "model/scene/element_size.hpp"
+#include "model/scene/thickness.hpp"
+
+#include <algorithm>
+
+namespace signorini::model {
+
+template <int D> double contact_stiffness(const Scene<D>& scene, const Contact<D>& contact) {
+  return softer_modulus(scene, contact) / element_size(scene, contact.slave, contact.points, contact.where);
+}
+
+namespace {
+
+template <int D> double penalty_alone(const Scene<D>& scene, const Contact<D>& contact) {
+  const auto through = [&](const Faces& faces) { return youngs_modulus(scene, faces) / thickness(scene, faces); };
+  double softer = through(contact.slave);
+  if (const auto* face = std::get_if<Faces>(&contact.master)) softer = std::min(softer, through(*face));
+  return default_penalty_alone * std::max(contact_stiffness(scene, contact), softer);
+}
+
+} // namespace
+
+template <int D> double default_penalty(const Scene<D>& scene, const Contact<D>& contact) {
+  const double own = penalty_alone(scene, contact);
+  return contact.other_pass < 0 ? own : std::min(own, penalty_alone(scene, scene.contacts[at(contact.other_pass)]));
+}
+
+template <int D> void set_default_penalties(Scene<D>& scene) {
+  for (Contact<D>& contact : scene.contacts) {
+    contact::PenaltyLaw* law = contact::penalty_law(contact.method);
+    if (!law) continue;
+    const bool alone = law->enforcement == contact::Enforcement::penalty;
+    auto* mortar = alone ? nullptr : std::get_if<contact::MortarLaw>(&contact.method);
+    if (mortar) mortar->scale = default_penalty_ratio * contact_stiffness(scene, contact);
+    if (law->normal == 0) {
+      law->normal = alone ? default_penalty(scene, contact) : default_penalty_ratio * contact_stiffness(scene, contact);
+      contact.default_penalty = true;
+    }
+    if (law->tangential == 0 && (!alone || contact::may_rub(*law))) law->tangential = law->normal;
+    auto* bonds = std::get_if<contact::CohesiveLaw>(&contact.method);
+    if (bonds && bonds->cohesion.softening == contact::Softening::bilinear && bonds->cohesion.stiffness == 0)
+      bonds->cohesion.stiffness = law->normal;
+  }
+}
+
+template double default_penalty(const Scene<2>&, const Contact<2>&);
+template double default_penalty(const Scene<3>&, const Contact<3>&);
+template double contact_stiffness(const Scene<2>&, const Contact<2>&);
+template double contact_stiffness(const Scene<3>&, const Contact<3>&);
+template void set_default_penalties(Scene<2>&);
+template void set_default_penalties(Scene<3>&);
+
+} // namespace signorini::model

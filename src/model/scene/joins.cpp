@@ -1,0 +1,148 @@
+#include "model/scene/joins.hpp"
+
+#include "base/error.hpp"
+#include "model/scene/coincident_faces.hpp"
+#include "nurbs/matching.hpp"
+
+namespace signorini::model {
+
+namespace {
+
+template <int D> const nurbs::Discretization& space_of(const Scene<D>& scene, const FaceReference& face) {
+  return scene.bodies[at(face.body)].body->space();
+}
+
+template <int D>
+nurbs::FaceMatch match(const Scene<D>& scene, const FaceReference& first, const FaceReference& second) {
+  const nurbs::Discretization &one = space_of(scene, first), &other = space_of(scene, second);
+  nurbs::FaceMatch found = nurbs::match_faces(one, first.side, other, second.side);
+  if (found.mismatch != nurbs::Mismatch::none && (one.crosses_layer(first.side) || other.crosses_layer(second.side)))
+    if (nurbs::FaceMatch near = nurbs::match_faces(one, first.side, other, second.side, nurbs::joinable_layers);
+        near.mismatch == nurbs::Mismatch::none)
+      return near;
+  return found;
+}
+
+Message message_of(const nurbs::FaceMatch& found) {
+  switch (found.mismatch) {
+  case nurbs::Mismatch::corners:
+    return Message("model.join.corners", {{"apart", found.apart}});
+  case nurbs::Mismatch::elements:
+    return Message("model.join.elements");
+  case nurbs::Mismatch::borders:
+    return Message("model.join.borders");
+  case nurbs::Mismatch::functions:
+    return Message("model.join.functions");
+  default:
+    return Message("model.join.points");
+  }
+}
+
+Faces both(Faces slave, const Faces* master) {
+  if (master) slave.insert(slave.end(), master->begin(), master->end());
+  return slave;
+}
+
+/// Throws Error if a join's matching faces are used otherwise.
+template <int D> void check_join(const Scene<D>& scene, const Join& join) {
+  const Message first = face_message(scene, join.first), second = face_message(scene, join.second);
+  const auto is_joined = [&](const FaceReference& face) { return face == join.first || face == join.second; };
+  const auto message = [&](const FaceReference& face) { return face == join.first ? first : second; };
+  for (const Join& other : scene.joins)
+    for (const FaceReference& face : {other.first, other.second})
+      require(&other == &join || !is_joined(face), "model.join.twice",
+              {{"join", join.name}, {"other", other.name}, {"face", message(face)}});
+  for (const Tie& tie : scene.ties)
+    for (const FaceReference& face : both(tie.slave, &tie.master))
+      require(!is_joined(face), "model.join.tied",
+              {{"join", join.name}, {"tie", tie_message(tie)}, {"face", message(face)}});
+  for (const Contact<D>& contact : scene.contacts) {
+    for (const FaceReference& face : both(contact.slave, std::get_if<Faces>(&contact.master)))
+      require(!is_joined(face), "model.join.in_contact",
+              {{"join", join.name}, {"contact", contact.name}, {"face", message(face)}});
+  }
+  const auto check_surface = [&](const std::vector<FaceReference>& faces, const Message& action) {
+    for (const FaceReference& face : faces)
+      require(!is_joined(face), "model.join.loaded",
+              {{"join", join.name}, {"action", action}, {"face", message(face)}});
+  };
+  for (const Load& load : scene.loads) check_surface(load.on, Message("model.action.load", {{"name", load.name}}));
+  for (const Support<D>& support : scene.supports)
+    check_surface(support.spring_faces, Message("model.action.springs", {{"name", support.name}}));
+}
+
+} // namespace
+
+template <int D> Message difference(const Scene<D>& scene, const FaceReference& first, const FaceReference& second) {
+  return message_of(match<D>(scene, first, second));
+}
+
+template <int D> void resolve_joins(Scene<D>& scene) {
+  std::vector<Join> matching;
+  for (Join& join : scene.joins) {
+    require(!(join.first == join.second), "model.join.own_face",
+            {{"join", join.name}, {"face", face_message(scene, join.first)}});
+    nurbs::FaceMatch found = match(scene, join.first, join.second);
+    if (found.mismatch == nurbs::Mismatch::none) {
+      require(found.facing, "model.join.facing",
+              {{"join", join.name},
+               {"first", face_message(scene, join.first)},
+               {"second", face_message(scene, join.second)}});
+      join.pairs = std::move(found.pairs);
+      matching.push_back(std::move(join));
+      continue;
+    }
+    for (const FaceReference& face : {join.first, join.second})
+      require(!space_of(scene, face).crosses_layer(face.side), "model.join.layers",
+              {{"join", join.name},
+               {"first", face_message(scene, join.first)},
+               {"second", face_message(scene, join.second)},
+               {"why", message_of(found)},
+               {"face", face_message(scene, face)}});
+    const auto elements = [&](const FaceReference& face) { return space_of(scene, face).elements_on(face.side); };
+    const bool finer = elements(join.second) > elements(join.first);
+    scene.ties.push_back({join.name, finer ? join.second : join.first, finer ? join.first : join.second,
+                          contact::MultiplierSpace::equal, true});
+  }
+  scene.joins = std::move(matching);
+  for (const Join& join : scene.joins) check_join(scene, join);
+}
+
+template <int D> void warn_of_joins(const Scene<D>& scene, std::vector<Message>& warnings) {
+  for (const Join& join : scene.joins) {
+    const MatrixX first = space_of(scene, join.first).points(), second = space_of(scene, join.second).points();
+    double apart = 0;
+    Vec<D> place = Vec<D>::Zero();
+    for (const auto& [a, b] : join.pairs)
+      if (const double distance = (first.col(a) - second.col(b)).norm(); distance > apart) {
+        apart = distance;
+        place = first.col(a);
+      }
+    if (apart > nurbs::joinable * (first.rowwise().maxCoeff() - first.rowwise().minCoeff()).norm())
+      warnings.push_back(Message("model.warning.joined_gap", {{"join", join.name},
+                                                              {"first", face_message(scene, join.first)},
+                                                              {"second", face_message(scene, join.second)},
+                                                              {"distance", apart},
+                                                              {"at", place}}));
+  }
+}
+
+template <int D> Groups connected_bodies(const Scene<D>& scene, bool tied) {
+  Groups connected(static_cast<int>(scene.bodies.size()));
+  for (const Join& join : scene.joins) connected.unite(join.first.body, join.second.body);
+  for (const Tie& tie : scene.ties)
+    if (tied || tie.from_join)
+      for (const FaceReference& face : both(tie.slave, &tie.master)) connected.unite(tie.slave.front().body, face.body);
+  return connected;
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template void resolve_joins(Scene<D>&);                                                                              \
+  template void warn_of_joins(const Scene<D>&, std::vector<Message>&);                                                 \
+  template Groups connected_bodies(const Scene<D>&, bool);                                                             \
+  template Message difference(const Scene<D>&, const FaceReference&, const FaceReference&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::model

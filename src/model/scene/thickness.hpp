@@ -1,0 +1,31 @@
+#pragma once
+// Thickness of a body behind one of its faces.
+
+#include "base/index.hpp"
+#include "model/scene/scene.hpp"
+
+#include <limits>
+
+namespace signorini::model {
+
+/// Mean distance between a face of a body and the opposite one, along the thickness direction.
+double thickness(const nurbs::Discretization& space, nurbs::Side side);
+template <int D> double thickness(const Scene<D>& scene, const FaceReference& face) {
+  return thickness(scene.bodies[at(face.body)].body->space(), face.side);
+}
+
+/// The least of several faces.
+template <int D> double thickness(const Scene<D>& scene, const Faces& faces) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const FaceReference& face : faces) least = std::min(least, thickness(scene, face));
+  return least;
+}
+
+/// E/h behind a face, h the thickness of the elements there.
+template <int D> double element_stiffness(const Scene<D>& scene, const FaceReference& face) {
+  const solid::Body<D>& body = *scene.bodies[at(face.body)].body;
+  return body.material().constants().youngs_modulus /
+         (thickness(scene, face) / body.space().elements(face.side.direction));
+}
+
+} // namespace signorini::model

@@ -1,0 +1,121 @@
+#include "model/steps/first_guess.hpp"
+
+#include "model/constants.hpp"
+#include "model/steps/equilibrium.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace signorini::model {
+
+namespace {
+
+/// An extrapolation Δu = a Δu₁ + b Δu₂ of the last step Δu₁ and the one before, Δu₂.
+struct Extrapolation {
+  double last, before;
+};
+
+/// In proportion to the targets: a = h, the length of the step relative to the last one.
+template <int D> std::optional<Extrapolation> first_order(const Model<D>& model) {
+  const std::optional<double> h = straight_ratio(model, model.targets);
+  if (!h) return std::nullopt;
+  return Extrapolation{*h, 0};
+}
+
+/// The parabola through the last three states, by Newton's divided differences. With the length g of the step before
+/// the last one, relative to the last one: Δu = h Δu₁ + h (h + 1)/(1 + g) (Δu₁ − Δu₂/g).
+template <int D> std::optional<Extrapolation> second_order(const Model<D>& model) {
+  const PathHistory& path = model.path;
+  const VectorX last = model.accepted.targets - path.previous_targets;
+  const VectorX before = path.previous_targets - path.targets_before;
+  const std::optional<double> h = straight_ratio(model, model.targets);
+  if (!h || *h <= 0) return std::nullopt;
+  const double g = before.dot(last) / last.squaredNorm();
+  if (g <= 0 || (before - g * last).norm() > straight * before.norm()) return std::nullopt;
+  const double curved = *h * (*h + 1) / (1 + g);
+  return Extrapolation{*h + curved, -curved / g};
+}
+
+/// Free displacements by extrapolation, prescribed ones exactly.
+template <int D> void move(Model<D>& model, const Extrapolation& by, const VectorX& prescribed) {
+  const Drives<D>& drives = model.system.drives;
+  const PathHistory& path = model.path;
+  const VectorX driven = drives.displacement(path.previous_targets);
+  model.present.displacement += by.last * (path.increment - drives.displacement(model.accepted.targets) + driven);
+  if (by.before != 0)
+    model.present.displacement += by.before * (path.before - driven + drives.displacement(path.targets_before));
+  model.present.displacement += prescribed;
+}
+
+/// Relative difference of a step and its extrapolation; 1 without one.
+template <int D>
+double deviation(const Model<D>& model, const VectorX& increment, const std::optional<Extrapolation>& by) {
+  if (!by) return 1;
+  const auto displacements = model.system.unknowns.displacements();
+  VectorX difference = increment - by->last * model.path.increment;
+  if (by->before != 0) difference -= by->before * model.path.before;
+  return difference.head(displacements).norm() / increment.head(displacements).norm();
+}
+
+/// Whether a contact with friction, open in the accepted state, has closed in the present one.
+template <int D> bool begins_friction(const Model<D>& model) {
+  const auto& contacts = model.system.contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const auto& present = model.present.contacts[k];
+    if (contacts[k]->friction(present) > 0 && resultant(model.accepted.contacts[k]).active == 0 &&
+        resultant(present).active > 0)
+      return true;
+  }
+  return false;
+}
+
+} // namespace
+
+template <int D> bool guess_first(Model<D>& model, Predictor predictor, const VectorX& prescribed) {
+  if (predictor == Predictor::tangent) return false;
+  if (predictor == Predictor::constant) {
+    model.present.displacement += prescribed;
+    return true;
+  }
+  const PathHistory& path = model.path;
+  if (model.present.targets != model.accepted.targets) return false;
+  std::optional<Extrapolation> by;
+  if (predictor == Predictor::quadratic && path.curved <= std::min(most_bent, std::max(hardly_curved, path.bend)))
+    by = second_order(model);
+  if (!by && path.bend <= most_bent) by = first_order(model);
+  // Where the path turns back, points with friction stick that slipped in the last step.
+  if (!by || (predictor == Predictor::quadratic && by->last <= 0)) return false;
+  move(model, *by, prescribed);
+  return true;
+}
+
+template <int D> void note_increment(Model<D>& model, const VectorX& increment) {
+  PathHistory& path = model.path;
+  // Rates jump where a contact begins: an extrapolation of such a step has an error of first order, and with it the
+  // slip that friction leaves out before a touch.
+  const bool kink = begins_friction(model), after_kink = path.bend == across_kink;
+  path.bend = kink ? across_kink : deviation(model, increment, first_order(model));
+  path.curved = kink || after_kink ? across_kink : deviation(model, increment, second_order(model));
+  path.before = std::exchange(path.increment, increment);
+  path.targets_before = std::exchange(path.previous_targets, model.accepted.targets);
+}
+
+template <int D> void expect_guess(Model<D>& model, bool wanted) {
+  const double distance = wanted ? gap_rounding * largest_position(model) : 0;
+  const bool onward = wanted && straight_ratio(model, model.targets).value_or(-1) > 0;
+  for (auto& control : model.controls) {
+    control.guessed = distance;
+    control.onward = onward;
+  }
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template bool guess_first(Model<D>&, Predictor, const VectorX&);                                                     \
+  template void note_increment(Model<D>&, const VectorX&);                                                             \
+  template void expect_guess(Model<D>&, bool);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
+
+} // namespace signorini::model

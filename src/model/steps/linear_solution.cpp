@@ -1,0 +1,86 @@
+#include "model/steps/linear_solution.hpp"
+
+#include "base/error.hpp"
+#include "os/interrupt.hpp"
+#include "solve/condensed.hpp"
+
+namespace signorini::model {
+
+namespace {
+
+/// Sums of the statistics of two successive solvers; size and cost are those of the later one.
+solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::SolverStatistics& now) {
+  solve::SolverStatistics result = now;
+  result.factorizations += before.factorizations;
+  result.solutions += before.solutions;
+  result.iterations += before.iterations;
+  return result;
+}
+
+} // namespace
+
+solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const LinearRequest& request) {
+  const bool open = request.kind == solve::LinearKind::automatic;
+  const bool condense = (open || request.kind == solve::LinearKind::condensed) && can_condense(facts_, request.damps);
+  require(condense || request.kind != solve::LinearKind::condensed, "model.linear.condensed");
+  // A solver with constant factors of the bodies cannot take damping into account, and reused factors of a damped
+  // tangent would hide that the one without damping is singular.
+  const bool same = solver_ && asked_ == request.kind && mumps_ == request.mumps &&
+                    condense == (solver_->kind() == solve::LinearKind::condensed) &&
+                    (damped_ == request.damps || solver_->kind() != solve::LinearKind::reuse);
+  const bool same_contacts = contact_version_ == tangent.contact_version;
+  // A solver may survive a growing pattern, but constant factors have other contact unknowns within them.
+  const bool fits = same && (!condense || same_contacts) &&
+                    (pattern_version_ == tangent.pattern_version || solver_->adopt(tangent.pattern));
+  if (!fits) {
+    forget();
+    if (condense) {
+      const auto& values = tangent.constant;
+      const solve::Condensation condensation{{values.begin(), values.begin() + tangent.pattern.entries()},
+                                             tangent.contact_unknowns};
+      solver_ = solve::make_solver(solve::LinearKind::condensed, tangent.pattern, {&condensation});
+    } else {
+      const solve::LinearKind kind = open ? first_choice(facts_, request.damps) : request.kind;
+      solver_ = solve::make_solver(kind == solve::LinearKind::automatic ? beginning_ : kind, tangent.pattern,
+                                   {.multipliers = facts_.multipliers, .mumps = request.mumps});
+    }
+  }
+  if (!fits || !same_contacts) solver_->watch(tangent.contact_unknowns);
+  pattern_version_ = tangent.pattern_version;
+  contact_version_ = tangent.contact_version;
+  asked_ = request.kind;
+  damped_ = request.damps;
+  mumps_ = request.mumps;
+  return *solver_;
+}
+
+bool LinearSolution::factor(const Tangent& tangent, const LinearRequest& request) {
+  if (tangent.pattern.size == 0) return true;
+  const Factorization scope(tangent.pattern.size); // and the analysis before it
+  return solver(tangent, request).factor(tangent.values.data());
+}
+
+bool LinearSolution::solve(VectorX& b, bool fully) {
+  if (b.size() == 0) return true;
+  if (fully) solver_->solve_fully();
+  return solver_->solve(b.data());
+}
+
+bool LinearSolution::proves_definite(const Tangent& tangent) const {
+  return solver_ && pattern_version_ == tangent.pattern_version && contact_version_ == tangent.contact_version &&
+         solver_->proves_definite(tangent.values.data());
+}
+
+void LinearSolution::forget() {
+  if (!solver_) return;
+  past_ = sum(past_, solver_->statistics());
+  past_kind_ = solver_->kind();
+  if (asked_ == solve::LinearKind::automatic && past_kind_ == solve::LinearKind::reuse) beginning_ = past_kind_;
+  solver_.reset();
+}
+
+solve::SolverStatistics LinearSolution::statistics() const {
+  return solver_ ? sum(past_, solver_->statistics()) : past_;
+}
+
+} // namespace signorini::model

@@ -1,0 +1,30 @@
+#pragma once
+// State of a model: a plain value. Accepting and restoring a state are assignments.
+
+#include "base/eigen.hpp"
+#include "contact/point/history.hpp"
+
+namespace signorini::model {
+
+template <int D> struct State {
+  VectorX displacement;      ///< of all degrees of freedom (Unknowns), followed by the contacts' additional unknowns
+  VectorX targets;           ///< of the prescribed displacements (Drives)
+  VectorX force;             ///< f_int + f_c of all degrees of freedom in the last evaluation
+  double penalty_factor = 1; ///< on all penalty parameters
+  std::vector<contact::History<D>> contacts;
+  std::vector<std::vector<double>> internal; ///< internal variables of the materials, by body; empty without any
+};
+
+/// History of the path up to the accepted state, which the next step uses.
+struct PathHistory {
+  VectorX increment;        ///< displacement of the last accepted step
+  VectorX previous_targets; ///< before that step
+  VectorX before;           ///< displacement of the step before the last one
+  VectorX targets_before;   ///< before that step
+  double bend = 1;          ///< relative difference of the last two steps' rates; 1 without two comparable steps
+  double curved = 1;        ///< the same of the last step and the parabola through the three states before it
+  double force_scale = 0;   ///< largest norm of the forces of supports and loads in the accepted states
+  double work = 0;          ///< of supports and loads in all accepted steps, by the trapezoidal rule
+};
+
+} // namespace signorini::model
