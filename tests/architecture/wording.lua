@@ -5,7 +5,7 @@
 
 local source = arg and arg[1] or "src"
 local modules = { "base", "os", "symbolic", "nurbs", "exchange", "solid", "contact", "solve", "model", "tessellation",
-  "view", "terminal" }
+  "view", "figure", "terminal" }
 
 local function output(command)
   local pipe = assert(io.popen(command))

@@ -40,7 +40,8 @@ void read_paper(const Arguments& a, Picture& picture, const std::array<int, 2>& 
 void write_picture(const Picture& picture, const std::string& file) {
   const view::Format format = view::format_of(file);
   check_output(file, view::kind_of(format)); // before it is drawn
-  write_output(file, view::bytes_of(figures_of({picture})(0), format, picture.transparent), view::kind_of(format));
+  write_output(file, view::bytes_of(figure::figures_of({picture})(0), format, picture.transparent),
+               view::kind_of(format));
 }
 
 /// Writes a series of files, or a film.
@@ -48,7 +49,7 @@ void write_film(const std::vector<Picture>& pictures, const std::string& file, d
   require(!view::is_film(file) || !pictures[0].transparent,
           "transparent is not available for films: draw a series of pictures, file = \"x-%04d.png\"");
   const view::Format format = view::series_format(file);
-  const auto figures = figures_of(pictures);
+  const auto figures = figure::figures_of(pictures);
   std::optional<std::array<int, 2>> size;
   view::write_series(file, static_cast<int>(pictures.size()), rate, [&](int i) {
     const view::Figure figure = figures(i);
@@ -79,7 +80,8 @@ void check_ending(const std::string& file, bool may_be_series) {
 Picture make_sheet(SheetPicture sheet) {
   const std::size_t count = sheet.parts.size();
   const std::string title = sheet.title.empty() ? "" : " '" + sheet.title + "'";
-  return make_picture(std::move(sheet), text("sheet", title, " of ", count, count == 1 ? " picture" : " pictures"));
+  return figure::make_picture(std::move(sheet),
+                              text("sheet", title, " of ", count, count == 1 ? " picture" : " pictures"));
 }
 
 // ── sg.picture ───────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -216,7 +218,7 @@ Picture read_sized(lua_State* L, int index, int most) {
   if (lua_isnoneornil(L, most)) return *given;
   const auto size = to<std::array<int, 2>>(L, most);
   for (const int side : size) require(side >= 1 && side <= largest_size, "a size in pixels is expected, got ", side);
-  return fitted(*given, size);
+  return figure::fitted(*given, size);
 }
 
 /// core.picture_bytes(picture, format, most): the bytes of a file, format "png", "svg" or "pdf". most: {width, height}
@@ -224,7 +226,7 @@ Picture read_sized(lua_State* L, int index, int most) {
 int picture_bytes(lua_State* L) {
   const Picture picture = read_sized(L, 1, 3);
   const view::Format format = view::format_of(text("picture.", to<std::string>(L, 2)));
-  push(L, view::bytes_of(figures_of({picture})(0), format, picture.transparent));
+  push(L, view::bytes_of(figure::figures_of({picture})(0), format, picture.transparent));
   return 1;
 }
 
@@ -265,13 +267,6 @@ constexpr Function picture_core[] = {
 constexpr Function picture_methods[] = {{"write", write_method}, {"__tostring", picture_tostring}};
 
 } // namespace
-
-Picture fitted(const Picture& picture, const std::array<int, 2>& most) {
-  Picture fit = picture;
-  const double factor = std::min(1.0 * most[0] / picture.size[0], 1.0 * most[1] / picture.size[1]);
-  for (int& side : fit.size) side = static_cast<int>(factor * side + 0.5);
-  return fit;
-}
 
 int push_picture(lua_State* L, Picture picture, const std::string& file) {
   Picture& pushed = push_object(L, std::move(picture));

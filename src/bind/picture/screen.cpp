@@ -27,13 +27,13 @@ struct Drawn {
 };
 
 Drawn drawn(const Picture& picture) {
-  const view::Figure figure = figures_of({picture})(0);
+  const view::Figure figure = figure::figures_of({picture})(0);
   return {view::bytes_of(figure, view::Format::png, picture.transparent), figure.size};
 }
 
 /// The picture laid out within a size: with its own ratio of sides if its size is exact, else as its contents need.
 Picture laid_out(const Picture& picture, const std::array<int, 2>& most) {
-  Picture fit = fitted(picture, most);
+  Picture fit = figure::fitted(picture, most);
   if (picture.trim) fit.size = most;
   return fit;
 }
@@ -52,7 +52,7 @@ int show_picture(lua_State* L) {
     return laid_out(picture, {static_cast<int>(larger * most[0]), static_cast<int>(larger * most[1])});
   };
   const auto [width, height] = of_window().size;
-  larger *= std::max({1.0, 1.0 * smallest_size[0] / width, 1.0 * smallest_size[1] / height});
+  larger *= std::max({1.0, 1.0 * figure::smallest_size[0] / width, 1.0 * figure::smallest_size[1] / height});
   const auto show = [&](const Drawn& of) {
     const double scale = std::min({1 / least, 1.0 * most[0] / of.size[0], 1.0 * most[1] / of.size[1]});
     terminal::show(screen, of.png, of.size, scale);

@@ -3,13 +3,16 @@
 #include "bind/geometry/patch.hpp"
 #include "bind/lua/number_text.hpp"
 #include "bind/model/model.hpp"
-#include "bind/picture/frame.hpp"
+#include "figure/frame.hpp"
 
 #include <numeric>
 
 namespace signorini::bind {
 
 namespace {
+
+using figure::Cut;
+using figure::Showing;
 
 // ── Camera and part ──────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -160,7 +163,7 @@ Picture finished(const Arguments& a, StatePicture picture, const std::string& ti
   const std::string& label = picture.options.field_label;
   const std::string description = text("picture", title.empty() ? "" : " '" + title + "'", " of ", count, " ",
                                        count == 1 ? one : several, label.empty() ? "" : ", colored by " + label);
-  return make_picture(std::move(picture), description);
+  return figure::make_picture(std::move(picture), description);
 }
 
 // ── Models and patches ───────────────────────────────────────────────────────────────────────────────────────────────
@@ -190,7 +193,7 @@ Picture read_model(const Arguments& a, const Model<D>& model, const std::string&
   StatePicture picture = read_view(a, showing, D == 3, cut, size);
   picture.options.field_label = read_label<D>(a, showing);
   if (picture.inset) picture.inset->field_label = picture.options.field_label;
-  picture.panel = show(*model, showing, cut);
+  picture.panel = figure::show(*model, showing, cut);
   return finished(a, std::move(picture), title, showing.bodies.size(), "body", "bodies");
 }
 
@@ -198,7 +201,7 @@ Picture read_patch(const Arguments& a, const std::string& title, const std::arra
   const std::vector<nurbs::Patch> patches = patches_of(a, "patch");
   Showing showing = read_showing(a, "");
   StatePicture picture = read_view(a, showing, patches.front().dimension() == 3, {}, size);
-  picture.panel = show(patches, showing);
+  picture.panel = figure::show(patches, showing);
   return finished(a, std::move(picture), title, patches.size(), "patch", "patches");
 }
 

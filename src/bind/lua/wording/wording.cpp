@@ -90,6 +90,7 @@ constexpr Wording wordings[] = {
 #include "bind/lua/wording/base.def"
 #include "bind/lua/wording/exchange.def"
 #include "bind/lua/wording/failure.def"
+#include "bind/lua/wording/figure.def"
 #include "bind/lua/wording/mechanics.def"
 #include "bind/lua/wording/model.def"
 #include "bind/lua/wording/nurbs.def"

@@ -2,13 +2,11 @@
 // Contents of pictures of models and patches, independent of these after sampling.
 
 #include "base/window.hpp"
-#include "bind/lua/arguments.hpp"
-#include "bind/scene/scene.hpp"
 #include "model/results/face_values.hpp"
 #include "tessellation/tessellate.hpp"
 #include "view/panel.hpp"
 
-namespace signorini::bind {
+namespace signorini::figure {
 
 /// Options for the display of a state or of patches.
 struct Showing {
@@ -46,4 +44,4 @@ view::Body face_band(const model::Model<2>& model, model::FaceField field, int c
 /// The tractions at the closed contact points on the slave faces of the drawn bodies.
 template <int D> std::vector<view::PointVector> tractions(const model::Model<D>& model, const std::vector<int>& bodies);
 
-} // namespace signorini::bind
+} // namespace signorini::figure

@@ -1,10 +1,10 @@
 #pragma once
 // Drawings of rigid obstacles that have no form of their own in pictures.
 
-#include "bind/picture/moved_obstacle.hpp"
+#include "figure/moved_obstacle.hpp"
 #include "view/panel.hpp"
 
-namespace signorini::bind {
+namespace signorini::figure {
 
 /// A disc, or a hollow one.
 view::Outline circle_of(const contact::Ball<2>& disc, const std::vector<Window>& windows);
@@ -15,4 +15,4 @@ view::RigidSurface surface_of(const contact::LevelSet<3>& level_set, const Motio
 
 view::RigidSurface surface_of(const contact::Torus& torus);
 
-} // namespace signorini::bind
+} // namespace signorini::figure

@@ -1,8 +1,8 @@
-#include "bind/picture/frame.hpp"
+#include "figure/frame.hpp"
 
 #include <utility>
 
-namespace signorini::bind {
+namespace signorini::figure {
 
 namespace {
 
@@ -119,4 +119,4 @@ view::Panel show(const std::vector<Patch>& patches, const Showing& showing) {
   return panel;
 }
 
-} // namespace signorini::bind
+} // namespace signorini::figure

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-namespace signorini::bind {
+namespace signorini::figure {
 
 /// x ↦ c + t + R (x − c).
 template <int D> using Motion = Eigen::Transform<double, D, Eigen::Isometry>;
@@ -43,4 +43,4 @@ template <int D> contact::Obstacle<D> moved(contact::Obstacle<D> obstacle, const
   return obstacle;
 }
 
-} // namespace signorini::bind
+} // namespace signorini::figure

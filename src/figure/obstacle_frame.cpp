@@ -1,4 +1,4 @@
-#include "bind/picture/obstacle_frame.hpp"
+#include "figure/obstacle_frame.hpp"
 
 #include "base/index.hpp"
 #include "view/obstacle.hpp"
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace signorini::bind {
+namespace signorini::figure {
 
 namespace {
 
@@ -102,4 +102,4 @@ view::RigidSurface surface_of(const contact::Torus& torus) {
   return result;
 }
 
-} // namespace signorini::bind
+} // namespace signorini::figure

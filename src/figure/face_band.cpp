@@ -1,11 +1,11 @@
 #include "base/error.hpp"
-#include "bind/picture/frame.hpp"
+#include "figure/frame.hpp"
 #include "model/results/face_values.hpp"
 #include "model/results/sample.hpp"
 
 #include <algorithm>
 
-namespace signorini::bind {
+namespace signorini::figure {
 
 namespace {
 
@@ -77,8 +77,7 @@ view::Body face_band(const model::Model<2>& model, model::FaceField field, int c
 template <int D>
 std::vector<view::PointVector> tractions(const model::Model<D>& model, const std::vector<int>& bodies) {
   const auto& contacts = model.system.scene.contacts;
-  require(!contacts.empty(),
-          "vectors = \"traction\" needs a contact, and the model has none: add contacts to sg.model");
+  require(!contacts.empty(), "figure.vectors.contact");
   std::vector<view::PointVector> vectors;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const model::Faces& slave = contacts[c].slave;
@@ -95,4 +94,4 @@ std::vector<view::PointVector> tractions(const model::Model<D>& model, const std
 template std::vector<view::PointVector> tractions<2>(const model::Model<2>&, const std::vector<int>&);
 template std::vector<view::PointVector> tractions<3>(const model::Model<3>&, const std::vector<int>&);
 
-} // namespace signorini::bind
+} // namespace signorini::figure

@@ -1,6 +1,6 @@
 #include "base/index.hpp"
-#include "bind/picture/frame.hpp"
-#include "bind/picture/obstacle_frame.hpp"
+#include "figure/frame.hpp"
+#include "figure/obstacle_frame.hpp"
 #include "model/scene/turning.hpp"
 #include "view/obstacle.hpp"
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace signorini::bind {
+namespace signorini::figure {
 
 namespace {
 
@@ -233,8 +233,8 @@ template <int D> view::Panel show(const model::Model<D>& model, const Showing& s
   const bool found =
       !on_faces || std::ranges::any_of(contacts, [&](const auto& contact) { return has(contact, *on_faces); });
   const bool is_damage = on_faces == model::FaceField::damage;
-  require(found || (D == 2 && !is_damage), "field '", showing.field, "' needs a ", is_damage ? "cohesive " : "",
-          "contact, and the model has none: add contacts to sg.model, or draw another field");
+  require(found || (D == 2 && !is_damage), is_damage ? "figure.field.cohesive" : "figure.field.contact",
+          {{"field", showing.field}});
   const model::Field<D>* field = showing.field.empty() || on_faces ? nullptr : &model::find_field<D>(showing.field);
   view::Panel panel;
   panel.windows = showing.windows;
@@ -254,4 +254,4 @@ template <int D> view::Panel show(const model::Model<D>& model, const Showing& s
 template view::Panel show<2>(const model::Model<2>&, const Showing&, const std::optional<Cut>&);
 template view::Panel show<3>(const model::Model<3>&, const Showing&, const std::optional<Cut>&);
 
-} // namespace signorini::bind
+} // namespace signorini::figure

@@ -1,11 +1,13 @@
+#include "base/error.hpp"
 #include "base/index.hpp"
-#include "bind/picture/picture.hpp"
+#include "figure/picture.hpp"
 #include "view/compose.hpp"
 #include "view/sheet.hpp"
 
 #include <algorithm>
+#include <map>
 
-namespace signorini::bind {
+namespace signorini::figure {
 
 namespace {
 
@@ -268,8 +270,7 @@ void check_kinds(const Film<Picture>& film) {
   for (const Picture* one : film)
     require(one->content->index() == film[0]->content->index() && parts(*one) == parts(*film[0]) &&
                 solid(*one) == solid(*film[0]),
-            "the pictures of a film must have the same contents and arrangement, but a ", one->description,
-            " takes the place of a ", film[0]->description);
+            "figure.film.contents", {{"other", one->description}, {"first", film[0]->description}});
 }
 
 Part part_of(const Film<Picture>& film, const Ranges& ranges) {
@@ -300,4 +301,11 @@ std::function<view::Figure(int picture)> figures_of(const std::vector<Picture>& 
   return [film, part = part_of(all, {}), paper](int picture) { return part.draw(picture, paper); };
 }
 
-} // namespace signorini::bind
+Picture fitted(const Picture& picture, const std::array<int, 2>& most) {
+  Picture fit = picture;
+  const double factor = std::min(1.0 * most[0] / picture.size[0], 1.0 * most[1] / picture.size[1]);
+  for (int& side : fit.size) side = static_cast<int>(factor * side + 0.5);
+  return fit;
+}
+
+} // namespace signorini::figure
