@@ -1,6 +1,5 @@
 // Round obstacles with a far center and planes through a far point: closest points, gaps and slip points as exact as
 // coordinates near the contact, tangents of contacts, and coordinates of files of version 7.
-#include "contact/method/former_coordinates.hpp"
 #include "contact/point/master.hpp"
 
 #include "contact/couple.hpp"
@@ -166,60 +165,6 @@ TEST(FarObstacle, ForcesOnLargeShapesAreThoseOnAPlane) {
       EXPECT_NEAR((at.force - right.force).norm(), 0, 1e-7 * right.force.norm());
       EXPECT_NEAR((at.tangent - right.tangent).norm(), 0, 1e-7 * right.tangent.norm());
     });
-  }
-}
-
-template <int D> void expect_places(const Obstacle<D>& shape, History<D> history, Random& random) {
-  FaceCoordinates<D> xi;
-  for (int a = 0; a < D - 1; ++a) xi(a) = uniform(random, 0.1, 3);
-  history.points[0].projection.xi = history.points[0].slip.xi = xi;
-  update_coordinates<D>(shape, history);
-  std::visit(
-      [&](const auto& own) {
-        if constexpr (requires { former_place(own, xi); }) {
-          const Vec<D> place = former_place(own, xi);
-          FaceGeometry<D> point;
-          for (const FaceCoordinates<D>& now : {history.points[0].projection.xi, history.points[0].slip.xi}) {
-            point.xi = now;
-            locate(own, point);
-            EXPECT_NEAR((point.position - place).norm(), 0, 1e-14);
-          }
-        }
-      },
-      shape);
-}
-
-TEST(FarObstacle, CoordinatesOfFilesOfVersion7KeepTheirPlaces) {
-  // As they were written: angles from the x axis (in space azimuth and polar angle), lengths from the given point
-  const double angle = 0.7;
-  const Vec<2> out(std::cos(angle), std::sin(angle));
-  const FaceCoordinates<2> at(angle);
-  EXPECT_NEAR((former_place(make_ball<2>({1, 2}, 3), at) - Vec<2>(1, 2) - 3 * out).norm(), 0, 1e-15);
-  EXPECT_NEAR((former_place(make_ball<2>({1, 2}, 3, true), at) - Vec<2>(1, 2) - 3 * Vec<2>(out(0), -out(1))).norm(), 0,
-              1e-15);
-  EXPECT_NEAR((former_place(make_plane<2>({1, 2}, {0, 1}), at) - Vec<2>(1 - angle, 2)).norm(), 0, 1e-15);
-  const FaceCoordinates<3> both(angle, 0.4);
-  const Vec<3> center(1, 2, 0.5), z(0, 0, 1), flat(out(0), out(1), 0);
-  EXPECT_NEAR(
-      (former_place(make_ball<3>(center, 3), both) - center - 3 * (std::sin(0.4) * flat + std::cos(0.4) * z)).norm(), 0,
-      1e-15);
-  EXPECT_NEAR((former_place(make_cylinder(center, z, 3), both) - center - 3 * flat - 0.4 * z).norm(), 0, 1e-15);
-  EXPECT_NEAR(
-      (former_place(make_torus(center, z, 3, 1), both) - center - (3 + std::cos(0.4)) * flat - std::sin(0.4) * z)
-          .norm(),
-      0, 1e-15);
-  Random random(2);
-  const History<2> flat_history = Couple("N2", make_plane<2>({0, 0}, {0, 1}), PenaltyLaw{1}, 0, 1).pair.present();
-  const History<3> history =
-      Couple3("N2", Obstacle<3>(make_plane<3>({0, 0, 0}, {0, 0, 1})), PenaltyLaw{1}, {0, 0, 1}).pair.present();
-  for (int trial = 0; trial < 20; ++trial) {
-    const bool hollow = trial % 2 == 0;
-    expect_places<2>(make_plane(anywhere<2>(random, 3), anywhere<2>(random, 1)), flat_history, random);
-    expect_places<2>(make_ball(anywhere<2>(random, 3), uniform(random, 0.5, 3), hollow), flat_history, random);
-    expect_places<3>(make_plane(anywhere<3>(random, 3), anywhere<3>(random, 1)), history, random);
-    expect_places<3>(make_ball(anywhere<3>(random, 3), uniform(random, 0.5, 3), hollow), history, random);
-    expect_places<3>(make_cylinder(anywhere<3>(random, 3), anywhere<3>(random, 1), 2, hollow), history, random);
-    expect_places<3>(make_torus(anywhere<3>(random, 3), anywhere<3>(random, 1), 2, 0.7, hollow), history, random);
   }
 }
 

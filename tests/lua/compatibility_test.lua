@@ -1,5 +1,5 @@
--- Files of former formats are read, and those of a newer one are errors. The samples were written by the version of
--- the program that introduced their format, see samples/write.lua.
+-- Files of the present formats are read as they were when these began, and those of a newer or older one are errors.
+-- The samples were written by the version of the program that introduced their format, see samples/write.lua.
 
 local core = require "signorini.core"
 package.path = ("%s;%s/tests/lua/samples/?.lua"):format(package.path, core.home)
@@ -9,13 +9,10 @@ local scenes = require "scenes"
 
 local folder = check.folder()
 
---- The path of a sample in a format, by default the first.
-local function sample_of(name, format)
-  return ("%s/tests/lua/samples/format%d/%s"):format(core.home, format or 7, name)
-end
+local function sample_of(name) return ("%s/tests/lua/samples/format8/%s"):format(core.home, name) end
 
-local function copy(name, format)
-  check.shell(("cp -r '%s' '%s'"):format(sample_of(name, format), folder))
+local function copy(name)
+  check.shell(("cp -r '%s' '%s'"):format(sample_of(name), folder))
   return ("%s/%s"):format(folder, name)
 end
 
@@ -30,33 +27,31 @@ local function with_format(name, number)
   return file
 end
 
-for _, format in ipairs{ 7, 8 } do
-  check.case("a run goes on from a checkpoint of format " .. format, function()
-    local run = scenes.plane():run(scenes.path, { checkpoint = copy("run.sgn", format), resume = true })
-    check.equal(run.steps, 4)
-    -- The forces of the whole run when the first sample was written.
-    check.near(run:column "grip.fx"[4], 0.020066582886142, 1e-11)
-    check.near(run:column "grip.fy"[4], -0.067452541098537, 1e-11)
-    local whole = scenes.plane():run(scenes.path)
-    check.near(run:column "grip.fx"[4], whole:column "grip.fx"[4], 1e-12)
-  end)
+check.case("a run goes on from a checkpoint", function()
+  local run = scenes.plane():run(scenes.path, { checkpoint = copy("run.sgn"), resume = true })
+  check.equal(run.steps, 4)
+  -- The forces of the whole run when the first sample was written.
+  check.near(run:column "grip.fx"[4], 0.020066582886142, 1e-11)
+  check.near(run:column "grip.fy"[4], -0.067452541098537, 1e-11)
+  local whole = scenes.plane():run(scenes.path)
+  check.near(run:column "grip.fx"[4], whole:column "grip.fx"[4], 1e-12)
+end)
 
-  check.case("slip points on obstacles stay where they were in a checkpoint of format " .. format, function()
-    local run = scenes.disc():run(scenes.path, { checkpoint = copy("disc.sgn", format), resume = true })
-    check.near(run:column "grip.fx"[4], 0.023432288152975, 1e-10)
-    check.near(run:column "grip.fy"[4], -0.074780181076359, 1e-10)
-  end)
+check.case("slip points on obstacles stay where they were in a checkpoint", function()
+  local run = scenes.disc():run(scenes.path, { checkpoint = copy("disc.sgn"), resume = true })
+  check.near(run:column "grip.fx"[4], 0.023432288152975, 1e-10)
+  check.near(run:column "grip.fy"[4], -0.074780181076359, 1e-10)
+end)
 
-  check.case("a model in space is loaded from format " .. format, function()
-    local model = sg.load(sample_of("space.sgn", format))
-    local here = scenes.space()
-    here:run{ { steps = 1, tool = { -0.2 } } }
-    for _, name in ipairs{ "fx", "fy", "fz", "area" } do
-      check.near(model:contact_resultant("c")[name], here:contact_resultant("c")[name], 1e-12)
-    end
-    check.near(model:contact_resultant("c").fz, -0.32346387767576, 1e-11)
-  end)
-end
+check.case("a model in space is loaded from a file", function()
+  local model = sg.load(sample_of("space.sgn"))
+  local here = scenes.space()
+  here:run{ { steps = 1, tool = { -0.2 } } }
+  for _, name in ipairs{ "fx", "fy", "fz", "area" } do
+    check.near(model:contact_resultant("c")[name], here:contact_resultant("c")[name], 1e-12)
+  end
+  check.near(model:contact_resultant("c").fz, -0.32346387767576, 1e-11)
+end)
 
 check.case("a study of the first format is read and not solved again", function()
   local study = scenes.study(copy "study"):read()
@@ -80,7 +75,7 @@ check.case("checkpoints of a newer format are errors that say so", function()
   local file = with_format("run.sgn", 9)
   check.fails(function() scenes.plane():run(scenes.path, { checkpoint = file, resume = true }) end,
     "compatibility_test.lua", "newer version")
-  check.fails(function() sg.load(with_format("space.sgn", 6)) end, "older version of the program, in format 6")
+  check.fails(function() sg.load(with_format("space.sgn", 7)) end, "older version of the program, in format 7")
 end)
 
 check.case("records of runs that cannot be those of a run are errors, not errors of a later step", function()

@@ -1,7 +1,6 @@
 #include "model/files/checkpoint.hpp"
 
 #include "contact/method/archive.hpp"
-#include "contact/method/former_coordinates.hpp"
 #include "model/adapt/following.hpp"
 #include "model/adapt/scene_archive.hpp"
 #include "model/scene/changed_contact.hpp"
@@ -24,9 +23,7 @@ namespace model {
 
 namespace {
 
-const ArchiveKind kind{"checkpoint", 8, 7};
-/// The first version with coordinates on obstacles from a near point.
-constexpr std::uint32_t near_coordinates = 8;
+const ArchiveKind kind{"checkpoint", 8, 8};
 
 using Parts = std::vector<ScenePart>;
 
@@ -41,8 +38,7 @@ template <int D> void write_state(ArchiveWriter& to, const Snapshot<D>& saved) {
 }
 
 /// Reads the state into a snapshot of a model of the same scene.
-template <int D>
-void read_state(ArchiveReader& from, std::uint32_t version, const System<D>& system, Snapshot<D>& saved) {
+template <int D> void read_state(ArchiveReader& from, const System<D>& system, Snapshot<D>& saved) {
   auto& [displacement, targets, force, factor, contacts, internal] = saved.state;
   auto& [increment, previous, before, targets_before, bend, curved, force_scale, work] = saved.path;
   const Eigen::Index dofs = displacement.size(), components = targets.size();
@@ -57,9 +53,6 @@ void read_state(ArchiveReader& from, std::uint32_t version, const System<D>& sys
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     contact::read_history<D>(from, *system.contacts[k], contacts[k]);
     check_changes(system.scene.contacts[k], contacts[k].changes);
-    if (const auto* master = std::get_if<ObstacleReference>(&system.scene.contacts[k].master);
-        master && version < near_coordinates)
-      contact::update_coordinates<D>(system.scene.obstacles[at(master->obstacle)], contacts[k]);
   }
   for (auto& values : internal) {
     const std::size_t count = values.size();
@@ -69,11 +62,11 @@ void read_state(ArchiveReader& from, std::uint32_t version, const System<D>& sys
   }
 }
 
-template <int D> void take_state(Model<D>& model, std::string_view bytes, std::uint32_t version) {
+template <int D> void take_state(Model<D>& model, std::string_view bytes) {
   const Snapshot<D> before = snapshot(model);
   Snapshot<D> saved = before;
   ArchiveReader from(bytes, {.finite = true});
-  read_state(from, version, model.system, saved);
+  read_state(from, model.system, saved);
   try {
     restore(model, saved);
     settle(model);
@@ -87,7 +80,6 @@ template <int D> void take_state(Model<D>& model, std::string_view bytes, std::u
 /// Parts of a file.
 struct Content {
   std::unique_ptr<const std::string> bytes; ///< which do not move with the content
-  std::uint32_t version;
   int dimension;
   std::string_view text, scene, layers, state; ///< of bytes
 };
@@ -95,8 +87,7 @@ struct Content {
 using Layers = std::vector<nurbs::RaisedElements>;
 
 Content open(const std::string& file) {
-  ArchiveBytes read = read_archive(file, kind);
-  Content content{std::make_unique<const std::string>(std::move(read.bytes)), read.version, 0, {}, {}, {}, {}};
+  Content content{std::make_unique<const std::string>(read_archive(file, kind).bytes), 0, {}, {}, {}, {}};
   ArchiveReader from(*content.bytes);
   content.dimension = from.get<int>();
   content.text = from.section("text");
@@ -116,7 +107,7 @@ template <int D> void take(std::shared_ptr<Model<D>>& model, const Content& cont
     require(other != nullptr, "model.checkpoint.layers");
     model = std::move(other);
   }
-  take_state(*model, content.state, content.version);
+  take_state(*model, content.state);
 }
 
 /// A state has more numbers than its bodies have elements.
