@@ -8,7 +8,7 @@ local fits = require "signorini.call.fits"
 local list_shape = require "signorini.call.list_shape"
 local likely = require "signorini.call.likely"
 local lists = require "signorini.call.lists"
-local meant = require "signorini.call.meant"
+local meant = require("signorini.call.text").meant
 local pages = require "signorini.pages"
 local types = require "signorini.call.types"
 

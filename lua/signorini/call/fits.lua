@@ -5,7 +5,7 @@
 local core = require "signorini.core"
 local describe = require "signorini.call.describe"
 local lists = require "signorini.call.lists"
-local meant = require "signorini.call.meant"
+local meant = require("signorini.call.text").meant
 local pages = require "signorini.pages"
 
 local fits = {}

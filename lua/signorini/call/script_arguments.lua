@@ -4,7 +4,7 @@ local check = require "signorini.call.check"
 local core = require "signorini.core"
 local describe = require "signorini.call.describe"
 local lists = require "signorini.call.lists"
-local meant = require "signorini.call.meant"
+local meant = require("signorini.call.text").meant
 local types = require "signorini.call.types"
 
 local map, sorted = lists.map, lists.sorted_names

@@ -2,7 +2,7 @@
 -- Their entries are in a hidden table, because Lua reports only assignments to names that a table does not have.
 
 local core = require "signorini.core"
-local meant = require "signorini.call.meant"
+local meant = require("signorini.call.text").meant
 local sorted_names = require("signorini.call.lists").sorted_names
 
 local sealed = {}

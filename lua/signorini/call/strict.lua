@@ -30,7 +30,7 @@ local function cure(name, level)
     return core.front_end and "; it was local to its cell: leave out `local`"
       or "; it was local to its line: leave out `local` at the prompt"
   end
-  return require "signorini.call.meant"(name, names_in_sight(level + 1))
+  return require("signorini.call.text").meant(name, names_in_sight(level + 1))
 end
 
 setmetatable(_G, {

@@ -9,10 +9,10 @@
 local check = require "signorini.call.check"
 local check_rows = require "signorini.output.table_rows"
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local lists = require "signorini.call.lists"
-local no_column = require "signorini.call.no_column"
+local no_column = require("signorini.call.text").no_column
 local format_table = require "signorini.output.table"
 
 local csv = {}

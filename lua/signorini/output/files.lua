@@ -1,7 +1,7 @@
 -- sg.files: the files that a script writes into its folder, as a list that is printed at the end.
 
 local check = require "signorini.call.check"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local core = require "signorini.core"
 local holds = require("signorini.call.lists").holds
 local on_behalf_of = require "signorini.call.on_behalf_of"

@@ -1,7 +1,7 @@
 -- sg.pvd: a time series for ParaView: one .vtu file per state, and the .pvd file that lists them.
 
 local check = require "signorini.call.check"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local core = require "signorini.core"
 local lists = require "signorini.call.lists"

@@ -1,7 +1,7 @@
 -- The rows of a table with columns, as sg.table and sg.csv.write take them.
 
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 
 --- Raises an error if a row of a table has more cells than there are columns.
 return function(where, rows, columns)

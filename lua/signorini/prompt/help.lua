@@ -2,13 +2,13 @@
 -- to terms of other programs (signorini.help.synonyms).
 
 local core = require "signorini.core"
-local cut = require "signorini.call.cut"
+local cut = require("signorini.call.text").cut
 local pages = require "signorini.pages"
 local scripts = require "signorini.prompt.help.scripts"
 local sealed = require "signorini.call.sealed"
 local show = require "signorini.prompt.show"
 local lists = require "signorini.call.lists"
-local meant = require "signorini.call.meant"
+local meant = require("signorini.call.text").meant
 local synonyms = require "signorini.prompt.help.synonyms"
 local texts = require "signorini.prompt.help.texts"
 local wrapped = require "signorini.prompt.show.wrapped"

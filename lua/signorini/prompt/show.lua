@@ -1,7 +1,7 @@
 -- How the prompt shows values: numbers and strings as in code, tables two levels deep and shortened if long.
 
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local language = require "signorini.prompt.show.language"
 local object_text = require "signorini.prompt.show.objects"
 

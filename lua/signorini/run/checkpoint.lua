@@ -4,7 +4,7 @@
 
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local describe = require "signorini.call.describe"
 local is_record = require "signorini.run.run_record"
 local lists = require "signorini.call.lists"

@@ -1,7 +1,7 @@
 -- The controls that a run's steps were solved with, from its attempts: the fallbacks that converged, those that may
 -- have left the followed branch, and where arc length was used.
 
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local controls = require "signorini.run.controls"
 local lists = require "signorini.call.lists"
 local rows = require "signorini.pages.step_rows"

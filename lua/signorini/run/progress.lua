@@ -2,7 +2,7 @@
 -- nothing when the program runs quietly (-q). Front ends that replace texts show both (core.replace_text).
 
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 
 local Progress = {}
 Progress.__index = Progress

@@ -2,7 +2,7 @@
 
 local check = require "signorini.call.check"
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local csv = require "signorini.output.csv"
 local drives = require "signorini.run.drives"
 local energy_balance = require "signorini.run.energy_balance"
@@ -12,7 +12,7 @@ local layer_moves = require "signorini.run.layer_moves"
 local lists = require "signorini.call.lists"
 local format_table = require "signorini.output.table"
 local named = require "signorini.call.named"
-local no_column = require "signorini.call.no_column"
+local no_column = require("signorini.call.text").no_column
 local path_controls = require "signorini.run.path_controls"
 local run_warnings = require "signorini.run.run_warnings"
 local states = require "signorini.run.states"

@@ -3,7 +3,7 @@
 local core = require "signorini.core"
 local check = require "signorini.call.check"
 local contact_changes = require "signorini.run.contact_changes"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local drives = require "signorini.run.drives"
 local list_shape = require "signorini.call.list_shape"
 local lists = require "signorini.call.lists"

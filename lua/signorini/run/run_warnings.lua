@@ -6,7 +6,7 @@
 
 local contact_changes = require "signorini.run.contact_changes"
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local energy_balance = require "signorini.run.energy_balance"
 local drives = require "signorini.run.drives"
 local jumps = require "signorini.run.jumps"

@@ -2,10 +2,10 @@
 
 local check = require "signorini.call.check"
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local list_shape = require "signorini.call.list_shape"
 local lists = require "signorini.call.lists"
-local meant = require "signorini.call.meant"
+local meant = require("signorini.call.text").meant
 local patch_types = require "signorini.call.patch_types"
 local t = require "signorini.call.types"
 

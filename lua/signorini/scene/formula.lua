@@ -2,7 +2,7 @@
 
 local core = require "signorini.core"
 local check = require "signorini.call.check"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local lists = require "signorini.call.lists"
 local sealed = require "signorini.call.sealed"
 

@@ -4,7 +4,7 @@
 local core = require "signorini.core"
 local accepted = require("signorini.run.path_controls").accepted
 local check = require "signorini.call.check"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local csv = require "signorini.output.csv"
 local execute = require("signorini.study.execute").execute
 local format_table = require "signorini.output.table"

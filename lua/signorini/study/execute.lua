@@ -2,7 +2,7 @@
 -- has other machines solve them (remote.lua).
 
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local display = require "signorini.study.display"
 local inputs = require "signorini.study.inputs"
 local lists = require "signorini.call.lists"

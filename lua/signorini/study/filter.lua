@@ -2,7 +2,7 @@
 
 local check = require "signorini.call.check"
 local lists = require "signorini.call.lists"
-local meant = require "signorini.call.meant"
+local meant = require("signorini.call.text").meant
 local values = require "signorini.study.values"
 
 local any = lists.any

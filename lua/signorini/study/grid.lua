@@ -1,8 +1,8 @@
 -- sg.grid: all combinations of a few parameters' values, as cases of a study.
 
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
-local cut = require "signorini.call.cut"
+local counted = require("signorini.call.text").counted
+local cut = require("signorini.call.text").cut
 local format_table = require "signorini.output.table"
 local lists = require "signorini.call.lists"
 local values = require "signorini.study.values"

@@ -5,7 +5,7 @@
 local core = require "signorini.core"
 local lists = require "signorini.call.lists"
 local missing = require "signorini.study.missing"
-local quoted = require "signorini.call.quoted"
+local quoted = require("signorini.call.text").quoted
 local store = require "signorini.study.store"
 local release = require "signorini.call.release"
 

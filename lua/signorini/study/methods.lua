@@ -4,9 +4,9 @@
 local cells = require "signorini.study.cells"
 local check = require "signorini.call.check"
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local csv = require "signorini.output.csv"
-local cut = require "signorini.call.cut"
+local cut = require("signorini.call.text").cut
 local filter = require "signorini.study.filter"
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local format_table = require "signorini.output.table"

@@ -5,7 +5,7 @@
 local check = require "signorini.call.check"
 local contact_zone = require "signorini.study.contact_zone"
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local format_table = require "signorini.output.table"
 local lists = require "signorini.call.lists"
 local progress = require "signorini.run.progress"

@@ -2,7 +2,7 @@
 
 local core = require "signorini.core"
 local csv = require "signorini.output.csv"
-local meant = require "signorini.call.meant"
+local meant = require("signorini.call.text").meant
 local holds = require("signorini.call.lists").holds
 
 local reference = {}

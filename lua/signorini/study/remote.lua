@@ -4,7 +4,7 @@
 
 local core = require "signorini.core"
 local claims = require "signorini.study.claims"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local display = require "signorini.study.display"
 local engine = require "signorini.study.engine"
 local inputs = require "signorini.study.inputs"

@@ -5,7 +5,7 @@ local core = require "signorini.core"
 local chunks = require "signorini.study.chunks"
 local jobs = require "signorini.study.jobs"
 local lists = require "signorini.call.lists"
-local quoted = require "signorini.call.quoted"
+local quoted = require("signorini.call.text").quoted
 
 local slurm = {}
 

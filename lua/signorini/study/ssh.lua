@@ -3,10 +3,10 @@
 -- come from ~/.ssh/config.
 
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local jobs = require "signorini.study.jobs"
 local lists = require "signorini.call.lists"
-local quoted = require "signorini.call.quoted"
+local quoted = require("signorini.call.text").quoted
 
 local ssh = {}
 

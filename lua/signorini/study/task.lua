@@ -4,7 +4,7 @@
 
 local core = require "signorini.core"
 local claims = require "signorini.study.claims"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local inputs = require "signorini.study.inputs"
 local jobs = require "signorini.study.jobs"
 local lists = require "signorini.call.lists"

@@ -2,7 +2,7 @@
 -- It interpolates between cases and never extrapolates.
 
 local core = require "signorini.core"
-local cut = require "signorini.call.cut"
+local cut = require("signorini.call.text").cut
 local format_table = require "signorini.output.table"
 local lists = require "signorini.call.lists"
 local outcomes = require "signorini.study.outcomes"

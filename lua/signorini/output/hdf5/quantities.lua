@@ -2,7 +2,7 @@
 
 local core = require "signorini.core"
 local lists = require "signorini.call.lists"
-local meant = require "signorini.call.meant"
+local meant = require("signorini.call.text").meant
 
 local quantities = {}
 

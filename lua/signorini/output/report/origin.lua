@@ -1,10 +1,10 @@
 -- What a report says about its origin: the script with its modules and arguments, the program, the machine, the time.
 
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local html = require "signorini.output.report.html"
 local lists = require "signorini.call.lists"
-local quoted = require "signorini.call.quoted"
+local quoted = require("signorini.call.text").quoted
 
 local own_versions = lists.merged(core.versions, { signorini = require "signorini.call.release" })
 local origin = {}

@@ -2,7 +2,7 @@
 
 local charts = require "signorini.output.report.run_charts"
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local duration = require "signorini.output.report.duration"
 local energy_balance = require "signorini.run.energy_balance"
 local figure = require "signorini.output.report.figure"

@@ -2,7 +2,7 @@
 
 local cells = require "signorini.study.cells"
 local charts = require "signorini.output.report.study_charts"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local duration = require "signorini.output.report.duration"
 local html = require "signorini.output.report.html"
 local html_table = require "signorini.output.report.table"

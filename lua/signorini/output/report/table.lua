@@ -1,7 +1,7 @@
 -- A table of a report, which the page's script sorts, filters and writes as CSV.
 
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local html = require "signorini.output.report.html"
 local lists = require "signorini.call.lists"
 

@@ -3,7 +3,7 @@
 
 local core = require "signorini.core"
 local lists = require "signorini.call.lists"
-local meant = require "signorini.call.meant"
+local meant = require("signorini.call.text").meant
 local prompt = require "signorini.prompt.prompt"
 local scripts = require "signorini.prompt.help.scripts"
 

@@ -1,8 +1,8 @@
 -- %who: the user's variables, one per line.
 
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
-local cut = require "signorini.call.cut"
+local counted = require("signorini.call.text").counted
+local cut = require("signorini.call.text").cut
 local lists = require "signorini.call.lists"
 local pages = require "signorini.pages"
 local prompt = require "signorini.prompt.prompt"

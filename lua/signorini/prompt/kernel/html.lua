@@ -1,7 +1,7 @@
 -- Studies and tables of CSV files as HTML.
 
 local cells = require "signorini.study.cells"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local html = require "signorini.output.report.html"
 local lists = require "signorini.call.lists"
 

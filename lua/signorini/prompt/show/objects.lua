@@ -1,7 +1,7 @@
 -- The few lines that print and the prompt show for a patch, a body, a model and a contact profile.
 
 local core = require "signorini.core"
-local counted = require "signorini.call.counted"
+local counted = require("signorini.call.text").counted
 local lists = require "signorini.call.lists"
 
 local map, axes = lists.map, { "x", "y", "z" }
