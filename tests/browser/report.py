@@ -1,4 +1,4 @@
-"""Opens the reports of tests/lua/report_test.lua in a browser and uses them as a reader does; exits with a message at
+"""Opens the reports of tests/lua/output/report_test.lua in a browser and uses them as a reader does; exits with a message at
 the first fault. Arguments: the report of a study, and those of a run and of a convergence map."""
 
 import json

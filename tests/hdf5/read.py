@@ -1,4 +1,4 @@
-"""Prints a file of HDF5 as a Lua table for tests/lua/hdf5_test.lua: by path { shape, values, attributes }.
+"""Prints a file of HDF5 as a Lua table for tests/lua/output/hdf5_test.lua: by path { shape, values, attributes }.
    read.py <file>"""
 
 import sys

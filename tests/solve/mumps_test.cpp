@@ -1,5 +1,5 @@
 // MUMPS in one process: inertia, choice of the factorization, approximate factors, files. Tests that all direct solvers
-// share are in linear_test.cpp and symmetric_test.cpp; runs with several ranks in tests/lua/mumps_test.lua.
+// share are in linear_test.cpp and symmetric_test.cpp; runs with several ranks in tests/lua/run/mumps_test.lua.
 #include "solve/mumps.hpp"
 
 #include "base/dense.hpp"

@@ -1,4 +1,4 @@
-// Compares pairs of PNG files; prints a Lua table for tests/lua/golden_test.lua.
+// Compares pairs of PNG files; prints a Lua table for tests/lua/picture/golden_test.lua.
 //   difference <file> <file> …   per pair the largest difference between means over squares of 8 × 8 pixels, 0 to 255
 //                                (256 for different sizes): antialiasing of letters changes a mean slightly, a moved
 //                                line or text strongly

@@ -1,4 +1,4 @@
-// Reads a .vtu file by VTK's own reader; prints a Lua table for tests/lua/vtu_test.lua.
+// Reads a .vtu file by VTK's own reader; prints a Lua table for tests/lua/output/vtu_test.lua.
 //   read_vtu <file> <place> …   evaluates every cell at all combinations of the places (numbers in [0, 1])
 
 #include <vtkCell.h>

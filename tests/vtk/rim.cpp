@@ -1,4 +1,4 @@
-// Counts non-white pixels at the edges of PNG files; prints a Lua table for tests/lua/clipping_test.lua.
+// Counts non-white pixels at the edges of PNG files; prints a Lua table for tests/lua/picture/clipping_test.lua.
 //   rim <file> …   per file { width, height, number of edge pixels that are not white }
 
 #include <vtkImageData.h>

@@ -1,6 +1,6 @@
 -- Small pictures against those in tests/golden, so that a moved legend, a lost line or a wrong color is seen.
 -- The tolerance lets other versions of fonts and of Mesa pass: the last case shows what it does not.
---   signorini tests/lua/golden_test.lua write    draws them again; look at each of them before they are committed
+--   signorini tests/lua/picture/golden_test.lua write    draws them again; look at each before it is committed
 
 local sg = require "signorini"
 local core = require "signorini.core"

@@ -1,6 +1,6 @@
 -- Odd environments: a full disk, folders that cannot be written, a wrong clock, many files in a study's folder, names
 -- with spaces, quotes and newlines, a locale with commas, no HOME, no standard input. With a million files:
---   signorini tests/lua/environment_test.lua 1000000
+--   signorini tests/lua/reliability/environment_test.lua 1000000
 
 local check = require "check"
 local core = require "signorini.core"

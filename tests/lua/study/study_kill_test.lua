@@ -1,6 +1,6 @@
 -- Studies that are killed at random moments, while they write results, checkpoints, files of HDF5, films, pictures and
 -- tables: what was finished stays, no file is incomplete, and the results are those of an undisturbed study. More:
---   signorini tests/lua/study_kill_test.lua 200
+--   signorini tests/lua/study/study_kill_test.lua 200
 
 local check = require "check"
 local core = require "signorini.core"

@@ -1,5 +1,5 @@
 -- Runs that are killed at random moments, also during a write, and resumed have bitwise identical results; so have runs
--- that Ctrl-C ends. More moments: signorini tests/lua/kill_test.lua 200
+-- that Ctrl-C ends. More moments: signorini tests/lua/reliability/kill_test.lua 200
 
 local check = require "check"
 

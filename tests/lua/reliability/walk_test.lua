@@ -1,5 +1,5 @@
 -- Random walks through generated scenes (walk_scenes.lua, walk.lua). Many more, for minutes:
---   signorini tests/lua/walk_test.lua 1 2000
+--   signorini tests/lua/reliability/walk_test.lua 1 2000
 
 local core = require "signorini.core"
 local check = require "check"

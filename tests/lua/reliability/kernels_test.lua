@@ -1,7 +1,7 @@
 -- The same forces with every kernel that the processor has, and with every core type of OpenBLAS: contact with friction
 -- in the plane and in space, on layers, Hertz's contact, ironing of two bodies. With an argument also those of another
 -- program, such as one of another architecture that tests/set-up/aarch64 runs:
---   signorini tests/lua/kernels_test.lua ['<command of the other program>']
+--   signorini tests/lua/reliability/kernels_test.lua ['<command of the other program>']
 
 local check = require "check"
 local core = require "signorini.core"

@@ -207,7 +207,7 @@ check.case("Ctrl-C and kill -9 leave the finished cells in the file", function()
           model.run = run
           return model
         end, path = function() return { { steps = 2, grip = { 0, -1 } } } end }
-    ]]):format(arg[0]:match "^(.*)/[^/]*$" .. "/?.lua;", file, signal))
+    ]]):format(core.home .. "/tests/lua/?.lua;", file, signal))
     check.equal(status, signal == "INT" and 130 or 137)
     check.equal(sg.csv.read(file):column "outcome", { "completed" })
     remove(file)
@@ -354,7 +354,7 @@ check.case("piped, each cell is a line; quiet, there is none", function()
         model.run = run
         return model
       end, path = function() return { { steps = 2, grip = { 0, -1 } } }, sg.plain{} end }
-  ]]):format(arg[0]:match "^(.*)/[^/]*$" .. "/?.lua;")
+  ]]):format(core.home .. "/tests/lua/?.lua;")
   local output = check.program { "-e", code }
   check.holds(output, "m: 1 of 2: a=1 b=5: ", "m: 2 of 2: a=2 b=5: failed: nan: step 2 ")
   check.equal(check.program { "-q", "-e", code }, "")

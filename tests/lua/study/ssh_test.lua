@@ -3,7 +3,7 @@
 local check = require "check"
 local core = require "signorini.core"
 
-local here = debug.getinfo(1, "S").source:match "^@(.*)/lua/[^/]*$"
+local here = core.home .. "/tests"
 local hosts = check.folder()
 local started, status = check.shell(("'%s/ssh/hosts' start '%s'"):format(here, hosts))
 if status ~= 0 then error(started, 0) end

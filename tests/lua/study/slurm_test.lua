@@ -4,7 +4,7 @@
 local check = require "check"
 local core = require "signorini.core"
 
-local here = debug.getinfo(1, "S").source:match "^@(.*)/lua/[^/]*$"
+local here = core.home .. "/tests"
 local cluster = check.folder()
 local started, status = check.shell(("'%s/slurm/cluster' start '%s'"):format(here, cluster))
 if status ~= 0 then error(started, 0) end
