@@ -37,7 +37,8 @@ struct Controls {
   /// penetrates far too deep; slipping points would change their direction of slip in every iteration.
   bool landing = false;
   /// Whether the state is the guess of the step, its first state away from the accepted one: points that it closes slip
-  /// from where they touch on the way to it (touch.hpp), for the whole step.
+  /// from where they touch on the way to it (touch.hpp), for the whole step. Not in landing: damping moves a body until
+  /// some points touch, and the others, without a forecast, would pull against these.
   bool foresees = false;
 };
 

@@ -15,9 +15,9 @@ namespace signorini::model {
 
 template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, Message& why) {
   follow_angles(model.system.unknowns, model.present.displacement);
-  // The first state of a step away from the accepted one is its guess.
+  // The first state of a step away from the accepted one is its guess, except for contacts that damping closes.
   const bool guess = model.step && !model.step->foreseen && model.present.displacement != model.accepted.displacement;
-  for (auto& control : model.controls) control.foresees = guess;
+  for (auto& control : model.controls) control.foresees = guess && !control.landing;
   if (guess) model.step->foreseen = true;
   const auto inverted = model.system.assembly.assemble({model.present, model.accepted, model.controls, model.acting},
                                                        direction, tangent, model.timings);

@@ -97,6 +97,13 @@ check.case("a roller deep in a slab is an error, also where multipliers are open
   end
 end)
 
+check.case("loose bodies complete: friction has no forecast of the touch where damping closes a contact", function()
+  for _, seed in ipairs{ 8, 41, 117 } do -- mortar, Gauss points, augmented
+    local result = survey.run(seed, 1, "none", nil, "loose")
+    check.equal({ seed, result.found, result.outcomes.completed }, { seed, {}, 1 })
+  end
+end)
+
 check.case("overlaps of faces in a contact none of whose points is active", function()
   local function warnings(seed)
     local account = checks.solve(scenes.describe(seed))
