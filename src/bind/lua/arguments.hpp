@@ -15,6 +15,17 @@ namespace signorini::bind {
 /// Converts a checked value: double, int, bool, std::string, VectorX (a point), MatrixX (points in columns), two
 /// numbers (an interval), or a vector of numbers, integers or strings; gaps in numbers are nan.
 template <class T> T to(lua_State* L, int index);
+template <> double to(lua_State* L, int index);
+template <> int to(lua_State* L, int index);
+template <> bool to(lua_State* L, int index);
+template <> std::string to(lua_State* L, int index);
+template <> std::vector<double> to(lua_State* L, int index);
+template <> std::vector<int> to(lua_State* L, int index);
+template <> std::vector<std::string> to(lua_State* L, int index);
+template <> std::array<double, 2> to(lua_State* L, int index);
+template <> std::array<int, 2> to(lua_State* L, int index);
+template <> VectorX to(lua_State* L, int index);
+template <> MatrixX to(lua_State* L, int index);
 
 /// A table of named arguments.
 ///
