@@ -44,7 +44,7 @@ TEST(Claim, IsGotByOneOfSeveralProcesses) {
 
 TEST(Claim, ReportsWhereItCannotBeCreated) {
   const test::ScratchFolder folder;
-  EXPECT_NE(test::message_of([&] { create_claim(folder.file("missing/case.claim"), ""); }).find("base.file"),
+  EXPECT_NE(test::message_of([&] { create_claim(folder.file("missing/case.claim"), ""); }).find("os.file"),
             std::string::npos);
 }
 

@@ -101,12 +101,9 @@ end)
 
 check.case("every argument of a table is read by the code, and no key occurs twice", function()
   local code = {}
-  for _, folder in ipairs { "src/bind", "lua/signorini", "lua/signorini/study", "lua/signorini/study/convergence_map",
-                            "lua/signorini/scene/scenes" } do
-    for _, file in ipairs(core.list_folder(core.home .. "/" .. folder)) do
-      if file:find "%.[lch]" then code[#code + 1] = core.read_file(("%s/%s/%s"):format(core.home, folder, file)) end
-    end
-  end
+  local found = check.shell(("find '%s/src/bind' '%s/lua/signorini' -name '*.[chl]*' -type f | grep -v /pages")
+    :format(core.home, core.home))
+  for file in found:gmatch "[^\n]+" do code[#code + 1] = core.read_file(file) end
   code = table.concat(code)
   for _, name in ipairs(pages.names()) do
     local seen = {}
