@@ -207,14 +207,15 @@ check.case("singular: an unconstrained body, and its motion", function()
   check.near(place.X, { 1, 1 }, 1e-12) -- farthest from the pin
 end)
 
-check.case("singular: a fine block on a plane without friction, factored in single precision", function()
+check.case("a fine block on a plane without friction, factored in single precision", function()
   local block = sg.body{ patch = sg.shapes.block{ size = { 1, 1, 0.7 } }, elements = { 10, 10, 10 }, order = "N2",
                          contact = "front", thickness_degree = 2, material = sg.neo_hookean{ E = 10, nu = 0.3 } }
   local plane = sg.rigid.plane{ point = { 0, 0, 0 }, normal = { 0, 0, 1 } }
   local model = sg.model{ bodies = { block = block }, supports = { top = { on = block:face "back", drive = "z" } },
     contacts = { floor = { slave = block:face "front", master = plane, penalty = 100, points = 3 } } }
   local run = model:run({ { steps = 1, top = { -0.01 } } }, sg.plain{ linear = "reuse" })
-  check.equal(run.reason, "singular")
+  -- The last digits, which depend on the processor, decide whether a pivot is zero or negative.
+  check.equal(run.reason == "singular" or run.reason == "indefinite", true)
   check.holds(run.failure, "nothing holds body 'block' against translations along x and y")
 end)
 
