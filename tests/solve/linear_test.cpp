@@ -56,7 +56,9 @@ TEST_P(Linear, SingularMatricesAreReportedAndLeaveNoTrace) {
 /// KLU's pivots show whether a symmetric matrix is positive definite, also where it reuses the former ones.
 TEST(Klu, KnowsDefiniteMatrices) {
   std::mt19937 random(7);
-  auto [pattern, values] = free_springs(random, 30);
+  const auto springs = free_springs(random, 30);
+  const Pattern& pattern = springs.first;
+  const Values& values = springs.second;
   const auto solver = make_solver(LinearKind::klu, pattern);
   const auto judged = [&](double shift) {
     Values shifted = values;
