@@ -89,9 +89,9 @@ template <int D> void expect_exact() {
         master.locate(found.point(), after);
         EXPECT_NEAR((after.position - foot.position).norm(), 0, 1e-15);
         // A slip point at a distance of 1e-8 is found again, and follows the foot point.
-        const Vec<D> beside = foot.position + 1e-8 * foot.tangent[0].normalized();
-        const MasterPoint<D> old = master.project(beside, {}, slip).point();
-        EXPECT_NEAR((slip.position - beside).norm(), 0, 4e-15) << "R " << radius;
+        const Vec<D> nearby = foot.position + 1e-8 * foot.tangent[0].normalized();
+        const MasterPoint<D> old = master.project(nearby, {}, slip).point();
+        EXPECT_NEAR((slip.position - nearby).norm(), 0, 4e-15) << "R " << radius;
         master.locate(master.advance(old, foot, 0.5e-8), after);
         EXPECT_NEAR((after.position - foot.position).norm(), 0.5e-8, 4e-15);
       }

@@ -149,9 +149,9 @@ TorusFrame torus_frame(const Torus& torus) {
   const NearPoint<3> ring = near_point<3>(normal_part(torus.center, torus.axis), torus.ring, usual);
   const Vec<2> center(ring.normal.dot(ring.point), torus.axis.dot(torus.center));
   const NearPoint<2> tube = near_point<2>(center, torus.radius, Vec<2>::UnitX());
-  const Vec<3> beside = ring.point - center(0) * ring.normal;
-  return {beside + tube.point(0) * ring.normal + tube.point(1) * torus.axis, ring.normal, torus.axis.cross(ring.normal),
-          torus.ring + torus.radius * tube.normal(0), tube.normal};
+  const Vec<3> on_axis = ring.point - center(0) * ring.normal;
+  return {on_axis + tube.point(0) * ring.normal + tube.point(1) * torus.axis, ring.normal,
+          torus.axis.cross(ring.normal), torus.ring + torus.radius * tube.normal(0), tube.normal};
 }
 
 } // namespace
