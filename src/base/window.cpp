@@ -1,7 +1,5 @@
 #include "base/window.hpp"
 
-#include "base/index.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -22,14 +20,14 @@ public:
     Eigen::Matrix<double, 3, 9> points; // corners, edge midpoints, center; the first direction fastest
     const Vec<2> half = 0.5 * (low + high);
     const std::array<double, 3> s = {low[0], half[0], high[0]}, t = {low[1], half[1], high[1]};
-    for (int k = 0; k < 9; ++k) points.col(k) = place_(s[at(k % 3)], t[at(k / 3)]);
+    for (int k = 0; k < 9; ++k) points.col(k) = place_(s[k % 3], t[k / 3]);
     std::array<bool, 2> split = {false, false};
     for (const Window& window : windows_)
       if (meets(window, points))
-        for (int direction : {0, 1}) split[at(direction)] |= is_coarse(window, points, direction);
+        for (int direction : {0, 1}) split[direction] |= is_coarse(window, points, direction);
     if (depth == most_bisections || (!split[0] && !split[1])) return;
     for (int direction : {0, 1})
-      if (split[at(direction)]) cuts[at(direction)].push_back(half[direction]);
+      if (split[direction]) cuts[direction].push_back(half[direction]);
     for (int j = 0; j <= split[1]; ++j)
       for (int i = 0; i <= split[0]; ++i) {
         Vec<2> from = low, to = high;

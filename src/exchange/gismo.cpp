@@ -153,7 +153,7 @@ public:
     if (!node.first_child()) return result;
     for (TextReader from = document_.inside(node); !from.at_end();) {
       const PatchFace first = face(from), second = face(from);
-      const int directions = patches_[at(first.patch)].parametric_dimension();
+      const int directions = patches_[first.patch].parametric_dimension();
       for (int d = 0; d < directions; ++d) from.integer(0, 2, "exchange.expected.direction");
       for (int d = 0; d < directions; ++d) from.integer(0, 1, "exchange.expected.orientation");
       result.push_back({first, second});
@@ -173,7 +173,7 @@ private:
     const int id = from.integer(0, most_functions, "exchange.expected.patch_id");
     const auto found = index_.find(id);
     if (found == index_.end()) from.wrong("exchange.gismo.patch_id", {{"id", id}});
-    const int sides = 2 * patches_[at(found->second)].parametric_dimension();
+    const int sides = 2 * patches_[found->second].parametric_dimension();
     return {found->second, side_of_number(from.integer(1, sides, "exchange.expected.side"))};
   }
 
@@ -192,9 +192,9 @@ std::string topology_of(const Geometry& geometry) {
   if (!interfaces.empty()) {
     out += "    <interfaces>";
     for (const auto& [faces, way] : interfaces) {
-      std::vector<int> direction(at(parametric)), same(direction);
+      std::vector<int> direction(parametric), same(direction);
       for (int d = 0, k = 0; d < parametric; ++d) {
-        const std::size_t i = at(d), own = at(k);
+        const std::size_t i = d, own = k;
         if (d == faces[0].side.direction) {
           direction[i] = faces[1].side.direction;
           same[i] = faces[0].side.at_end != faces[1].side.at_end;

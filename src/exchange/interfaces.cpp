@@ -1,7 +1,6 @@
 #include "exchange/interfaces.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,9 +106,7 @@ std::vector<OrientedInterface> interfaces_of(const Geometry& geometry) {
   if (!geometry.interfaces) return found_interfaces(geometry);
   std::vector<OrientedInterface> listed;
   for (const Interface& faces : *geometry.interfaces) {
-    const auto surface = [&](const PatchFace& face) {
-      return nurbs::face(geometry.patches[at(face.patch)], face.side);
-    };
+    const auto surface = [&](const PatchFace& face) { return nurbs::face(geometry.patches[face.patch], face.side); };
     const auto way = orientation_of(surface(faces[0]), surface(faces[1]));
     require(way.has_value(), "exchange.write.interface",
             {{"number", listed.size()},

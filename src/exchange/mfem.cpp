@@ -1,7 +1,6 @@
 // MFEM NURBS mesh v1.0 with the section "patches": a topology of vertices, edges and elements, then per patch knots and
 // control points, ξ¹ fastest.
 #include "base/groups.hpp"
-#include "base/index.hpp"
 #include "exchange/interfaces.hpp"
 #include "exchange/text.hpp"
 
@@ -82,7 +81,7 @@ std::vector<int> sorted(std::vector<int> values) {
 /// The vertices of a side of an element with these vertices, sorted.
 std::vector<int> vertices_on(const std::vector<int>& vertices, const ElementSide& side) {
   std::vector<int> own;
-  for (const int v : side.vertices) own.push_back(vertices[at(v)]);
+  for (const int v : side.vertices) own.push_back(vertices[v]);
   return sorted(own);
 }
 
@@ -183,7 +182,7 @@ Vertices number_vertices(const Geometry& geometry, const std::vector<OrientedInt
   const auto corner = [&](const PatchFace& face, const std::array<bool, 2>& ends) {
     int index = face.side.at_end ? 1 << face.side.direction : 0;
     for (int d = 0, k = 0; d < parametric; ++d)
-      if (d != face.side.direction && ends[at(k++)]) index += 1 << d;
+      if (d != face.side.direction && ends[k++]) index += 1 << d;
     return face.patch * corners + index;
   };
   for (const auto& [faces, way] : interfaces)
@@ -198,7 +197,7 @@ Vertices number_vertices(const Geometry& geometry, const std::vector<OrientedInt
     const std::vector<int>& order = element_of(parametric).vertex_of_corner;
     std::vector<int> leaders(order.size());
     for (std::size_t c = 0; c < order.size(); ++c)
-      leaders[at(order[c])] = groups.leader(static_cast<int>(p) * corners + static_cast<int>(c));
+      leaders[order[c]] = groups.leader(static_cast<int>(p) * corners + static_cast<int>(c));
     result.emplace_back();
     for (const int leader : leaders)
       result.back().push_back(number.emplace(leader, static_cast<int>(number.size())).first->second);
@@ -214,8 +213,8 @@ std::string edges_of(const Vertices& vertices, int parametric) {
   std::vector<std::array<int, 2>> order;
   for (std::size_t p = 0; p < vertices.size(); ++p)
     for (int d = 0; d < parametric; ++d)
-      for (const auto& [a, b] : element_of(parametric).edges[at(d)]) {
-        const std::array<int, 2> edge{vertices[p][at(a)], vertices[p][at(b)]};
+      for (const auto& [a, b] : element_of(parametric).edges[d]) {
+        const std::array<int, 2> edge{vertices[p][a], vertices[p][b]};
         require(!direction_of.contains({edge[1], edge[0]}), "exchange.mfem.opposite",
                 {{"number", p + 1}, {"direction", d + 1}});
         const int own = static_cast<int>(p) * parametric + d;
@@ -252,7 +251,7 @@ std::string boundary_of(const Geometry& geometry, const Vertices& vertices,
       const PatchFace face{static_cast<int>(p), side_of_number(side.number)};
       if (std::find(outer.begin(), outer.end(), face) == outer.end()) continue;
       lines += text(attribute(face), " ", element.side_type);
-      for (const int v : side.vertices) lines += text(" ", vertices[p][at(v)]);
+      for (const int v : side.vertices) lines += text(" ", vertices[p][v]);
       lines += "\n";
     }
   return text(outer.size(), "\n", lines);

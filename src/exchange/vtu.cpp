@@ -192,7 +192,7 @@ std::string linear_vtu(const BezierGrid& grid, int subdivisions) {
     first += points;
     cells.copies.push_back(parts);
   }
-  cells.points.resize(static_cast<std::size_t>(first));
+  cells.points.resize(first);
   std::iota(cells.points.begin(), cells.points.end(), 0);
   return document(samples, cells, {}, {});
 }

@@ -1,5 +1,4 @@
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "figure/picture.hpp"
 #include "view/compose.hpp"
 #include "view/sheet.hpp"
@@ -57,7 +56,7 @@ struct Plates {
   std::map<std::array<int, 2>, view::CloseUpPlan> plans = {}; ///< positions of insets, computed once per film
 
   view::PictureOptions options(int picture, const Paper& paper) const {
-    view::PictureOptions all = film[at(picture)].options;
+    view::PictureOptions all = film[picture].options;
     all.size = paper.size;
     all.trim = paper.trim;
     all.style = paper.style;
@@ -71,20 +70,20 @@ view::Figure draw_plate(Plates& plates, int picture, const Paper& paper) {
   const auto whole = [&](int of, const std::optional<view::Box>& extent) {
     view::PictureOptions larger = plates.options(of, paper);
     if (extent) larger.extent = extent;
-    return view::make_plate(film[at(of)].panels, larger);
+    return view::make_plate(film[of].panels, larger);
   };
-  if (!film[at(picture)].inset) return view::figure_of(whole(picture, {}));
+  if (!film[picture].inset) return view::figure_of(whole(picture, {}));
   const auto detail = [&](int of, int state, const std::array<int, 2>& most) {
-    view::PictureOptions own = *film[at(of)].inset;
+    view::PictureOptions own = *film[of].inset;
     own.size = most;
     own.style = view::close_up_style(view::style_of(plates.options(of, paper)));
-    std::vector<view::Panel> alone = {film[at(of)].panels[at(state)]};
+    std::vector<view::Panel> alone = {film[of].panels[state]};
     alone[0].title.clear();
     return view::make_plate(alone, own);
   };
   auto plan = plates.plans.find(paper.size);
   if (plan == plates.plans.end()) {
-    const int count = static_cast<int>(film.size());
+    const int count = std::ssize(film);
     plan = plates.plans.emplace(paper.size, view::plan_close_ups(count, whole, detail)).first;
   }
   return view::with_close_ups(picture, plan->second, whole, detail);
@@ -236,7 +235,7 @@ Part sheet_part(const Film<SheetPicture>& film, const Ranges& outer) {
   for (const SheetPicture* sheet : film) titles.push_back(sheet->title);
   whole.draw = [parts, titles, bars = whole.bars, columns = first.columns](int picture, const Paper& paper) {
     view::PictureOptions options;
-    options.title = titles[at(picture)];
+    options.title = titles[picture];
     options.size = paper.size;
     options.trim = paper.trim;
     options.style = paper.style;
@@ -244,7 +243,7 @@ Part sheet_part(const Film<SheetPicture>& film, const Ranges& outer) {
     const auto part = [&](int i, const std::array<int, 2>& most) {
       const Paper own{most, true, view::part_style(most, view::style_of(options)),
                       parts.size() > 1 ? bars : std::vector<view::Bar>()};
-      return parts[at(i)].draw(picture, own);
+      return parts[i].draw(picture, own);
     };
     return view::side_by_side(static_cast<int>(parts.size()), options, part);
   };
@@ -284,7 +283,7 @@ Part part_of(const Film<Picture>& film, const Ranges& ranges) {
   std::vector<Picture> flat;
   for (const Picture* one : film) flat.push_back(*one);
   return {[flat](int picture, const Paper& paper) {
-    const Picture& one = flat[at(picture)];
+    const Picture& one = flat[picture];
     const auto& [width, height] = one.size;
     const double factor = std::min(1.0 * paper.size[0] / width, 1.0 * paper.size[1] / height);
     const std::array<int, 2> size = {static_cast<int>(factor * width + 0.5), static_cast<int>(factor * height + 0.5)};

@@ -15,7 +15,7 @@ struct BandPoint {
 };
 
 BandPoint band_point(const model::Model<2>& model, const model::FaceReference& slave, double along, bool deformed) {
-  const nurbs::Discretization& space = model.system.scene.bodies[static_cast<std::size_t>(slave.body)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[slave.body].body->space();
   const int across = slave.side.direction;
   const auto [from, to] = space.interval(slave.side.at_end ? space.elements() - 1 : 0, across);
   const auto position = [&](double depth) {
@@ -32,9 +32,8 @@ BandPoint band_point(const model::Model<2>& model, const model::FaceReference& s
 
 view::Body face_band(const model::Model<2>& model, model::FaceField field, int contact, std::size_t face,
                      const Showing& showing, double size) {
-  const model::FaceReference& reference = model.system.scene.contacts[static_cast<std::size_t>(contact)].slave[face];
-  const contact::Surface<2> slave(model.system.scene.bodies[static_cast<std::size_t>(reference.body)].body->space(),
-                                  reference.side);
+  const model::FaceReference& reference = model.system.scene.contacts[contact].slave[face];
+  const contact::Surface<2> slave(model.system.scene.bodies[reference.body].body->space(), reference.side);
   const model::FaceValues<2> values(model, field, contact, face);
   const int divisions = std::clamp(400 / slave.elements(), 8, 40), count = slave.elements() * (divisions + 1);
   std::vector<BandPoint> places;
@@ -56,7 +55,7 @@ view::Body face_band(const model::Model<2>& model, model::FaceField field, int c
   band.skin.points.setZero(3, 2 * count);
   view::Points edge = view::Points::Zero(3, count);
   for (int i = 0; i < count; ++i) {
-    const auto at = [&](int j) { return places[static_cast<std::size_t>(j)]; };
+    const auto at = [&](int j) { return places[j]; };
     // Two points further, because points at element borders are doubled
     const Vec<2> along = (at(std::min(i + 2, count - 1)).face - at(std::max(i - 2, 0)).face).stableNormalized();
     Vec<2> inwards(-along(1), along(0));

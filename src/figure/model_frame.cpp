@@ -1,4 +1,3 @@
-#include "base/index.hpp"
 #include "figure/frame.hpp"
 #include "figure/obstacle_frame.hpp"
 #include "model/scene/turning.hpp"
@@ -31,7 +30,7 @@ std::vector<view::SurfaceLine> without_seams(std::vector<view::SurfaceLine> line
 /// Pieces per element and direction: enough for a quadratic arc over an eighth of a circle to look round at any size;
 /// fewer for many small elements.
 template <int D> int divisions_for(const model::Model<D>& model, int b) {
-  const nurbs::Discretization& space = model.system.scene.bodies[at(b)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[b].body->space();
   const int elements = D == 2 ? space.elements() : tessellation::surface_elements(space);
   return std::clamp(static_cast<int>(std::sqrt(40000.0 / elements)), 4, 12);
 }
@@ -123,7 +122,7 @@ void add_spoke(view::Panel& panel, const contact::Obstacle<2>& shape, const Mat<
 }
 
 template <int D> void add_obstacles(view::Panel& panel, const model::Model<D>& model, bool deformed) {
-  for (int k = 0; k < static_cast<int>(model.system.scene.obstacles.size()); ++k) {
+  for (int k = 0; k < std::ssize(model.system.scene.obstacles); ++k) {
     const int first = model.system.unknowns.obstacle_offset(k);
     const VectorX& u = model.present.displacement;
     const Vec<D> shift = deformed ? Vec<D>(u.template segment<D>(first)) : Vec<D>(Vec<D>::Zero());
@@ -131,7 +130,7 @@ template <int D> void add_obstacles(view::Panel& panel, const model::Model<D>& m
     Mat<D> rotation = Mat<D>::Identity();
     if (turn && deformed) rotation += Eigen::Map<const Mat<D>>(u.data() + first + D) / turn->turning.arm;
     const Motion<D> motion = motion_about<D>(turn ? turn->turning.center : Vec<D>(Vec<D>::Zero()), rotation, shift);
-    const contact::Obstacle<D> shape = moved<D>(model.system.scene.obstacles[at(k)], motion);
+    const contact::Obstacle<D> shape = moved<D>(model.system.scene.obstacles[k], motion);
     add_obstacle(panel, shape, motion);
     if constexpr (D == 2)
       if (turn) add_spoke(panel, shape, rotation);

@@ -1,6 +1,5 @@
 #include "figure/obstacle_frame.hpp"
 
-#include "base/index.hpp"
 #include "view/obstacle.hpp"
 
 #include <cmath>
@@ -26,12 +25,11 @@ view::Outline outline_of(const contact::LevelSet<2>& level_set, const std::vecto
   view::Outline outline;
   outline.line.setZero(3, count);
   for (int i = 0; i < count; ++i) {
-    const Vec<2> first = points.col(chain[at(i / pieces)]);
+    const Vec<2> first = points.col(chain[i / pieces]);
     const int part = i % pieces;
-    outline.line.col(i).head<2>() =
-        motion * (part == 0 ? first
-                            : between(level_set, first, points.col(chain[at(i / pieces + 1)]),
-                                      static_cast<double>(part) / pieces));
+    outline.line.col(i).head<2>() = motion * (part == 0 ? first
+                                                        : between(level_set, first, points.col(chain[i / pieces + 1]),
+                                                                  static_cast<double>(part) / pieces));
   }
   return outline;
 }
@@ -48,21 +46,21 @@ std::vector<view::Outline> outlines(const contact::LevelSet<2>& level_set, const
   const contact::LevelMesh<2>& mesh = level_set.compiled->mesh;
   const auto count = static_cast<std::size_t>(mesh.points.cols());
   std::vector<int> next(count, -1), before(count, -1);
-  for (const auto& [from, to] : mesh.simplices) next[at(from)] = to, before[at(to)] = from;
+  for (const auto& [from, to] : mesh.simplices) next[from] = to, before[to] = from;
   std::vector<view::Outline> result;
   const auto follow = [&](int start) {
     std::vector<int> chain{start};
-    for (int i = next[at(start)]; i >= 0; i = next[at(i)]) {
+    for (int i = next[start]; i >= 0; i = next[i]) {
       chain.push_back(i);
-      next[at(chain[chain.size() - 2])] = -1;
+      next[chain[chain.size() - 2]] = -1;
       if (i == start) break;
     }
     if (chain.size() > 1) result.push_back(outline_of(level_set, chain, motion));
   };
   for (int i = 0; i < static_cast<int>(count); ++i) // open ends first, then closed curves
-    if (before[at(i)] < 0) follow(i);
+    if (before[i] < 0) follow(i);
   for (int i = 0; i < static_cast<int>(count); ++i)
-    if (next[at(i)] >= 0) follow(i);
+    if (next[i] >= 0) follow(i);
   return result;
 }
 

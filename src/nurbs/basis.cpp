@@ -31,7 +31,7 @@ void basis_derivatives(const KnotVector& knots, int element, double xi, int orde
   std::copy_n(values[p], p + 1, out);
 
   for (int k = 1; k <= order; ++k) {
-    double* row = out + at(k * (p + 1));
+    double* row = out + k * (p + 1);
     if (k > p) {
       std::fill_n(row, p + 1, 0.0);
       continue;

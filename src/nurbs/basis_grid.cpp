@@ -1,6 +1,5 @@
 #include "nurbs/basis_grid.hpp"
 
-#include "base/index.hpp"
 #include "nurbs/basis.hpp"
 
 #include <algorithm>
@@ -12,7 +11,7 @@ BasisGrid::BasisGrid(const Discretization& space)
   for (const Row& row : space_.rows()) {
     std::array<int, 3>& numbers = row_directions_.emplace_back(std::array<int, 3>{});
     for (int d = 0; d < space_.parametric_dimension(); ++d)
-      if (d != space_.through()) numbers[at(d)] = space_number(d, row.direction(space_.in_row(d)));
+      if (d != space_.through()) numbers[d] = space_number(d, row.direction(space_.in_row(d)));
   }
 }
 
@@ -21,16 +20,16 @@ int BasisGrid::space_number(int direction, const Space1D& space) {
     return known.direction == direction && *known.space == space;
   });
   const auto number = static_cast<int>(same - directions_.begin());
-  if (same == directions_.end()) directions_.push_back({direction, &space, std::vector<Table>(at(space.elements()))});
+  if (same == directions_.end()) directions_.push_back({direction, &space, std::vector<Table>(space.elements())});
   return number;
 }
 
 const double* BasisGrid::table(int number, int element, const std::vector<double>& points) {
-  Direction& direction = directions_[at(number)];
-  Table& table = direction.tables[at(element)];
+  Direction& direction = directions_[number];
+  Table& table = direction.tables[element];
   if (table.points != std::ssize(points)) {
     const std::size_t size = 2 * direction.space->functions_on(element).size();
-    table.points = static_cast<int>(points.size());
+    table.points = std::ssize(points);
     table.values.resize(size * points.size());
     for (std::size_t q = 0; q < points.size(); ++q)
       basis_derivatives(*direction.space, element, points[q], 1, table.values.data() + size * q);
@@ -41,7 +40,7 @@ const double* BasisGrid::table(int number, int element, const std::vector<double
 void BasisGrid::choose(int e, const std::vector<std::vector<double>>& points) {
   const int dimensions = space_.parametric_dimension(), through = space_.through();
   const int layer = space_.element_index(e, through);
-  through_ = table(stack_direction_, layer, points[at(through)]);
+  through_ = table(stack_direction_, layer, points[through]);
   functions_.clear();
   weights_.clear();
   parts_.clear();
@@ -54,23 +53,23 @@ void BasisGrid::choose(int e, const std::vector<std::vector<double>>& points) {
     RowPart& part = parts_.emplace_back(RowPart{{1, 1, 1}, {}});
     for (int d = 0; d < dimensions; ++d) {
       if (d == through) continue;
-      part.count[at(d)] = functions.count(d);
-      part.values[at(d)] = table(row_directions_[at(j)][at(d)], space_.element_index(e, d), points[at(d)]);
+      part.count[d] = functions.count(d);
+      part.values[d] = table(row_directions_[j][d], space_.element_index(e, d), points[d]);
     }
   }
 }
 
 void BasisGrid::evaluate(const std::array<int, 3>& point, ElementBasis& result) {
   const int dimensions = space_.parametric_dimension();
-  const std::size_t t = at(space_.through()), u = t == 0 ? 1 : 0, v = t == 2 ? 1 : 2;
+  const std::size_t t = space_.through(), u = t == 0 ? 1 : 0, v = t == 2 ? 1 : 2;
   const std::size_t size = functions_.size(), layer_rows = parts_.size();
   result.functions = functions_;
   result.values.resize(static_cast<Eigen::Index>(size)); // w_A N_A(ξ), later R_A(ξ)
   result.gradients.resize(dimensions, static_cast<Eigen::Index>(size));
-  rates_.resize(at(dimensions) * size);
+  rates_.resize(dimensions * size);
 
   static constexpr double one[2] = {1, 0};
-  const double* through = through_ + 2 * layer_rows * at(point[t]);
+  const double* through = through_ + 2 * layer_rows * point[t];
   std::size_t a = 0;
   for (std::size_t k = 0; k < layer_rows; ++k) {
     const RowPart& part = parts_[k];
@@ -95,7 +94,7 @@ void BasisGrid::evaluate(const std::array<int, 3>& point, ElementBasis& result) 
   const double weight = result.values.sum();
   result.values /= weight;
   for (int d = 0; d < dimensions; ++d) {
-    const Eigen::Map<const VectorX> rates(rates_.data() + at(d) * size, static_cast<Eigen::Index>(size));
+    const Eigen::Map<const VectorX> rates(rates_.data() + d * size, static_cast<Eigen::Index>(size));
     result.gradients.row(d) = (rates - result.values * rates.sum()).transpose() / weight;
   }
 }

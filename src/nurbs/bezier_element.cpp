@@ -1,7 +1,5 @@
 #include "nurbs/bezier_element.hpp"
 
-#include "base/index.hpp"
-
 namespace signorini::nurbs {
 
 MatrixX bernstein_elevation(int from, int to) {
@@ -23,12 +21,12 @@ BezierElement bezier_element(const Discretization& space, int e) {
   BezierElement result;
   std::array<int, 3> index{}, count{1, 1, 1};
   for (int d = 0; d < dimensions; ++d) {
-    index[at(d)] = space.element_index(e, d);
+    index[d] = space.element_index(e, d);
     result.degrees.push_back(space.degree(e, d));
-    count[at(d)] = result.degrees.back() + 1;
+    count[d] = result.degrees.back() + 1;
   }
 
-  const int layer = index[at(through)];
+  const int layer = index[through];
   const std::span<const int> rows = space.stack().functions_on(layer);
   std::vector<VectorX> columns; // of the transposed extraction, one per function
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -38,12 +36,12 @@ BezierElement bezier_element(const Discretization& space, int e) {
     for (MatrixX& one : coefficients) one.setConstant(1, 1, 1.0);
     for (int d = 0; d < dimensions; ++d) {
       if (d == through) {
-        coefficients[at(d)] = space.stack().extraction(layer).row(static_cast<Eigen::Index>(k));
+        coefficients[d] = space.stack().extraction(layer).row(static_cast<Eigen::Index>(k));
         continue;
       }
-      const Space1D& along = space.rows()[at(j)].direction(space.in_row(d));
-      coefficients[at(d)] = along.extraction(index[at(d)])
-                                .lazyProduct(bernstein_elevation(along.degree(index[at(d)]), result.degrees[at(d)]));
+      const Space1D& along = space.rows()[j].direction(space.in_row(d));
+      coefficients[d] =
+          along.extraction(index[d]).lazyProduct(bernstein_elevation(along.degree(index[d]), result.degrees[d]));
     }
     space.row_functions(e, j).each([&](int function, const std::array<int, 3>& i) {
       result.functions.push_back(function);

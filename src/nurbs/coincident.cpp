@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/groups.hpp"
-#include "base/index.hpp"
 #include "nurbs/constants.hpp"
 
 #include <algorithm>
@@ -38,15 +37,15 @@ private:
 /// Functions of a side as lines of control points along direction k; empty if the rows of a layer have no such lines.
 std::vector<Functions> lines_along(const Discretization& space, Side side, int k) {
   const int through = space.through();
-  const auto rows = static_cast<int>(space.rows().size());
+  const int rows = std::ssize(space.rows());
   std::vector<Functions> lines;
   if (side.direction == through) {
     // All in one row: index = first + i + n0·j
     const Functions all = space.face_functions(side);
-    const int n0 = space.rows()[at(side.at_end ? rows - 1 : 0)].direction(0).functions();
+    const int n0 = space.rows()[side.at_end ? rows - 1 : 0].direction(0).functions();
     const bool fastest = space.in_row(k) == 0;
-    lines.resize(fastest ? all.size() / at(n0) : at(n0));
-    for (std::size_t i = 0; i < all.size(); ++i) lines[fastest ? i / at(n0) : i % at(n0)].push_back(all[i]);
+    lines.resize(fastest ? all.size() / n0 : n0);
+    for (std::size_t i = 0; i < all.size(); ++i) lines[fastest ? i / n0 : i % n0].push_back(all[i]);
     return lines;
   }
   for (int j = 0; j < rows; ++j) {

@@ -1,7 +1,6 @@
 #include "nurbs/constructions.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "nurbs/constants.hpp"
 #include "nurbs/curves.hpp"
 #include "nurbs/refine.hpp"
@@ -47,7 +46,7 @@ void unify(const std::vector<Along>& all) {
   std::vector<double> known = lead.breaks();
   for (const auto& [patch, d] : all) {
     std::vector<KnotVector> directions = patch->directions();
-    KnotVector& own = directions[at(d)];
+    KnotVector& own = directions[d];
     own = fitted(own, lead.first(), lead.last(), known);
     const int times = degree - own.degree();
     *patch = elevate({std::move(directions), patch->homogeneous()}, d, times);
@@ -57,7 +56,7 @@ void unify(const std::vector<Along>& all) {
     for (const auto& [patch, d] : all) most = std::max(most, patch->direction(d).multiplicity(knot));
     for (const auto& [patch, d] : all) {
       const int missing = most - patch->direction(d).multiplicity(knot);
-      *patch = insert_knots(*patch, d, std::vector<double>(at(missing), knot));
+      *patch = insert_knots(*patch, d, std::vector<double>(missing, knot));
     }
   }
 }

@@ -2,7 +2,6 @@
 #include "nurbs/constructions.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "nurbs/constants.hpp"
 
 #include <algorithm>
@@ -17,14 +16,14 @@ struct Lattice {
   std::vector<Patch> faces; ///< west, east, south, …
   std::array<int, 3> count{1, 1, 1};
 
-  int dimensions() const { return static_cast<int>(faces.size()) / 2; }
+  int dimensions() const { return std::ssize(faces) / 2; }
 
   /// Homogeneous coordinates of lattice point `index`, which is at an end in direction d, on the face normal to d.
   VectorX value(const std::array<int, 3>& index, int d) const {
-    const Patch& face = faces[at(2 * d + (index[at(d)] > 0 ? 1 : 0))];
+    const Patch& face = faces[2 * d + (index[d] > 0 ? 1 : 0)];
     int function = 0;
     for (int k = dimensions() - 1; k >= 0; --k)
-      if (k != d) function = function * count[at(k)] + index[at(k)];
+      if (k != d) function = function * count[k] + index[k];
     return face.homogeneous().col(function);
   }
 };
@@ -43,11 +42,11 @@ void check_meeting(const Lattice& lattice, double size) {
   each_point(lattice, [&](const std::array<int, 3>& index) {
     int known = -1;
     for (int d = 0; d < lattice.dimensions(); ++d) {
-      if (index[at(d)] > 0 && index[at(d)] < lattice.count[at(d)] - 1) continue;
+      if (index[d] > 0 && index[d] < lattice.count[d] - 1) continue;
       if (known >= 0) {
         const VectorX a = lattice.value(index, known), b = lattice.value(index, d);
         const VectorX x = a.head(space) / a(space), y = b.head(space) / b(space);
-        const std::string first = name_of({known, index[at(known)] > 0}), second = name_of({d, index[at(d)] > 0});
+        const std::string first = name_of({known, index[known] > 0}), second = name_of({d, index[d] > 0});
         require((x - y).norm() <= computed * size, "nurbs.coons.apart",
                 {{"first", first}, {"second", second}, {"at", x}, {"other", y}});
         require(std::abs(a(space) - b(space)) <= computed * std::abs(a(space)), "nurbs.coons.weights",
@@ -60,7 +59,7 @@ void check_meeting(const Lattice& lattice, double size) {
 
 void check_boundary(const std::vector<Patch>& boundary) {
   require(boundary.size() == 4 || boundary.size() == 6, "nurbs.coons.count", {{"count", boundary.size()}});
-  const int parametric = static_cast<int>(boundary.size()) / 2 - 1;
+  const int parametric = std::ssize(boundary) / 2 - 1;
   for (std::size_t i = 0; i < boundary.size(); ++i) {
     const std::string name = name_of({static_cast<int>(i) / 2, i % 2 == 1});
     require(boundary[i].parametric_dimension() == parametric, "nurbs.coons.directions",
@@ -84,10 +83,10 @@ Patch coons(const std::vector<Patch>& boundary) {
   for (int d = 0; d < dimensions; ++d) {
     std::vector<Along> along;
     for (int f = 0; f < 2 * dimensions; ++f)
-      if (f / 2 != d) along.push_back({&lattice.faces[at(f)], d < f / 2 ? d : d - 1});
+      if (f / 2 != d) along.push_back({&lattice.faces[f], d < f / 2 ? d : d - 1});
     unify(along);
     directions.push_back(along.front().patch->direction(along.front().direction));
-    lattice.count[at(d)] = directions.back().functions();
+    lattice.count[d] = directions.back().functions();
     blends.push_back(directions.back().greville());
     for (double& blend : blends.back())
       blend = (blend - directions.back().first()) / (directions.back().last() - directions.back().first());
@@ -113,9 +112,9 @@ Patch coons(const std::vector<Patch>& boundary) {
         for (int d = 0; d < dimensions; ++d) {
           if (!(set >> d & 1)) continue;
           const bool at_end = ends >> d & 1;
-          const double blend = blends[at(d)][at(index[at(d)])];
+          const double blend = blends[d][index[d]];
           factor *= at_end ? -blend : blend - 1;
-          clamped[at(d)] = at_end ? lattice.count[at(d)] - 1 : 0;
+          clamped[d] = at_end ? lattice.count[d] - 1 : 0;
           last = d;
         }
         sum += factor * lattice.value(clamped, last);

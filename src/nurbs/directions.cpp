@@ -1,7 +1,6 @@
 #include "nurbs/directions.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +30,7 @@ KnotVector reversed(const KnotVector& knots) {
 Patch reverse(const Patch& patch, int d) {
   check_direction(patch, d);
   std::vector<KnotVector> directions = patch.directions();
-  directions[at(d)] = reversed(patch.direction(d));
+  directions[d] = reversed(patch.direction(d));
   const int stride = patch.stride(d), count = patch.direction(d).functions();
   // Index = inner + stride·(i_d + count·outer)
   MatrixX homogeneous(patch.dimension() + 1, patch.functions());
@@ -46,15 +45,15 @@ Patch swap_directions(const Patch& patch, int i, int j) {
   check_direction(patch, i);
   check_direction(patch, j);
   std::vector<KnotVector> directions = patch.directions();
-  std::swap(directions[at(i)], directions[at(j)]);
+  std::swap(directions[i], directions[j]);
   MatrixX homogeneous(patch.dimension() + 1, patch.functions());
   for (int n = 0; n < patch.functions(); ++n) {
     std::array<int, 3> place{};
     for (int d = 0; d < patch.parametric_dimension(); ++d)
-      place[at(d)] = n / patch.stride(d) % patch.direction(d).functions();
-    std::swap(place[at(i)], place[at(j)]);
+      place[d] = n / patch.stride(d) % patch.direction(d).functions();
+    std::swap(place[i], place[j]);
     int to = 0;
-    for (int d = patch.parametric_dimension() - 1; d >= 0; --d) to = to * directions[at(d)].functions() + place[at(d)];
+    for (int d = patch.parametric_dimension() - 1; d >= 0; --d) to = to * directions[d].functions() + place[d];
     homogeneous.col(to) = patch.homogeneous().col(n);
   }
   return {std::move(directions), std::move(homogeneous)};

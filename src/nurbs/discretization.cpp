@@ -1,7 +1,6 @@
 #include "nurbs/discretization.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "nurbs/basis.hpp"
 #include "nurbs/constants.hpp"
 
@@ -94,7 +93,7 @@ int Discretization::degree(int e, int d) const {
   if (d == through_) return stack_.degree(element_index(e, d));
   int highest = 0;
   for (int j : stack_.functions_on(element_index(e, through_)))
-    highest = std::max(highest, rows_[at(j)].direction(in_row(d)).degree(element_index(e, d)));
+    highest = std::max(highest, rows_[j].direction(in_row(d)).degree(element_index(e, d)));
   return highest;
 }
 
@@ -105,13 +104,13 @@ int Discretization::find_element(const VectorX& xi) const {
 }
 
 ElementFunctions Discretization::row_functions(int e, int j) const {
-  const Row& row = rows_[at(j)];
+  const Row& row = rows_[j];
   ElementFunctions functions;
-  functions.first = first_[at(j)];
+  functions.first = first_[j];
   for (int d = 0; d < parametric_dimension(); ++d) {
     if (d == through_) continue;
-    functions.along[at(d)] = row.direction(in_row(d)).functions_on(element_index(e, d));
-    functions.stride[at(d)] = row.stride(in_row(d));
+    functions.along[d] = row.direction(in_row(d)).functions_on(element_index(e, d));
+    functions.stride[d] = row.stride(in_row(d));
   }
   return functions;
 }
@@ -129,7 +128,7 @@ void Discretization::basis(int e, const VectorX& xi, ElementBasis& result) const
   double through[2 * (max_degree + 1)];
   basis_derivatives(stack_, layer, xi(through_), 1, through);
   // Factors of a product: first in the thickness direction, then along the row.
-  const std::size_t t = at(through_), u = t == 0 ? 1 : 0, v = t == 2 ? 1 : 2;
+  const std::size_t t = through_, u = t == 0 ? 1 : 0, v = t == 2 ? 1 : 2;
 
   std::array<ElementFunctions, max_degree + 1> rows;
   int size = 0;
@@ -137,13 +136,13 @@ void Discretization::basis(int e, const VectorX& xi, ElementBasis& result) const
     rows[k] = row_functions(e, layer_rows[k]);
     size += rows[k].count(0) * rows[k].count(1) * rows[k].count(2);
   }
-  result.functions.resize(at(size));
+  result.functions.resize(size);
   result.values.resize(size);      // w_A N_A(ξ), later R_A(ξ)
   MatrixX rates(size, dimensions); // ∂(w_A N_A)/∂ξ^d
   result.gradients.resize(dimensions, size);
   int a = 0;
   for (std::size_t k = 0; k < layer_rows.size(); ++k) {
-    const Row& row = rows_[at(layer_rows[k])];
+    const Row& row = rows_[layer_rows[k]];
     double n[3][2 * (max_degree + 1)] = {{1}, {1}, {1}}; // values along each direction, then derivatives
     for (int d = 0; d < dimensions; ++d)
       if (d != through_) basis_derivatives(row.direction(in_row(d)), element_index(e, d), xi(d), 1, n[d]);
@@ -151,11 +150,11 @@ void Discretization::basis(int e, const VectorX& xi, ElementBasis& result) const
     n[t][1] = through[layer_rows.size() + k];
     rows[k].each([&](int function, const std::array<int, 3>& i) {
       const double w = homogeneous_(dimensions, function);
-      result.functions[at(a)] = function;
+      result.functions[a] = function;
       result.values(a) = w * n[t][i[t]] * n[u][i[u]] * n[v][i[v]];
       for (int d = 0; d < dimensions; ++d) {
         std::array<int, 3> rate = i;
-        rate[at(d)] += rows[k].count(d);
+        rate[d] += rows[k].count(d);
         rates(a, d) = w * n[t][rate[t]] * n[u][rate[u]] * n[v][rate[v]];
       }
       ++a;
@@ -170,11 +169,11 @@ void Discretization::basis(int e, const VectorX& xi, ElementBasis& result) const
 }
 
 std::vector<int> Discretization::row_end(int j, int a, bool at_end) const {
-  const Row& row = rows_[at(j)];
+  const Row& row = rows_[j];
   const int n0 = row.direction(0).functions(), end = at_end ? row.direction(a).functions() - 1 : 0;
   std::vector<int> result;
   for (int i = 0; i < row.functions(); ++i)
-    if ((a == 0 ? i % n0 : i / n0) == end) result.push_back(first_[at(j)] + i);
+    if ((a == 0 ? i % n0 : i / n0) == end) result.push_back(first_[j] + i);
   return result;
 }
 
@@ -182,7 +181,7 @@ std::vector<int> Discretization::face_functions(Side side) const {
   std::vector<int> result;
   if (side.direction == through_) {
     const int row = side.at_end ? stack_.functions() - 1 : 0;
-    for (int i = 0; i < rows_[at(row)].functions(); ++i) result.push_back(first_[at(row)] + i);
+    for (int i = 0; i < rows_[row].functions(); ++i) result.push_back(first_[row] + i);
     return result;
   }
   // A side along the thickness direction intersects every row at one end of the row's direction a.
@@ -209,7 +208,7 @@ bool Discretization::crosses_layer(Side side) const {
 }
 
 Row Discretization::face(Side side) const {
-  if (side.direction == through_) return rows_[at(side.at_end ? stack_.functions() - 1 : 0)];
+  if (side.direction == through_) return rows_[side.at_end ? stack_.functions() - 1 : 0];
   if (crosses_layer(side))
     fail("nurbs.body.face_across_layer", {{"face", name_of(side)}, {"contact", name_of(contact_.front())}});
   const std::vector<int> functions = face_functions(side);

@@ -80,7 +80,7 @@ public:
   /// The direction of a row that corresponds to direction d ≠ through() of the body.
   int in_row(int d) const { return d < through_ ? d : d - 1; }
   /// Index of row j's first function.
-  int first_function(int row) const { return first_[at(row)]; }
+  int first_function(int row) const { return first_[row]; }
 
   int elements(int d) const { return direction(d).elements(); }
   int elements() const;

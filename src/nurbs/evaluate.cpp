@@ -2,7 +2,6 @@
 #include "nurbs/patch.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "nurbs/basis.hpp"
 #include "nurbs/tensor.hpp"
 
@@ -26,9 +25,9 @@ struct LocalBasis {
       const int element = space.find_element(xi(d));
       const auto& on_element = space.functions_on(element);
       numbers[d].assign(on_element.begin(), on_element.end());
-      functions.along[at(d)] = numbers[d];
-      functions.stride[at(d)] = patch.stride(d);
-      values[d].resize(at((order + 1) * functions.count(d)));
+      functions.along[d] = numbers[d];
+      functions.stride[d] = patch.stride(d);
+      values[d].resize((order + 1) * functions.count(d));
       basis_derivatives(space, element, xi(d), order, values[d].data());
     }
   }
@@ -36,7 +35,7 @@ struct LocalBasis {
   /// Calls visit(function, value) for the tensor product of the directions' derivatives of the given orders.
   template <class Visit> void each(const int (&orders)[3], Visit visit) const {
     const double* n[3];
-    for (int d = 0; d < 3; ++d) n[d] = values[d].data() + at(orders[d] * functions.count(d));
+    for (int d = 0; d < 3; ++d) n[d] = values[d].data() + orders[d] * functions.count(d);
     functions.each(
         [&](int function, const std::array<int, 3>& i) { visit(function, n[0][i[0]] * n[1][i[1]] * n[2][i[2]]); });
   }
@@ -91,7 +90,7 @@ std::vector<Derivative> derivatives(const Patch& patch, const VectorX& xi, int n
         value /= weight[{0, 0, 0}];
         map[{a, b, c}] = value;
         std::vector<int> orders{a, b, c};
-        orders.resize(at(patch.parametric_dimension()));
+        orders.resize(patch.parametric_dimension());
         result.push_back({std::move(orders), std::move(value)});
       }
   return result;

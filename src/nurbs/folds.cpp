@@ -1,7 +1,6 @@
 #include "nurbs/folds.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "nurbs/bezier.hpp"
 #include "nurbs/constants.hpp"
 
@@ -51,10 +50,10 @@ VectorX applied(const MatrixX& matrix, const VectorX& values, std::vector<int>& 
 /// Values of the Bernstein polynomials at degree + 1 even points, one row each, or of their derivatives.
 MatrixX at_even_points(int degree, int points, double length, int order) {
   MatrixX values(points, degree + 1);
-  std::vector<double> out(3 * at(degree + 1));
+  std::vector<double> out(3 * (degree + 1));
   for (int i = 0; i < points; ++i) {
     bernstein(degree, points == 1 ? 0.5 : static_cast<double>(i) / (points - 1), length, order, out.data());
-    for (int k = 0; k <= degree; ++k) values(i, k) = out[at(order * (degree + 1) + k)];
+    for (int k = 0; k <= degree; ++k) values(i, k) = out[order * (degree + 1) + k];
   }
   return values;
 }
@@ -65,42 +64,41 @@ BernsteinBox numerator(const Patch& patch, const std::array<int, 3>& span, const
   BernsteinBox box{VectorX(dimensions), VectorX(dimensions), {}};
   // Homogeneous Bézier points, one array per coordinate
   std::vector<int> own;
-  std::vector<VectorX> points(at(dimensions + 1));
+  std::vector<VectorX> points(dimensions + 1);
   for (int d = 0; d < dimensions; ++d) own.push_back(patch.direction(d).degree() + 1);
   for (int c = 0; c <= dimensions; ++c) {
-    VectorX& list = points[at(c)];
+    VectorX& list = points[c];
     list.resize(own[0] * own[1] * (dimensions > 2 ? own[2] : 1));
     for (Eigen::Index k = 0; k < list.size(); ++k) {
       Eigen::Index function = 0, rest = k;
       for (int d = 0; d < dimensions; ++d) {
-        function += (patch.direction(d).first_function(span[at(d)]) + rest % own[at(d)]) * patch.stride(d);
-        rest /= own[at(d)];
+        function += (patch.direction(d).first_function(span[d]) + rest % own[d]) * patch.stride(d);
+        rest /= own[d];
       }
       list(k) = patch.homogeneous()(c, function);
     }
     std::vector<int> counts = own;
     for (int d = 0; d < dimensions; ++d)
-      list = applied(bezier_extraction(patch.direction(d), span[at(d)]).transpose(), list, counts, at(d));
+      list = applied(bezier_extraction(patch.direction(d), span[d]).transpose(), list, counts, d);
   }
   // Values of H (entry D) and its derivatives (0 … D − 1) at the points of interpolation
-  std::vector<std::vector<VectorX>> values(at(dimensions + 1), std::vector<VectorX>(at(dimensions + 1)));
+  std::vector<std::vector<VectorX>> values(dimensions + 1, std::vector<VectorX>(dimensions + 1));
   for (int c = 0; c <= dimensions; ++c)
     for (int by = 0; by <= dimensions; ++by) {
-      VectorX& list = values[at(c)][at(by)] = points[at(c)];
+      VectorX& list = values[c][by] = points[c];
       std::vector<int> counts = own;
       for (int d = 0; d < dimensions; ++d) {
         const auto& breaks = patch.direction(d).breaks();
-        box.low(d) = breaks[at(span[at(d)])];
-        box.high(d) = breaks[at(span[at(d)] + 1)];
-        list = applied(at_even_points(own[at(d)] - 1, degrees[at(d)] + 1, box.high(d) - box.low(d), d == by), list,
-                       counts, at(d));
+        box.low(d) = breaks[span[d]];
+        box.high(d) = breaks[span[d] + 1];
+        list = applied(at_even_points(own[d] - 1, degrees[d] + 1, box.high(d) - box.low(d), d == by), list, counts, d);
       }
     }
   box.coefficients.resize(coefficients_of(degrees));
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4> columns(dimensions + 1, dimensions + 1);
   for (Eigen::Index k = 0; k < box.coefficients.size(); ++k) {
     for (int c = 0; c <= dimensions; ++c)
-      for (int by = 0; by <= dimensions; ++by) columns(c, by) = values[at(c)][at(by)](k);
+      for (int by = 0; by <= dimensions; ++by) columns(c, by) = values[c][by](k);
     box.coefficients(k) = columns.determinant();
   }
   std::vector<int> counts;
@@ -130,16 +128,16 @@ std::array<BernsteinBox, 2> halves(const BernsteinBox& box, const std::vector<in
 
 /// Parameters of a corner where the numerator is below −tolerance; empty if there is none.
 VectorX negative_corner(const BernsteinBox& box, const std::vector<int>& degrees, double tolerance) {
-  const auto dimensions = static_cast<int>(degrees.size());
+  const int dimensions = std::ssize(degrees);
   for (int corner = 0; corner < 1 << dimensions; ++corner) {
     VectorX xi = box.low;
     Eigen::Index index = 0, stride = 1;
     for (int d = 0; d < dimensions; ++d) {
       if ((corner >> d & 1) != 0) {
         xi(d) = box.high(d);
-        index += stride * degrees[at(d)];
+        index += stride * degrees[d];
       }
-      stride *= degrees[at(d)] + 1;
+      stride *= degrees[d] + 1;
     }
     if (box.coefficients(index) < -tolerance) return xi;
   }
@@ -168,7 +166,7 @@ void check_folds(const Patch& patch) {
   const std::vector<int> degrees = degrees_of_numerator(patch);
   std::array<int, 3> counts{1, 1, 1}, span{};
   double coefficients = coefficients_of(degrees);
-  for (int d = 0; d < dimensions; ++d) coefficients *= counts[at(d)] = patch.direction(d).elements();
+  for (int d = 0; d < dimensions; ++d) coefficients *= counts[d] = patch.direction(d).elements();
   if (coefficients > examined_coefficients) return;
   for (span[2] = 0; span[2] < counts[2]; ++span[2])
     for (span[1] = 0; span[1] < counts[1]; ++span[1])
@@ -177,7 +175,7 @@ void check_folds(const Patch& patch) {
         if (xi.size() == 0) continue;
         const std::vector<Derivative> all = derivatives(patch, xi, 1);
         MatrixX jacobian(dimensions, dimensions);
-        for (int d = 0; d < dimensions; ++d) jacobian.col(d) = all[at(d + 1)].value;
+        for (int d = 0; d < dimensions; ++d) jacobian.col(d) = all[d + 1].value;
         fail("nurbs.patch.folded", {{"jacobian", jacobian.determinant()}, {"place", all[0].value}, {"xi", xi}});
       }
 }

@@ -1,7 +1,6 @@
 #include "nurbs/knots.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "nurbs/constants.hpp"
 
 #include <algorithm>
@@ -55,8 +54,8 @@ KnotVector::KnotVector(int degree, std::vector<double> knots) : degree_(degree),
 }
 
 KnotVector KnotVector::single(int degree) {
-  std::vector<double> knots(at(degree + 1), 0.0);
-  knots.insert(knots.end(), at(degree + 1), 1.0);
+  std::vector<double> knots(degree + 1, 0.0);
+  knots.insert(knots.end(), degree + 1, 1.0);
   return {degree, std::move(knots)};
 }
 
@@ -73,7 +72,7 @@ int find_element(const std::vector<double>& breaks, double xi) {
 }
 
 std::vector<int> KnotVector::functions_on(int element) const {
-  std::vector<int> functions(at(degree_ + 1));
+  std::vector<int> functions(degree_ + 1);
   std::iota(functions.begin(), functions.end(), first_function(element));
   return functions;
 }

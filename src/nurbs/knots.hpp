@@ -31,13 +31,13 @@ public:
   double last() const { return breaks_.back(); }
 
   /// Number of B-spline functions, knots − degree − 1.
-  int functions() const { return static_cast<int>(knots_.size()) - degree_ - 1; }
+  int functions() const { return std::ssize(knots_) - degree_ - 1; }
   /// Number of non-empty knot spans.
-  int elements() const { return static_cast<int>(breaks_.size()) - 1; }
+  int elements() const { return std::ssize(breaks_) - 1; }
 
   /// Index i of the span [knots[i], knots[i+1]) that is element e (from 0). Functions i − degree … i do not vanish on
   /// it.
-  int span(int element) const { return spans_[static_cast<std::size_t>(element)]; }
+  int span(int element) const { return spans_[element]; }
   /// First function that does not vanish on element e.
   int first_function(int element) const { return span(element) - degree_; }
   std::vector<int> functions_on(int element) const;

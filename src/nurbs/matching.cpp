@@ -1,6 +1,5 @@
 #include "nurbs/matching.hpp"
 
-#include "base/index.hpp"
 #include "nurbs/constants.hpp"
 #include "nurbs/orientation.hpp"
 
@@ -78,7 +77,7 @@ SampledFunctions nonzero(const std::vector<ElementBasis>& samples) {
   for (Eigen::Index a = 0; a < all.rows(); ++a)
     if (all.row(a).cwiseAbs().maxCoeff() > computed) {
       rows.push_back(a);
-      result.functions.push_back(samples.front().functions[static_cast<std::size_t>(a)]);
+      result.functions.push_back(samples.front().functions[a]);
     }
   result.values = all(rows, Eigen::all);
   return result;

@@ -25,12 +25,10 @@ Level integrated(const Level& level, const std::vector<double>& breaks, const st
                  const std::vector<int>& first, int functions) {
   const std::size_t count = degrees.size();
   const auto length = [&](std::size_t e) { return breaks[e + 1] - breaks[e]; };
-  const auto function = [&](std::size_t e, Eigen::Index r) {
-    return at(first[e] + level.missing + static_cast<int>(r));
-  };
+  const auto function = [&](std::size_t e, Eigen::Index r) { return first[e] + level.missing + static_cast<int>(r); };
   // ∫ M_i over the elements before and after each one; the integral of a Bernstein polynomial of degree q is h/(q+1)
   std::vector<VectorX> before(count), own(count), after(count);
-  std::vector<double> total(at(functions), 0.0);
+  std::vector<double> total(functions, 0.0);
   for (std::size_t e = 0; e < count; ++e) {
     const MatrixX& part = level.elements[e];
     before[e] = after[e] = VectorX::Zero(part.rows());
@@ -40,7 +38,7 @@ Level integrated(const Level& level, const std::vector<double>& breaks, const st
       total[function(e, r)] += own[e](r);
     }
   }
-  std::vector<double> right(at(functions), 0.0);
+  std::vector<double> right(functions, 0.0);
   for (std::size_t e = count; e-- > 0;)
     for (Eigen::Index r = 0; r < own[e].size(); ++r) {
       after[e](r) = right[function(e, r)];
@@ -116,7 +114,7 @@ Space1D multi_degree_space(std::vector<double> breaks, const std::vector<int>& d
 
   std::vector<Element1D> elements;
   for (std::size_t e = 0; e < count; ++e) {
-    std::vector<int> numbers(at(degrees[e] + 1));
+    std::vector<int> numbers(degrees[e] + 1);
     std::iota(numbers.begin(), numbers.end(), first[e]);
     elements.push_back({degrees[e], std::move(numbers), std::move(level.elements[e])});
   }
@@ -126,7 +124,7 @@ Space1D multi_degree_space(std::vector<double> breaks, const std::vector<int>& d
 
 MatrixX representation(const Space1D& from, const Space1D& to) {
   MatrixX result = MatrixX::Zero(to.functions(), from.functions());
-  std::vector<double> least(at(to.functions()), std::numeric_limits<double>::infinity());
+  std::vector<double> least(to.functions(), std::numeric_limits<double>::infinity());
   for (int e = 0; e < to.elements(); ++e) {
     const auto [start, end] = to.interval(e);
     const int source = from.find_element((start + end) / 2);
@@ -142,8 +140,8 @@ MatrixX representation(const Space1D& from, const Space1D& to) {
     for (std::size_t a = 0; a < rows.size(); ++a) {
       const auto column = static_cast<Eigen::Index>(a);
       const double amplification = inverse.col(column).lpNorm<1>();
-      if (amplification >= least[at(rows[a])]) continue;
-      least[at(rows[a])] = amplification;
+      if (amplification >= least[rows[a]]) continue;
+      least[rows[a]] = amplification;
       result.row(rows[a]).setZero();
       for (std::size_t b = 0; b < columns.size(); ++b)
         result(rows[a], columns[b]) = local(static_cast<Eigen::Index>(b), column);
@@ -165,7 +163,7 @@ Row with_space(const Row& row, int d, const Space1D& space) {
           points.middleCols(stride * (a + after * o), stride) +=
               combine(a, b) * row.homogeneous().middleCols(stride * (b + before * o), stride);
   std::vector<Space1D> directions = row.directions();
-  directions[at(d)] = space;
+  directions[d] = space;
   return {std::move(directions), std::move(points)};
 }
 

@@ -18,12 +18,12 @@ public:
   /// or the dimensions are inconsistent.
   TensorProduct(std::vector<Direction> directions, MatrixX homogeneous);
 
-  int parametric_dimension() const { return static_cast<int>(directions_.size()); }
+  int parametric_dimension() const { return std::ssize(directions_); }
   int dimension() const { return static_cast<int>(homogeneous_.rows()) - 1; }
   /// Number of control points.
   int functions() const { return static_cast<int>(homogeneous_.cols()); }
 
-  const Direction& direction(int d) const { return directions_[at(d)]; }
+  const Direction& direction(int d) const { return directions_[d]; }
   const std::vector<Direction>& directions() const { return directions_; }
   const MatrixX& homogeneous() const { return homogeneous_; }
   /// Difference of the indices of two functions that are neighbors along direction d.

@@ -1,6 +1,5 @@
 // The rows of control points of a body by its plan.
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "nurbs/constants.hpp"
 #include "nurbs/discretization.hpp"
 #include "nurbs/lagrange.hpp"
@@ -25,8 +24,7 @@ const Label& layer_label(const Plan& plan) {
 }
 
 std::vector<double> inserted_knots(const Patch& patch, const Plan& plan, int d) {
-  return element_knots(patch.direction(d), plan.elements[at(d)],
-                       plan.grading.empty() ? std::nullopt : plan.grading[at(d)]);
+  return element_knots(patch.direction(d), plan.elements[d], plan.grading.empty() ? std::nullopt : plan.grading[d]);
 }
 
 /// Throws Error unless `raised` and `layer_knots` fit the faces and elements.
@@ -42,9 +40,8 @@ void check_extent(const Plan& plan, int along) {
             {{"expected", along}, {"count", face.size()}});
     for (int a = 0; a < along; ++a) {
       const int d = patch_direction(plan, a);
-      require(face[at(a)].empty() || static_cast<int>(face[at(a)].size()) == plan.elements[at(d)],
-              "nurbs.body.raised_elements",
-              {{"direction", d}, {"expected", plan.elements[at(d)]}, {"count", face[at(a)].size()}});
+      require(face[a].empty() || static_cast<int>(face[a].size()) == plan.elements[d], "nurbs.body.raised_elements",
+              {{"direction", d}, {"expected", plan.elements[d]}, {"count", face[a].size()}});
     }
   }
   if (plan.layer_knots.empty()) return;
@@ -114,8 +111,8 @@ Patch lagrange_patch(const Patch& patch, const Plan& plan, int through,
   std::vector<std::vector<double>> breaks;
   for (int d = 0, along = 0; d < patch.parametric_dimension(); ++d) {
     const bool labeled = plan.contact.empty() || d != through;
-    degrees.push_back(labeled ? plan.labels[at(along++)].bulk.degree : through_space(patch, plan, through).degree);
-    breaks.push_back(insert_knots(patch, d, inserted[at(d)]).direction(d).breaks());
+    degrees.push_back(labeled ? plan.labels[along++].bulk.degree : through_space(patch, plan, through).degree);
+    breaks.push_back(insert_knots(patch, d, inserted[d]).direction(d).breaks());
   }
   return interpolate_lagrange(patch, degrees, breaks);
 }
@@ -136,7 +133,7 @@ std::vector<double> merged(std::vector<double> first, const std::vector<double>&
 
 /// Cuts of direction d, increasing. Throws Error if one is not inside an element.
 std::vector<double> cuts_of(const Patch& patch, const Plan& plan, int a, int d) {
-  std::vector<double> cuts = plan.layer_knots.empty() ? std::vector<double>() : plan.layer_knots[at(a)];
+  std::vector<double> cuts = plan.layer_knots.empty() ? std::vector<double>() : plan.layer_knots[a];
   std::sort(cuts.begin(), cuts.end());
   const std::vector<double> breaks = element_breaks(patch, plan, d);
   const double least = rounding * (breaks.back() - breaks.front());
@@ -184,9 +181,9 @@ bool in_layer(const Plan& plan, std::size_t f, int j, int count) {
 std::vector<bool> raised_in_row(const Plan& plan, int a, std::size_t elements, int j, int count) {
   std::vector<bool> raised(elements, false);
   for (std::size_t f = 0; f < plan.contact.size(); ++f) {
-    if (!plan.labels[at(a)].layer || !in_layer(plan, f, j, count)) continue;
-    const bool all = plan.raised.empty() || plan.raised[f][at(a)].empty();
-    for (std::size_t e = 0; e < elements; ++e) raised[e] = raised[e] || all || plan.raised[f][at(a)][e];
+    if (!plan.labels[a].layer || !in_layer(plan, f, j, count)) continue;
+    const bool all = plan.raised.empty() || plan.raised[f][a].empty();
+    for (std::size_t e = 0; e < elements; ++e) raised[e] = raised[e] || all || plan.raised[f][a][e];
   }
   return raised;
 }
@@ -197,12 +194,12 @@ Discretization discretized(const Patch& patch, const Plan& plan) {
   const int dimensions = patch.parametric_dimension();
   const int through = plan.contact.empty() ? dimensions - 1 : plan.contact.front().direction;
   std::vector<std::vector<double>> inserted;
-  inserted.reserve(at(dimensions));
+  inserted.reserve(dimensions);
   for (int d = 0; d < dimensions; ++d) inserted.push_back(inserted_knots(patch, plan, d));
 
   const bool lagrange = plan.labels.front().lagrange;
   const Patch whole = lagrange ? lagrange_patch(patch, plan, through, inserted)
-                               : refine_to(patch, through, through_space(patch, plan, through), inserted[at(through)],
+                               : refine_to(patch, through, through_space(patch, plan, through), inserted[through],
                                            plan.labels.back().text);
 
   const int count = whole.direction(through).functions();
@@ -212,7 +209,7 @@ Discretization discretized(const Patch& patch, const Plan& plan) {
   std::vector<RowDirection> along;
   for (int a = 0; a < dimensions - 1; ++a) {
     const int d = a < through ? a : a + 1;
-    along.push_back({patch.direction(d), plan.labels[at(a)], inserted[at(d)], cuts_of(patch, plan, a, d)});
+    along.push_back({patch.direction(d), plan.labels[a], inserted[d], cuts_of(patch, plan, a, d)});
   }
   // Most rows have the same knots: their space is tabulated once.
   std::vector<std::pair<KnotVector, Space1D>> tabulated;
@@ -237,7 +234,7 @@ Discretization discretized(const Patch& patch, const Plan& plan) {
     for (std::size_t f = 0; f < plan.contact.size(); ++f) cut = cut || in_layer(plan, f, j, count);
     std::vector<std::pair<int, Space1D>> local;
     for (int a = 0; a < dimensions - 1; ++a) {
-      const RowDirection& one = along[at(a)];
+      const RowDirection& one = along[a];
       const std::size_t elements = one.inserted.size() + one.geometry.breaks().size() - 1;
       const std::vector<bool> raised = raised_in_row(plan, a, elements, j, count);
       const auto high = std::count(raised.begin(), raised.end(), true);

@@ -1,7 +1,6 @@
 #include "nurbs/refine.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "nurbs/directions.hpp"
 
 #include <algorithm>
@@ -37,7 +36,7 @@ void add_blossom(const KnotVector& knots, double before, const double* t, double
     c[k] = carried;
   }
   for (int s = 0; s <= p; ++s)
-    if (c[s] != 0) combine[at(j)][i - p + s] += factor * c[s];
+    if (c[s] != 0) combine[j][i - p + s] += factor * c[s];
 }
 
 /// Replaces direction d by `knots` and the control points along it by these combinations.
@@ -48,12 +47,12 @@ Patch replace_direction(const Patch& patch, int d, KnotVector knots, const Combi
   MatrixX points = MatrixX::Zero(patch.dimension() + 1, stride * after * outer);
   for (Eigen::Index o = 0; o < outer; ++o)
     for (Eigen::Index j = 0; j < after; ++j)
-      for (const auto& [i, factor] : combine[at(j)])
+      for (const auto& [i, factor] : combine[j])
         points.middleCols(stride * (j + after * o), stride) +=
             factor * patch.homogeneous().middleCols(stride * (i + before * o), stride);
 
   std::vector<KnotVector> directions = patch.directions();
-  directions[at(d)] = std::move(knots);
+  directions[d] = std::move(knots);
   return {std::move(directions), std::move(points)};
 }
 
@@ -61,13 +60,13 @@ Patch elevate_once(const Patch& patch, int d) {
   const KnotVector& old = patch.direction(d);
   const int p = old.degree();
   std::vector<double> knots;
-  for (double knot : old.breaks()) knots.insert(knots.end(), at(old.multiplicity(knot) + 1), knot);
+  for (double knot : old.breaks()) knots.insert(knots.end(), old.multiplicity(knot) + 1, knot);
   KnotVector elevated(p + 1, knots);
 
   // The elevated blossom is the mean of the old one over all choices of an argument to omit:
   //   Q_j = 1/(p+1) Σ_k F(t_{j+1}, …, t_{j+p+1} without t_{j+k}) (Prautzsch 1984; Goldman, Pyramid Algorithms, ch. 6)
   // The knots without every (p+1)-th one (t_j kept) still refine the old ones, so each term is a knot insertion.
-  Combinations combine(at(elevated.functions()));
+  Combinations combine(elevated.functions());
   for (int j = 0; j < elevated.functions(); ++j) {
     const double* t = knots.data() + j;
     for (int k = 1; k <= p + 1; ++k) {
@@ -98,7 +97,7 @@ Patch insert_knots(const Patch& patch, int d, std::vector<double> knots) {
   }
   KnotVector refined(old.degree(), all);
 
-  Combinations combine(at(refined.functions()));
+  Combinations combine(refined.functions());
   for (int j = 0; j < refined.functions(); ++j) {
     const double* t = all.data() + j;
     add_blossom(old, t[0], t + 1, 1.0, j, combine);

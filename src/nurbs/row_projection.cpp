@@ -1,7 +1,6 @@
 #include "nurbs/row_projection.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 
 #include <Eigen/SparseCholesky>
 
@@ -36,8 +35,7 @@ template <class Add> void each_product(const Space1D& rows, const Space1D& colum
                              columns.extraction(e).transpose();
     for (Eigen::Index a = 0; a < products.rows(); ++a)
       for (Eigen::Index b = 0; b < products.cols(); ++b)
-        add(rows.functions_on(e)[static_cast<std::size_t>(a)], columns.functions_on(e)[static_cast<std::size_t>(b)],
-            products(a, b));
+        add(rows.functions_on(e)[a], columns.functions_on(e)[b], products(a, b));
   }
 }
 

@@ -1,7 +1,6 @@
 #include "nurbs/shapes.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "base/orthonormal.hpp"
 #include "nurbs/basis.hpp"
 #include "nurbs/directions.hpp"
@@ -54,7 +53,7 @@ MatrixX collocation(const KnotVector& knots) {
   MatrixX result = MatrixX::Zero(knots.functions(), knots.functions());
   for (int j = 0; j < knots.functions(); ++j) {
     double values[max_degree + 1];
-    const double xi = nodes[at(j)];
+    const double xi = nodes[j];
     const int element = knots.find_element(xi);
     basis_derivatives(knots, element, xi, 0, values);
     for (int s = 0; s <= knots.degree(); ++s) result(j, knots.first_function(element) + s) = values[s];
@@ -174,7 +173,7 @@ Patch spherical_indenter(double width, double depth, double height, double radiu
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       // z = r − √(r² − Δx² − Δy²)
-      const double x = (nodes[at(i)] - 0.5) * width, y = (nodes[at(j)] - 0.5) * depth;
+      const double x = (nodes[i] - 0.5) * width, y = (nodes[j] - 0.5) * depth;
       heights(i, j) = radius - std::sqrt(std::max(0.0, radius * radius - x * x - y * y));
     }
   // heights = N c Nᵀ
@@ -187,8 +186,7 @@ Patch spherical_indenter(double width, double depth, double height, double radiu
   for (int k = 0; k < 2; ++k)
     for (int j = 0; j < n; ++j)
       for (int i = 0; i < n; ++i)
-        points.col(i + n * (j + n * k)) << nodes[at(i)] * width, nodes[at(j)] * depth,
-            k == 0 ? coefficients(i, j) : height;
+        points.col(i + n * (j + n * k)) << nodes[i] * width, nodes[j] * depth, k == 0 ? coefficients(i, j) : height;
   return make_patch({knots, knots, KnotVector::single(1)}, points.colwise() + corner);
 }
 

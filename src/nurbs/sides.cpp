@@ -2,7 +2,6 @@
 #include "nurbs/patch.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -51,7 +50,7 @@ std::string meant_side(const std::string& name, int parametric_dimension) {
 Side side_of(const std::string& name, int parametric_dimension) {
   require(parametric_dimension >= 1 && parametric_dimension <= 3, "nurbs.patch.directions",
           {{"count", parametric_dimension}});
-  const auto end = names + at(2 * parametric_dimension);
+  const auto end = names + 2 * parametric_dimension;
   const auto found = std::find(names, end, name);
   if (found == end) {
     const std::vector<std::string> known(names, end), ends = {"xi1", "xi2", "xi3"};

@@ -22,7 +22,7 @@ Space1D::Space1D(std::vector<double> breaks, std::vector<int> smoothness, const 
             "nurbs.space.rising", {{"first", breaks_[e]}, {"second", breaks_[e + 1]}});
     require(degree >= 0 && degree <= max_degree, "nurbs.space.degree", {{"degree", degree}, {"most", max_degree}});
     require(extraction.rows() == static_cast<Eigen::Index>(functions.size()) && extraction.cols() == degree + 1 &&
-                functions.size() <= at(max_degree + 1),
+                std::ssize(functions) <= max_degree + 1,
             "nurbs.space.extraction",
             {{"element", e},
              {"degree", degree},
@@ -40,8 +40,8 @@ Space1D::Space1D(std::vector<double> breaks, std::vector<int> smoothness, const 
     numbers_.insert(numbers_.end(), functions.begin(), functions.end());
     functions_ = std::max(functions_, functions.back() + 1);
     degree_ = std::max(degree_, degree);
-    seen.resize(at(functions_));
-    for (int function : functions) seen[at(function)] = true;
+    seen.resize(functions_);
+    for (int function : functions) seen[function] = true;
   }
   require(std::find(seen.begin(), seen.end(), false) == seen.end(), "nurbs.space.unused");
 }

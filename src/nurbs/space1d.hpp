@@ -2,7 +2,6 @@
 // The function space of one parametric direction as a table, as used by rows, faces, projection, pictures and files.
 
 #include "base/eigen.hpp"
-#include "base/index.hpp"
 #include "nurbs/knots.hpp"
 
 #include <array>
@@ -33,26 +32,26 @@ public:
   Space1D(std::vector<double> breaks, std::vector<int> smoothness, const std::vector<Element1D>& elements,
           std::optional<KnotVector> knots = {});
 
-  int elements() const { return static_cast<int>(tables_.size()); }
+  int elements() const { return std::ssize(tables_); }
   int functions() const { return functions_; }
   const std::vector<double>& breaks() const { return breaks_; }
   double first() const { return breaks_.front(); }
   double last() const { return breaks_.back(); }
-  std::array<double, 2> interval(int element) const { return {breaks_[at(element)], breaks_[at(element) + 1]}; }
+  std::array<double, 2> interval(int element) const { return {breaks_[element], breaks_[element + 1]}; }
   /// C^k per breakpoint; −1 at both ends.
   const std::vector<int>& smoothness() const { return smoothness_; }
 
   /// Highest degree of all elements.
   int degree() const { return degree_; }
-  int degree(int element) const { return tables_[at(element)].degree; }
+  int degree(int element) const { return tables_[element].degree; }
   /// Indices of the functions that do not vanish on an element.
   std::span<const int> functions_on(int element) const {
-    const Table& table = tables_[at(element)];
+    const Table& table = tables_[element];
     return {numbers_.data() + table.numbers, table.count};
   }
   /// Matrix functions_on(element) × (degree(element)+1), see Element1D.
   Extraction extraction(int element) const {
-    const Table& table = tables_[at(element)];
+    const Table& table = tables_[element];
     return {extraction_.data() + table.extraction, static_cast<Eigen::Index>(table.count), table.degree + 1};
   }
   Element1D element(int e) const;

@@ -14,7 +14,7 @@ struct ElementFunctions {
   std::array<int, 3> stride{};
   int first = 0; ///< index of the tensor product's first function
 
-  int count(int d) const { return static_cast<int>(along[static_cast<std::size_t>(d)].size()); }
+  int count(int d) const { return std::ssize(along[d]); }
   /// Calls visit(function, {i, j, k}), the first direction's i fastest.
   template <class Visit> void each(Visit visit) const {
     std::array<int, 3> i{};
@@ -23,7 +23,7 @@ struct ElementFunctions {
       for (b = 0; b < count(1); ++b)
         for (a = 0; a < count(0); ++a) {
           int function = first;
-          for (std::size_t d = 0; d < 3; ++d) function += along[d][static_cast<std::size_t>(i[d])] * stride[d];
+          for (std::size_t d = 0; d < 3; ++d) function += along[d][i[d]] * stride[d];
           visit(function, i);
         }
   }

@@ -90,7 +90,7 @@ public:
   bool read_some() {
     char buffer[1 << 16];
     const ssize_t count = ::read(pipe_, buffer, sizeof buffer);
-    if (count > 0) data_.append(buffer, static_cast<std::size_t>(count));
+    if (count > 0) data_.append(buffer, count);
     return count > 0 || (count < 0 && errno == EINTR);
   }
 

@@ -31,7 +31,7 @@ public:
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
 
-  int size() const { return static_cast<int>(threads_.size()) + 1; }
+  int size() const { return std::ssize(threads_) + 1; }
 
   /// A thread that wakes late finds the call finished and sleeps again: nothing waits for it.
   void run(int count, const std::function<void(int)>& task) {

@@ -26,7 +26,7 @@ std::string last_output(int pipe) {
     const ssize_t got = ::read(pipe, buffer.data(), buffer.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return output;
-    output.append(buffer.data(), static_cast<std::size_t>(got));
+    output.append(buffer.data(), got);
     if (output.size() > kept_bytes) output.erase(0, output.size() - kept_bytes);
   }
 }

@@ -150,7 +150,7 @@ std::string beginning_of(const fs::path& path) {
   if (handle < 0 && errno != ENOENT) return "?"; // it cannot be read: its kind is unknown
   const ssize_t count = handle < 0 ? 0 : ::pread(handle, bytes.data(), bytes.size(), 0);
   if (handle >= 0) ::close(handle);
-  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  bytes.resize(std::max<ssize_t>(count, 0));
   return bytes;
 }
 

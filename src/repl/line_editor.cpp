@@ -62,7 +62,7 @@ char* completion_entry(const char* word, int first) {
 
 char** complete(const char* word, int start, int) {
   rl_completion_append_character = '\0';
-  before_word = above + "\n" + std::string(rl_line_buffer, static_cast<std::size_t>(start));
+  before_word = above + "\n" + std::string(rl_line_buffer, start);
   char** matches = rl_completion_matches(word, completion_entry);
   // Inside quotes without known texts, readline's completion of file names is used.
   rl_attempted_completion_over = matches || !rl_completion_quote_character;
@@ -71,7 +71,7 @@ char** complete(const char* word, int start, int) {
 
 /// Tab completes; at the beginning of a line it inserts a tab, as in pasted lines.
 int tab(int count, int key) {
-  const std::string_view left(rl_line_buffer, static_cast<std::size_t>(rl_point));
+  const std::string_view left(rl_line_buffer, rl_point);
   if (left.find_first_not_of(" \t") == std::string_view::npos) return rl_insert(count, key);
   if (rl_last_func == tab) rl_last_func = rl_complete; // a second Tab lists the completions
   return rl_complete(count, key);

@@ -37,7 +37,7 @@ void check_radii(const nurbs::Discretization& space) {
   VectorX xi(2);
   for (int e = 0; e < space.elements(); ++e)
     for (int corner = 0; corner < 4; ++corner) {
-      xi << space.interval(e, 0)[at(corner % 2)], space.interval(e, 1)[at(corner / 2)];
+      xi << space.interval(e, 0)[corner % 2], space.interval(e, 1)[corner / 2];
       require_radius(-tolerance, space.basis(e, xi).combine(points));
     }
 }
@@ -69,15 +69,15 @@ Body<D>::Body(std::shared_ptr<const nurbs::Discretization> space, Material mater
   if (kind_ == Kind::axisymmetric) check_radii(*space_);
   volumes_ = VectorX::Zero(functions());
   Construction construction{space_->points(), nurbs::BasisGrid(*space_), {}};
-  for (int d = 0; d < D; ++d) construction.rules[at(d)].resize(at(space_->elements(d)));
+  for (int d = 0; d < D; ++d) construction.rules[d].resize(space_->elements(d));
   for (int e = 0; e < space_->elements(); ++e) {
     require(!interrupted(), "solid.body.interrupted");
     add_element(e, construction);
     if (e > 0) continue;
     // Most bodies have the same number of values in every element.
     for (auto* table : {&weights_, &gradients_, &hoops_, &constants_})
-      table->reserve(table->size() * at(space_->elements()) + vector_padding);
-    functions_.reserve(functions_.size() * at(space_->elements()));
+      table->reserve(table->size() * space_->elements() + vector_padding);
+    functions_.reserve(functions_.size() * space_->elements());
   }
   // Kernels read whole vectors.
   gradients_.resize(gradients_.size() + vector_padding);
@@ -118,8 +118,8 @@ template <int D> void Body<D>::add_macro_elements() {
 
 template <int D> int Body<D>::macro_index(int m, int d) const {
   if (macros_.list.empty()) return space_->element_index(m, d);
-  for (int lower = 0; lower < d; ++lower) m /= macros_.counts[at(lower)];
-  return m % macros_.counts[at(d)];
+  for (int lower = 0; lower < d; ++lower) m /= macros_.counts[lower];
+  return m % macros_.counts[d];
 }
 
 template <int D> int Body<D>::macro_of(int e) const {
@@ -166,12 +166,12 @@ template <int D> void Body<D>::add_element(int e, Construction& construction) {
   std::array<int, D> counts;
   int count = 1;
   for (int d = 0; d < D; ++d) {
-    QuadratureRule& rule = construction.rules[at(d)][at(space_->element_index(e, d))];
+    QuadratureRule& rule = construction.rules[d][space_->element_index(e, d)];
     if (std::ssize(rule.points) != space_->degree(e, d) + 1) rule = element_rule(*space_, e, d);
-    construction.places[at(d)] = rule.points;
-    weights[at(d)] = rule.weights.data();
-    counts[at(d)] = static_cast<int>(rule.points.size());
-    count *= counts[at(d)];
+    construction.places[d] = rule.points;
+    weights[d] = rule.weights.data();
+    counts[d] = std::ssize(rule.points);
+    count *= counts[d];
   }
   construction.grid.choose(e, construction.places);
   ElementTable table{0, count, functions_.size(), weights_.size(), gradients_.size(), constants_.size(), {}};
@@ -179,13 +179,13 @@ template <int D> void Body<D>::add_element(int e, Construction& construction) {
     std::array<int, 3> point{};
     double weight = 1;
     for (int d = 0, rest = q; d < D; ++d) {
-      point[at(d)] = rest % counts[at(d)];
-      weight *= weights[at(d)][at(point[at(d)])];
-      rest /= counts[at(d)];
+      point[d] = rest % counts[d];
+      weight *= weights[d][point[d]];
+      rest /= counts[d];
     }
     construction.grid.evaluate(point, basis);
     if (q == 0) {
-      table.functions = static_cast<int>(basis.functions.size());
+      table.functions = std::ssize(basis.functions);
       functions_.insert(functions_.end(), basis.functions.begin(), basis.functions.end());
       table.kernels =
           volumetric_ == Volumetric::projected ? projected_kernels<D>() : material_.kernels<D>(kind_, table.functions);
@@ -194,7 +194,7 @@ template <int D> void Body<D>::add_element(int e, Construction& construction) {
     Vec<D> place = Vec<D>::Zero();
     Mat<D> jacobian = Mat<D>::Zero();
     for (int a = 0; a < table.functions; ++a) {
-      const auto point = points.template block<D, 1>(0, basis.functions[at(a)]);
+      const auto point = points.template block<D, 1>(0, basis.functions[a]);
       place += basis.values(a) * point;
       jacobian += point * basis.gradients.template block<D, 1>(0, a).transpose();
     }
@@ -203,10 +203,10 @@ template <int D> void Body<D>::add_element(int e, Construction& construction) {
     weight *= determinant;
     const Mat<D> inverse = jacobian.inverse();
     const std::size_t first = gradients_.size();
-    gradients_.resize(first + at(D * table.functions));
+    gradients_.resize(first + D * table.functions);
     for (int a = 0; a < table.functions; ++a) {
       const Vec<D> gradient = inverse.transpose() * basis.gradients.template block<D, 1>(0, a);
-      for (int k = 0; k < D; ++k) gradients_[first + at(k * table.functions + a)] = gradient(k);
+      for (int k = 0; k < D; ++k) gradients_[first + k * table.functions + a] = gradient(k);
     }
     if (kind_ == Kind::axisymmetric) {
       require_radius(0, place.template head<2>());
@@ -214,9 +214,9 @@ template <int D> void Body<D>::add_element(int e, Construction& construction) {
       for (int a = 0; a < table.functions; ++a) hoops_.push_back(basis.values(a) / place(0));
     }
     weights_.push_back(weight);
-    for (int a = 0; a < table.functions; ++a) volumes_(basis.functions[at(a)]) += weight * basis.values(a);
+    for (int a = 0; a < table.functions; ++a) volumes_(basis.functions[a]) += weight * basis.values(a);
   }
-  constants_.resize(constants_.size() + at(table.kernels.constant_blocks * table.functions * table.functions));
+  constants_.resize(constants_.size() + table.kernels.constant_blocks * table.functions * table.functions);
   most_functions_ = std::max(most_functions_, table.functions);
   most_points_ = std::max(most_points_, table.points);
   elements_.push_back(table);
@@ -224,7 +224,7 @@ template <int D> void Body<D>::add_element(int e, Construction& construction) {
 
 /// Computes the constant parts of the elements' tangents; their table is already allocated.
 template <int D> void Body<D>::add_constants() {
-  const std::vector<double> rest(at(D * most_functions_), 0.0);
+  const std::vector<double> rest(D * most_functions_, 0.0);
   std::vector<double> force(rest.size());
   for (int e = 0; e < elements(); ++e) {
     const ElementTable& table = element(e);

@@ -2,7 +2,6 @@
 // A solid body: its function space, its material, and the Gauss-point tables of the reference configuration.
 
 #include "base/eigen.hpp"
-#include "base/index.hpp"
 #include "nurbs/discretization.hpp"
 #include "solid/material.hpp"
 #include "solid/projection.hpp"
@@ -51,8 +50,8 @@ public:
   /// Whether forces are linear in displacements: the tangent is constant.
   bool linear() const { return material_.linear(); }
   int functions() const { return space_->functions(); }
-  int elements() const { return static_cast<int>(elements_.size()); }
-  const ElementTable& element(int e) const { return elements_[at(e)]; }
+  int elements() const { return std::ssize(elements_); }
+  const ElementTable& element(int e) const { return elements_[e]; }
   /// Gauss points of the whole body, in the order of its elements.
   std::size_t points() const { return weights_.size(); }
   /// Number of internal variables of the material per Gauss point; their values are stored by the caller.
@@ -63,21 +62,21 @@ public:
   /// Parts of the body with a force and a tangent of their own: elements or, with projected volume change,
   /// macro-elements of several; of them in direction d; the place of part m in that direction.
   int macro_elements() const { return macros_.list.empty() ? elements() : static_cast<int>(macros_.list.size()); }
-  int macro_elements(int d) const { return macros_.list.empty() ? space_->elements(d) : macros_.counts[at(d)]; }
+  int macro_elements(int d) const { return macros_.list.empty() ? space_->elements(d) : macros_.counts[d]; }
   int macro_index(int m, int d) const;
   std::span<const int> functions_of_macro(int m) const {
     return macros_.list.empty() ? functions_of(m) : std::span<const int>(macro(m).functions);
   }
   int most_functions_of_macro() const;
   /// Only with projected volume change: macro-element m, the one that contains element e, and the modes at a point.
-  const MacroElement& macro(int m) const { return macros_.list[at(m)]; }
+  const MacroElement& macro(int m) const { return macros_.list[m]; }
   int macro_of(int e) const;
   VectorX modes_at(int m, const VectorX& xi) const;
   /// Bytes of the tables.
   std::size_t memory() const;
 
   std::span<const int> functions_of(int e) const {
-    return {functions_.data() + element(e).function, at(element(e).functions)};
+    return std::span(functions_.data() + element(e).function, element(e).functions);
   }
   /// Quadrature weight times reference volume per Gauss point; includes the circumference 2πR in a body of revolution.
   const double* weights_of(int e) const { return weights_.data() + element(e).point; }

@@ -38,7 +38,7 @@ FacePoints<D> points_of(const Body<D>& body, nurbs::Side side, int e, int times,
     }
     part.values.col(q) = basis.values(own);
     for (int d = 0, k = 0; d < D; ++d)
-      if (d != side.direction) part.gradients[at(k++)].col(q) = basis.gradients.row(d)(own);
+      if (d != side.direction) part.gradients[k++].col(q) = basis.gradients.row(d)(own);
   }
   return part;
 }

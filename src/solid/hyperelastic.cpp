@@ -2,7 +2,6 @@
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "solid/energy.hpp"
 #include "solid/kernel_wide.hpp"
 
@@ -17,11 +16,11 @@ namespace {
 /// Formulas of the energy and of its first and second derivatives, in this order; the second ones for v ≤ w, row by
 /// row.
 std::vector<int> with_derivatives(symbolic::Graph& graph, int energy) {
-  const int count = static_cast<int>(graph.variables().size());
+  const int count = std::ssize(graph.variables());
   std::vector<int> all{energy};
   for (int v = 0; v < count; ++v) all.push_back(symbolic::derivative(graph, energy, v));
   for (int v = 0; v < count; ++v)
-    for (int w = v; w < count; ++w) all.push_back(symbolic::derivative(graph, all[at(v + 1)], w));
+    for (int w = v; w < count; ++w) all.push_back(symbolic::derivative(graph, all[v + 1], w));
   return all;
 }
 
@@ -31,7 +30,7 @@ EnergyProgram program_of(const Energy& energy) {
   program.code = tape.code.data();
   program.registers = tape.registers;
   program.invariants = energy.variables;
-  program.slopes_end = tape.ends[at(energy.variables - 1)];
+  program.slopes_end = tape.ends[energy.variables - 1];
   program.curvatures_end = tape.ends.back();
   program.fibers = energy.formula.fibers.empty() ? nullptr : energy.formula.fibers.front().data();
   std::size_t next = 0;
@@ -54,7 +53,7 @@ std::vector<double> invariants(const EnergyFormula& formula, const Mat<3>& f) {
 struct OnePoint {
   OnePoint(const Hyperelastic& law, const Mat<3>& f, bool moduli) {
     for (int q = 0; q < stride; ++q)
-      for (int e = 0; e < entries; ++e) deformation[at(e * stride + q)] = f(e / 3, e % 3);
+      for (int e = 0; e < entries; ++e) deformation[e * stride + q] = f(e / 3, e % 3);
     Hyperelastic::respond<3>(&law, {1, stride, deformation.data(), stress.data(), moduli ? tangent.data() : nullptr});
   }
   static constexpr int stride = vector_padding, entries = 9;
@@ -132,7 +131,7 @@ Hyperelastic hyperelastic(EnergyFormula given) {
     if (std::abs(fiber.norm() - 1) > 1e-15) fiber.normalize();
   auto energy = std::make_shared<Energy>(Energy{std::move(given), {}, {}, 0, {}, {}});
   EnergyFormula& formula = energy->formula;
-  energy->variables = static_cast<int>(formula.graph.variables().size());
+  energy->variables = std::ssize(formula.graph.variables());
   symbolic::Graph derived = formula.graph;
   const std::vector<int> all = with_derivatives(derived, formula.energy);
   energy->value = symbolic::compile(derived, {all.front()}, true);
@@ -162,15 +161,14 @@ double Hyperelastic::energy(const Mat<3>& f) const {
 
 Mat<3> Hyperelastic::stress(const Mat<3>& f) const {
   const OnePoint point(*this, f, false);
-  return Mat<3>::NullaryExpr(
-      [&](Eigen::Index i, Eigen::Index k) { return point.stress[at((3 * i + k) * point.stride)]; });
+  return Mat<3>::NullaryExpr([&](Eigen::Index i, Eigen::Index k) { return point.stress[(3 * i + k) * point.stride]; });
 }
 
 Moduli Hyperelastic::moduli(const Mat<3>& f) const {
   const OnePoint point(*this, f, true);
   return Moduli::NullaryExpr([&](Eigen::Index row, Eigen::Index column) {
     const int e = static_cast<int>(std::min(row, column)), o = static_cast<int>(std::max(row, column));
-    return point.tangent[at(packed(9, e, o) * point.stride)];
+    return point.tangent[packed(9, e, o) * point.stride];
   });
 }
 

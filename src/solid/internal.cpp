@@ -12,7 +12,7 @@ namespace {
 /// Calls visit(e, q, F, u) at all Gauss points, with the displacements u of the element's functions.
 template <int D, class Visit>
 void each_deformation(const Body<D>& body, const double* displacement, const Visit& visit) {
-  std::vector<double> local(at(D * body.most_functions()));
+  std::vector<double> local(D * body.most_functions());
   for (int e = 0; e < body.elements(); ++e) {
     const ElementTable& table = body.element(e);
     const int n = table.functions;
@@ -44,8 +44,8 @@ template <int D> void gather(const Body<D>& body, int e, const double* displacem
 }
 
 template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
-  const std::size_t n = at(body.most_functions()), all = at(body.most_functions_of_macro());
-  const std::size_t points = at(body.most_points());
+  const std::size_t n = body.most_functions(), all = body.most_functions_of_macro();
+  const std::size_t points = body.most_points();
   force.resize(D * all);
   blocks.resize(D * (D + 1) / 2 * all * all + vector_padding);
   if (body.volumetric() == Volumetric::projected) {
@@ -85,7 +85,7 @@ template <int D>
 std::optional<Inversion> internal_force(const Body<D>& body, int m, const double* displacement,
                                         ElementArrays<D>& arrays, bool tangent, std::span<const double> committed,
                                         std::span<double> trial) {
-  const std::size_t variables = at(body.internal_variables());
+  const std::size_t variables = body.internal_variables();
   if (variables)
     require(committed.size() == variables * body.points() && trial.size() == committed.size(),
             "solid.body.internal_variables",
@@ -108,13 +108,13 @@ std::optional<Inversion> internal_force(const Body<D>& body, int m, const double
 }
 
 template <int D> std::vector<MeanDeformation<D>> mean_deformations(const Body<D>& body, const double* displacement) {
-  std::vector<MeanDeformation<D>> means(at(body.elements()));
+  std::vector<MeanDeformation<D>> means(body.elements());
   std::vector<double> volumes(means.size(), 0.0);
   each_deformation(body, displacement, [&](int e, int q, const Mat<D>& f, const auto& u) {
     const double weight = body.weights_of(e)[q];
-    means[at(e)].gradient += weight * f;
-    means[at(e)].hoop += weight * hoop_stretch(body, e, q, u);
-    volumes[at(e)] += weight;
+    means[e].gradient += weight * f;
+    means[e].hoop += weight * hoop_stretch(body, e, q, u);
+    volumes[e] += weight;
   });
   for (std::size_t e = 0; e < means.size(); ++e) {
     means[e].gradient /= volumes[e];
@@ -148,12 +148,12 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
     return sum;
   }
   if (body.linear() && !body.internal_variables()) return quadratic_energy(body, displacement);
-  const std::size_t variables = committed.empty() ? 0 : at(body.internal_variables());
+  const std::size_t variables = committed.empty() ? 0 : body.internal_variables();
   each_deformation(body, displacement, [&](int e, int q, const Mat<D>& f, const auto& u) {
     double across = hoop_stretch(body, e, q, u);
     if constexpr (D == 2)
       if (body.kind() == Kind::plane_stress) across = body.material().thickness_stretch(f);
-    const std::size_t point = body.element(e).point + at(q);
+    const std::size_t point = body.element(e).point + q;
     const bool inverted = !(f.determinant() > 0 && across > 0);
     sum += body.weights_of(e)[q] *
            (inverted ? std::numeric_limits<double>::infinity()

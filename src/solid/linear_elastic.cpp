@@ -1,5 +1,4 @@
 #include "solid/linear_elastic.hpp"
-#include "base/index.hpp"
 
 #include "solid/neo_hookean.hpp"
 
@@ -28,7 +27,7 @@ namespace {
 /// The stiffness of a solid, which equals neo-Hooke's tangent at zero strain.
 KernelResult stiffness_in_space(const KernelArguments& in) {
   const Kernels rubber = NeoHookean::kernels<3>(Kind::plane_strain, in.functions);
-  const std::size_t n = at(in.functions), points = at(in.points);
+  const std::size_t n = in.functions, points = in.points;
   std::vector<double> shear(n * n + vector_padding), work(working_size(3, n, points)), factors(2 * points);
   KernelArguments at_rest = in;
   at_rest.blocks = shear.data();

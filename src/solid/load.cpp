@@ -93,12 +93,12 @@ template <int D> LoadPoints load_points(const Body<D>& body, int times) {
     count += rules.emplace_back(element_quadrature(space, e, times)).weights.size();
   LoadPoints result{MatrixX(D, count), VectorX(count)};
   for (int e = 0; e < space.elements(); ++e)
-    for (Eigen::Index q = 0; q < rules[at(e)].weights.size(); ++q, ++k) {
-      const nurbs::ElementBasis basis = space.basis(e, rules[at(e)].points.col(q));
+    for (Eigen::Index q = 0; q < rules[e].weights.size(); ++q, ++k) {
+      const nurbs::ElementBasis basis = space.basis(e, rules[e].points.col(q));
       const Mat<D> jacobian = points(Eigen::all, basis.functions) * basis.gradients.transpose();
       const Vec<D> place = basis.combine(points);
       result.positions.col(k) = place;
-      result.measures(k) = rules[at(e)].weights(q) * jacobian.determinant() *
+      result.measures(k) = rules[e].weights(q) * jacobian.determinant() *
                            (body.kind() == Kind::axisymmetric ? 2 * std::numbers::pi * place(0) : 1);
     }
   return result;
@@ -136,9 +136,9 @@ VectorX edge_lengths(const Body<3>& body, nurbs::Side first, nurbs::Side second)
     if (!space.touches(e, first) || !space.touches(e, second)) continue;
     std::vector<QuadratureRule> rules(3);
     for (const nurbs::Side side : {first, second})
-      rules[at(side.direction)] = {{space.interval(e, side.direction)[side.at_end ? 1 : 0]}, {1}};
+      rules[side.direction] = {{space.interval(e, side.direction)[side.at_end ? 1 : 0]}, {1}};
     const auto [a, b] = space.interval(e, along);
-    rules[at(along)] = gauss_legendre(2 * (space.degree(e, along) + 1), a, b);
+    rules[along] = gauss_legendre(2 * (space.degree(e, along) + 1), a, b);
     const ElementQuadrature rule = tensor_product(rules);
     for (int q = 0; q < rule.weights.size(); ++q) {
       const nurbs::ElementBasis basis = space.basis(e, rule.points.col(q));
@@ -157,7 +157,7 @@ template <int D> MatrixX follower_load(const FacePoints<D>& part, const MatrixX&
 }
 
 template <int D> MatrixX follower_tangent(const FacePoints<D>& part, const MatrixX& x) {
-  const int n = static_cast<int>(part.functions.size());
+  const int n = std::ssize(part.functions);
   MatrixX tangent = MatrixX::Zero(D * n, D * n);
   for (int q = 0; q < part.weights.size(); ++q) {
     const double weight = part.weight(x, q);

@@ -1,7 +1,5 @@
 #include "solid/respond_each.hpp"
 
-#include "base/index.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -48,10 +46,10 @@ void respond_in_plane_stress(Respond respond, const void* law, double poissons_r
   constexpr int most_iterations = 60;
   constexpr double tolerance = 1e-14; // Newton's method converges quadratically
   const auto row = [&](int e) { return block.f + e * block.stride; };
-  std::vector<double> moduli(at(block.moduli ? 0 : packed_size(entries) * block.stride));
+  std::vector<double> moduli(block.moduli ? 0 : packed_size(entries) * block.stride);
   PointBlock inner = block;
   if (!block.moduli) inner.moduli = moduli.data();
-  std::vector<Search> searches(at(block.points));
+  std::vector<Search> searches(block.points);
   // ln F₃₃ = −ν/(1 − ν) ln det F₂ at small strains
   for (int q = 0; q < block.stride; ++q) {
     const double plane = row(0)[q] * row(3)[q] - row(1)[q] * row(2)[q];
@@ -60,7 +58,7 @@ void respond_in_plane_stress(Respond respond, const void* law, double poissons_r
   for (int iteration = 0, open = block.points; open > 0; ++iteration) {
     respond(law, inner);
     for (int q = 0; q < block.points; ++q) {
-      Search& search = searches[at(q)];
+      Search& search = searches[q];
       if (search.done) continue;
       double& s = row(across)[q];
       const double p = block.stress[across * block.stride + q];
@@ -81,9 +79,9 @@ double thickness_stretch(Respond respond, const void* law, double poissons_ratio
   constexpr int stride = vector_padding;
   std::array<double, entries * stride> deformation, stress;
   for (int q = 0; q < stride; ++q)
-    for (int e = 0; e < across; ++e) deformation[at(e * stride + q)] = f(e / 2, e % 2);
+    for (int e = 0; e < across; ++e) deformation[e * stride + q] = f(e / 2, e % 2);
   respond_in_plane_stress(respond, law, poissons_ratio, {1, stride, deformation.data(), stress.data(), nullptr});
-  return deformation[at(across * stride)];
+  return deformation[across * stride];
 }
 
 } // namespace signorini::solid

@@ -55,10 +55,10 @@ void respond_as_given(const void* law, const PointBlock& block) {
 template <int D>
 void respond_with_variables(const Body<D>& body, const MacroElement& macro, PointBlock block,
                             std::span<const double> committed, std::span<double> trial) {
-  const std::size_t variables = at(body.internal_variables());
+  const std::size_t variables = body.internal_variables();
   for (int e : macro.elements) {
     block.points = body.element(e).points;
-    const auto first = [&](int q) { return (body.element(e).point + at(q)) * variables; };
+    const auto first = [&](int q) { return (body.element(e).point + q) * variables; };
     respond_by<D>(
         [&](int q, const Mat<3>& f) {
           return body.material().stress(f, committed.subspan(first(q), variables), trial.subspan(first(q), variables));
@@ -154,7 +154,7 @@ void write_modes(const Body<D>& body, const MacroElement& macro, const typename 
     for (Eigen::Index mode = 0; mode < modes; ++mode)
       for (int i = 0; i < D; ++i)
         for (int a = 0; a < functions; ++a)
-          sum(i * n + macro.places[cell][at(a)], mode) += arrays.sums(i * functions + a, mode);
+          sum(i * n + macro.places[cell][a], mode) += arrays.sums(i * functions + a, mode);
     point += points;
   }
 }
@@ -186,7 +186,7 @@ template <int D>
 void add_cell(const Body<D>& body, const MacroElement& macro, std::size_t cell, const GivenResponse& given,
               ElementArrays<D>& arrays, bool tangent) {
   const int e = macro.elements[cell];
-  const std::size_t own = at(body.element(e).functions), n = macro.functions.size();
+  const std::size_t own = body.element(e).functions, n = macro.functions.size();
   MacroArrays<D>& of_element = arrays.macro;
   std::fill_n(arrays.local.data(), D * own, 0.0); // displacements: given stress and moduli depend on them already
   KernelArguments arguments =
@@ -195,13 +195,13 @@ void add_cell(const Body<D>& body, const MacroElement& macro, std::size_t cell, 
   body.element(e).kernels.element(arguments);
   const std::vector<int>& places = macro.places[cell];
   for (std::size_t i = 0; i < D; ++i)
-    for (std::size_t a = 0; a < own; ++a) arrays.force[i * n + at(places[a])] += of_element.force[i * own + a];
+    for (std::size_t a = 0; a < own; ++a) arrays.force[i * n + places[a]] += of_element.force[i * own + a];
   if (!tangent) return;
   const double* from = of_element.blocks.data();
   double* block = arrays.blocks.data();
   for (int pair = 0; pair < D * (D + 1) / 2; ++pair, block += n * n)
     for (std::size_t a = 0; a < own; ++a)
-      for (std::size_t b = 0; b < own; ++b) block[at(places[a]) * n + at(places[b])] += *from++;
+      for (std::size_t b = 0; b < own; ++b) block[places[a] * n + places[b]] += *from++;
 }
 
 } // namespace
@@ -262,14 +262,14 @@ double projected_energy(const Body<D>& body, int m, const double* displacement, 
   project_deformations(body.linear(), macro, state);
   const PointBlock block{static_cast<int>(state.dilation.size()), static_cast<int>(state.f.rows()), state.f.data(),
                          nullptr, nullptr};
-  const std::size_t variables = committed.empty() ? 0 : at(body.internal_variables());
+  const std::size_t variables = committed.empty() ? 0 : body.internal_variables();
   double sum = 0;
   int point = 0;
   for (int e : macro.elements)
     for (int q = 0; q < body.element(e).points; ++q, ++point)
       sum += macro.weights(point) *
              body.material().energy(deformation_at<D>(block, point),
-                                    committed.subspan((body.element(e).point + at(q)) * variables, variables));
+                                    committed.subspan((body.element(e).point + q) * variables, variables));
   return sum;
 }
 

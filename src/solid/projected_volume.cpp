@@ -21,7 +21,7 @@ std::optional<Inversion> write_deformations(const Body<D>& body, int m, const do
   arrays.f.resize((points + lanes - 1) / lanes * lanes, entries_in(D));
   arrays.directions.resize(points, entries_in(D));
   arrays.dilation.resize(points);
-  arrays.local.resize(at(D * body.most_functions()));
+  arrays.local.resize(D * body.most_functions());
   Eigen::Index point = 0;
   for (int e : macro.elements) {
     const int n = body.element(e).functions, own = body.element(e).points;
@@ -64,8 +64,8 @@ const VectorX& ProjectedVolume<D>::coefficients(const Body<D>& body, int m, cons
   displacement_.clear();
   for (int function : functions)
     displacement_.insert(displacement_.end(), displacement + D * function, displacement + D * (function + 1));
-  kept_.resize(at(body.macro_elements()));
-  Kept& kept = kept_[at(m)];
+  kept_.resize(body.macro_elements());
+  Kept& kept = kept_[m];
   if (kept.displacement == displacement_) return kept.coefficients;
   kept.displacement = displacement_;
   const bool inverted = write_deformations(body, m, displacement, arrays_).has_value();

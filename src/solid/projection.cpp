@@ -1,7 +1,6 @@
 #include "solid/projection.hpp"
 
 #include "base/dense.hpp"
-#include "base/index.hpp"
 
 #include <algorithm>
 
@@ -11,10 +10,10 @@ namespace {
 
 /// The lowest degree of the elements per direction: constraints must be few for the poorest of them.
 std::vector<int> lowest_degrees(const nurbs::Discretization& space) {
-  std::vector<int> lowest(at(space.parametric_dimension()), space.degree(0, 0));
+  std::vector<int> lowest(space.parametric_dimension(), space.degree(0, 0));
   for (int d = 0; d < space.parametric_dimension(); ++d) {
-    lowest[at(d)] = space.degree(0, d);
-    for (int e = 1; e < space.elements(); ++e) lowest[at(d)] = std::min(lowest[at(d)], space.degree(e, d));
+    lowest[d] = space.degree(0, d);
+    for (int e = 1; e < space.elements(); ++e) lowest[d] = std::min(lowest[d], space.degree(e, d));
   }
   return lowest;
 }
@@ -37,8 +36,7 @@ int macro_along(int i, int n, int count) {
 std::vector<double> legendre(int degree, double x) {
   std::vector<double> values{1};
   if (degree > 0) values.push_back(x);
-  for (int k = 2; k <= degree; ++k)
-    values.push_back(((2 * k - 1) * x * values[at(k - 1)] - (k - 1) * values[at(k - 2)]) / k);
+  for (int k = 2; k <= degree; ++k) values.push_back(((2 * k - 1) * x * values[k - 1] - (k - 1) * values[k - 2]) / k);
   return values;
 }
 
@@ -50,12 +48,12 @@ MacroElements macro_elements(const nurbs::Discretization& space) {
   const std::vector<int> lowest = lowest_degrees(space);
   int size = 1;
   for (int d = 0; d < dimensions; ++d) {
-    result.counts.push_back(macro_count(space.elements(d), lowest[at(d)]));
+    result.counts.push_back(macro_count(space.elements(d), lowest[d]));
     size *= result.counts.back();
   }
-  result.list.resize(at(size));
+  result.list.resize(size);
   for (int e = 0; e < space.elements(); ++e) {
-    MacroElement& macro = result.list[at(macro_containing(result, space, e))];
+    MacroElement& macro = result.list[macro_containing(result, space, e)];
     if (macro.elements.empty()) macro.box = MatrixX::Constant(2, dimensions, space.interval(e, 0)[0]);
     for (int d = 0; d < dimensions; ++d) {
       const auto [from, to] = space.interval(e, d);
@@ -66,12 +64,12 @@ MacroElements macro_elements(const nurbs::Discretization& space) {
   }
   int index = 0;
   for (MacroElement& macro : result.list) {
-    for (int d = 0, along = index; d < dimensions; along /= result.counts[at(d++)]) {
-      const int own = along % result.counts[at(d)], n = space.elements(d);
+    for (int d = 0, along = index; d < dimensions; along /= result.counts[d++]) {
+      const int own = along % result.counts[d], n = space.elements(d);
       int elements = 0;
-      for (int i = 0; i < n; ++i) elements += macro_along(i, n, result.counts[at(d)]) == own;
-      const int degree = lowest[at(d)] - 1;
-      macro.degrees.push_back(result.counts[at(d)] == 1 ? degree : std::min(elements - 1, degree));
+      for (int i = 0; i < n; ++i) elements += macro_along(i, n, result.counts[d]) == own;
+      const int degree = lowest[d] - 1;
+      macro.degrees.push_back(result.counts[d] == 1 ? degree : std::min(elements - 1, degree));
     }
     ++index;
   }
@@ -81,8 +79,8 @@ MacroElements macro_elements(const nurbs::Discretization& space) {
 int macro_containing(const MacroElements& macros, const nurbs::Discretization& space, int e) {
   int index = 0, stride = 1;
   for (int d = 0; d < space.parametric_dimension(); ++d) {
-    index += stride * macro_along(space.element_index(e, d), space.elements(d), macros.counts[at(d)]);
-    stride *= macros.counts[at(d)];
+    index += stride * macro_along(space.element_index(e, d), space.elements(d), macros.counts[d]);
+    stride *= macros.counts[d];
   }
   return index;
 }
@@ -100,9 +98,9 @@ std::size_t memory(const MacroElements& macros) {
 
 VectorX legendre_products(const MacroElement& macro, const VectorX& xi) {
   VectorX products = VectorX::Ones(1);
-  for (int d = 0; d < static_cast<int>(macro.degrees.size()); ++d) {
+  for (int d = 0; d < std::ssize(macro.degrees); ++d) {
     const double from = macro.box(0, d), to = macro.box(1, d);
-    const std::vector<double> values = legendre(macro.degrees[at(d)], (2 * xi(d) - from - to) / (to - from));
+    const std::vector<double> values = legendre(macro.degrees[d], (2 * xi(d) - from - to) / (to - from));
     VectorX next(products.size() * static_cast<Eigen::Index>(values.size()));
     for (std::size_t k = 0; k < values.size(); ++k)
       next.segment(static_cast<Eigen::Index>(k) * products.size(), products.size()) = values[k] * products;

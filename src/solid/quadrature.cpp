@@ -1,7 +1,6 @@
 #include "solid/quadrature.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -14,7 +13,7 @@ constexpr int most_known = 16;
 
 /// Points x of a rule on [−1, 1], and (1 − x²) P_n'(x)² for its weights.
 QuadratureRule roots(int n) {
-  QuadratureRule rule{std::vector<double>(at(n)), std::vector<double>(at(n))};
+  QuadratureRule rule{std::vector<double>(n), std::vector<double>(n)};
   for (int i = 0; i < n; ++i) {
     // Newton's method on P_n from Tricomi's estimate; the three-term recurrence gives P_n and P_{n−1}.
     double x = -std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5)), slope = 1;
@@ -30,8 +29,8 @@ QuadratureRule roots(int n) {
       x -= step;
       if (std::abs(step) < 1e-15) break;
     }
-    rule.points[at(i)] = x;
-    rule.weights[at(i)] = (1 - x * x) * slope * slope;
+    rule.points[i] = x;
+    rule.weights[i] = (1 - x * x) * slope * slope;
   }
   return rule;
 }
@@ -43,7 +42,7 @@ const QuadratureRule& known_roots(int n) {
     for (int count = 1; count <= most_known; ++count) rules.push_back(roots(count));
     return rules;
   }();
-  return known[at(n)];
+  return known[n];
 }
 
 } // namespace
@@ -52,24 +51,24 @@ QuadratureRule gauss_legendre(int n, double a, double b) {
   require(n >= 1, "solid.quadrature.points", {{"count", n}});
   QuadratureRule rule = n <= most_known ? known_roots(n) : roots(n);
   for (int i = 0; i < n; ++i) {
-    rule.points[at(i)] = 0.5 * (a + b) + 0.5 * (b - a) * rule.points[at(i)];
+    rule.points[i] = 0.5 * (a + b) + 0.5 * (b - a) * rule.points[i];
     // w_i = 2 / ((1 − x²) P_n'²), times (b − a) / 2
-    rule.weights[at(i)] = (b - a) / rule.weights[at(i)];
+    rule.weights[i] = (b - a) / rule.weights[i];
   }
   return rule;
 }
 
 ElementQuadrature tensor_product(const std::vector<QuadratureRule>& rules) {
   int size = 1;
-  for (const QuadratureRule& rule : rules) size *= static_cast<int>(rule.points.size());
-  const int dimensions = static_cast<int>(rules.size());
+  for (const QuadratureRule& rule : rules) size *= std::ssize(rule.points);
+  const int dimensions = std::ssize(rules);
   ElementQuadrature result{MatrixX(dimensions, size), VectorX::Ones(size)};
   for (int q = 0; q < size; ++q)
     for (int d = 0, rest = q; d < dimensions; ++d) {
-      const auto& [points, weights] = rules[at(d)];
-      const int count = static_cast<int>(points.size());
-      result.points(d, q) = points[at(rest % count)];
-      result.weights(q) *= weights[at(rest % count)];
+      const auto& [points, weights] = rules[d];
+      const int count = std::ssize(points);
+      result.points(d, q) = points[rest % count];
+      result.weights(q) *= weights[rest % count];
       rest /= count;
     }
   return result;

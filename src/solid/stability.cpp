@@ -12,12 +12,12 @@ namespace {
 template <int D>
 Mat<3> deformation_at_point(const Body<D>& body, int e, int q, const double* displacement, ProjectedVolume<D>& volume) {
   const std::span<const int> functions = body.functions_of(e);
-  const int n = static_cast<int>(functions.size());
+  const int n = std::ssize(functions);
   const double *gradients = body.gradients_of(e) + q * D * n, *hoops = body.hoops_of(e);
   Mat<D> f = Mat<D>::Identity();
   double across = 1;
   for (int a = 0; a < n; ++a) {
-    const Eigen::Map<const Vec<D>> u(displacement + D * functions[at(a)]);
+    const Eigen::Map<const Vec<D>> u(displacement + D * functions[a]);
     for (int k = 0; k < D; ++k) f.col(k) += u * gradients[k * n + a];
     if (hoops) across += u(0) * hoops[q * n + a];
   }

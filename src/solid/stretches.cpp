@@ -1,7 +1,5 @@
 #include "solid/energy.hpp"
 
-#include "base/index.hpp"
-
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -77,13 +75,13 @@ std::vector<double> stretches_of(const Mat<3>& f) {
 template <int D> void respond_by_stretches(const Energy& energy, const PointBlock& block) {
   constexpr int entries = entries_in(D);
   const symbolic::Tape& tape = energy.derivatives;
-  std::vector<double> registers(at(tape.registers * points_at_once));
+  std::vector<double> registers(tape.registers * points_at_once);
   std::array<Principal, points_at_once> principal;
   for (int begin = 0; begin < block.points; begin += points_at_once) {
     const int points = std::min(points_at_once, block.points - begin);
     for (int q = 0; q < points; ++q) {
-      principal[at(q)] = Principal(deformation_at<D>(block, begin + q));
-      for (int i = 0; i < 3; ++i) registers[at(i * points_at_once + q)] = principal[at(q)].stretches(i);
+      principal[q] = Principal(deformation_at<D>(block, begin + q));
+      for (int i = 0; i < 3; ++i) registers[i * points_at_once + q] = principal[q].stretches(i);
     }
     constexpr int first_derivatives = 3, all_derivatives = 9;
     symbolic::evaluate(tape, registers.data(), points_at_once, points,
@@ -91,12 +89,12 @@ template <int D> void respond_by_stretches(const Energy& energy, const PointBloc
     for (int q = 0; q < points; ++q) {
       const auto value = [&](std::size_t output) {
         const int place = tape.outputs[output];
-        return place < 0 ? 0 : registers[at(place * points_at_once + q)];
+        return place < 0 ? 0 : registers[place * points_at_once + q];
       };
       Slopes w;
       std::size_t next = 0;
       for (int i = 0; i < 3; ++i) w.first(i) = value(next++);
-      const Principal& here = principal[at(q)];
+      const Principal& here = principal[q];
       const auto all = dyads<D>(here);
       // P = Σ_i W_i n_i ⊗ N_i
       const Eigen::Matrix<double, entries, 1> stress =

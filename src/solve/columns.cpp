@@ -1,6 +1,5 @@
 #include "solve/columns.hpp"
 
-#include "base/index.hpp"
 #include "os/parallel.hpp"
 #include "solve/constants.hpp"
 
@@ -34,13 +33,13 @@ ColumnMatrix::ColumnMatrix(const Pattern& pattern) {
 }
 
 void ColumnMatrix::build_groups(const Pattern& pattern) {
-  const auto rows = [&](int column) { return pattern.rows.begin() + pattern.starts[at(column)]; };
+  const auto rows = [&](int column) { return pattern.rows.begin() + pattern.starts[column]; };
   const auto same_rows = [&](int left, int right) {
     return std::equal(rows(left), rows(left + 1), rows(right), rows(right + 1));
   };
   for (int column = 0; column < pattern.size;) {
-    Group group{column, 1, pattern.starts[at(column)], 0, static_cast<int>(runs_.size())};
-    group.height = pattern.starts[at(column) + 1] - group.position;
+    Group group{column, 1, pattern.starts[column], 0, static_cast<int>(runs_.size())};
+    group.height = pattern.starts[column + 1] - group.position;
     while (group.width < widest_group && column + group.width < pattern.size && same_rows(column, column + group.width))
       ++group.width;
     for (auto row = rows(column); row != rows(column + 1); ++row)
@@ -55,15 +54,14 @@ void ColumnMatrix::build_groups(const Pattern& pattern) {
 }
 
 void ColumnMatrix::build_shares(const Pattern& pattern) {
-  const int count = std::clamp(pattern.entries() / entries_per_share, 1, most_shares),
-            groups = static_cast<int>(groups_.size()) - 1;
+  const int count = std::clamp(pattern.entries() / entries_per_share, 1, most_shares), groups = std::ssize(groups_) - 1;
   for (int share = 0, group = 0; share < count; ++share) {
     Share next{group, group, pattern.size, 0};
     const auto end = static_cast<long long>(pattern.entries()) * (share + 1) / count;
-    for (; group < groups && groups_[at(group)].position < end; ++group)
-      for (int k = groups_[at(group)].first_run; k < groups_[at(group) + 1].first_run; ++k) {
-        next.first_row = std::min(next.first_row, runs_[at(k)].row);
-        next.last_row = std::max(next.last_row, runs_[at(k)].row + runs_[at(k)].length);
+    for (; group < groups && groups_[group].position < end; ++group)
+      for (int k = groups_[group].first_run; k < groups_[group + 1].first_run; ++k) {
+        next.first_row = std::min(next.first_row, runs_[k].row);
+        next.last_row = std::max(next.last_row, runs_[k].row + runs_[k].length);
       }
     next.last_group = group;
     next.first_row = std::min(next.first_row, next.last_row);
@@ -77,8 +75,8 @@ void ColumnMatrix::set(const double* values) {
 
 void ColumnMatrix::add(const Share& share, const double* x, double* y) const {
   for (int g = share.first_group; g < share.last_group; ++g) {
-    const Group& group = groups_[at(g)];
-    const Run *run = runs_.data() + group.first_run, *end = runs_.data() + groups_[at(g) + 1].first_run;
+    const Group& group = groups_[g];
+    const Run *run = runs_.data() + group.first_run, *end = runs_.data() + groups_[g + 1].first_run;
     const double *a = values_.data() + group.position, *part = x + group.column;
     switch (group.width) {
     case 1:
@@ -95,8 +93,8 @@ void ColumnMatrix::add(const Share& share, const double* x, double* y) const {
 
 void ColumnMatrix::multiply(const double* x, double* y) {
   std::fill_n(y, sums_.rows(), 0.0);
-  parallel(static_cast<int>(shares_.size()), [&](int k) {
-    const Share& share = shares_[at(k)];
+  parallel(std::ssize(shares_), [&](int k) {
+    const Share& share = shares_[k];
     double* const sum = k == 0 ? y : sums_.col(k - 1).data();
     if (k > 0) std::fill(sum + share.first_row, sum + share.last_row, 0.0);
     add(share, x, sum);

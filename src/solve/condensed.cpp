@@ -1,7 +1,6 @@
 #include "solve/condensed.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "solve/symmetric_part.hpp"
 
 #include <algorithm>
@@ -28,7 +27,7 @@ Pattern nonzero(const Pattern& pattern, const std::vector<double>& values, std::
   nonzeros.resize(pattern.rows.size());
   std::size_t count = 0;
   for (int j = 0; j < pattern.size; ++j) {
-    for (std::size_t k = at(pattern.starts[at(j)]), end = at(pattern.starts[at(j) + 1]); k < end; ++k) {
+    for (std::size_t k = pattern.starts[j], end = pattern.starts[j + 1]; k < end; ++k) {
       result.rows[count] = pattern.rows[k];
       nonzeros[count] = values[k];
       if (pattern.rows[k] == j || values[k] != 0) ++count; // the next entry replaces others

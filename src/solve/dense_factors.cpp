@@ -1,6 +1,5 @@
 #include "solve/dense_factors.hpp"
 
-#include "base/index.hpp"
 #include "os/parallel.hpp"
 #include "solve/constants.hpp"
 #include "solve/lapack.hpp"
@@ -57,7 +56,7 @@ void subtract_product(int rows, int columns, int inner, const float* a, const fl
 // ← A₂₂ − L₂₁ U₁₂. Pieces do not depend on the number of threads.
 template <class Real> bool factor_dense(DenseMatrix<Real>& a, std::vector<int>& exchanges) {
   const int size = static_cast<int>(a.rows());
-  exchanges.resize(at(size));
+  exchanges.resize(size);
   if (size < shared_dense_size) return getrf(size, size, a.data(), size, exchanges.data()) == 0;
   bool regular = true;
   for (int first = 0; first < size; first += panel_width) {

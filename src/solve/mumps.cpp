@@ -1,7 +1,6 @@
 #include "solve/mumps.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "os/module.hpp"
 #include "os/sandbox.hpp"
 #include "solve/cholmod.hpp"
@@ -34,10 +33,10 @@ std::vector<int> places_in_order(const Pattern& pattern) {
   CholmodCommon common;
   cholmod_sparse matrix = upper_triangle(pattern, nullptr);
   matrix.xtype = CHOLMOD_PATTERN;
-  std::vector<int> order(at(pattern.size)), places(at(pattern.size));
+  std::vector<int> order(pattern.size), places(pattern.size);
   require(cholmod_metis(&matrix, nullptr, 0, true, order.data(), &common), "solve.cholmod.order",
           {{"status", common.status}});
-  for (int k = 0; k < pattern.size; ++k) places[at(order[at(k)])] = k + 1;
+  for (int k = 0; k < pattern.size; ++k) places[order[k]] = k + 1;
   return places;
 }
 
@@ -105,8 +104,8 @@ private:
     entries_.columns.clear();
     kept_.clear();
     for (int j = 0; j < pattern_.size; ++j)
-      for (int k = pattern_.starts[at(j)]; k < pattern_.starts[at(j) + 1]; ++k) {
-        const int i = pattern_.rows[at(k)];
+      for (int k = pattern_.starts[j]; k < pattern_.starts[j + 1]; ++k) {
+        const int i = pattern_.rows[k];
         if (symmetry_ && i < j) continue;
         entries_.rows.push_back(i + 1);
         entries_.columns.push_back(j + 1);

@@ -1,7 +1,6 @@
 #include "solve/pattern.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -28,24 +27,24 @@ bool same_groups(const Membership& member, std::size_t j) {
 
 Membership membership(int size, const std::vector<std::vector<int>>& groups) {
   Membership result;
-  result.starts.assign(at(size) + 1, 0);
+  result.starts.assign(size + 1, 0);
   for (const auto& group : groups)
     for (int j : group)
-      if (j >= 0) ++result.starts[at(j) + 1];
+      if (j >= 0) ++result.starts[j + 1];
   std::partial_sum(result.starts.begin(), result.starts.end(), result.starts.begin());
   result.groups.resize(result.starts.back());
   std::vector<std::size_t> next(result.starts.begin(), result.starts.end() - 1);
   for (std::size_t k = 0; k < groups.size(); ++k)
     for (int j : groups[k])
-      if (j >= 0) result.groups[next[at(j)]++] = k;
+      if (j >= 0) result.groups[next[j]++] = k;
   return result;
 }
 
 } // namespace
 
 int Pattern::find(int row, int column) const {
-  const auto from = rows.begin() + starts[at(column)];
-  const auto to = rows.begin() + starts[at(column) + 1];
+  const auto from = rows.begin() + starts[column];
+  const auto to = rows.begin() + starts[column + 1];
   const auto it = std::lower_bound(from, to, row);
   return it != to && *it == row ? static_cast<int>(it - rows.begin()) : -1;
 }
@@ -61,17 +60,17 @@ namespace {
 class Coupled {
 public:
   Coupled(int size, const std::vector<std::vector<int>>& groups)
-      : groups_(groups), member_(membership(size, groups)), listed_for_(at(size), -1) {}
+      : groups_(groups), member_(membership(size, groups)), listed_for_(size, -1) {}
 
   /// Whether the unknown is in no group.
-  bool alone(int column) const { return member_.starts[at(column)] == member_.starts[at(column) + 1]; }
+  bool alone(int column) const { return member_.starts[column] == member_.starts[column + 1]; }
   const std::vector<int>& list(int column) {
-    const std::size_t j = at(column);
+    const std::size_t j = column;
     if (same_groups(member_, j)) return list_;
     list_.clear();
     for (std::size_t k = member_.starts[j]; k < member_.starts[j + 1]; ++k)
       for (int i : groups_[member_.groups[k]])
-        if (i >= 0 && std::exchange(listed_for_[at(i)], column) != column) list_.push_back(i);
+        if (i >= 0 && std::exchange(listed_for_[i], column) != column) list_.push_back(i);
     std::sort(list_.begin(), list_.end());
     return list_;
   }
@@ -87,7 +86,7 @@ private:
 Pattern couple(int size, const std::vector<std::vector<int>>& groups) {
   Coupled coupled(size, groups);
   Pattern result{size, {0}, {}};
-  result.starts.reserve(at(size) + 1);
+  result.starts.reserve(size + 1);
   for (int column = 0; column < size; ++column) {
     if (coupled.alone(column)) {
       result.rows.push_back(column);
@@ -114,7 +113,7 @@ Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups,
   result.rows.reserve(base.rows.size());
   moved.resize(base.rows.size());
   for (int column = 0; column < base.size; ++column) {
-    const std::size_t j = at(column);
+    const std::size_t j = column;
     const auto from = base.rows.begin() + base.starts[j], to = base.rows.begin() + base.starts[j + 1];
     if (coupled.alone(column)) {
       std::iota(moved.begin() + base.starts[j], moved.begin() + base.starts[j + 1], result.entries());
@@ -128,8 +127,8 @@ Pattern extend(const Pattern& base, const std::vector<std::vector<int>>& groups,
     require_countable(result);
     int position = result.starts.back();
     for (auto it = from; it != to; ++it, ++position) {
-      while (result.rows[at(position)] != *it) ++position;
-      moved[static_cast<std::size_t>(it - base.rows.begin())] = position;
+      while (result.rows[position] != *it) ++position;
+      moved[it - base.rows.begin()] = position;
     }
     result.starts.push_back(static_cast<int>(result.rows.size()));
   }

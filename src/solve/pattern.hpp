@@ -10,7 +10,7 @@ struct Pattern {
   int size = 0;
   std::vector<int> starts, rows;
 
-  int entries() const { return static_cast<int>(rows.size()); }
+  int entries() const { return std::ssize(rows); }
   /// Position of entry (row, column) in the value array; −1 if it is not in the pattern.
   int find(int row, int column) const;
 };

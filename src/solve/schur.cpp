@@ -1,7 +1,5 @@
 #include "solve/schur.hpp"
 
-#include "base/index.hpp"
-
 #include <utility>
 
 namespace signorini::solve {
@@ -19,17 +17,17 @@ public:
     entries_.clear();
     inner_.clear();
     // Index in the interior, or −1 − index in the border
-    std::vector<int> place(at(pattern.size), 0);
-    for (std::size_t k = 0; k < border.size(); ++k) place[at(border[k])] = -1 - static_cast<int>(k);
+    std::vector<int> place(pattern.size, 0);
+    for (std::size_t k = 0; k < border.size(); ++k) place[border[k]] = -1 - static_cast<int>(k);
     for (int i = 0; i < pattern.size; ++i)
-      if (place[at(i)] == 0) {
-        place[at(i)] = static_cast<int>(interior_.size());
+      if (place[i] == 0) {
+        place[i] = std::ssize(interior_);
         interior_.push_back(i);
       }
     Pattern inner{static_cast<int>(interior_.size()), {0}, {}};
     for (int j = 0; j < pattern.size; ++j) {
-      for (int k = pattern.starts[at(j)]; k < pattern.starts[at(j) + 1]; ++k) {
-        const int row = place[at(pattern.rows[at(k)])], column = place[at(j)];
+      for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k) {
+        const int row = place[pattern.rows[k]], column = place[j];
         if (row >= 0 && column >= 0) {
           inner.rows.push_back(row);
           inner_.push_back(k);
@@ -37,14 +35,14 @@ public:
           entries_.push_back({k, row, -1 - column});
         }
       }
-      if (place[at(j)] >= 0) inner.starts.push_back(inner.entries());
+      if (place[j] >= 0) inner.starts.push_back(inner.entries());
     }
     if (!interior_.empty()) solver_->analyze(inner);
   }
 
   /// A is symmetric: the border's columns also contain A_ci.
   bool factor(const double* values) override {
-    const int inside = static_cast<int>(interior_.size()), size = static_cast<int>(border_.size());
+    const int inside = std::ssize(interior_), size = std::ssize(border_);
     std::vector<double> inner(inner_.size());
     for (std::size_t k = 0; k < inner.size(); ++k) inner[k] = values[inner_[k]];
     if (inside > 0 && !solver_->factor(inner.data())) return false;

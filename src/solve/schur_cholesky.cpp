@@ -1,7 +1,6 @@
 #include "solve/schur.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "solve/cholmod.hpp"
 #include "solve/constants.hpp"
 #include "solve/lapack.hpp"
@@ -41,7 +40,7 @@ public:
 
 private:
   int size() const { return pattern_.size; }
-  int interior() const { return size() - static_cast<int>(border_.size()); }
+  int interior() const { return size() - std::ssize(border_); }
   void permute();
   cholmod_sparse lower_triangle(double* values);
   void analyze_in_order(const std::vector<int>& order, bool postorder);
@@ -74,25 +73,25 @@ private:
 
 /// Orders the matrix once: CHOLMOD would do so three times in an analysis and again for every factorization.
 template <class Real> void SchurCholesky<Real>::permute() {
-  std::vector<int> place(at(size()));
-  for (int k = 0; k < size(); ++k) place[at(order_[at(k)])] = k;
+  std::vector<int> place(size());
+  for (int k = 0; k < size(); ++k) place[order_[k]] = k;
   // Calls visit(row, column, position of the transposed entry) with increasing rows.
   const auto visit_lower = [&](const auto& visit) {
     for (int row = 0; row < size(); ++row) {
-      const std::size_t from = at(order_[at(row)]);
+      const std::size_t from = order_[row];
       for (int k = pattern_.starts[from]; k < pattern_.starts[from + 1]; ++k)
-        if (const int column = place[at(pattern_.rows[at(k)])]; column <= row) visit(row, column, k);
+        if (const int column = place[pattern_.rows[k]]; column <= row) visit(row, column, k);
     }
   };
   ordered_.size = size();
-  ordered_.starts.assign(at(size()) + 1, 0);
-  visit_lower([&](int, int column, int) { ++ordered_.starts[at(column) + 1]; });
+  ordered_.starts.assign(size() + 1, 0);
+  visit_lower([&](int, int column, int) { ++ordered_.starts[column + 1]; });
   std::partial_sum(ordered_.starts.begin(), ordered_.starts.end(), ordered_.starts.begin());
-  ordered_.rows.resize(at(ordered_.starts.back()));
+  ordered_.rows.resize(ordered_.starts.back());
   sources_.resize(ordered_.rows.size());
   std::vector<int> next(ordered_.starts.begin(), ordered_.starts.end() - 1);
   visit_lower([&](int row, int column, int position) {
-    const std::size_t k = at(next[at(column)]++);
+    const std::size_t k = next[column]++;
     ordered_.rows[k] = row;
     sources_[k] = position;
   });
@@ -108,7 +107,7 @@ template <class Real> cholmod_sparse SchurCholesky<Real>::lower_triangle(double*
 /// Analyzes with an ordering in which the border is moved to the end.
 template <class Real> void SchurCholesky<Real>::analyze_in_order(const std::vector<int>& order, bool postorder) {
   order_ = order;
-  std::stable_partition(order_.begin(), order_.end(), [&](int unknown) { return !last_[at(unknown)]; });
+  std::stable_partition(order_.begin(), order_.end(), [&](int unknown) { return !last_[unknown]; });
   permute();
   cholmod_sparse matrix = lower_triangle(nullptr);
   common_.postorder = postorder;
@@ -118,11 +117,11 @@ template <class Real> void SchurCholesky<Real>::analyze_in_order(const std::vect
   if (!postorder) return;
   const int* found = static_cast<int*>(lower_.factor->Perm);
   const std::vector<int> before = order_;
-  for (int k = 0; k < size(); ++k) order_[at(k)] = before[at(found[k])];
+  for (int k = 0; k < size(); ++k) order_[k] = before[found[k]];
 }
 
 template <class Real> bool SchurCholesky<Real>::order_by_degree(cholmod_sparse& matrix) {
-  std::vector<int> order(at(size())), sets(at(size()), 0);
+  std::vector<int> order(size()), sets(size(), 0);
   // CAMD expects set numbers below the number of unknowns.
   if (interior() > 0) sets.assign(last_.begin(), last_.end());
   if (!cholmod_camd(&matrix, nullptr, 0, sets.data(), order.data(), &common_)) return false;
@@ -138,7 +137,7 @@ template <class Real> void SchurCholesky<Real>::dissect(cholmod_sparse& matrix) 
   };
   if (!dissection_.empty()) analyze_dissection();
   if (!dissection_.empty() && common_.fl <= stale_dissection * best_) return;
-  dissection_.resize(at(size()));
+  dissection_.resize(size());
   require(cholmod_metis(&matrix, nullptr, 0, true, dissection_.data(), &common_), "solve.cholmod.order",
           {{"status", common_.status}});
   analyze_dissection();
@@ -148,8 +147,8 @@ template <class Real> void SchurCholesky<Real>::dissect(cholmod_sparse& matrix) 
 template <class Real> void SchurCholesky<Real>::analyze(const Pattern& pattern, const std::vector<int>& border) {
   pattern_ = pattern;
   border_ = border;
-  last_.assign(at(size()), 0);
-  for (int unknown : border) last_[at(unknown)] = 1;
+  last_.assign(size(), 0);
+  for (int unknown : border) last_[unknown] = 1;
   cholmod_sparse matrix = upper_triangle(pattern_, nullptr);
   matrix.xtype = CHOLMOD_PATTERN;
   const bool by_degree = dissect_above_ > 0 && order_by_degree(matrix);
@@ -195,7 +194,7 @@ template <class Real> bool SchurCholesky<Real>::factor_shifted(const double* val
   double largest = 0;
   for (double value : shifted) largest = std::max(largest, std::abs(value));
   for (int k = 0; k < shift.size(); ++k) {
-    double& value = shifted[at(ordered_.starts[at(interior() + k)])]; // on the diagonal
+    double& value = shifted[ordered_.starts[interior() + k]]; // on the diagonal
     raises_ = raises_ || value <= 0;
     shift(k) = value > 0 ? std::min(raise_, raise_step) * value : raise_ * largest;
     value += shift(k);
@@ -211,7 +210,7 @@ template <class Real> bool SchurCholesky<Real>::factor_shifted(const double* val
   MatrixX corner;
   read_factor(corner);
   round_values();
-  const int rows = static_cast<int>(border_.size());
+  const int rows = std::ssize(border_);
   const double one = 1, zero = 0;
   complement_.setZero(rows, rows);
   if (rows > 0) dsyrk_("L", "N", &rows, &rows, &one, corner.data(), &rows, &zero, complement_.data(), &rows);
@@ -255,7 +254,7 @@ template <class Real> void SchurCholesky<Real>::round_values() {
 }
 
 template <class Real> bool SchurCholesky<Real>::solve(double* b, const std::function<bool(double*)>& middle) {
-  for (int k = 0; k < size(); ++k) right_(k) = static_cast<Real>(b[order_[at(k)]]);
+  for (int k = 0; k < size(); ++k) right_(k) = static_cast<Real>(b[order_[k]]);
   const Real* values = static_cast<Real*>(lower_.factor->x);
   triangular_.solve_lower(values, right_);
   auto tail = right_.tail(part_.size());
@@ -263,7 +262,7 @@ template <class Real> bool SchurCholesky<Real>::solve(double* b, const std::func
   if (!middle(part_.data())) return false;
   tail = part_.template cast<Real>();
   triangular_.solve_upper(values, right_);
-  for (int k = 0; k < size(); ++k) b[order_[at(k)]] = static_cast<double>(right_(k));
+  for (int k = 0; k < size(); ++k) b[order_[k]] = static_cast<double>(right_(k));
   return true;
 }
 

@@ -1,6 +1,5 @@
 #include "solve/supernodes.hpp"
 
-#include "base/index.hpp"
 #include "os/parallel.hpp"
 #include "solve/constants.hpp"
 
@@ -45,53 +44,53 @@ template <class Real> void Supernodes<Real>::analyze(const cholmod_factor& facto
 
 /// Cuts the elimination tree: the largest subtree is replaced by those below its root until all are small.
 template <class Real> void Supernodes<Real>::build_subtrees(int size) {
-  const int count = static_cast<int>(supernodes_.size());
-  std::vector<int> owner(at(size), -1), parent(at(count), -1);
-  std::vector<std::vector<int>> children(at(count));
-  std::vector<double> weight(at(count), 0); // entries of the subtree
-  for (int s = 0; s < count; ++s) std::fill_n(owner.begin() + supernodes_[at(s)].column, supernodes_[at(s)].columns, s);
+  const int count = std::ssize(supernodes_);
+  std::vector<int> owner(size, -1), parent(count, -1);
+  std::vector<std::vector<int>> children(count);
+  std::vector<double> weight(count, 0); // entries of the subtree
+  for (int s = 0; s < count; ++s) std::fill_n(owner.begin() + supernodes_[s].column, supernodes_[s].columns, s);
   double all = 0;
   std::vector<int> roots;
   for (int s = 0; s < count; ++s) {
-    const Supernode& node = supernodes_[at(s)];
+    const Supernode& node = supernodes_[s];
     const double own = static_cast<double>(node.columns) * node.height;
     all += own;
-    weight[at(s)] += own;
-    if (node.columns < node.height) parent[at(s)] = owner[at(rows_[at(node.rows)])];
-    if (parent[at(s)] < 0) {
+    weight[s] += own;
+    if (node.columns < node.height) parent[s] = owner[rows_[node.rows]];
+    if (parent[s] < 0) {
       roots.push_back(s);
     } else {
-      children[at(parent[at(s)])].push_back(s);
-      weight[at(parent[at(s)])] += weight[at(s)];
+      children[parent[s]].push_back(s);
+      weight[parent[s]] += weight[s];
     }
   }
-  std::vector<int> tree(at(count), -1); // the subtree that a supernode belongs to
+  std::vector<int> tree(count, -1); // the subtree that a supernode belongs to
   subtrees_.clear();
   top_.clear();
   if (all >= 2 * entries_per_share) {
-    const auto lighter = [&](int left, int right) { return weight[at(left)] < weight[at(right)]; };
+    const auto lighter = [&](int left, int right) { return weight[left] < weight[right]; };
     std::make_heap(roots.begin(), roots.end(), lighter);
-    while (!roots.empty() && weight[at(roots.front())] > all / most_shares) {
+    while (!roots.empty() && weight[roots.front()] > all / most_shares) {
       std::pop_heap(roots.begin(), roots.end(), lighter);
       const int root = roots.back();
       roots.pop_back();
-      for (int child : children[at(root)]) {
+      for (int child : children[root]) {
         roots.push_back(child);
         std::push_heap(roots.begin(), roots.end(), lighter);
       }
     }
     std::sort(roots.begin(), roots.end(), [&](int left, int right) { return lighter(right, left); });
     for (int root : roots)
-      if (weight[at(root)] * 4 * most_shares > all) {
-        tree[at(root)] = static_cast<int>(subtrees_.size());
-        const Supernode& node = supernodes_[at(root)];
+      if (weight[root] * 4 * most_shares > all) {
+        tree[root] = std::ssize(subtrees_);
+        const Supernode& node = supernodes_[root];
         subtrees_.push_back({{}, node.column + node.columns, Vector::Zero(size), Vector(work_.size())});
       }
   }
   for (int s = count - 1; s >= 0; --s) {
-    int& own = tree[at(s)];
-    if (own < 0 && parent[at(s)] >= 0) own = tree[at(parent[at(s)])];
-    (own < 0 ? top_ : subtrees_[at(own)].supernodes).push_back(s);
+    int& own = tree[s];
+    if (own < 0 && parent[s] >= 0) own = tree[parent[s]];
+    (own < 0 ? top_ : subtrees_[own].supernodes).push_back(s);
   }
   std::reverse(top_.begin(), top_.end());
   for (Subtree& subtree : subtrees_) std::reverse(subtree.supernodes.begin(), subtree.supernodes.end());
@@ -129,23 +128,22 @@ void Supernodes<Real>::solve_upper(const Real* values, const Supernode& node, Ve
 }
 
 template <class Real> void Supernodes<Real>::solve_lower(const Real* values, Vector& x) {
-  parallel(static_cast<int>(subtrees_.size()), [&](int t) {
-    Subtree& subtree = subtrees_[at(t)];
+  parallel(std::ssize(subtrees_), [&](int t) {
+    Subtree& subtree = subtrees_[t];
     subtree.above.setZero();
     for (int s : subtree.supernodes)
-      solve_lower(values, supernodes_[at(s)], x, subtree.end, false, subtree.above, subtree.work);
+      solve_lower(values, supernodes_[s], x, subtree.end, false, subtree.above, subtree.work);
   });
   for (const Subtree& subtree : subtrees_) x += subtree.above;
-  for (int s : top_) solve_lower(values, supernodes_[at(s)], x, static_cast<int>(x.size()), true, x, work_);
+  for (int s : top_) solve_lower(values, supernodes_[s], x, static_cast<int>(x.size()), true, x, work_);
 }
 
 template <class Real> void Supernodes<Real>::solve_upper(const Real* values, Vector& x) {
-  for (auto s = top_.rbegin(); s != top_.rend(); ++s) solve_upper(values, supernodes_[at(*s)], x, true, work_);
-  parallel(static_cast<int>(subtrees_.size()), [&](int t) {
-    Subtree& subtree = subtrees_[at(t)];
+  for (auto s = top_.rbegin(); s != top_.rend(); ++s) solve_upper(values, supernodes_[*s], x, true, work_);
+  parallel(std::ssize(subtrees_), [&](int t) {
+    Subtree& subtree = subtrees_[t];
     const std::vector<int>& list = subtree.supernodes;
-    for (auto s = list.rbegin(); s != list.rend(); ++s)
-      solve_upper(values, supernodes_[at(*s)], x, false, subtree.work);
+    for (auto s = list.rbegin(); s != list.rend(); ++s) solve_upper(values, supernodes_[*s], x, false, subtree.work);
   });
 }
 

@@ -1,7 +1,6 @@
 #include "solve/symmetric_blocks.hpp"
 
 #include "base/eigen.hpp"
-#include "base/index.hpp"
 
 #include <algorithm>
 
@@ -11,10 +10,10 @@ template <int D>
 SymmetricBlocks<D>::SymmetricBlocks(int nodes, const std::vector<std::vector<int>>& groups)
     : starts_{0}, first_runs_{0} {
   const Pattern pattern = couple(nodes, groups);
-  columns_.reserve((pattern.rows.size() + at(nodes)) / 2);
+  columns_.reserve((pattern.rows.size() + nodes) / 2);
   for (int node = 0; node < nodes; ++node) {
-    for (int k = pattern.starts[at(node)]; k < pattern.starts[at(node) + 1]; ++k) {
-      const int other = pattern.rows[at(k)];
+    for (int k = pattern.starts[node]; k < pattern.starts[node + 1]; ++k) {
+      const int other = pattern.rows[k];
       if (other < node) continue;
       columns_.push_back(other);
       if (other > node && runs_.back().node + runs_.back().count == other)
@@ -29,15 +28,15 @@ SymmetricBlocks<D>::SymmetricBlocks(int nodes, const std::vector<std::vector<int
 }
 
 template <int D> std::span<const typename SymmetricBlocks<D>::Run> SymmetricBlocks<D>::runs_of(int node) const {
-  return {runs_.data() + first_runs_[at(node)], runs_.data() + first_runs_[at(node) + 1]};
+  return {runs_.data() + first_runs_[node], runs_.data() + first_runs_[node + 1]};
 }
 
 template <int D> int SymmetricBlocks<D>::width(int node) const {
-  return starts_[at(node) + 1] - starts_[at(node)];
+  return starts_[node + 1] - starts_[node];
 }
 
 template <int D> const double* SymmetricBlocks<D>::row(int node, int component) const {
-  return values_.data() + D * (D * at(starts_[at(node)]) + at(component * width(node)));
+  return values_.data() + D * (D * std::ptrdiff_t{starts_[node]} + component * width(node));
 }
 
 template <int D> void SymmetricBlocks<D>::add(std::span<const int> nodes, const double* blocks) {
@@ -46,9 +45,9 @@ template <int D> void SymmetricBlocks<D>::add(std::span<const int> nodes, const 
   for (int i = 0; i < D; ++i)
     for (int j = i; j < D; ++j, blocks += n * n) block[i][j] = blocks;
   for (std::size_t a = 0; a < n; ++a) {
-    const auto from = columns_.begin() + starts_[at(nodes[a])], to = columns_.begin() + starts_[at(nodes[a]) + 1];
-    double* const rows = values_.data() + D * D * at(starts_[at(nodes[a])]);
-    const std::size_t stride = D * at(width(nodes[a]));
+    const auto from = columns_.begin() + starts_[nodes[a]], to = columns_.begin() + starts_[nodes[a] + 1];
+    double* const rows = values_.data() + D * D * std::ptrdiff_t{starts_[nodes[a]]};
+    const std::size_t stride = D * width(nodes[a]);
     int before = -2;
     auto found = from;
     for (std::size_t b = 0; b < n; ++b) {
@@ -59,7 +58,7 @@ template <int D> void SymmetricBlocks<D>::add(std::span<const int> nodes, const 
       double* const values = rows + D * (found - from);
       for (int i = 0; i < D; ++i)
         for (int j = 0; j < D; ++j)
-          values[at(i) * stride + at(j)] += part * (i <= j ? block[i][j][a * n + b] : block[j][i][b * n + a]);
+          values[i * stride + j] += part * (i <= j ? block[i][j][a * n + b] : block[j][i][b * n + a]);
     }
   }
 }

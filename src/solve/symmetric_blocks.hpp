@@ -39,7 +39,7 @@ private:
   struct Run {
     int node, count;
   };
-  int nodes() const { return static_cast<int>(starts_.size()) - 1; }
+  int nodes() const { return std::ssize(starts_) - 1; }
   std::span<const Run> runs_of(int node) const;
   /// Number of blocks in a node's rows.
   int width(int node) const;

@@ -1,6 +1,5 @@
 #include "solve/symmetric_part.hpp"
 
-#include "base/index.hpp"
 #include "solve/dense_factors.hpp"
 
 #include <algorithm>
@@ -37,16 +36,16 @@ void SymmetricPart::analyze(const Pattern& pattern) {
 
 /// Finds the entries between the watched unknowns.
 void SymmetricPart::locate(const Pattern& pattern) {
-  std::vector<int> place(at(pattern.size), -1), unknowns = solver_->border();
+  std::vector<int> place(pattern.size, -1), unknowns = solver_->border();
   std::sort(unknowns.begin(), unknowns.end());
-  for (int k = 0; k < border(); ++k) place[at(unknowns[at(k)])] = k;
+  for (int k = 0; k < border(); ++k) place[unknowns[k]] = k;
   places_.clear();
-  for (int unknown : solver_->border()) places_.push_back(place[at(unknown)]);
+  for (int unknown : solver_->border()) places_.push_back(place[unknown]);
   runs_.clear();
   for (int column = 0; column < border(); ++column) {
-    const int end = pattern.starts[at(unknowns[at(column)]) + 1];
-    for (int k = pattern.starts[at(unknowns[at(column)])], next = -1; k < end; ++k) {
-      const int row = place[at(pattern.rows[at(k)])];
+    const int end = pattern.starts[unknowns[column] + 1];
+    for (int k = pattern.starts[unknowns[column]], next = -1; k < end; ++k) {
+      const int row = place[pattern.rows[k]];
       if (row < 0) {
         next = -1;
         continue;

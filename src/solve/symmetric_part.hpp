@@ -56,7 +56,7 @@ private:
   void locate(const Pattern& pattern);
   template <class Real> void set_block(const double* values, DenseMatrix<Real>& block) const;
   template <class Real> bool factor_block(const double* values);
-  int border() const { return static_cast<int>(solver_->border().size()); }
+  int border() const { return std::ssize(solver_->border()); }
 
   std::unique_ptr<SchurSolver> solver_;
   Border policy_;

@@ -24,7 +24,7 @@ public:
   void analyze(const Pattern& pattern) override {
     clear();
     pattern_ = pattern;
-    scratch_.resize(static_cast<std::size_t>(pattern.size));
+    scratch_.resize(pattern.size);
   }
 
   bool factor(const double* values) override {

@@ -1,7 +1,5 @@
 #include "solve/values.hpp"
 
-#include "base/index.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +12,7 @@ namespace {
 /// transposed entries of each other column in its order.
 template <class Visit> void visit_transposed(const Pattern& pattern, const Visit& visit) {
   std::vector<int> next(pattern.starts.begin(), pattern.starts.end());
-  for (std::size_t k = 0; k < pattern.rows.size(); ++k) visit(k, at(next[at(pattern.rows[k])]++));
+  for (std::size_t k = 0; k < pattern.rows.size(); ++k) visit(k, next[pattern.rows[k]]++);
 }
 
 } // namespace
@@ -56,11 +54,10 @@ double relative_residual(const Pattern& pattern, const double* values, const dou
                          std::vector<double>& difference) {
   difference.assign(b, b + pattern.size);
   for (int j = 0; j < pattern.size; ++j)
-    for (int k = pattern.starts[at(j)]; k < pattern.starts[at(j) + 1]; ++k)
-      difference[at(pattern.rows[at(k)])] -= values[k] * x[j];
+    for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k) difference[pattern.rows[k]] -= values[k] * x[j];
   double square = 0, scale = 0;
   for (int i = 0; i < pattern.size; ++i) {
-    square += difference[at(i)] * difference[at(i)];
+    square += difference[i] * difference[i];
     scale += b[i] * b[i];
   }
   if (!std::isfinite(square)) return std::numeric_limits<double>::infinity();

@@ -9,7 +9,7 @@ constexpr Operation last_value(std::type_identity<Operation>) {
 void write(ArchiveWriter& to, const Formula& formula) {
   const Graph& graph = formula.graph;
   to.put(graph.size(), formula.node);
-  for (int n = static_cast<int>(graph.variables().size()); n < graph.size(); ++n)
+  for (int n = std::ssize(graph.variables()); n < graph.size(); ++n)
     to.put(graph[n].operation, graph[n].value, graph[n].a, graph[n].b);
 }
 

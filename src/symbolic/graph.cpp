@@ -8,7 +8,7 @@
 namespace signorini::symbolic {
 
 Graph::Graph(std::vector<std::string> variables) : variables_(std::move(variables)) {
-  for (int i = 0; i < static_cast<int>(variables_.size()); ++i) insert({Operation::variable, 0, i, -1});
+  for (int i = 0; i < std::ssize(variables_); ++i) insert({Operation::variable, 0, i, -1});
 }
 
 int Graph::insert(const Node& node) {
@@ -122,14 +122,14 @@ const char* name_of(Operation function) {
 
 std::vector<int> needed_for(const Graph& graph, const std::vector<int>& nodes) {
   std::vector<char> needed(static_cast<std::size_t>(graph.size()));
-  for (int node : nodes) needed[static_cast<std::size_t>(node)] = 1;
+  for (int node : nodes) needed[node] = 1;
   std::vector<int> list;
   for (int node = graph.size() - 1; node >= 0; --node) {
-    if (!needed[static_cast<std::size_t>(node)]) continue;
+    if (!needed[node]) continue;
     list.push_back(node);
     if (graph[node].operation == Operation::variable) continue;
     for (int operand : {graph[node].a, graph[node].b})
-      if (operand >= 0) needed[static_cast<std::size_t>(operand)] = 1;
+      if (operand >= 0) needed[operand] = 1;
   }
   return {list.rbegin(), list.rend()};
 }

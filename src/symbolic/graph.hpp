@@ -39,8 +39,8 @@ public:
   /// Adds a node of another graph with the same indices, for files. Returns −1 unless its operands are nodes.
   int restore(const Node& node);
 
-  const Node& operator[](int node) const { return nodes_[static_cast<std::size_t>(node)]; }
-  int size() const { return static_cast<int>(nodes_.size()); }
+  const Node& operator[](int node) const { return nodes_[node]; }
+  int size() const { return std::ssize(nodes_); }
   const std::vector<std::string>& variables() const { return variables_; }
   bool is_constant(int node) const { return (*this)[node].operation == Operation::constant; }
   bool is_constant(int node, double value) const { return is_constant(node) && (*this)[node].value == value; }

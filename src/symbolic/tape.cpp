@@ -1,6 +1,5 @@
 #include "symbolic/tape.hpp"
 
-#include "base/index.hpp"
 #include "symbolic/run.hpp"
 
 #include <algorithm>
@@ -125,38 +124,38 @@ bool reads_b(const Instruction& one) {
 
 /// Uses registers again whose values are not read anymore; those of variables and outputs are kept.
 void reuse_registers(Tape& tape, int variables) {
-  std::vector<int> last(at(tape.registers), -1), place(at(tape.registers), -1), open;
-  for (int i = 0; i < static_cast<int>(tape.code.size()); ++i) {
-    const Instruction& one = tape.code[at(i)];
-    if (reads_a(one)) last[at(one.a)] = i;
-    if (reads_b(one)) last[at(one.b)] = i;
+  std::vector<int> last(tape.registers, -1), place(tape.registers, -1), open;
+  for (int i = 0; i < std::ssize(tape.code); ++i) {
+    const Instruction& one = tape.code[i];
+    if (reads_a(one)) last[one.a] = i;
+    if (reads_b(one)) last[one.b] = i;
   }
-  const int never = static_cast<int>(tape.code.size());
-  for (int v = 0; v < variables; ++v) place[at(v)] = v, last[at(v)] = never;
+  const int never = std::ssize(tape.code);
+  for (int v = 0; v < variables; ++v) place[v] = v, last[v] = never;
   for (int output : tape.outputs)
-    if (output >= 0) last[at(output)] = never;
+    if (output >= 0) last[output] = never;
   int count = variables;
-  for (int i = 0; i < static_cast<int>(tape.code.size()); ++i) {
-    Instruction& one = tape.code[at(i)];
+  for (int i = 0; i < std::ssize(tape.code); ++i) {
+    Instruction& one = tape.code[i];
     const int a = one.a, b = one.b, target = one.target;
-    one.a = reads_a(one) ? place[at(a)] : 0;
-    one.b = reads_b(one) ? place[at(b)] : 0;
+    one.a = reads_a(one) ? place[a] : 0;
+    one.b = reads_b(one) ? place[b] : 0;
     // The target is taken first, as an instruction must not write to what it reads.
     if (open.empty()) open.push_back(count++);
-    one.target = place[at(target)] = open.back();
+    one.target = place[target] = open.back();
     open.pop_back();
-    if (reads_a(one) && last[at(a)] == i) open.push_back(place[at(a)]);
-    if (reads_b(one) && b != a && last[at(b)] == i) open.push_back(place[at(b)]);
+    if (reads_a(one) && last[a] == i) open.push_back(place[a]);
+    if (reads_b(one) && b != a && last[b] == i) open.push_back(place[b]);
   }
   for (int& output : tape.outputs)
-    if (output >= 0) output = place[at(output)];
+    if (output >= 0) output = place[output];
   tape.registers = count;
 }
 
 } // namespace
 
 Tape compile(const Graph& graph, const std::vector<int>& formulas, bool positive) {
-  const int variables = static_cast<int>(graph.variables().size());
+  const int variables = std::ssize(graph.variables());
   Compiler compiler(graph, positive);
   Tape tape;
   for (int formula : formulas) {
@@ -171,14 +170,14 @@ Tape compile(const Graph& graph, const std::vector<int>& formulas, bool positive
 }
 
 void evaluate(const Tape& tape, double* registers, int stride, int points, int outputs) {
-  run(tape.code.data(), tape.ends[at(outputs - 1)], registers, stride, points);
+  run(tape.code.data(), tape.ends[outputs - 1], registers, stride, points);
 }
 
 std::vector<double> evaluate(const Tape& tape, const std::vector<double>& variables) {
-  std::vector<double> registers(at(tape.registers)), values;
+  std::vector<double> registers(tape.registers), values;
   std::copy(variables.begin(), variables.end(), registers.begin());
   evaluate(tape, registers.data(), 1, 1, static_cast<int>(tape.outputs.size()));
-  for (int output : tape.outputs) values.push_back(output < 0 ? 0 : registers[at(output)]);
+  for (int output : tape.outputs) values.push_back(output < 0 ? 0 : registers[output]);
   return values;
 }
 

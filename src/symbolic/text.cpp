@@ -46,7 +46,7 @@ Written write(const Graph& graph, int node) {
   case Operation::constant:
     return {text(here.value), here.value < 0 ? sum : atom};
   case Operation::variable:
-    return {graph.variables()[static_cast<std::size_t>(here.a)], atom};
+    return {graph.variables()[here.a], atom};
   case Operation::add:
     return of_sum(graph, here);
   case Operation::multiply:

@@ -64,7 +64,7 @@ void ask(const std::string& queries, Answers& answers) {
       std::array<char, 4096> bytes;
       const ssize_t got = keys.revents ? ::read(STDIN_FILENO, bytes.data(), bytes.size()) : 0;
       if (keys.revents && got <= 0) break;
-      input.append(bytes.data(), static_cast<std::size_t>(got));
+      input.append(bytes.data(), got);
       take_answers(input, answers);
     }
   }

@@ -1,6 +1,5 @@
 #include "tessellation/bezier_cells.hpp"
 
-#include "base/index.hpp"
 #include "base/orthonormal.hpp"
 #include "model/results/face_values.hpp"
 #include "model/results/results.hpp"
@@ -23,11 +22,11 @@ namespace {
 /// Matrix from values at `places` in [0, 1] to Bernstein coefficients of their least-squares fit, which interpolates up
 /// to degree+1 values.
 MatrixX fit(int degree, const std::vector<double>& places) {
-  const int n = static_cast<int>(places.size()), own = std::min(degree, n - 1);
+  const int n = std::ssize(places), own = std::min(degree, n - 1);
   MatrixX values(n, own + 1);
   for (int i = 0; i < n; ++i) {
     VectorX bernstein(own + 1);
-    nurbs::bernstein(own, places[at(i)], 1, 0, bernstein.data());
+    nurbs::bernstein(own, places[i], 1, 0, bernstein.data());
     values.row(i) = bernstein;
   }
   return nurbs::bernstein_elevation(own, degree).transpose().lazyProduct(pseudo_inverse(values));
@@ -111,8 +110,8 @@ int points_of(const std::vector<int>& degrees) {
 /// Indices of a cell's points on a side among all its points.
 std::vector<int> points_on(nurbs::Side side, const std::vector<int>& degrees) {
   int stride = 1;
-  for (int d = 0; d < side.direction; ++d) stride *= degrees[at(d)] + 1;
-  const int count = degrees[at(side.direction)] + 1, wanted = side.at_end ? count - 1 : 0;
+  for (int d = 0; d < side.direction; ++d) stride *= degrees[d] + 1;
+  const int count = degrees[side.direction] + 1, wanted = side.at_end ? count - 1 : 0;
   std::vector<int> result;
   for (int point = 0; point < points_of(degrees); ++point)
     if (point / stride % count == wanted) result.push_back(point);
@@ -122,7 +121,7 @@ std::vector<int> points_on(nurbs::Side side, const std::vector<int>& degrees) {
 } // namespace
 
 template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool deformed) {
-  const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
+  const solid::Body<D>& solid = *model.system.scene.bodies[body].body;
   const nurbs::Discretization& space = solid.space();
   const MatrixX weighted = body_displacement(model, body) * space.homogeneous().row(D).asDiagonal();
   BezierCells cells;
@@ -133,13 +132,12 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
     cells.degrees.push_back(elements.back().degrees);
     count += points_of(cells.degrees.back());
   }
-  for (const Composition<D>& composition : compositions<D>())
-    components += static_cast<int>(composition.components.size());
+  for (const Composition<D>& composition : compositions<D>()) components += std::ssize(composition.components);
   cells.points.setZero(3, count);
   cells.weights.resize(count);
   MatrixX displacement = MatrixX::Zero(3, count), all(components, count);
   for (int e = 0, first = 0; e < space.elements(); ++e) {
-    const nurbs::BezierElement& element = elements[at(e)];
+    const nurbs::BezierElement& element = elements[e];
     const int size = points_of(element.degrees);
     const MatrixX homogeneous = space.homogeneous()(Eigen::all, element.functions).lazyProduct(element.extraction);
     const VectorX weights = homogeneous.row(D).transpose();
@@ -156,8 +154,8 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
       VectorX xi(D);
       for (int d = 0, rest = g; d < D; ++d) {
         const auto [from, to] = space.interval(e, d);
-        xi(d) = from + (to - from) * places[at(d)][at(rest % (element.degrees[at(d)] + 1))];
-        rest /= element.degrees[at(d)] + 1;
+        xi(d) = from + (to - from) * places[d][rest % (element.degrees[d] + 1)];
+        rest /= element.degrees[d] + 1;
       }
       BodyPoint<D> point = body_point(model, body, e, xi);
       add_volume_change(model, body, point);
@@ -170,7 +168,7 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
   cells.fields.push_back({"displacement", std::move(displacement)});
   int row = 0;
   for (const Composition<D>& composition : compositions<D>()) {
-    const auto rows = static_cast<int>(composition.components.size());
+    const int rows = std::ssize(composition.components);
     cells.fields.push_back({composition.name, all.middleRows(row, rows)});
     row += rows;
   }
@@ -179,9 +177,9 @@ template <int D> BezierCells bezier_cells(const Model<D>& model, int body, bool 
 
 template <int D>
 BezierCells contact_cells(const Model<D>& model, int contact, std::size_t face, const BezierCells& cells) {
-  const Contact<D>& definition = model.system.scene.contacts[at(contact)];
+  const Contact<D>& definition = model.system.scene.contacts[contact];
   const auto& [body, side] = definition.slave[face];
-  const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[body].body->space();
   std::vector<int> first_point = {0};
   for (const std::vector<int>& degrees : cells.degrees) first_point.push_back(first_point.back() + points_of(degrees));
 
@@ -196,8 +194,8 @@ BezierCells contact_cells(const Model<D>& model, int contact, std::size_t face, 
   std::vector<std::vector<double>> on_contact(fields.size()); // values there
   for (int f = 0; f < values.front().cols(); ++f) {
     const int e = space.element_behind(side, f);
-    std::vector<int> degrees = cells.degrees[at(e)], own = points_on(side, degrees);
-    for (int& point : own) point += first_point[at(e)];
+    std::vector<int> degrees = cells.degrees[e], own = points_on(side, degrees);
+    for (int& point : own) point += first_point[e];
     degrees.erase(degrees.begin() + side.direction);
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const MatrixX fitted = Projector(degrees, places)(values[i].col(f).transpose(), cells.weights(own));

@@ -48,9 +48,9 @@ void add_borders(Skin& skin, const Grid& grid, std::array<int, 2> element, std::
   skin.rim.resize(4, SkinLine{Points(3, 0), Points(3, 0), 0});
   for (int along : {0, 1})
     for (bool at_end : {false, true}) {
-      const int place = element[at(1 - along)];
-      if (place == (at_end ? counts[at(1 - along)] - 1 : 0))
-        append(skin.rim[at(2 * along + at_end)], border(skin, grid, along, at_end));
+      const int place = element[1 - along];
+      if (place == (at_end ? counts[1 - along] - 1 : 0))
+        append(skin.rim[2 * along + at_end], border(skin, grid, along, at_end));
       else if (!at_end)
         skin.mesh_lines.push_back(border(skin, grid, along, false));
     }

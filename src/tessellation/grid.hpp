@@ -1,7 +1,6 @@
 #pragma once
 // Grid of points of an element, its triangles, and its borders as lines.
 
-#include "base/index.hpp"
 #include "tessellation/tessellate.hpp"
 
 namespace signorini::tessellation {
@@ -11,8 +10,8 @@ struct Grid {
   const std::vector<double>&along, &across; ///< fractions in its two directions
   Eigen::Index first;                       ///< index of its first point in the skin
 
-  int columns() const { return static_cast<int>(along.size()); }
-  int rows() const { return static_cast<int>(across.size()); }
+  int columns() const { return std::ssize(along); }
+  int rows() const { return std::ssize(across); }
   Eigen::Index size() const { return Eigen::Index(columns()) * rows(); }
   Eigen::Index triangles() const { return 2 * Eigen::Index(columns() - 1) * (rows() - 1); }
   Eigen::Index operator()(int i, int j) const { return first + i + Eigen::Index(columns()) * j; }

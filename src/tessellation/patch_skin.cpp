@@ -1,4 +1,3 @@
-#include "base/index.hpp"
 #include "tessellation/grid.hpp"
 
 #include <algorithm>
@@ -23,7 +22,7 @@ VectorX parameters(const nurbs::Patch& patch, std::size_t i, std::size_t j, doub
 
 std::vector<std::vector<double>> even(const nurbs::KnotVector& knots) {
   const int pieces = std::clamp(128 / knots.elements(), knots.degree() == 1 ? 1 : 2, 32);
-  return {at(knots.elements()), even_cuts(pieces)};
+  return std::vector(knots.elements(), even_cuts(pieces));
 }
 
 /// Fractions in both directions of a surface; a curve is a surface of one row.
@@ -77,7 +76,7 @@ Skin tessellate(const nurbs::Patch& patch, double sign, const std::vector<Window
     Eigen::Index first = 0;
     for (int j = 0; j < counts[1]; ++j)
       for (int i = 0; i < counts[0]; ++i) {
-        const Grid grid{sampling[0][at(i)], sampling[1][at(j)], first};
+        const Grid grid{sampling[0][i], sampling[1][j], first};
         visit(grid, i, j);
         first += grid.size();
       }
@@ -91,7 +90,7 @@ Skin tessellate(const nurbs::Patch& patch, double sign, const std::vector<Window
   each_element([&](const Grid& grid, int i, int j) {
     for (int q = 0; q < grid.rows(); ++q)
       for (int p = 0; p < grid.columns(); ++p) {
-        const VectorX xi = parameters(patch, at(i), at(j), grid.along[at(p)], grid.across[at(q)]);
+        const VectorX xi = parameters(patch, i, j, grid.along[p], grid.across[q]);
         skin.points.col(grid(p, q)) = place(patch, xi);
         skin.normals.col(grid(p, q)) = sign * normal_at(patch, xi);
       }

@@ -1,6 +1,5 @@
 #include "tessellation/sampling.hpp"
 
-#include "base/index.hpp"
 #include "model/results/sample.hpp"
 
 namespace signorini::tessellation {
@@ -25,14 +24,14 @@ template <int D> struct Pieces {
   /// Divides the piece of element e in two directions; in a solid, `fractions` fixes the third one.
   void cut(Sampling<D>& sampling, int e, std::array<int, 2> along, Vec<D> fractions,
            const std::vector<Window>& windows) const {
-    const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
+    const nurbs::Discretization& space = model.system.scene.bodies[body].body->space();
     const auto at_fractions = [&](double s, double t) {
       fractions(along[0]) = s;
       fractions(along[1]) = t;
       return place(e, space.parameter(e, fractions));
     };
     const auto cuts = window_divisions(at_fractions, windows, true);
-    for (std::size_t i : {0, 1}) add_divisions(sampling[at(along[i])][at(space.element_index(e, along[i]))], cuts[i]);
+    for (std::size_t i : {0, 1}) add_divisions(sampling[along[i]][space.element_index(e, along[i])], cuts[i]);
   }
 };
 
@@ -40,14 +39,14 @@ template <int D> struct Pieces {
 
 template <int D> Sampling<D> even_sampling(const nurbs::Discretization& space, int divisions) {
   Sampling<D> sampling;
-  for (int d = 0; d < D; ++d) sampling[at(d)].assign(at(space.elements(d)), even_cuts(divisions));
+  for (int d = 0; d < D; ++d) sampling[d].assign(space.elements(d), even_cuts(divisions));
   return sampling;
 }
 
 template <int D>
 Sampling<D> sampling(const Model<D>& model, int body, int divisions, bool deformed,
                      const std::vector<Window>& windows) {
-  const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[body].body->space();
   Sampling<D> result = even_sampling<D>(space, divisions);
   if (windows.empty()) return result;
   const Pieces<D> pieces{model, body, deformed};

@@ -28,7 +28,7 @@ struct SkinSide {
   nurbs::Side side;
   bool deformed;
 
-  const solid::Body<3>& solid() const { return *model.system.scene.bodies[at(body)].body; }
+  const solid::Body<3>& solid() const { return *model.system.scene.bodies[body].body; }
   const nurbs::Discretization& space() const { return solid().space(); }
   /// The solid's direction of the side's direction 0 or 1.
   int along(int i) const { return i == 0 ? (side.direction == 0 ? 1 : 0) : (side.direction == 2 ? 1 : 2); }
@@ -58,7 +58,7 @@ struct SkinSide {
 };
 
 Grid grid_of(const Sampling<3>& sampling, const SkinSide& side, int i, int j, Eigen::Index first) {
-  return {sampling[at(side.along(0))][at(i)], sampling[at(side.along(1))][at(j)], first};
+  return {sampling[side.along(0)][i], sampling[side.along(1)][j], first};
 }
 
 std::array<SkinSide, 6> sides_of(const Model<3>& model, int body, bool deformed) {
@@ -75,7 +75,7 @@ template <class Visit> void each_side_element(const Model<3>& model, int body, b
 
 /// Control points (2D: with z = 0), and the lines that connect them within each row.
 template <int D> void add_control_points(Skin& result, const Model<D>& model, int body, bool deformed) {
-  const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[body].body->space();
   result.control_points.setZero(3, space.functions());
   result.control_points.template topRows<D>() = space.points();
   if (deformed) result.control_points.template topRows<D>() += body_displacement(model, body);
@@ -92,10 +92,10 @@ template <int D> void add_control_points(Skin& result, const Model<D>& model, in
 } // namespace
 
 Skin tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling, bool deformed) {
-  const solid::Body<2>& solid = *model.system.scene.bodies[at(body)].body;
+  const solid::Body<2>& solid = *model.system.scene.bodies[body].body;
   const nurbs::Discretization& space = solid.space();
   const auto grid_at = [&](int e, Eigen::Index first) {
-    return Grid{sampling[0][at(space.element_index(e, 0))], sampling[1][at(space.element_index(e, 1))], first};
+    return Grid{sampling[0][space.element_index(e, 0)], sampling[1][space.element_index(e, 1)], first};
   };
   Eigen::Index points = 0, triangles = 0;
   for (int e = 0; e < space.elements(); ++e) {
@@ -112,7 +112,7 @@ Skin tessellate(const Model<2>& model, int body, const Field<2>* field, const Sa
     const Grid grid = grid_at(e, first);
     for (int q = 0; q < grid.rows(); ++q)
       for (int p = 0; p < grid.columns(); ++p) {
-        const VectorX xi = space.parameter(e, Vec<2>(grid.along[at(p)], grid.across[at(q)]));
+        const VectorX xi = space.parameter(e, Vec<2>(grid.along[p], grid.across[q]));
         const BodyPoint<2> point = regular_point(model, body, e, xi);
         const Eigen::Index here = grid(p, q);
         result.points.col(here).head<2>() = point.reference;
@@ -151,7 +151,7 @@ Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sa
     const Grid grid = grid_of(sampling, side, i, j, first);
     for (int q = 0; q < grid.rows(); ++q)
       for (int p = 0; p < grid.columns(); ++p) {
-        const SkinPoint point = side.point(side.element(i, j), grid.along[at(p)], grid.across[at(q)], field);
+        const SkinPoint point = side.point(side.element(i, j), grid.along[p], grid.across[q], field);
         skin.points.col(grid(p, q)) = point.position;
         skin.normals.col(grid(p, q)) = point.normal;
         if (field) skin.values(grid(p, q)) = point.value;
@@ -191,7 +191,7 @@ VectorX face_values(const Model<3>& model, model::FaceField field, int body, con
 
 std::vector<Inside> crossed_elements(const Model<3>& model, int body, const Field<3>* field, int divisions,
                                      bool deformed, const std::vector<CutPlane>& planes) {
-  const solid::Body<3>& solid = *model.system.scene.bodies[at(body)].body;
+  const solid::Body<3>& solid = *model.system.scene.bodies[body].body;
   const nurbs::Discretization& space = solid.space();
   Points control = space.points();
   if (deformed) control += body_displacement(model, body);

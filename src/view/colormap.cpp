@@ -59,7 +59,7 @@ double cubic(double before, double a, double b, double after, double t) {
 
 std::vector<Rgb> colormap(const std::string& name) {
   const auto& anchors = find(name).anchors;
-  const int last = static_cast<int>(anchors.size()) - 1;
+  const int last = std::ssize(anchors) - 1;
   const auto channel = [&](int k, int shift) {
     // Linear extrapolation beyond the ends.
     const auto value = [&](int i) { return static_cast<double>((anchors[i] >> shift) & 0xFF); };

@@ -1,7 +1,6 @@
 #include "view/compose.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "view/frame.hpp"
 #include "view/sheet.hpp"
 #include "view/text.hpp"
@@ -170,7 +169,7 @@ std::optional<CloseUpPlan> best_plan(const Costs& costs, std::size_t states) {
 
 /// The two pairs of corners joined by lines, from the marked region to the inset.
 std::array<std::array<Vec2, 2>, 2> joins(const Box& from, const Box& to) {
-  const auto corner = [](const Box& box, int x, int y) { return Vec2{box[at(x)], box[at(2 + y)]}; };
+  const auto corner = [](const Box& box, int x, int y) { return Vec2{box[x], box[2 + y]}; };
   if (to[2] >= from[3]) return {{{corner(from, 0, 1), corner(to, 0, 0)}, {corner(from, 1, 1), corner(to, 1, 0)}}};
   if (to[3] <= from[2]) return {{{corner(from, 0, 0), corner(to, 0, 1)}, {corner(from, 1, 0), corner(to, 1, 1)}}};
   const int near = to[0] >= from[1] ? 0 : 1, side = 1 - near;

@@ -13,7 +13,7 @@ namespace {
 // replaced by brown.
 const std::vector<Rgb> palette = {{0, 114, 178},  {213, 94, 0},  {0, 158, 115}, {204, 121, 167},
                                   {86, 180, 233}, {230, 159, 0}, {60, 60, 60},  {135, 75, 30}};
-const int palette_size = static_cast<int>(palette.size());
+const int palette_size = std::ssize(palette);
 constexpr double marker_radius = 8; // in a chart of 1600 × 1000
 
 /// The unbroken sections of a series in pixels; points closer than 0.2 pixels to the last one are skipped.

@@ -40,7 +40,7 @@ struct Builder {
   std::vector<std::array<int, 3>> triangles;
 
   void fan(int first) {
-    for (int k = first + 2; k < static_cast<int>(points.size()); ++k) triangles.push_back({first, k - 1, k});
+    for (int k = first + 2; k < std::ssize(points); ++k) triangles.push_back({first, k - 1, k});
   }
 
   Surface surface() const {
@@ -111,7 +111,7 @@ void add_section(Builder& builder, const Lattice& lattice, const VectorX& distan
           std::array<int, 4> corners{};
           std::transform(tetrahedron, tetrahedron + 4, corners.begin(),
                          [&](int c) { return at(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2)); });
-          const int first = static_cast<int>(builder.points.size());
+          const int first = std::ssize(builder.points);
           for (const Mix& mix : section(corners, distance)) {
             builder.points.push_back(mix.of(lattice.points));
             builder.normals.push_back(normal);
@@ -162,7 +162,7 @@ Surface joined(const Surface& a, const Surface& b) {
 void keep_control_points(Body& left, const Body& body, const VectorX& distance) {
   std::vector<int> kept, place(static_cast<std::size_t>(distance.size()), -1);
   for (int i = 0; i < distance.size(); ++i)
-    if (distance[i] <= 0) place[static_cast<std::size_t>(i)] = static_cast<int>(kept.size()), kept.push_back(i);
+    if (distance[i] <= 0) place[static_cast<std::size_t>(i)] = std::ssize(kept), kept.push_back(i);
   left.control_points = body.control_points(Eigen::all, kept);
   for (const auto& [a, b] : body.net_lines) {
     const int from = place[static_cast<std::size_t>(a)], to = place[static_cast<std::size_t>(b)];
@@ -218,7 +218,7 @@ Surface cut(const Surface& surface, const CutPlane& plane, double tolerance) {
   const bool valued = surface.values.size() > 0;
   Builder builder;
   for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
-    const int first = static_cast<int>(builder.points.size());
+    const int first = std::ssize(builder.points);
     const auto add = [&](const Mix& mix) {
       builder.points.push_back(mix.of(surface.points));
       if (surface.normals.cols() > 0) builder.normals.push_back(mix.of(surface.normals).stableNormalized());

@@ -91,7 +91,7 @@ double column_room(const ChartOptions& options, int columns, const Style& style)
 /// Below the chart, with the number of columns for which names are largest; returns whether the rows fit.
 bool put_below(Legend& legend, const ChartOptions& options, const Style& style) {
   const double most = 0.4 * options.size[1], least = least_size(style);
-  const int count = static_cast<int>(legend.rows.size());
+  const int count = std::ssize(legend.rows);
   legend.columns = 0;
   double best = 0;
   for (int columns = 1; columns <= count; ++columns) {

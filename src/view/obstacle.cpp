@@ -1,6 +1,5 @@
 #include "view/obstacle.hpp"
 
-#include "base/index.hpp"
 #include "view/cut.hpp"
 #include "view/surface_lines.hpp"
 
@@ -95,14 +94,14 @@ template <class Place>
 Surface tessellated(std::array<int, 2> pieces, const std::vector<Window>& windows, const Place& place) {
   Surface surface;
   const auto [us, vs] = fractions(pieces, windows, place);
-  const int columns = static_cast<int>(us.size()) - 1, rows = static_cast<int>(vs.size()) - 1, side = columns + 1,
-            count = side * (rows + 1), triangles = 2 * columns * rows;
+  const int columns = std::ssize(us) - 1, rows = std::ssize(vs) - 1, side = columns + 1, count = side * (rows + 1),
+            triangles = 2 * columns * rows;
   surface.points.resize(3, count);
   surface.normals.resize(3, surface.points.cols());
   surface.triangles.resize(3, triangles);
   for (int j = 0, triangle = 0; j <= rows; ++j)
     for (int i = 0; i <= columns; ++i) {
-      const auto [point, normal] = place(us[at(i)], vs[at(j)]);
+      const auto [point, normal] = place(us[i], vs[j]);
       const int here = i + side * j;
       surface.points.col(here) = point;
       surface.normals.col(here) = normal;
@@ -158,10 +157,10 @@ RigidSurface whole(const RigidCylinder& cylinder, const Bounds& box, const std::
   result.surface = tessellated({pieces, 2}, windows, place);
   for (int end : {0, 1}) {
     const std::vector<double> way = fractions({pieces, 2}, windows, place)[0];
-    const int count = static_cast<int>(way.size());
+    const int count = std::ssize(way);
     SurfaceLine circle{Points(3, count), Points(3, count)};
     for (int i = 0; i < count; ++i) {
-      const auto [point, normal] = place(way[at(i)], end);
+      const auto [point, normal] = place(way[i], end);
       circle.points.col(i) = point;
       circle.normals.col(i) = normal;
     }
@@ -213,8 +212,7 @@ Outline outline(const std::function<Vec<3>(double)>& place, int pieces, const st
   }
   add_divisions(fractions, {});
   Outline outline{Points(3, static_cast<Eigen::Index>(fractions.size()))};
-  for (Eigen::Index i = 0; i < outline.line.cols(); ++i)
-    outline.line.col(i) = place(fractions[at(static_cast<int>(i))]);
+  for (Eigen::Index i = 0; i < outline.line.cols(); ++i) outline.line.col(i) = place(fractions[static_cast<int>(i)]);
   return outline;
 }
 

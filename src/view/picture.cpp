@@ -1,7 +1,6 @@
 #include "view/picture.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "view/camera.hpp"
 #include "view/cut.hpp"
 #include "view/obstacle.hpp"
@@ -349,7 +348,7 @@ Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options
   Scenes scenes(panels, options);
   const Style style = style_of(options);
   std::array<std::string, 3> names;
-  for (int axis = 0; axis < 3 && options.camera; ++axis) names[at(axis)] = axis_name(options, axis);
+  for (int axis = 0; axis < 3 && options.camera; ++axis) names[axis] = axis_name(options, axis);
   const auto [left, right, below, above] = triad_room(scenes.axes, names, style);
   const bool triad = options.camera && options.axis_names;
   std::optional<ArrowRoom> arrows;

@@ -178,7 +178,7 @@ ModelBoxes widened(ModelBoxes boxes, const PictureOptions& options) {
 Sheet lay_out_sheet(const std::vector<std::string>& titles, const ModelBoxes& boxes, const PictureOptions& options,
                     const std::optional<std::array<double, 2>>& range, const Style& style,
                     const std::optional<ArrowRoom>& arrows) {
-  const int count = static_cast<int>(titles.size());
+  const int count = std::ssize(titles);
   Grid grid;
   Spacing spaces{};
   double scale = -1;

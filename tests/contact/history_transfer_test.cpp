@@ -22,14 +22,14 @@ struct Blocks {
         slab(discretize(nurbs::rectangle(3, 1, Eigen::Vector2d(0, 0)), {7, 1}, "N2", "north")),
         contact(make_formulation<2>(law, {Surface<2>(block, nurbs::side_of("south", 2)),
                                           Master<2>(Surface<2>(slab, nurbs::side_of("north", 2))), points})),
-        accepted(contact->points()), present(accepted), still(at(2 * slab.functions()), 0.0) {}
+        accepted(contact->points()), present(accepted), still(2 * slab.functions(), 0.0) {}
 
   /// The block moves down by 0.01 and along by shift(x).
   template <class Shift> void go(const Shift& shift) {
-    std::vector<double> u(at(2 * block.functions()));
+    std::vector<double> u(2 * block.functions());
     for (int i = 0; i < block.functions(); ++i) {
-      u[at(2 * i)] = shift(block.points()(0, i));
-      u[at(2 * i + 1)] = -0.01;
+      u[2 * i] = shift(block.points()(0, i));
+      u[2 * i + 1] = -0.01;
     }
     contact->move(u.data(), still.data());
   }

@@ -49,7 +49,7 @@ template <int D, class F> LevelSet<D> level_set(const F& f, const Vec<D>& center
 template <int D> LevelSet<D> level_set_of(const Ball<D>& ball, double size) {
   const auto f = [&](const std::vector<Term>& x) {
     Term sum = x[0].constant(-ball.radius * ball.radius);
-    for (int d = 0; d < D; ++d) sum = sum + power(x[at(d)] - ball.center(d), 2);
+    for (int d = 0; d < D; ++d) sum = sum + power(x[d] - ball.center(d), 2);
     return sum;
   };
   return level_set<D>(f, ball.center, size);
@@ -59,7 +59,7 @@ template <int D> LevelSet<D> level_set_of(const Ball<D>& ball, double size) {
 template <int D> LevelSet<D> level_set_of(const Plane<D>& plane, double size) {
   const auto f = [&](const std::vector<Term>& x) {
     Term sum = x[0].constant(0);
-    for (int d = 0; d < D; ++d) sum = sum + plane.normal(d) * (x[at(d)] - plane.point(d));
+    for (int d = 0; d < D; ++d) sum = sum + plane.normal(d) * (x[d] - plane.point(d));
     return sum;
   };
   return level_set<D>(f, plane.point, size);
@@ -70,8 +70,8 @@ inline LevelSet<3> level_set_of(const Torus& torus, double size) {
   const auto f = [&](const std::vector<Term>& x) {
     Term height = x[0].constant(0), square = x[0].constant(0);
     for (int d = 0; d < 3; ++d) {
-      height = height + torus.axis(d) * (x[at(d)] - torus.center(d));
-      square = square + power(x[at(d)] - torus.center(d), 2);
+      height = height + torus.axis(d) * (x[d] - torus.center(d));
+      square = square + power(x[d] - torus.center(d), 2);
     }
     const Term radius = power(square - power(height, 2), 0.5);
     return power(radius - torus.ring, 2) + power(height, 2) - torus.radius * torus.radius;

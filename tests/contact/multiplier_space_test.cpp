@@ -75,7 +75,7 @@ TEST(MultiplierSpace, ReducedContainsTheSecondDerivativesOfTheTrace) {
     MatrixX second(samples * trace.elements(), trace.functions()), own(samples * trace.elements(), space.functions());
     second.setZero();
     own.setZero();
-    std::vector<double> bernsteins(at(3 * (degree + 1)));
+    std::vector<double> bernsteins(3 * (degree + 1));
     const auto fill = [&](const nurbs::Space1D& of, int e, int order, double t, int row, MatrixX& out) {
       const auto [from, to] = of.interval(e);
       const int p = of.degree(e);
@@ -83,8 +83,8 @@ TEST(MultiplierSpace, ReducedContainsTheSecondDerivativesOfTheTrace) {
       const auto functions = of.functions_on(e);
       for (std::size_t a = 0; a < functions.size(); ++a)
         for (int k = 0; k <= p; ++k)
-          out(row, functions[a]) += of.extraction(e)(static_cast<int>(a), k) * bernsteins[at(order * (p + 1) + k)] *
-                                    (to - from) * (to - from);
+          out(row, functions[a]) +=
+              of.extraction(e)(static_cast<int>(a), k) * bernsteins[order * (p + 1) + k] * (to - from) * (to - from);
     };
     for (int e = 0; e < trace.elements(); ++e)
       for (int s = 0; s < samples; ++s) {

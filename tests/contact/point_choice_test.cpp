@@ -49,9 +49,9 @@ TEST(PointChoice, BordersAreFullTheRestIsSparse) {
   for (int e = 0; e < elements; ++e) {
     const bool border = (e < 12.1 && e + 1 > 12.1) || (e < 28.5 && e + 1 > 28.5);
     if (border) {
-      EXPECT_FALSE(strip.history.sparse[at(e)]) << e;
+      EXPECT_FALSE(strip.history.sparse[e]) << e;
     }
-    full += !strip.history.sparse[at(e)];
+    full += !strip.history.sparse[e];
   }
   EXPECT_LE(full, 8);
   EXPECT_TRUE(strip.history.sparse[20]);
@@ -67,9 +67,9 @@ TEST(PointChoice, RulesDoNotAlternate) {
     const std::vector<char> before = strip.history.sparse;
     const double half_width = 3.3 + uniform(random, -0.02, 0.02);
     strip.step(c + uniform(random, -0.02, 0.02), half_width, 0.05);
-    for (int e = 0; e < elements; ++e) changes[at(e)] += before[at(e)] != strip.history.sparse[at(e)];
+    for (int e = 0; e < elements; ++e) changes[e] += before[e] != strip.history.sparse[e];
   }
-  for (int e = 0; e < elements; ++e) EXPECT_LE(changes[at(e)], 5) << e; // full at first
+  for (int e = 0; e < elements; ++e) EXPECT_LE(changes[e], 5) << e; // full at first
 }
 
 /// Next to an element in which the contact ends, at either end of the face's direction.
@@ -80,7 +80,7 @@ TEST(PointChoice, ChoicesDoNotDependOnTheDirectionOfTheFace) {
     strip.step(middle, half_width, 0.001);
     const int mixed = static_cast<int>(border), inside = border < 20 ? mixed + 1 : mixed - 1,
               outside = border < 20 ? mixed - 1 : mixed + 1;
-    for (const int e : {mixed, inside, outside}) EXPECT_FALSE(strip.history.sparse[at(e)]) << e;
+    for (const int e : {mixed, inside, outside}) EXPECT_FALSE(strip.history.sparse[e]) << e;
   }
   // Pressures without a border, as of a flat punch, so that the neighbors' states alone decide.
   for (const bool reversed : {false, true}) {
@@ -94,7 +94,7 @@ TEST(PointChoice, ChoicesDoNotDependOnTheDirectionOfTheFace) {
         choose_sparse(strip.points, strip.face, strip.history, 0.001, [](auto, double) { return false; });
     for (int e = 0; e < elements; ++e) {
       const int s = reversed ? elements - 1 - e : e;
-      EXPECT_EQ(sparse[at(e)], s < 19 || s > 21) << e;
+      EXPECT_EQ(sparse[e], s < 19 || s > 21) << e;
     }
   }
 }

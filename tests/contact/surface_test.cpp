@@ -152,7 +152,7 @@ template <int D> void samples_its_grid(Random& random, const nurbs::Discretizati
   FaceGeometry<D> point;
   for (int e = 0; e < surface.elements(); ++e) {
     const int n = 3 * surface.degree(e, 0) + 3, m = D == 2 ? 1 : 3 * surface.degree(e, D - 2) + 3;
-    std::vector<double> positions(at(D * n * m));
+    std::vector<double> positions(D * n * m);
     surface.sample(e, positions.data());
     Vec<D> lower, upper, direction;
     surface.bounds(e, lower, upper);
@@ -165,7 +165,7 @@ template <int D> void samples_its_grid(Random& random, const nurbs::Discretizati
         xi(d) = from + (to - from) * (d == 0 ? k % n : k / n) / ((d == 0 ? n : m) - 1);
       }
       surface.locate(e, xi, 0, point);
-      for (int d = 0; d < D; ++d) EXPECT_NEAR(positions[at(d * n * m + k)], point.position(d), 1e-13);
+      for (int d = 0; d < D; ++d) EXPECT_NEAR(positions[d * n * m + k], point.position(d), 1e-13);
       EXPECT_TRUE((point.position.array() >= lower.array() - 1e-13).all());
       EXPECT_TRUE((point.position.array() <= upper.array() + 1e-13).all());
       EXPECT_GE(direction.dot(point.position), least - 1e-13);

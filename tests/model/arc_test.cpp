@@ -265,7 +265,7 @@ TEST(Arc, TheNormIsTheRootMeanSquareOverTheBodies) {
   for (const Scene<2>& scene : {arch(), arch(1000), arch(1, 32), strip(), bar(solid::neo_hookean(1, 0.3))}) {
     const Unknowns<2> unknowns(scene);
     const VectorX weights = path_weights(scene, unknowns);
-    const int obstacles = static_cast<int>(scene.obstacles.size());
+    const int obstacles = std::ssize(scene.obstacles);
     EXPECT_NEAR(weights.sum(), 2 + 2 * obstacles, 1e-12);
     EXPECT_GT(weights.minCoeff(), 0);
   }

@@ -133,7 +133,7 @@ TEST(Drives, MomentUsesTheRotatedArms) {
 TEST(Unknowns, RotatingFaceSharesItsFreeTranslations) {
   const Scene<2> driven = busy(), free = busy({Constraint::free, Constraint::free}),
                  fixed = busy({Constraint::fixed, Constraint::fixed});
-  const int face = static_cast<int>(free.supports[1].on[0].functions.size());
+  const int face = std::ssize(free.supports[1].on[0].functions);
   const Unknowns<2> none(fixed), one(driven), two(free);
   EXPECT_EQ(none.size(), none.dofs() - 2 * face - 2);
   EXPECT_EQ(one.size(), none.size() + 1);

@@ -103,7 +103,7 @@ void stretch(Model<2>& model, const std::array<double, 5>& power) {
   for (int k = 0; k < body.functions(); ++k) {
     const int i = static_cast<int>(std::lround(4 * body.space().points()(0, k)));
     double u = 0;
-    for (int j = 0; j <= i; ++j) u += choose(i, j) / choose(4, j) * power[at(j)];
+    for (int j = 0; j <= i; ++j) u += choose(i, j) / choose(4, j) * power[j];
     model.present.displacement(2 * k) = u;
   }
 }

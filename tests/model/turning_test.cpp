@@ -82,8 +82,8 @@ template <int D> MatrixX tangent_of(const Model<D>& model) {
   const solve::Pattern& pattern = model.system.assembly.pattern();
   MatrixX full = MatrixX::Zero(pattern.size, pattern.size);
   for (int j = 0; j < pattern.size; ++j)
-    for (int k = pattern.starts[at(j)]; k < pattern.starts[at(j) + 1]; ++k)
-      full(pattern.rows[at(k)], j) = model.system.assembly.values()[at(k)];
+    for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k)
+      full(pattern.rows[k], j) = model.system.assembly.values()[k];
   return full;
 }
 

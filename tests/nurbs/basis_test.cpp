@@ -11,25 +11,21 @@ namespace basis_test {
 
 using namespace test;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 TEST(Basis, AgreesWithTheRecursionAndItsDerivatives) {
   Random random(1);
   for (int run = 0; run < 60; ++run) {
     const KnotVector knots = random_knots(random, run % 7, integer(random, 0, 4));
     const int p = knots.degree(), order = p + 2;
-    std::vector<double> out(at((order + 1) * (p + 1)), 99.0);
+    std::vector<double> out((order + 1) * (p + 1), 99.0);
     const double xi = run % 10 == 0 ? knots.last() : uniform(random, -1, 3);
     const int element = knots.find_element(xi), first = knots.first_function(element);
     basis_derivatives(knots, element, xi, order, out.data());
     for (int k = 0; k <= order; ++k) {
       double scale = 1;
-      for (int s = 0; s <= p; ++s) scale = std::max(scale, std::abs(out[at(k * (p + 1) + s)]));
+      for (int s = 0; s <= p; ++s) scale = std::max(scale, std::abs(out[k * (p + 1) + s]));
       for (int i = 0; i < knots.functions(); ++i) {
         const bool local = i >= first && i <= first + p;
-        const double value = local ? out[at(k * (p + 1) + i - first)] : 0;
+        const double value = local ? out[k * (p + 1) + i - first] : 0;
         EXPECT_NEAR(value, cox_de_boor(knots, i, p, xi, k), 1e-12 * scale) << "degree " << p << ", function " << i;
         if (k > p) {
           EXPECT_EQ(value, 0);
@@ -43,16 +39,16 @@ TEST(Basis, IsAPartitionOfUnityUpToTheHighestDegree) {
   Random random(2);
   for (int p = 0; p <= max_degree; ++p) {
     const KnotVector knots = random_knots(random, p, 3);
-    std::vector<double> out(at(3 * (p + 1)));
+    std::vector<double> out(3 * (p + 1));
     const double xi = uniform(random, -1, 3);
     basis_derivatives(knots, knots.find_element(xi), xi, 2, out.data());
     double sums[3] = {0, 0, 0}, sizes[3] = {1, 1, 1};
     for (int k = 0; k < 3; ++k)
       for (int s = 0; s <= p; ++s) {
-        sums[k] += out[at(k * (p + 1) + s)];
-        sizes[k] += std::abs(out[at(k * (p + 1) + s)]);
+        sums[k] += out[k * (p + 1) + s];
+        sizes[k] += std::abs(out[k * (p + 1) + s]);
         if (k == 0) {
-          EXPECT_GE(out[at(s)], 0);
+          EXPECT_GE(out[s], 0);
         }
       }
     EXPECT_NEAR(sums[0], 1, 1e-14);

@@ -12,10 +12,6 @@
 namespace signorini::nurbs {
 namespace discretization_test {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// A random label for a direction of the geometry's degree, with or without a layer.
 Label random_label(test::Random& random, int degree, bool layered, int rows) {
   const int bulk = degree + test::integer(random, 0, 1);
@@ -37,7 +33,7 @@ Plan random_plan(test::Random& random, const Patch& patch) {
   const bool layered = test::integer(random, 0, 4) > 0;
   for (int d = 0; d < dimensions; ++d)
     plan.elements.push_back(patch.direction(d).elements() + test::integer(random, 0, 3));
-  const int most = std::min(3, plan.elements[at(through)] + *plan.thickness_degree);
+  const int most = std::min(3, plan.elements[through] + *plan.thickness_degree);
   const int rows = test::integer(random, 1, most);
   for (int d = 0; d < dimensions; ++d)
     if (d != through) plan.labels.push_back(random_label(random, patch.direction(d).degree(), layered, rows));
@@ -74,8 +70,8 @@ TEST(BasisGrid, ReturnsTheFunctionsOfTheDiscretizationBitByBit) {
         std::array<int, 3> point{};
         VectorX xi(dimensions);
         for (int d = 0; d < dimensions; ++d) {
-          point[at(d)] = test::integer(random, 0, static_cast<int>(points[at(d)].size()) - 1);
-          xi(d) = points[at(d)][at(point[at(d)])];
+          point[d] = test::integer(random, 0, static_cast<int>(points[d].size()) - 1);
+          xi(d) = points[d][point[d]];
         }
         const ElementBasis expected = space.basis(e, xi);
         grid.evaluate(point, found);
@@ -154,7 +150,7 @@ TEST(Discretization, ContinuityAtExistingAndInsertedKnots) {
       bool in_layer = false;
       for (const Side& side : plan.contact) in_layer |= (side.at_end ? count - 1 - j : j) < label.rows;
       const Space wanted = label.layer && in_layer ? *label.layer : label.bulk;
-      const KnotVector& row = *space.rows()[at(j)].direction(0).knots();
+      const KnotVector& row = *space.rows()[j].direction(0).knots();
       EXPECT_EQ(row.degree(), wanted.full_degree());
       EXPECT_EQ(row.breaks(), space.rows().front().direction(0).breaks());
       for (std::size_t k = 1; k + 1 < row.breaks().size(); ++k) {
@@ -270,7 +266,7 @@ TEST(Discretization, FacesAreTheBoundaryOfTheBody) {
           // The body's functions on the side equal the face's, one by one.
           VectorX expected = VectorX::Zero(space.functions());
           for (const BasisValue& basis : rational_basis(border, on_face))
-            expected(functions[at(basis.function)]) = basis.value;
+            expected(functions[basis.function]) = basis.value;
           VectorX found = VectorX::Zero(space.functions());
           const ElementBasis basis = space.basis(space.find_element(xi), xi);
           for (std::size_t a = 0; a < basis.functions.size(); ++a)
@@ -296,7 +292,7 @@ TEST(Discretization, WithoutContactFaceLabelsApplyPerDirection) {
 TEST(Discretization, ThicknessDirectionHasTheBulkDegree) {
   const auto through = [](const Patch& patch, const std::vector<std::string>& labels, const char* contact) {
     Plan plan;
-    plan.elements.assign(at(patch.parametric_dimension()), 3);
+    plan.elements.assign(patch.parametric_dimension(), 3);
     plan.contact = {side_of(contact, patch.parametric_dimension())};
     for (const std::string& label : labels) plan.labels.push_back(parse_label(label));
     const Space1D stack = Discretization(patch, plan).stack();

@@ -23,12 +23,12 @@ inline Space1D joined(const std::vector<int>& degrees) {
 
 /// The control points of x = ξ in such a space: equidistant in every element.
 inline std::vector<double> linear_points(const Space1D& space) {
-  std::vector<double> points(at(space.functions()));
+  std::vector<double> points(space.functions());
   for (int e = 0; e < space.elements(); ++e) {
     const auto [from, to] = space.interval(e);
     const std::span<const int> functions = space.functions_on(e);
     for (std::size_t k = 0; k < functions.size(); ++k)
-      points[at(functions[k])] = from + (to - from) * static_cast<double>(k) / space.degree(e);
+      points[functions[k]] = from + (to - from) * static_cast<double>(k) / space.degree(e);
   }
   return points;
 }
@@ -39,7 +39,7 @@ inline Discretization strip(double width, const std::vector<int>& degrees, const
   const auto row = [&](const Space1D& space, double y) {
     MatrixX homogeneous = MatrixX::Ones(3, space.functions());
     const std::vector<double> points = linear_points(space);
-    for (int i = 0; i < space.functions(); ++i) homogeneous.col(i) << width * points[at(i)], y, 1;
+    for (int i = 0; i < space.functions(); ++i) homogeneous.col(i) << width * points[i], y, 1;
     return Row({space}, std::move(homogeneous));
   };
   const Space1D many = joined(degrees), two = joined(std::vector<int>(degrees.size(), 2));

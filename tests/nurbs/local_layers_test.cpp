@@ -15,7 +15,7 @@ using Raised = std::vector<bool>;
 
 /// The elements from … to − 1 of n.
 Raised range(int n, int from, int to) {
-  Raised result(at(n), false);
+  Raised result(n, false);
   std::fill(result.begin() + from, result.begin() + to, true);
   return result;
 }
@@ -50,8 +50,8 @@ TEST(LocalLayers, CountsInThePlane) {
     }
   // Two ranges
   Plan plan = plan_of({n, 2}, "N2-N4", {{1, true}});
-  plan.raised = {{Raised(at(n), false)}};
-  for (int e : {1, 2, 7}) plan.raised[0][0][at(e)] = true;
+  plan.raised = {{Raised(n, false)}};
+  for (int e : {1, 2, 7}) plan.raised[0][0][e] = true;
   EXPECT_EQ(Discretization(slab, plan).functions(), 2 * (2 + n) + 2 + n + 2 * 2);
   // Two faces, one of them raised everywhere
   plan = plan_of({n, 3}, "N2-N2.1", {{1, true}, {1, false}});
@@ -103,7 +103,7 @@ Plan random_plan(test::Random& random, const Patch& patch) {
         parse_label(text("N", bulk, "-N", bulk + test::integer(random, 0, 2), ".", test::integer(random, 0, 2))));
     for (auto& face : plan.raised) {
       face.emplace_back();
-      for (int e = 0; e < plan.elements[at(d)]; ++e) face.back().push_back(test::integer(random, 0, 1) == 1);
+      for (int e = 0; e < plan.elements[d]; ++e) face.back().push_back(test::integer(random, 0, 1) == 1);
     }
     const std::vector<double> breaks = element_breaks(patch, plan, d);
     plan.layer_knots.emplace_back();

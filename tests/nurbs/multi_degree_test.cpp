@@ -29,7 +29,7 @@ Definition random_definition(test::Random& random, int elements, int highest, do
     result.breaks.push_back(result.breaks.back() + std::pow(grading, test::uniform(random, 0, 1)));
     result.degrees.push_back(test::integer(random, 1, highest));
     if (e > 0)
-      result.smoothness.push_back(test::integer(random, 0, std::min(result.degrees[at(e - 1)], result.degrees[at(e)])));
+      result.smoothness.push_back(test::integer(random, 0, std::min(result.degrees[e - 1], result.degrees[e])));
   }
   result.smoothness.push_back(-1);
   return result;
@@ -109,7 +109,7 @@ TEST(MultiDegree, OneDegreeGivesBSplines) {
     for (int trial = 0; trial < 10; ++trial) {
       const Space1D spline = spline_space(test::random_knots(random, degree, 6));
       const Space1D space =
-          multi_degree_space(spline.breaks(), std::vector<int>(at(spline.elements()), degree), spline.smoothness());
+          multi_degree_space(spline.breaks(), std::vector<int>(spline.elements(), degree), spline.smoothness());
       EXPECT_EQ(space.functions(), spline.functions());
       EXPECT_LT((table_of(space) - table_of(spline)).cwiseAbs().maxCoeff(), 4e-15) << degree;
       EXPECT_EQ(space.smoothness(), spline.smoothness());
@@ -171,7 +171,7 @@ TEST(MultiDegree, RepresentsCoarserSpaces) {
     for (int e = 0; e < coarse.elements(); ++e) {
       const auto [from, to] = coarse.interval(e);
       fine.breaks.push_back(from);
-      fine.smoothness.push_back(coarse.smoothness()[at(e)]);
+      fine.smoothness.push_back(coarse.smoothness()[e]);
       for (int i = test::integer(random, 0, 3); i > 0; --i) {
         fine.breaks.push_back(fine.breaks.back() + (to - fine.breaks.back()) * test::uniform(random, 0.01, 0.9));
         fine.smoothness.push_back(p); // lowered below

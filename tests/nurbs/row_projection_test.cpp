@@ -37,7 +37,7 @@ Patch rational(test::Random& random, int dimensions) {
     if (dimensions == 2) points(2, a) = test::uniform(random, -0.3, 0.3);
     weights(a) = test::uniform(random, 0.6, 1.6);
   }
-  return make_patch(std::vector<KnotVector>(at(dimensions), line), points, weights);
+  return make_patch(std::vector<KnotVector>(dimensions, line), points, weights);
 }
 
 /// The field of a row with these values at its control points.

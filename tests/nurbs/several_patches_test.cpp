@@ -1,6 +1,5 @@
 #include "nurbs/several_patches.hpp"
 
-#include "base/index.hpp"
 #include "measure.hpp"
 #include "random_patch.hpp"
 
@@ -25,7 +24,7 @@ double content(const SeveralPatches& shape, const std::string& name) {
   double sum = 0;
   for (const Boundary& boundary : shape.boundaries)
     if (boundary.name == name)
-      for (const auto& [patch, side] : boundary.faces) sum += measure(face(shape.patches[at(patch)], side)).content;
+      for (const auto& [patch, side] : boundary.faces) sum += measure(face(shape.patches[patch], side)).content;
   return sum;
 }
 
@@ -33,8 +32,8 @@ double content(const SeveralPatches& shape, const std::string& name) {
 template <class Distance> double farthest(const SeveralPatches& shape, int boundary, Distance distance) {
   Random random(7);
   double most = 0;
-  for (const auto& [patch, side] : shape.boundaries[at(boundary)].faces) {
-    const Patch surface = face(shape.patches[at(patch)], side);
+  for (const auto& [patch, side] : shape.boundaries[boundary].faces) {
+    const Patch surface = face(shape.patches[patch], side);
     for (int n = 0; n < 100; ++n)
       most = std::max(most, std::abs(distance(evaluate(surface, random_parameter(random, surface)))));
   }
@@ -51,7 +50,7 @@ double least_scaled_jacobian(const SeveralPatches& shape) {
       for (int d = 0, rest = n; d < dimension; ++d, rest /= steps + 1) xi(d) = rest % (steps + 1) / double(steps);
       const auto all = derivatives(patch, xi, 1);
       MatrixX jacobian(dimension, dimension);
-      for (int d = 0; d < dimension; ++d) jacobian.col(d) = all[at(d + 1)].value.normalized();
+      for (int d = 0; d < dimension; ++d) jacobian.col(d) = all[d + 1].value.normalized();
       least = std::min(least, jacobian.determinant());
     }
   }
@@ -130,15 +129,14 @@ TEST(SeveralPatches, BallIsExactAndHasNoSingularPoints) {
   EXPECT_LT(farthest(shape, 0, [](const VectorX& x) { return (x - center).norm() - 2; }), 1e-14);
   EXPECT_NEAR(content(shape), 4 * pi / 3 * 8, 1e-9);
   EXPECT_NEAR(content(shape, "outer"), 16 * pi, 1e-9);
-  for (int n = 0; n < 6; ++n)
-    EXPECT_NEAR(measure(face(shape.patches[at(n)], {2, false})).content, 16 * pi / 6, 1e-10) << n;
+  for (int n = 0; n < 6; ++n) EXPECT_NEAR(measure(face(shape.patches[n], {2, false})).content, 16 * pi / 6, 1e-10) << n;
   EXPECT_EQ(matching_faces(shape), 2 * (12 + 6));
   // At the core's corners: two edges of the cube and its diagonal.
   EXPECT_NEAR(least_scaled_jacobian(shape), 1 / std::sqrt(3.0), 1e-12);
   const Vec<3> directions[] = {-Vec<3>::UnitZ(), Vec<3>::UnitX(),  Vec<3>::UnitY(),
                                -Vec<3>::UnitX(), -Vec<3>::UnitY(), Vec<3>::UnitZ()};
   for (int n = 0; n < 6; ++n)
-    EXPECT_LT((evaluate(shape.patches[at(n)], Vec<3>(0.5, 0.5, 0)) - center - 2 * directions[n]).norm(), 1e-14) << n;
+    EXPECT_LT((evaluate(shape.patches[n], Vec<3>(0.5, 0.5, 0)) - center - 2 * directions[n]).norm(), 1e-14) << n;
   EXPECT_ERROR(ball(std::nan(""), center), "nurbs.shapes.length");
   EXPECT_ERROR(ball(1, Vec<2>(0, 0)), "nurbs.transform.coordinates: argument = center, expected = 3, count = 2");
 }

@@ -9,10 +9,6 @@
 namespace signorini::nurbs {
 namespace solid_layers_test {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// Functions of Np.s on `elements` equal spans, refined from a single span: p+s+1, and 1+s more at each inner knot.
 int functions(const Space& space, int elements) {
   return space.full_degree() + 1 + (elements - 1) * (1 + space.elevations);
@@ -50,7 +46,7 @@ Case random_case(test::Random& random, const std::vector<Side>& contact) {
   Case result{random_solid(random), {}, test::integer(random, 1, 3)};
   for (int d = 0; d < 3; ++d) result.plan.elements.push_back(test::integer(random, 1, 4));
   const int through = contact.front().direction;
-  result.plan.elements[at(through)] = test::integer(random, 3, 5);
+  result.plan.elements[through] = test::integer(random, 3, 5);
   result.plan.contact = contact;
   result.plan.thickness_degree = result.patch.direction(through).degree();
   for (int a = 0; a < 2; ++a) result.plan.labels.push_back(label_of(labels[test::integer(random, 0, 6)], result.rows));
@@ -68,7 +64,7 @@ TEST(SolidLayers, CountsGeometryAndSignOnEveryFace) {
     SCOPED_TRACE(
         text("trial ", trial, ", layer on ", name_of(side), ", ", plan.labels[0].text, ", ", plan.labels[1].text));
 
-    const int count = patch.direction(side.direction).degree() + plan.elements[at(side.direction)];
+    const int count = patch.direction(side.direction).degree() + plan.elements[side.direction];
     ASSERT_EQ(static_cast<int>(space.rows().size()), count);
     int total = 0;
     for (int j = 0; j < count; ++j) {
@@ -76,15 +72,15 @@ TEST(SolidLayers, CountsGeometryAndSignOnEveryFace) {
       const bool in_layer = contact.size() == 2 ? near || far : side.at_end ? far : near;
       int row = 1;
       for (int a = 0; a < 2; ++a) {
-        const Label& label = plan.labels[at(a)];
+        const Label& label = plan.labels[a];
         const int d = a < side.direction ? a : a + 1;
-        row *= functions(in_layer && label.layer ? *label.layer : label.bulk, plan.elements[at(d)]);
+        row *= functions(in_layer && label.layer ? *label.layer : label.bulk, plan.elements[d]);
       }
-      EXPECT_EQ(space.rows()[at(j)].functions(), row) << "row " << j;
+      EXPECT_EQ(space.rows()[j].functions(), row) << "row " << j;
       total += row;
     }
     EXPECT_EQ(space.functions(), total);
-    EXPECT_EQ(space.face_functions(side).size(), at(space.rows()[at(side.at_end ? count - 1 : 0)].functions()));
+    EXPECT_EQ(space.face_functions(side).size(), space.rows()[side.at_end ? count - 1 : 0].functions());
     EXPECT_GT(space.homogeneous().bottomRows(1).minCoeff(), 0);
 
     const MatrixX points = space.points();

@@ -40,11 +40,11 @@ TEST(Space1D, TablesOfSplinesAgreeWithTheirKnots) {
     for (int e = 0; e < space.elements(); ++e) {
       EXPECT_EQ(space.functions_on(e).front(), knots.first_function(e));
       EXPECT_EQ(MatrixX(space.extraction(e)), bezier_extraction(knots, e));
-      EXPECT_EQ(space.smoothness()[at(e)], std::max(degree - knots.multiplicity(knots.breaks()[at(e)]), -1));
+      EXPECT_EQ(space.smoothness()[e], std::max(degree - knots.multiplicity(knots.breaks()[e]), -1));
       const auto [from, to] = space.interval(e);
       const double xi = test::uniform(random, from, to);
       EXPECT_EQ(space.find_element(xi), e);
-      std::vector<double> expected(at(3 * (degree + 1)));
+      std::vector<double> expected(3 * (degree + 1));
       basis_derivatives(knots, e, xi, 2, expected.data());
       const MatrixX own = derivatives_of(space, e, xi), extracted = derivatives_of(table, e, xi);
       const double scale = 1 + own.cwiseAbs().maxCoeff();
@@ -69,7 +69,7 @@ TEST(Space1D, JoinOfTwoDegrees) {
       // x = ξ from its control points
       double x = 0, slope = 0;
       for (std::size_t a = 0; a < space.functions_on(e).size(); ++a) {
-        const double point = test::linear_points(space)[at(space.functions_on(e)[a])];
+        const double point = test::linear_points(space)[space.functions_on(e)[a]];
         x += own(static_cast<int>(a), 0) * point;
         slope += own(static_cast<int>(a), 1) * point;
       }

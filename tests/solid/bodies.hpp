@@ -57,7 +57,7 @@ Assembled assemble(const Body<D>& body, const VectorX& u, std::span<const double
   for (int e = 0; e < body.macro_elements(); ++e) {
     if ((sum.inversion = internal_force(body, e, u.data(), arrays, true, committed, trial))) return sum;
     const auto functions = body.functions_of_macro(e);
-    const int n = static_cast<int>(functions.size());
+    const int n = std::ssize(functions);
     const auto dof = [&](int a, int i) { return D * functions[static_cast<std::size_t>(a)] + i; };
     const double* block = arrays.blocks.data();
     for (int i = 0; i < D; ++i) {

@@ -130,7 +130,7 @@ double ring_stress_error(int elements) {
   double error = 0, size = 0;
   for (int e = 0; e < ring.elements(); ++e) {
     const auto functions = ring.functions_of(e);
-    const int n = static_cast<int>(functions.size());
+    const int n = std::ssize(functions);
     for (int q = 0; q < ring.element(e).points; ++q) {
       Mat<2> f = Mat<2>::Identity();
       for (int i = 0; i < 2; ++i)

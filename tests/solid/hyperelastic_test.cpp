@@ -305,20 +305,20 @@ template <int D> void all_responses_agree(const Hyperelastic& law) {
   constexpr int entries = entries_in(D), rows = entries + packed_size(entries);
   constexpr int points = 37, stride = 40; // more than one chunk, not whole vectors
   Random random(38);
-  std::vector<double> f(at(entries * stride)), first;
+  std::vector<double> f(entries * stride), first;
   for (int q = 0; q < stride; ++q) {
     const Mat<3> one = random_deformation(random, 0.2);
     for (int e = 0; e < entries; ++e) {
       const int entry = D == 3 ? e : plane_entries[e];
-      f[at(e * stride + q)] = one(entry / 3, entry % 3);
+      f[e * stride + q] = one(entry / 3, entry % 3);
     }
   }
   for (const EnergyResponse respond : energy_responses<D>()) {
-    std::vector<double> values(at(rows * stride));
+    std::vector<double> values(rows * stride);
     respond(law.compiled->program, {points, stride, f.data(), values.data(), values.data() + entries * stride});
     if (first.empty()) first = values;
     for (int row = 0; row < rows; ++row)
-      for (int q = 0; q < points; ++q) EXPECT_NEAR(values[at(row * stride + q)], first[at(row * stride + q)], 1e-12);
+      for (int q = 0; q < points; ++q) EXPECT_NEAR(values[row * stride + q], first[row * stride + q], 1e-12);
   }
 }
 

@@ -81,7 +81,7 @@ TEST(Projected, MacroElementsAreSymmetricAboutTheMiddle) {
       int covered = 0;
       for (int m = 0; m < macros; ++m) {
         const MacroElement &own = body.macro(m), &mirrored = body.macro(macros - 1 - m);
-        const int elements = static_cast<int>(own.elements.size());
+        const int elements = std::ssize(own.elements);
         ASSERT_EQ(mirrored.elements.size(), own.elements.size()) << degree << ' ' << count;
         EXPECT_EQ(mirrored.degrees, own.degrees);
         EXPECT_EQ(own.elements.front(), covered);

@@ -16,10 +16,10 @@ namespace condensed_test {
 using namespace test;
 
 std::vector<int> random_subset(std::mt19937& random, int size, int count) {
-  std::vector<int> all(at(size));
+  std::vector<int> all(size);
   std::iota(all.begin(), all.end(), 0);
   std::shuffle(all.begin(), all.end(), random);
-  all.resize(at(count));
+  all.resize(count);
   std::sort(all.begin(), all.end());
   return all;
 }
@@ -27,15 +27,14 @@ std::vector<int> random_subset(std::mt19937& random, int size, int count) {
 /// K₀ with a random unsymmetric C in a fraction of the entries between contact unknowns.
 Values with_contact(std::mt19937& random, const Pattern& pattern, const Condensation& condensation, double part,
                     double size) {
-  std::vector<char> touched(at(pattern.size), 0);
-  for (int unknown : condensation.contact) touched[at(unknown)] = 1;
+  std::vector<char> touched(pattern.size, 0);
+  for (int unknown : condensation.contact) touched[unknown] = 1;
   Values values = condensation.constant;
   std::uniform_real_distribution<double> uniform(0, 1);
-  std::vector<char> active(at(pattern.size));
+  std::vector<char> active(pattern.size);
   for (char& flag : active) flag = uniform(random) < part;
   for_entries(pattern, [&](int i, int j, int k) {
-    if (touched[at(i)] && touched[at(j)] && active[at(i)] && active[at(j)])
-      values[at(k)] += size * (uniform(random) + (i == j ? 4 : 0));
+    if (touched[i] && touched[j] && active[i] && active[j]) values[k] += size * (uniform(random) + (i == j ? 4 : 0));
   });
   return values;
 }
@@ -118,9 +117,9 @@ TEST(SchurSolvers, BorderMayContainMultipliers) {
       for_entries(pattern, [&](int i, int j, int k) {
         const bool row = i == multiplier, column = j == multiplier;
         if (row || column)
-          values[at(k)] = row && column ? -1e-8 * scale : (std::min(i, j) == 0 ? scale : -scale);
+          values[k] = row && column ? -1e-8 * scale : (std::min(i, j) == 0 ? scale : -scale);
         else
-          values[at(k)] = i == j ? 2 + softness : -1;
+          values[k] = i == j ? 2 + softness : -1;
       });
       const auto solver = make_schur_cholesky(500);
       solver->analyze(pattern, {multiplier});
@@ -134,7 +133,7 @@ TEST(SchurSolvers, BorderMayContainMultipliers) {
   // An interior that is not positive definite fails, whatever the shifts are.
   const Pattern pattern = chain(3);
   Values values(pattern.rows.size(), 0.0);
-  for_entries(pattern, [&](int i, int j, int k) { values[at(k)] = i == j ? -1 : 0.1; });
+  for_entries(pattern, [&](int i, int j, int k) { values[k] = i == j ? -1 : 0.1; });
   const auto solver = make_schur_cholesky(500);
   solver->analyze(pattern, {2});
   EXPECT_FALSE(solver->factor(values.data()));
@@ -199,14 +198,14 @@ TEST(Condensed, ContactMayBeTheOnlySupport) {
   EXPECT_FALSE(solver->factor(constant.data()));
   Values supported = constant;
   for (int unknown : {21, 59, 20}) {
-    supported[at(pattern.find(unknown, unknown))] += 0.7;
+    supported[pattern.find(unknown, unknown)] += 0.7;
     EXPECT_LT(backward_error(*solver, pattern, supported), 1e-14);
     EXPECT_FALSE(solver->factor(constant.data())); // contact lost, and established again
     EXPECT_LT(backward_error(*solver, pattern, supported), 1e-14);
   }
   // With very weak support the position of the springs keeps the digits that the matrix has.
   Values weak = constant;
-  weak[at(pattern.find(22, 22))] += 1e-6;
+  weak[pattern.find(22, 22)] += 1e-6;
   EXPECT_LT(backward_error(*solver, pattern, weak), 1e-14);
 }
 
@@ -218,12 +217,12 @@ TEST(Condensed, UnconstrainedBodyWithoutContactIsSingular) {
   // Two chains; only the second has contact unknowns
   Condensation halves{constant, {25, 26}};
   for (const auto& [i, j] : {std::pair{14, 15}, {15, 14}}) {
-    const double coupling = halves.constant[at(pattern.find(i, j))];
-    halves.constant[at(pattern.find(i, j))] = 0;
-    halves.constant[at(pattern.find(i, i))] += coupling;
+    const double coupling = halves.constant[pattern.find(i, j)];
+    halves.constant[pattern.find(i, j)] = 0;
+    halves.constant[pattern.find(i, i)] += coupling;
   }
   Values values = halves.constant;
-  values[at(pattern.find(25, 25))] += 1;
+  values[pattern.find(25, 25)] += 1;
   EXPECT_FALSE(make_solver(LinearKind::condensed, pattern, {&halves})->factor(values.data()));
 }
 
@@ -234,9 +233,9 @@ TEST(Condensed, SingularMatricesByTheContactBlockAreReportedAndLeaveNoTrace) {
   const auto solver = make_solver(LinearKind::condensed, pattern, {&condensation});
   // The Schur complement onto unknown 17 is 1 / (K⁻¹)₁₇,₁₇; subtracting it makes the matrix singular.
   Values values = condensation.constant;
-  values[at(pattern.find(17, 17))] -= 1 / dense(pattern, values).inverse()(17, 17);
+  values[pattern.find(17, 17)] -= 1 / dense(pattern, values).inverse()(17, 17);
   EXPECT_FALSE(solver->factor(values.data()));
-  values[at(pattern.find(17, 17))] = std::nan("");
+  values[pattern.find(17, 17)] = std::nan("");
   EXPECT_FALSE(solver->factor(values.data()));
   EXPECT_LT(backward_error(*solver, pattern, condensation.constant), 1e-14);
 }
@@ -253,7 +252,7 @@ TEST(Condensed, InvalidInputIsAnError) {
   for (const std::vector<int>& contact : {std::vector{-1}, {13}, {3, 3}, {4, 2}})
     EXPECT_ERROR(make({constant, contact}), "solve.condensed.contact: most = 12");
   Values unsymmetric = constant;
-  unsymmetric[at(pattern.find(1, 2))] += 0.1;
+  unsymmetric[pattern.find(1, 2)] += 0.1;
   EXPECT_ERROR(make({unsymmetric, {}}), "solve.condensed.symmetric");
 }
 
@@ -268,8 +267,8 @@ TEST(Condensed, SolvesAGridWithAContactFace) {
     }
   const Pattern pattern = couple(wide * high, groups);
   std::mt19937 random(16);
-  Condensation condensation{Values(at(pattern.entries()), 0.0), {}};
-  for_entries(pattern, [&](int i, int j, int k) { condensation.constant[at(k)] = i == j ? 8 : -1; });
+  Condensation condensation{Values(pattern.entries(), 0.0), {}};
+  for_entries(pattern, [&](int i, int j, int k) { condensation.constant[k] = i == j ? 8 : -1; });
   for (int i = 0; i < 2 * wide; ++i) condensation.contact.push_back(i);
 
   const auto solver = make_solver(LinearKind::condensed, pattern, {&condensation});

@@ -62,7 +62,7 @@ TEST(Klu, KnowsDefiniteMatrices) {
   const auto solver = make_solver(LinearKind::klu, pattern);
   const auto judged = [&](double shift) {
     Values shifted = values;
-    for (int i = 0; i < pattern.size; ++i) shifted[at(pattern.find(i, i))] += shift;
+    for (int i = 0; i < pattern.size; ++i) shifted[pattern.find(i, i)] += shift;
     EXPECT_TRUE(solver->factor(shifted.data()));
     return solver->statistics().definite;
   };

@@ -16,10 +16,6 @@ namespace signorini::solve::test {
 
 using Values = std::vector<double>;
 
-inline std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// The kinds that factor every matrix by a direct solver of general matrices.
 inline std::vector<LinearKind> direct_kinds() {
   std::vector<LinearKind> kinds = {LinearKind::klu, LinearKind::umfpack};
@@ -53,38 +49,38 @@ inline Pattern cube(int nodes) {
 /// Calls visit(row, column, position) for every entry.
 template <class Visit> void for_entries(const Pattern& pattern, Visit visit) {
   for (int j = 0; j < pattern.size; ++j)
-    for (int k = pattern.starts[at(j)]; k < pattern.starts[at(j) + 1]; ++k) visit(pattern.rows[at(k)], j, k);
+    for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k) visit(pattern.rows[k], j, k);
 }
 
 inline Values random_values(std::mt19937& random, const Pattern& pattern) {
-  Values values(at(pattern.entries()));
+  Values values(pattern.entries());
   for (double& value : values) value = std::uniform_real_distribution<double>(-1, 1)(random);
   return values;
 }
 
 /// Positive definite symmetric values that are not diagonally dominant; with `diagonal` −1 they are negative definite.
 inline Values random_definite(std::mt19937& random, const Pattern& pattern, double diagonal = 1) {
-  Values values = random_values(random, pattern), sums(at(pattern.size), 0.1);
+  Values values = random_values(random, pattern), sums(pattern.size, 0.1);
   for_entries(pattern, [&](int i, int j, int k) {
-    if (i < j) values[at(k)] = values[at(pattern.find(j, i))];
-    if (i != j) sums[at(i)] += std::abs(values[at(std::min(k, pattern.find(j, i)))]);
+    if (i < j) values[k] = values[pattern.find(j, i)];
+    if (i != j) sums[i] += std::abs(values[std::min(k, pattern.find(j, i))]);
   });
   for_entries(pattern, [&](int i, int j, int k) {
-    if (i == j) values[at(k)] = diagonal * sums[at(i)];
+    if (i == j) values[k] = diagonal * sums[i];
   });
   return values;
 }
 
 inline Eigen::MatrixXd dense(const Pattern& pattern, const Values& values) {
   Eigen::MatrixXd full = Eigen::MatrixXd::Zero(pattern.size, pattern.size);
-  for_entries(pattern, [&](int i, int j, int k) { full(i, j) = values[at(k)]; });
+  for_entries(pattern, [&](int i, int j, int k) { full(i, j) = values[k]; });
   return full;
 }
 
 /// K x from the sparse K.
 inline Eigen::VectorXd product(const Pattern& pattern, const Values& values, const Eigen::VectorXd& x) {
   Eigen::VectorXd y = Eigen::VectorXd::Zero(pattern.size);
-  for_entries(pattern, [&](int i, int j, int k) { y(i) += values[at(k)] * x(j); });
+  for_entries(pattern, [&](int i, int j, int k) { y(i) += values[k] * x(j); });
   return y;
 }
 
@@ -107,11 +103,11 @@ inline std::pair<Pattern, Values> free_springs(std::mt19937& random, int size) {
   std::vector<std::vector<int>> pairs;
   for (int i = 0; i + 1 < size; ++i) pairs.push_back({i, i + 1});
   Pattern pattern = couple(size, pairs);
-  Values values(at(pattern.entries()), 0.0);
+  Values values(pattern.entries(), 0.0);
   for (int i = 0; i + 1 < size; ++i) {
     const double stiffness = std::uniform_real_distribution<double>(0.1, 1)(random);
     for (int a : {i, i + 1})
-      for (int b : {i, i + 1}) values[at(pattern.find(a, b))] += a == b ? stiffness : -stiffness;
+      for (int b : {i, i + 1}) values[pattern.find(a, b)] += a == b ? stiffness : -stiffness;
   }
   return {std::move(pattern), std::move(values)};
 }
@@ -128,7 +124,7 @@ struct Drift {
   Values at_time(int time) const {
     Values values = base;
     for (std::size_t k = 0; k < values.size(); ++k) values[k] += 0.02 * skew * std::sin(0.1 * time) * change[k];
-    for (int i = time % 5; i < pattern.size; i += 1100) values[at(pattern.find(i, i))] += 20;
+    for (int i = time % 5; i < pattern.size; i += 1100) values[pattern.find(i, i)] += 20;
     return values;
   }
 };

@@ -28,7 +28,7 @@ protected:
 /// A with zeros in the last rows' diagonal block, as with Lagrange multipliers.
 Values with_multipliers(const Pattern& pattern, Values values, int count) {
   for_entries(pattern, [&](int i, int j, int k) {
-    if (std::min(i, j) >= pattern.size - count) values[at(k)] = 0;
+    if (std::min(i, j) >= pattern.size - count) values[k] = 0;
   });
   return values;
 }
@@ -36,7 +36,7 @@ Values with_multipliers(const Pattern& pattern, Values values, int count) {
 Values random_symmetric(std::mt19937& random, const Pattern& pattern) {
   Values values = random_values(random, pattern);
   for_entries(pattern, [&](int i, int j, int k) {
-    if (i < j) values[at(k)] = values[at(pattern.find(j, i))];
+    if (i < j) values[k] = values[pattern.find(j, i)];
   });
   return values;
 }
@@ -63,7 +63,7 @@ TEST_F(Mumps, FactorsByLUFromTheFirstUnsymmetricMatrixToTheNextPattern) {
   const Pattern pattern = cube(6);
   const Values symmetric = random_definite(random, pattern);
   Values skewed = symmetric;
-  skewed[at(pattern.find(3, 5))] *= 1.01;
+  skewed[pattern.find(3, 5)] *= 1.01;
   const auto solver = make_mumps({});
   solver->analyze(pattern);
   EXPECT_LT(backward_error(*solver, pattern, symmetric), 1e-14);
@@ -113,8 +113,8 @@ std::pair<Pattern, Values> laplacian(int nodes) {
     if (k + 1 < nodes) pairs.push_back({node, node + nodes * nodes});
   });
   Pattern pattern = couple(nodes * nodes * nodes, pairs);
-  Values values(at(pattern.entries()));
-  for_entries(pattern, [&](int i, int j, int k) { values[at(k)] = i == j ? 6.001 : -1; });
+  Values values(pattern.entries());
+  for_entries(pattern, [&](int i, int j, int k) { values[k] = i == j ? 6.001 : -1; });
   return {std::move(pattern), std::move(values)};
 }
 

@@ -24,7 +24,7 @@ template <int D> void expect_dense(int nodes, int count, std::mt19937& random) {
   SymmetricBlocks<D> matrix(nodes, groups);
   Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(D * nodes, D * nodes);
   for (const auto& group : groups) {
-    const int n = static_cast<int>(group.size());
+    const int n = std::ssize(group);
     const Eigen::MatrixXd random_values = Eigen::MatrixXd::Random(D * n, D * n),
                           own = random_values + random_values.transpose();
     std::vector<double> blocks;

@@ -24,8 +24,7 @@ TEST(SymmetricPart, IsFactoredOnSeveralPatterns) {
   for (int round = 0; round < 3; ++round) {
     Values values = random_definite(random, pattern);
     const Values noise = random_values(random, pattern);
-    for_entries(pattern,
-                [&](int i, int j, int k) { values[at(k)] += 3 * (noise[at(k)] - noise[at(pattern.find(j, i))]); });
+    for_entries(pattern, [&](int i, int j, int k) { values[k] += 3 * (noise[k] - noise[pattern.find(j, i)]); });
     ASSERT_TRUE(part.factor(pattern, values));
     const Eigen::MatrixXd k = dense(pattern, values);
     const VectorXd b = VectorXd::LinSpaced(pattern.size, -1, 2);
@@ -34,7 +33,7 @@ TEST(SymmetricPart, IsFactoredOnSeveralPatterns) {
     EXPECT_LT((0.5 * (k + k.transpose()) * x - b).norm(), 1e-12 * k.norm() * x.norm());
 
     Values indefinite = values;
-    indefinite[at(pattern.find(7, 7))] *= -1;
+    indefinite[pattern.find(7, 7)] *= -1;
     EXPECT_FALSE(part.factor(pattern, indefinite));
     std::vector<int> moved;
     pattern = extend(pattern, {{round, pattern.size - 1 - round}}, moved);
@@ -77,12 +76,12 @@ TEST(SymmetricPart, UpdatesTheBlockOfWatchedUnknowns) {
     const auto changed = [&](Values values) {
       const Values noise = random_values(random, pattern);
       for (std::size_t k = 0; k < values.size(); ++k) values[k] += noise[k];
-      for (int i : watched) values[at(pattern.find(i, i))] *= i % 2 ? -3 : 10;
+      for (int i : watched) values[pattern.find(i, i)] *= i % 2 ? -3 : 10;
       return values;
     };
     const Values first = changed(old);
     Values start = old;
-    for (int i : watched) start[at(pattern.find(i, i))] = first[at(pattern.find(i, i))];
+    for (int i : watched) start[pattern.find(i, i)] = first[pattern.find(i, i)];
     ASSERT_TRUE(part.factor(pattern, start));
     check(start, start);
     for (int round = 0; round < 3; ++round) {
@@ -92,8 +91,8 @@ TEST(SymmetricPart, UpdatesTheBlockOfWatchedUnknowns) {
     }
     // Two watched unknowns come into contact.
     const Pattern next = extend(pattern, {{watched.front(), watched.back()}}, moved);
-    Values grown(at(next.entries()), 0.0);
-    for (std::size_t k = 0; k < moved.size(); ++k) grown[at(moved[k])] = start[k];
+    Values grown(next.entries(), 0.0);
+    for (std::size_t k = 0; k < moved.size(); ++k) grown[moved[k]] = start[k];
     start = grown;
     pattern = next;
     part.adopt(pattern);
@@ -136,12 +135,12 @@ TEST(SymmetricPart, BorderDoesNotMultiplyOperations) {
 TEST(SymmetricPart, RefusesASingularBlockInAnyPrecision) {
   std::mt19937 random(53);
   const Pattern pattern = cube(6);
-  Values values(at(pattern.entries()), 0.0);
+  Values values(pattern.entries(), 0.0);
   for_entries(pattern, [&](int i, int j, int k) {
     if (i >= j) return;
     const double stiffness = 1 + std::uniform_real_distribution<double>()(random);
-    values[at(k)] = values[at(pattern.find(j, i))] = -stiffness;
-    for (int end : {i, j}) values[at(pattern.find(end, end))] += stiffness;
+    values[k] = values[pattern.find(j, i)] = -stiffness;
+    for (int end : {i, j}) values[pattern.find(end, end)] += stiffness;
   });
   std::vector<int> watched;
   for (int i = 0; i < pattern.size; i += 7) watched.push_back(i);
@@ -149,9 +148,9 @@ TEST(SymmetricPart, RefusesASingularBlockInAnyPrecision) {
     SymmetricPart part(make_schur_cholesky(0, precision), SymmetricPart::Border::always, precision);
     part.watch(watched);
     EXPECT_FALSE(part.factor(pattern, values));
-    values[at(pattern.find(0, 0))] += 1; // now it is held
+    values[pattern.find(0, 0)] += 1; // now it is held
     EXPECT_TRUE(part.factor(pattern, values));
-    values[at(pattern.find(0, 0))] -= 1;
+    values[pattern.find(0, 0)] -= 1;
   }
 }
 

@@ -16,7 +16,7 @@ using namespace test;
 
 /// All unknowns coupled.
 Pattern full(int size) {
-  std::vector<int> all(at(size));
+  std::vector<int> all(size);
   std::iota(all.begin(), all.end(), 0);
   return couple(size, {all});
 }
@@ -24,7 +24,7 @@ Pattern full(int size) {
 Values random_symmetric(std::mt19937& random, const Pattern& pattern) {
   Values values = random_values(random, pattern);
   for_entries(pattern, [&](int i, int j, int k) {
-    if (i < j) values[at(pattern.find(j, i))] = values[at(k)];
+    if (i < j) values[pattern.find(j, i)] = values[k];
   });
   return values;
 }
@@ -54,7 +54,7 @@ TEST_P(Symmetric, SolvesMatricesWithNegligibleDiagonal) {
   const auto solver = make_solver(GetParam(), pattern);
   for (double diagonal : {1e-9, 1e-15, 0.0}) {
     Values values = random_symmetric(random, pattern);
-    for (int i = 0; i < pattern.size; ++i) values[at(pattern.find(i, i))] = diagonal;
+    for (int i = 0; i < pattern.size; ++i) values[pattern.find(i, i)] = diagonal;
     EXPECT_LT(backward_error(*solver, pattern, values), 1e-10) << diagonal;
   }
 }
@@ -67,7 +67,7 @@ TEST_P(Symmetric, SingularMatricesAreReportedAndLeaveNoTrace) {
     EXPECT_FALSE(solver->factor(values.data()));
     EXPECT_FALSE(solver->factor(Values(values.size(), 0.0).data()));
     Values supported = values;
-    supported[at(pattern.find(0, 0))] += 1;
+    supported[pattern.find(0, 0)] += 1;
     EXPECT_LT(backward_error(*solver, pattern, supported), 1e-14);
   }
 }
@@ -84,13 +84,13 @@ TEST(Symmetry, ComparesTransposedEntriesRelativeToTheLargest) {
     const double largest = *std::max_element(values.begin(), values.end());
     EXPECT_TRUE(symmetry.holds(values.data()));
     for_entries(pattern, [&](int i, int j, int k) {
-      const double original = values[at(k)];
-      values[at(k)] = original + 0.9e-9 * largest;
+      const double original = values[k];
+      values[k] = original + 0.9e-9 * largest;
       EXPECT_TRUE(symmetry.holds(values.data())) << i << " " << j;
-      values[at(k)] = original + 1.2e-9 * largest;
+      values[k] = original + 1.2e-9 * largest;
       EXPECT_EQ(symmetry.holds(values.data()), i == j) << i << " " << j;
       EXPECT_EQ(is_symmetric(pattern, values.data()), i == j) << i << " " << j;
-      values[at(k)] = original;
+      values[k] = original;
     });
   }
 }
@@ -103,7 +103,7 @@ TEST(Symmetry, AddsTheTransposedEntries) {
     Values values = before;
     add_transpose(pattern, values.data());
     for_entries(pattern, [&](int i, int j, int k) {
-      EXPECT_EQ(values[at(k)], before[at(k)] + before[at(pattern.find(j, i))]) << i << " " << j;
+      EXPECT_EQ(values[k], before[k] + before[pattern.find(j, i)]) << i << " " << j;
     });
   }
 }

@@ -27,7 +27,7 @@ Patch tensor_product(const Arguments& a) {
   const auto degrees = a.get<std::vector<int>>("degrees");
   std::vector<KnotVector> directions;
   a.list("knots", [&](int i, int index, const std::string&) {
-    directions.emplace_back(degrees[static_cast<std::size_t>(i)], to<std::vector<double>>(a.state(), index));
+    directions.emplace_back(degrees[i], to<std::vector<double>>(a.state(), index));
   });
   return with_points(a, std::move(directions));
 }

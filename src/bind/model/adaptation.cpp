@@ -1,6 +1,5 @@
 // Layers that follow the contact, for lua/signorini/run/adapt.lua.
 
-#include "base/index.hpp"
 #include "bind/lua/functions.hpp"
 #include "bind/lua/open.hpp"
 #include "bind/scene/scene.hpp"
@@ -31,7 +30,7 @@ int layer_lines(lua_State* L) {
     model::mark_contact(*model, to<bool>(L, 2), lines);
     const auto& bodies = model->system.scene.bodies;
     push_list(L, lines, [&](const model::LayerLine& line) {
-      const auto& body = bodies[at(line.body)];
+      const auto& body = bodies[line.body];
       push_fields(L, "body", body.name, "face", nurbs::name_of(body.body->space().contact()[line.face]), "direction",
                   static_cast<int>(line.direction) + 1, "raised", line.raised, "jump", line.jump);
     });

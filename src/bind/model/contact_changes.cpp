@@ -1,6 +1,5 @@
 // Constants of contacts that a load path changes.
 
-#include "base/index.hpp"
 #include "bind/lua/wording/wording.hpp"
 #include "bind/model/model.hpp"
 #include "model/checks/scene_warnings.hpp"
@@ -32,8 +31,8 @@ template <int D> contact::Changes changes_of(const contact::History<D>& history,
 /// Both half passes have the same constants.
 template <int D> void set_contact(model::Model<D>& model, const std::string& name, lua_State* L) {
   const int contact = find(model.system.scene.contacts, name, "contact");
-  const contact::Changes changes = changes_of(model.present.contacts[at(contact)], Arguments(L, 3, ""));
-  const int other = model.system.scene.contacts[at(contact)].other_pass;
+  const contact::Changes changes = changes_of(model.present.contacts[contact], Arguments(L, 3, ""));
+  const int other = model.system.scene.contacts[contact].other_pass;
   model::set_contact(model, contact, changes);
   if (other >= 0) model::set_contact(model, other, changes);
 }
@@ -42,14 +41,14 @@ template <int D> constexpr Function contact_entries[] = {{"set_contact", call<se
 
 template <int D> void check(const model::Model<D>& model, const std::string& name, lua_State* L) {
   const int contact = find(model.system.scene.contacts, name, "contact");
-  model::check_changes(model.system.scene.contacts[at(contact)],
-                       changes_of(model.present.contacts[at(contact)], Arguments(L, 3, "")));
+  model::check_changes(model.system.scene.contacts[contact],
+                       changes_of(model.present.contacts[contact], Arguments(L, 3, "")));
 }
 
 template <int D>
 std::vector<Message> warnings_of(const model::Model<D>& model, const std::string& name, double mu, double offset) {
   const model::Scene<D>& scene = model.system.scene;
-  return model::constant_warnings(scene, scene.contacts[at(find(scene.contacts, name, "contact"))], mu, offset);
+  return model::constant_warnings(scene, scene.contacts[find(scene.contacts, name, "contact")], mu, offset);
 }
 
 } // namespace

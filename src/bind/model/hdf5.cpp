@@ -2,7 +2,6 @@
 // function returns: the function spaces of bodies, the faces of contacts.
 
 #include "exchange/hdf5.hpp"
-#include "base/index.hpp"
 #include "bind/lua/arguments.hpp"
 #include "bind/lua/functions.hpp"
 #include "bind/lua/open.hpp"
@@ -125,7 +124,7 @@ template <class T> int index_in(std::vector<T>& list, const T& value) {
   const auto found = std::find(list.begin(), list.end(), value);
   if (found != list.end()) return static_cast<int>(found - list.begin());
   list.push_back(value);
-  return static_cast<int>(list.size()) - 1;
+  return std::ssize(list) - 1;
 }
 
 /// Pushes the spaces of a body: `spaces`, each { degree, knots } or { breaks, degrees, first, extraction };
@@ -136,7 +135,7 @@ void push_spaces(lua_State* L, const nurbs::Discretization& space) {
   std::vector<int> row_spaces, row_start;
   for (int j = 0; j < std::ssize(space.rows()); ++j) {
     row_start.push_back(space.first_function(j));
-    for (const nurbs::Space1D& one : space.rows()[at(j)].directions()) row_spaces.push_back(index_in(spaces, one));
+    for (const nurbs::Space1D& one : space.rows()[j].directions()) row_spaces.push_back(index_in(spaces, one));
   }
   row_start.push_back(space.functions());
   set_fields(L, "through", space.through(), "row_spaces", row_spaces, "row_start", row_start);
@@ -158,7 +157,7 @@ void push_spaces(lua_State* L, const nurbs::Discretization& space) {
 
 template <int D> int push_body_data(lua_State* L, const Model<D>& model, const std::string& name) {
   const auto& scene = model->system.scene;
-  const Body<D>& body = scene.bodies[at(find_body(*model, name))].body;
+  const Body<D>& body = scene.bodies[find_body(*model, name)].body;
   const nurbs::Discretization& space = body->space();
   const MatrixX points = space.points();
   const solid::Material& material = body->material();
@@ -184,8 +183,8 @@ template <int D> int push_displacement(lua_State* L, const Model<D>& model, cons
 template <int D> std::string faces_in_words(const Model<D>& model, const model::Faces& faces) {
   std::string words;
   for (const model::FaceReference& face : faces)
-    words += text(words.empty() ? "" : ", ", nurbs::name_of(face.side), " of ",
-                  model->system.scene.bodies[at(face.body)].name);
+    words +=
+        text(words.empty() ? "" : ", ", nurbs::name_of(face.side), " of ", model->system.scene.bodies[face.body].name);
   return words;
 }
 
@@ -196,7 +195,7 @@ template <int D> int push_faces(lua_State* L, const Model<D>& model, const std::
       push_fields(L, "slave", faces_in_words(model, tie.slave), "master", faces_in_words(model, tie.master));
       return 1;
     }
-  const auto& contact = scene.contacts[at(find(scene.contacts, name, "contact"))];
+  const auto& contact = scene.contacts[find(scene.contacts, name, "contact")];
   const auto* master = std::get_if<model::Faces>(&contact.master);
   push_fields(L, "slave", faces_in_words(model, contact.slave), "master",
               master ? faces_in_words(model, *master) : "rigid obstacle");

@@ -1,6 +1,5 @@
 #include "bind/model/iteration_report.hpp"
 
-#include "base/index.hpp"
 #include "contact/point/history.hpp"
 
 namespace signorini::bind {

@@ -1,5 +1,4 @@
 #include "bind/model/model.hpp"
-#include "base/index.hpp"
 #include "base/words.hpp"
 #include "bind/lua/open.hpp"
 #include "bind/lua/wording/wording.hpp"
@@ -26,7 +25,7 @@ template <int D> std::vector<std::string> driven_names(const model::Model<D>& mo
 }
 
 template <int D> Body<D> body_of(const model::Model<D>& model, const std::string& name) {
-  return model.system.scene.bodies[at(find_body(model, name))].body;
+  return model.system.scene.bodies[find_body(model, name)].body;
 }
 
 template <int D> int timings(const model::Model<D>& model, lua_State* L) {

@@ -1,4 +1,3 @@
-#include "base/index.hpp"
 #include "base/words.hpp"
 #include "bind/lua/wording/wording.hpp"
 #include "bind/model/iteration_report.hpp"
@@ -28,7 +27,7 @@ template <int D> int find_drive(const model::Model<D>& model, const std::string&
 
 template <int D> std::vector<std::string> driven(const model::Model<D>& model, const std::string& name) {
   const int drive = find_drive(model, name);
-  return drive < 0 ? std::vector<std::string>() : model.system.drives.all()[at(drive)].components;
+  return drive < 0 ? std::vector<std::string>() : model.system.drives.all()[drive].components;
 }
 
 template <int D> void set_target(model::Model<D>& model, const std::string& name, lua_State* L) {
@@ -151,9 +150,9 @@ template <int D> int tangent(model::Model<D>& model, lua_State* L) {
   residual(model);
   const solve::Pattern& pattern = model.system.assembly.pattern();
   std::vector<int> rows, columns;
-  for (std::size_t j = 0; j < at(pattern.size); ++j)
+  for (int j = 0; j < pattern.size; ++j)
     for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k) {
-      rows.push_back(pattern.rows[at(k)] + 1);
+      rows.push_back(pattern.rows[k] + 1);
       columns.push_back(static_cast<int>(j) + 1);
     }
   const auto values = model.system.assembly.values().begin();
@@ -166,11 +165,11 @@ template <int D> int unknowns(const model::Model<D>& model, lua_State* L) {
   const auto& numbers = model.system.unknowns;
   const auto& bodies = model.system.scene.bodies;
   lua_createtable(L, numbers.size(), 0);
-  std::vector<char> seen(at(numbers.size()), 0);
+  std::vector<char> seen(numbers.size(), 0);
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (int i = 0; i < D * bodies[b].body->functions(); ++i) {
       const int unknown = numbers.unknown(numbers.offset(static_cast<int>(b)) + i);
-      if (unknown < 0 || std::exchange(seen[at(unknown)], 1)) continue;
+      if (unknown < 0 || std::exchange(seen[unknown], 1)) continue;
       push_fields(L, "body", bodies[b].name, "point", i / D + 1, "component", model::component_name(i % D));
       lua_rawseti(L, -2, unknown + 1);
     }
@@ -180,7 +179,7 @@ template <int D> int unknowns(const model::Model<D>& model, lua_State* L) {
     push_fields(L, "support", model::support_of(model.system.scene, obstacle, component), "component", component);
     lua_rawseti(L, -2, unknown + 1);
   };
-  for (int k = 0; k < static_cast<int>(model.system.scene.obstacles.size()); ++k)
+  for (int k = 0; k < std::ssize(model.system.scene.obstacles); ++k)
     for (int c = 0; c < D; ++c) add(k, numbers.obstacle_offset(k) + c, model::component_name(c));
   for (const model::FreeAngle<D>& angle : numbers.free_angles()) add(angle.obstacle, angle.dof, "angle");
   return 1;
@@ -205,7 +204,7 @@ template <int D> VectorX displacements(const model::Model<D>& model) {
 template <int D> std::vector<std::string> unconstrained_bodies(model::Model<D>& model) {
   std::vector<std::string> names;
   for (const model::UnconstrainedMotion& unconstrained : model.system.unconstrained()) {
-    const std::string& name = model.system.scene.bodies[at(unconstrained.body)].name;
+    const std::string& name = model.system.scene.bodies[unconstrained.body].name;
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   for (const model::UnconstrainedObstacle& motion : model.system.unconstrained_obstacles()) {

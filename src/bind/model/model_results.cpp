@@ -1,4 +1,3 @@
-#include "base/index.hpp"
 #include "bind/model/model.hpp"
 #include "contact/method/peak.hpp"
 #include "model/results/face_values.hpp"
@@ -29,7 +28,7 @@ template <int D> int reaction(const model::Model<D>& model, const std::string& n
                               : model::reaction(model, support);
   push(L, VectorX(force));
   set_force<D>(L, force);
-  if (!loaded && scene.supports[at(support)].turns()) {
+  if (!loaded && scene.supports[support].turns()) {
     const double moment = model::moment(model, support);
     push(L, moment);
     lua_rawseti(L, -2, D + 1);
@@ -64,7 +63,7 @@ const char* name_of(contact::Enforcement enforcement) {
 }
 
 template <int D> int contact_law(const model::Model<D>& model, const std::string& name, lua_State* L) {
-  const auto contact = at(find(model.system.scene.contacts, name, "contact"));
+  const std::size_t contact = find(model.system.scene.contacts, name, "contact");
   const model::Contact<D>& named = model.system.scene.contacts[contact];
   const contact::History<D>& history = model.present.contacts[contact];
   const contact::Formulation<D>& formulation = *model.system.contacts[contact];
@@ -94,7 +93,7 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
 }
 
 template <int D> int contact_resultant(const model::Model<D>& model, const std::string& name, lua_State* L) {
-  const std::size_t contact = at(find(model.system.scene.contacts, name, "contact"));
+  const std::size_t contact = find(model.system.scene.contacts, name, "contact");
   const auto sum = contact::resultant(model.present.contacts[contact]);
   const double area = model::contact_area(model, contact, model.present.contacts[contact]).area;
   push_fields(L, "area", area, "max_pressure", sum.max_pressure, "max_penetration", sum.max_penetration, "active",
@@ -119,8 +118,7 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
   };
   set_count("unsettled", "unsettled_at", formulation.unsettled().count, [&] { return formulation.unsettled().latest; });
   const auto crossed = formulation.crossed(model.present.contacts[contact], model.accepted.contacts[contact]);
-  set_count("crossed", "crossed_at", crossed.size(),
-            [&] { return formulation.points().reference[at(crossed.back())]; });
+  set_count("crossed", "crossed_at", crossed.size(), [&] { return formulation.points().reference[crossed.back()]; });
   return 1;
 }
 
@@ -196,7 +194,7 @@ template <int D> int acting_points(const contact::ContactPoints<D>& points, cons
 /// Unknowns shared by control points count once; those of the contact layer belong to the rows of the contact faces.
 template <int D> void push_body_cost(lua_State* L, const model::Model<D>& model, int index) {
   const auto& unknowns = model.system.unknowns;
-  const solid::Body<D>& body = *model.system.scene.bodies[at(index)].body;
+  const solid::Body<D>& body = *model.system.scene.bodies[index].body;
   std::set<int> all, layer;
   int points = 0;
   for (int e = 0; e < body.elements(); ++e) points += body.element(e).points;

@@ -1,7 +1,6 @@
 // sg.vtu: the present state of a model for ParaView, as exact rational Bézier cells, or as linear ones.
 
 #include "exchange/vtu.hpp"
-#include "base/index.hpp"
 #include "bind/geometry/patch.hpp"
 #include "bind/lua/arguments.hpp"
 #include "bind/lua/functions.hpp"
@@ -64,7 +63,7 @@ template <int D> exchange::BezierGrid grid_of(const model::Model<D>& model, bool
     const int contact = static_cast<int>(c);
     for (std::size_t k = 0; k < scene.contacts[c].slave.size(); ++k) {
       const int body = scene.contacts[c].slave[k].body;
-      append(grid, tessellation::contact_cells(model, contact, k, bodies[at(body)]), {body + 1, contact + 1});
+      append(grid, tessellation::contact_cells(model, contact, k, bodies[body]), {body + 1, contact + 1});
     }
   }
   return grid;
@@ -79,8 +78,8 @@ tessellation::BezierCells cells_of(nurbs::Patch patch) {
     std::vector<double> missing;
     const nurbs::KnotVector knots = patch.direction(d);
     for (int e = 1; e < knots.elements(); ++e) {
-      const double knot = knots.breaks()[at(e)];
-      missing.insert(missing.end(), at(knots.degree() - knots.multiplicity(knot)), knot);
+      const double knot = knots.breaks()[e];
+      missing.insert(missing.end(), knots.degree() - knots.multiplicity(knot), knot);
     }
     patch = nurbs::insert_knots(patch, d, missing);
     degrees.push_back(knots.degree());
@@ -97,7 +96,7 @@ tessellation::BezierCells cells_of(nurbs::Patch patch) {
       }
       chosen.push_back(point);
     }
-  tessellation::BezierCells cells{std::vector(at(elements), degrees), MatrixX::Zero(3, std::ssize(chosen)), {}, {}};
+  tessellation::BezierCells cells{std::vector(elements, degrees), MatrixX::Zero(3, std::ssize(chosen)), {}, {}};
   cells.points.topRows(patch.dimension()) = patch.points()(Eigen::all, chosen);
   cells.weights = patch.weights()(chosen);
   return cells;

@@ -20,7 +20,7 @@ std::vector<int> read_kinds(const Arguments& chart, const Arguments& curve, std:
   std::vector<int> kinds;
   for (const auto& name : curve.get<std::vector<std::string>>("marks")) {
     const int place = place_of(name, known);
-    if (place == static_cast<int>(known.size())) {
+    if (place == std::ssize(known)) {
       if (chart.has("marks"))
         chart.fail(curve.name("marks"), "[", kinds.size() + 1, "] is '", name, "', which is not in the chart's marks",
                    did_you_mean(name, known), "; known: ", listed(known));

@@ -63,7 +63,7 @@ std::vector<Side> read_sides(const std::string& name, int dimensions, int count)
       if (other.direction == side.direction) return {};
     sides.push_back(side);
   }
-  return static_cast<int>(sides.size()) == count ? sides : std::vector<Side>{};
+  return std::ssize(sides) == count ? sides : std::vector<Side>{};
 }
 
 /// core.place_names(body or patch, count): the names of its places where `count` faces meet, 0: of its corners; without
@@ -156,9 +156,9 @@ void check_size(const nurbs::Plan& plan, int dimensions) {
   constexpr double most_unknowns = 20e6;
   double elements = 1, points = 1; // totals; `points`: unknowns per displacement component
   for (int d = 0, along = 0; d < dimensions; ++d) {
-    elements *= plan.elements[at(d)], points *= plan.elements[at(d)] + 1.0;
+    elements *= plan.elements[d], points *= plan.elements[d] + 1.0;
     const bool cut = !plan.layer_knots.empty() && d != plan.contact.front().direction;
-    if (cut) elements *= 1 + static_cast<double>(plan.layer_knots[at(along++)].size()) / plan.elements[at(d)];
+    if (cut) elements *= 1 + static_cast<double>(plan.layer_knots[along++].size()) / plan.elements[d];
   }
   const int thickness_degree = plan.thickness_degree.value_or(nurbs::bulk_space(plan.labels).full_degree());
   double functions = plan.contact.empty() ? 1 : thickness_degree + 1; // of an element, then times its Gauss points

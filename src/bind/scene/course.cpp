@@ -1,5 +1,4 @@
 // Values of a user's function of the reference position, in loads and supports.
-#include "base/index.hpp"
 #include "base/words.hpp"
 #include "bind/scene/scene_builder.hpp"
 #include "os/interrupt.hpp"
@@ -15,7 +14,7 @@ bool is_number(lua_State* L, int index) {
 }
 
 bool is_list_of_numbers(lua_State* L, int index, int size) {
-  if (!lua_istable(L, index) || lua_rawlen(L, index) != at(size)) return false;
+  if (!lua_istable(L, index) || static_cast<int>(lua_rawlen(L, index)) != size) return false;
   bool numbers = true;
   for (int i = 1; i <= size; ++i) {
     lua_rawgeti(L, index, i);
@@ -27,7 +26,7 @@ bool is_list_of_numbers(lua_State* L, int index, int size) {
 
 /// The result of a user's function in words; of a list with the right length its first entry that is not a number.
 std::string describe_result(lua_State* L, int index, int size) {
-  if (lua_istable(L, index) && lua_rawlen(L, index) == at(size))
+  if (lua_istable(L, index) && static_cast<int>(lua_rawlen(L, index)) == size)
     for (int i = 1; i <= size; ++i) {
       lua_rawgeti(L, index, i);
       const bool bad = !is_number(L, lua_gettop(L));

@@ -122,7 +122,7 @@ std::vector<Strips> strips_of(const Arguments& a, const nurbs::Patch& patch, con
     strips.push_back(elements_in(a, "layer", a.get<std::array<double, 2>>("layer"), along.breaks.front()));
   else
     a.list("layer", [&](int i, int index, const std::string& path) {
-      strips.push_back(elements_in(a, path, to<std::array<double, 2>>(L, index), along.breaks[at(i)]));
+      strips.push_back(elements_in(a, path, to<std::array<double, 2>>(L, index), along.breaks[i]));
     });
   return std::vector<Strips>(plan.contact.size(), strips);
 }

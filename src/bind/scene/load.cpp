@@ -1,6 +1,5 @@
 #include "solid/load.hpp"
 
-#include "base/index.hpp"
 #include "bind/lua/wording/wording.hpp"
 #include "bind/scene/scene_builder.hpp"
 #include "model/checks/scene_warnings.hpp"
@@ -49,11 +48,11 @@ template <int D> void read_function(SceneBuilder<D>& builder, const Arguments& a
     read(more, finer);
   };
   for (const model::FaceReference& face : load.on) {
-    const solid::Body<D>& body = *builder.scene.bodies[at(face.body)].body;
+    const solid::Body<D>& body = *builder.scene.bodies[face.body].body;
     add(solid::load_points(body, face.side), solid::load_points(body, face.side, 4));
   }
   for (const int index : load.bodies) {
-    const solid::Body<D>& body = *builder.scene.bodies[at(index)].body;
+    const solid::Body<D>& body = *builder.scene.bodies[index].body;
     add(solid::load_points(body), solid::load_points(body, 2));
   }
   if (usual.size == 0) return; // of which the model warns
@@ -108,7 +107,7 @@ template <int D> void read_places(const SceneBuilder<D>& builder, const Argument
     std::string kind = "body", words;
     if (const Body<D>* body = test_object<Body<D>>(a.state(), index)) {
       load.bodies.push_back(builder.index_of(*body, a.name("on")));
-      words = text("body '", builder.scene.bodies[at(load.bodies.back())].name, "'");
+      words = text("body '", builder.scene.bodies[load.bodies.back()].name, "'");
       if (std::ranges::find(listed, words) != listed.end()) reject_twice(a, words);
     } else {
       const BoundaryPart<D>& place = read_object<BoundaryPart<D>>(a.state(), index, {a.name("on")});
@@ -134,7 +133,7 @@ template <int D> void read_places(const SceneBuilder<D>& builder, const Argument
 template <int D> void read_faces(const SceneBuilder<D>& builder, const Arguments& a, model::Load& load) {
   a.list("on", [&](int, int index, const std::string&) {
     if (const Body<D>* body = test_object<Body<D>>(a.state(), index))
-      a.fail("it is on the body '", builder.scene.bodies[at(builder.index_of(*body, a.name("on")))].name,
+      a.fail("it is on the body '", builder.scene.bodies[builder.index_of(*body, a.name("on"))].name,
              "', but traction and pressure act on faces: name a face, or give force");
     const model::FaceReference face = builder.face(a.state(), index, a.name("on"));
     if (std::ranges::find(load.on, face) != load.on.end())
@@ -159,7 +158,7 @@ template <int D> model::Load read_load(SceneBuilder<D>& builder, const Arguments
   if (!lua_isfunction(a.state(), a.push(key))) {
     const bool scalar = load.pressure() || load.kind == LoadKind::moment;
     load.start = scalar ? std::vector<double>{a.get<double>(key)} : a.get<std::vector<double>>(key);
-    if (load.start.size() != (scalar ? 1 : at(D))) a.refuse(key, expected_of<D>(load.kind));
+    if (std::ssize(load.start) != (scalar ? 1 : D)) a.refuse(key, expected_of<D>(load.kind));
     return load;
   }
   if (load.kind == LoadKind::point_force)

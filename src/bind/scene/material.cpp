@@ -1,5 +1,4 @@
 #include "bind/scene/material.hpp"
-#include "base/index.hpp"
 #include "base/words.hpp"
 #include "bind/lua/functions.hpp"
 #include "bind/lua/open.hpp"

@@ -1,4 +1,3 @@
-#include "base/index.hpp"
 #include "bind/lua/functions.hpp"
 #include "bind/lua/open.hpp"
 #include "bind/lua/wording/wording.hpp"
@@ -37,7 +36,7 @@ void check_disc(const RigidShape<2>& rigid, bool revolved, const std::string& wh
 template <int D> int default_points(const model::Scene<D>& scene, const model::Faces& slave) {
   int degree = 0;
   for (const model::FaceReference& part : slave) {
-    const nurbs::Row face = scene.bodies[at(part.body)].body->space().face(part.side);
+    const nurbs::Row face = scene.bodies[part.body].body->space().face(part.side);
     for (const nurbs::Space1D& direction : face.directions()) degree = std::max(degree, direction.degree());
   }
   return 3 * (degree + 1);

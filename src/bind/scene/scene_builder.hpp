@@ -1,7 +1,6 @@
 #pragma once
 // A scene while sg.model reads it.
 
-#include "base/index.hpp"
 #include "bind/scene/scene.hpp"
 
 #include <algorithm>
@@ -27,7 +26,7 @@ template <int D> struct SceneBuilder {
 template <int D>
 std::string part_text(const SceneBuilder<D>& builder, const BoundaryPart<D>& place, const std::string& where) {
   const int body = builder.index_of(place, where);
-  return text(place.kind, " '", place.name, "' of body '", builder.scene.bodies[at(body)].name, "'");
+  return text(place.kind, " '", place.name, "' of body '", builder.scene.bodies[body].name, "'");
 }
 
 /// "a list of 2 numbers {tx, ty}", for the letter t.

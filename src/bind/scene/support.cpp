@@ -1,4 +1,3 @@
-#include "base/index.hpp"
 #include "base/words.hpp"
 #include "bind/lua/wording/wording.hpp"
 #include "bind/scene/scene_builder.hpp"
@@ -22,7 +21,7 @@ void read_components(const Arguments& a, const char* key, Constraint constraint,
   if (D == 2 && letters.find('z') != std::string::npos)
     a.refuse(key, "'x', 'y' or 'xy'", "the bodies are plane and have no component z");
   for (char letter : letters) {
-    Constraint& component = support.constraint[at(letter - 'x')];
+    Constraint& component = support.constraint[letter - 'x'];
     if (component != Constraint::free && constraint == Constraint::free)
       a.fail("it frees ", letter, ", which it also ", component == Constraint::fixed ? "fixes" : "drives",
              ": free is for components that are in neither fix nor drive, remove it from one of the two");
@@ -30,7 +29,7 @@ void read_components(const Arguments& a, const char* key, Constraint constraint,
       a.fail("it both fixes and drives ", letter,
              ": a component is either fixed or driven, remove it from one of the two");
     component = constraint;
-    support.freed[at(letter - 'x')] = constraint == Constraint::free;
+    support.freed[letter - 'x'] = constraint == Constraint::free;
   }
 }
 
@@ -67,7 +66,7 @@ template <int D> Vec<D> read_center(const Arguments& a, const SceneBuilder<D>& b
     if (center.size() != D) a.refuse("center", components_text<D>(' '));
     return center;
   }
-  const contact::Obstacle<D>& shape = builder.scene.obstacles[at(on.front())];
+  const contact::Obstacle<D>& shape = builder.scene.obstacles[on.front()];
   if (on.size() == 1) {
     if (const auto* ball = std::get_if<contact::Ball<D>>(&shape)) return ball->center;
     if constexpr (D == 3)
@@ -139,19 +138,19 @@ template <int D> void read_spring(const Arguments& a, const SceneBuilder<D>& bui
   if (stiffness.size() != D) a.refuse("spring", components_text<D>('k'));
   const auto reject_spring = [&](const auto&... words) { fail(a.name("spring"), " ", words...); };
   for (int c = 0; c < D; ++c) {
-    support.spring(c) = stiffness[at(c)];
+    support.spring(c) = stiffness[c];
     if (!(support.spring(c) >= 0))
       reject_spring("must not be negative, got ", number(support.spring(c)), " for ", model::component_name(c));
-    if (support.spring(c) > 0 && support.constraint[at(c)] != Constraint::free)
+    if (support.spring(c) > 0 && support.constraint[c] != Constraint::free)
       reject_spring("acts on ", model::component_name(c), ", which the support also ",
-                    support.constraint[at(c)] == Constraint::fixed ? "fixes" : "drives",
+                    support.constraint[c] == Constraint::fixed ? "fixes" : "drives",
                     ": a component is held by a spring or prescribed, use 0 for it");
   }
   if (support.spring.isZero(0)) reject_spring("has no stiffness: give a positive one for at least one component");
   if (!support.obstacles.empty()) {
     if (!support.on.empty()) reject_spring("holds obstacles and faces, per area: use a support for each");
     for (int c = 0; c < D; ++c)
-      if (support.spring(c) > 0 && !support.freed[at(c)])
+      if (support.spring(c) > 0 && !support.freed[c])
         reject_spring("acts on ", model::component_name(c), ", in which the obstacle is fixed: add free = \"",
                       model::component_name(c), "\"");
     std::swap(support.obstacle_spring, support.spring);
@@ -172,7 +171,7 @@ void check_driven(const Arguments& a, const model::Support<D>& support, const Ma
   const double least = rounding * values.cwiseAbs().maxCoeff();
   for (int c = 0; c < D; ++c) {
     Eigen::Index k = 0;
-    if (support.constraint[at(c)] == Constraint::driven || !(values.row(c).cwiseAbs().maxCoeff(&k) > least)) continue;
+    if (support.constraint[c] == Constraint::driven || !(values.row(c).cwiseAbs().maxCoeff(&k) > least)) continue;
     const std::string component = model::component_name(c);
     fail(a.name("shape"), " returns u", component, " = ", number(values(c, k)),
          " at X = ", position_text(positions.col(k)), ", but the support does not drive ", component, ": add ",
@@ -253,7 +252,7 @@ template <int D> void read_symmetry(const Arguments& a, const SceneBuilder<D>& b
     if (a.has(key) && a.get<std::string>(key).find(normal) != std::string::npos)
       reject_symmetry("holds ", normal, " on the plane ", plane->words(), ", but ", key, " names ", normal,
                       ", too: remove one of the two");
-  support.constraint[at(plane->axis)] = Constraint::fixed;
+  support.constraint[plane->axis] = Constraint::fixed;
 }
 
 } // namespace

@@ -98,7 +98,7 @@ constexpr Function symbol_functions[] = {
 } // namespace
 
 void push_variables(lua_State* L, std::vector<std::string> names) {
-  const int count = static_cast<int>(names.size());
+  const int count = std::ssize(names);
   const auto graph = std::make_shared<Graph>(std::move(names));
   lua_createtable(L, count, 0);
   for (int i = 0; i < count; ++i) {

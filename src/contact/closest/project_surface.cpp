@@ -1,7 +1,5 @@
 #include "contact/closest/projection.hpp"
 
-#include "base/index.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,13 +22,13 @@ Coordinates newton_step(const Vec<3>& difference, const FaceGeometry<3>& point, 
   Mat<2> metric, hessian;
   for (int a = 0; a < 2; ++a)
     for (int b = 0; b < 2; ++b) {
-      metric(a, b) = point.tangent[at(a)].dot(point.tangent[at(b)]);
-      hessian(a, b) = metric(a, b) + difference.dot(point.second[at(a + b)]);
+      metric(a, b) = point.tangent[a].dot(point.tangent[b]);
+      hessian(a, b) = metric(a, b) + difference.dot(point.second[a + b]);
     }
   for (int a = 0; a < 2; ++a)
-    if (active[at(a)] != 0) {
+    if (active[a] != 0) {
       const int b = 1 - a;
-      if (active[at(b)] != 0) return Coordinates::Zero();
+      if (active[b] != 0) return Coordinates::Zero();
       Coordinates step = Coordinates::Zero();
       if (hessian(b, b) > 0) step(b) = -gradient(b) / hessian(b, b);
       if (hessian(b, b) > trusted_curvature * metric(b, b) ||
@@ -54,8 +52,8 @@ Coordinates newton_step(const Vec<3>& difference, const FaceGeometry<3>& point, 
 double allowed(const Coordinates& xi, const Coordinates& step, const std::array<Interval, 2>& box) {
   double fraction = 1;
   for (int a = 0; a < 2; ++a) {
-    if (step(a) > 0) fraction = std::min(fraction, (box[at(a)][1] - xi(a)) / step(a));
-    if (step(a) < 0) fraction = std::min(fraction, (box[at(a)][0] - xi(a)) / step(a));
+    if (step(a) > 0) fraction = std::min(fraction, (box[a][1] - xi(a)) / step(a));
+    if (step(a) < 0) fraction = std::min(fraction, (box[a][0] - xi(a)) / step(a));
   }
   return fraction;
 }
@@ -64,8 +62,8 @@ double allowed(const Coordinates& xi, const Coordinates& step, const std::array<
 /// error.
 bool holds(const EdgeStop& bounds, const Vec<3>& difference, const FaceGeometry<3>& point, const Coordinates& length) {
   for (int a = 0; a < 2; ++a) {
-    const Vec<3>& tangent = point.tangent[at(a)];
-    if (bounds[at(a)] * difference.dot(tangent) > border_slack * length(a) * tangent.squaredNorm()) return false;
+    const Vec<3>& tangent = point.tangent[a];
+    if (bounds[a] * difference.dot(tangent) > border_slack * length(a) * tangent.squaredNorm()) return false;
   }
   return true;
 }
@@ -77,7 +75,7 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
   const std::array<Interval, 2> box = {surface.interval(element, 0), surface.interval(element, 1)};
   const Coordinates length(box[0][1] - box[0][0], box[1][1] - box[1][0]);
   Coordinates xi;
-  for (int a = 0; a < 2; ++a) xi(a) = std::clamp(start(a), box[at(a)][0], box[at(a)][1]);
+  for (int a = 0; a < 2; ++a) xi(a) = std::clamp(start(a), box[a][0], box[a][1]);
   surface.locate(element, xi, 2, point);
   for (int iteration = 0;; ++iteration) {
     const Vec<3> difference = point.position - x;
@@ -85,14 +83,12 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
     // A bound is active if the distance decreases beyond it, and also if the step would cross it.
     EdgeStop active{};
     for (int a = 0; a < 2; ++a)
-      active[at(a)] = xi(a) <= box[at(a)][0] && gradient(a) > 0   ? -1
-                      : xi(a) >= box[at(a)][1] && gradient(a) < 0 ? 1
-                                                                  : 0;
+      active[a] = xi(a) <= box[a][0] && gradient(a) > 0 ? -1 : xi(a) >= box[a][1] && gradient(a) < 0 ? 1 : 0;
     EdgeStop extended = active;
     Coordinates step = newton_step(difference, point, gradient, active, length);
     for (int a : {0, 1, 0})
-      if ((xi(a) <= box[at(a)][0] && step(a) < 0) || (xi(a) >= box[at(a)][1] && step(a) > 0)) {
-        extended[at(a)] = step(a) < 0 ? -1 : 1;
+      if ((xi(a) <= box[a][0] && step(a) < 0) || (xi(a) >= box[a][1] && step(a) > 0)) {
+        extended[a] = step(a) < 0 ? -1 : 1;
         step = newton_step(difference, point, gradient, extended, length);
       }
     const double size = step.cwiseQuotient(length).cwiseAbs().maxCoeff(); // of the step, in elements
@@ -103,11 +99,11 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
       point.settled = size <= foot_tolerance;
       step *= fraction;
       xi += step;
-      for (int a = 0; a < 2; ++a) xi(a) = std::clamp(xi(a), box[at(a)][0], box[at(a)][1]);
+      for (int a = 0; a < 2; ++a) xi(a) = std::clamp(xi(a), box[a][0], box[a][1]);
       point.xi = xi;
-      for (int a = 0; a < 2; ++a) point.position += step(a) * point.tangent[at(a)];
+      for (int a = 0; a < 2; ++a) point.position += step(a) * point.tangent[a];
       for (int a = 0; a < 2; ++a)
-        for (int b = 0; b < 2; ++b) point.tangent[at(a)] += step(b) * point.second[at(a + b)];
+        for (int b = 0; b < 2; ++b) point.tangent[a] += step(b) * point.second[a + b];
       // A step along a border may turn the distance's slope across it: the minimum is then inside.
       if (iteration == most_foot_iterations || holds(extended, point.position - x, point, length)) return extended;
       surface.locate(element, xi, 2, point);
@@ -122,7 +118,7 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
       Coordinates next = xi + scale * step;
       for (int a = 0; a < 2; ++a) {
         // Steps that end at a border must end exactly on it.
-        const double from = box[at(a)][0], to = box[at(a)][1], slack = border_slack * length(a);
+        const double from = box[a][0], to = box[a][1], slack = border_slack * length(a);
         next(a) = next(a) < from + slack ? from : next(a) > to - slack ? to : next(a);
       }
       surface.locate(element, next, 2, point);
@@ -267,8 +263,8 @@ EdgeStop approach(const Surface<3>& surface, const Vec<3>& x, int element, const
   for (int moves = 0; moved && moves < 2 * surface.elements() + 8; ++moves) {
     moved = false;
     for (int a = 0; a < 2 && !moved; ++a) {
-      if (active[at(a)] == 0) continue;
-      const int next = surface.neighbor(point.element, a, active[at(a)] > 0);
+      if (active[a] == 0) continue;
+      const int next = surface.neighbor(point.element, a, active[a] > 0);
       if (next < 0) continue;
       const EdgeStop other = descend(surface, x, next, point.xi, beyond);
       // Across a smooth border the squared distance may decrease by less than its rounding error, though the foot is
@@ -276,8 +272,7 @@ EdgeStop approach(const Surface<3>& surface, const Vec<3>& x, int element, const
       // elements do not lead to each other in turn.
       const double here2 = (point.position - x).squaredNorm(), there2 = (beyond.position - x).squaredNorm();
       const bool nearer = there2 < here2 * (1 - distance_rounding);
-      const bool onward =
-          level < most_level_moves && there2 <= here2 * (1 + same_distance) && other[at(a)] != -active[at(a)];
+      const bool onward = level < most_level_moves && there2 <= here2 * (1 + same_distance) && other[a] != -active[a];
       if (!nearer && !onward) continue;
       level += !nearer;
       point = beyond;
@@ -295,8 +290,8 @@ Foot kind_of(const Surface<3>& surface, const ElementBoxes<3>& boxes, const Edge
   // An active bound at the minimum is the border of the face, a kink, or due to rounding error.
   bool kink[2] = {false, false}, pole = false;
   for (int a = 0; a < 2; ++a) {
-    if (active[at(a)] == 0) continue;
-    const bool at_end = active[at(a)] > 0;
+    if (active[a] == 0) continue;
+    const bool at_end = active[a] > 0;
     const int next = surface.neighbor(point.element, a, at_end);
     if (next < 0) {
       if (!collapsed(surface, point.element, a, at_end)) return Foot::none;

@@ -1,7 +1,6 @@
 #include "contact/face/face_grid.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "contact/constants.hpp"
 
 #include <algorithm>
@@ -32,7 +31,7 @@ public:
     for (std::size_t k = 0; k < 2; ++k) own[k] = way_.flip[k] ? own_[k] - 1 - index[way_.to[k]] : index[way_.to[k]];
     return own[0] + own_[0] * own[1];
   }
-  int node(const Index2& index) const { return part_->nodes[at(control_point(index))]; }
+  int node(const Index2& index) const { return part_->nodes[control_point(index)]; }
   VectorX homogeneous(const Index2& index) const { return part_->row.homogeneous().col(control_point(index)); }
   /// The part's direction along direction d of the whole.
   std::size_t along(std::size_t d) const { return way_.to[0] == d ? 0 : 1; }
@@ -71,7 +70,7 @@ public:
     // In order of placement each part takes its neighbors, behind its end first; so a ring of n parts is cut behind
     // the (n/2 + 1)-th, n/2 rounded down.
     for (std::size_t i = 0; i < order_.size(); ++i)
-      for (std::size_t d = 0; d < at(dimensions_); ++d)
+      for (int d = 0; d < dimensions_; ++d)
         for (const bool at_end : {true, false}) take_neighbor(order_[i], d, at_end);
     for (std::size_t i = 0; i < parts.size(); ++i)
       require(placed_[i].has_value(), turned_ ? "contact.faces.sides" : "contact.faces.apart",
@@ -114,7 +113,7 @@ private:
     for (auto& placed : placed_)
       for (std::size_t d = 0; d < 2; ++d) placed->cell[d] -= low[d];
     for (std::size_t d = 0; d < 2; ++d) cells_[d] = high[d] - low[d] + 1;
-    require(placed_.size() == at(cells_[0] * cells_[1]), "contact.faces.grid",
+    require(std::ssize(placed_) == cells_[0] * cells_[1], "contact.faces.grid",
             {{"list", list_}, {"face", parts_[order_.back()].name}});
   }
 
@@ -157,7 +156,7 @@ void append(const nurbs::Space1D& space, bool reversed, std::vector<double>& bre
     elements.push_back(std::move(element));
     const auto [from, to] = space.interval(e);
     breaks.push_back(breaks.back() + (to - from));
-    smoothness.push_back(i + 1 < count ? space.smoothness()[at(reversed ? e : e + 1)] : 0);
+    smoothness.push_back(i + 1 < count ? space.smoothness()[reversed ? e : e + 1] : 0);
   }
 }
 
@@ -165,7 +164,7 @@ FaceGrid Grid::whole() const {
   std::vector<nurbs::Space1D> directions;
   std::array<std::vector<int>, 2> first_function{std::vector<int>{0}, {0}}, first_element = first_function;
   Index2 size{1, 1};
-  for (std::size_t d = 0; d < at(dimensions_); ++d) {
+  for (int d = 0; d < dimensions_; ++d) {
     std::vector<double> breaks;
     std::vector<int> smoothness{-1};
     std::vector<nurbs::Element1D> elements;
@@ -181,13 +180,13 @@ FaceGrid Grid::whole() const {
     directions.emplace_back(std::move(breaks), std::move(smoothness), elements);
   }
 
-  std::vector<int> nodes(at(size[0] * size[1]), -1);
+  std::vector<int> nodes(size[0] * size[1], -1);
   MatrixX points(parts_.front().row.homogeneous().rows(), static_cast<Eigen::Index>(nodes.size()));
   const Eigen::Index weight = points.rows() - 1;
   for (const std::size_t k : order_) {
     const TurnedPart& part = placed_[k]->part;
     const Index2& cell = placed_[k]->cell;
-    const Index2 from{first_function[0][at(cell[0])], first_function[1][at(cell[1])]};
+    const Index2 from{first_function[0][cell[0]], first_function[1][cell[1]]};
     // A constant factor on all weights makes those on the borders equal.
     const auto each = [&](const auto& visit) {
       for (Index2 i{0, 0}; i[1] < part.functions(1); ++i[1])
@@ -195,15 +194,15 @@ FaceGrid Grid::whole() const {
     };
     double factor = 0;
     each([&](const Index2& i, int to) {
-      if (nodes[at(to)] < 0) return;
+      if (nodes[to] < 0) return;
       const double ratio = points(weight, to) / part.homogeneous(i)(weight);
       if (factor == 0) factor = ratio;
-      require(nodes[at(to)] == part.node(i) && std::abs(ratio / factor - 1) <= same_weights, "contact.faces.mesh",
+      require(nodes[to] == part.node(i) && std::abs(ratio / factor - 1) <= same_weights, "contact.faces.mesh",
               {{"list", list_}, {"face", parts_[k].name}});
     });
     each([&](const Index2& i, int to) {
-      if (nodes[at(to)] >= 0) return;
-      nodes[at(to)] = part.node(i);
+      if (nodes[to] >= 0) return;
+      nodes[to] = part.node(i);
       points.col(to) = (factor == 0 ? 1 : factor) * part.homogeneous(i);
     });
   }
@@ -212,9 +211,9 @@ FaceGrid Grid::whole() const {
   for (const auto& placed : placed_) {
     const auto& [part, cell] = *placed;
     FacePlace place{part.way(), {1, 1}, {0, 0}, directions[0].elements()};
-    for (std::size_t d = 0; d < at(dimensions_); ++d) {
+    for (int d = 0; d < dimensions_; ++d) {
       place.elements[part.along(d)] = part.space(d).elements();
-      place.first[d] = first_element[d][at(cell[d])];
+      place.first[d] = first_element[d][cell[d]];
     }
     result.places.push_back(place);
   }

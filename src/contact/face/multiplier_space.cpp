@@ -36,7 +36,7 @@ template <int D> FaceMultipliers<D>::FaceMultipliers(const Surface<D>& slave, Mu
     number.push_back(
         numbers.emplace(kind == MultiplierSpace::equal ? slave.shared(i) : i, static_cast<int>(numbers.size()))
             .first->second);
-  count = static_cast<int>(numbers.size());
+  count = std::ssize(numbers);
 }
 
 template struct FaceMultipliers<2>;

@@ -47,8 +47,8 @@ template <int D> Neighborhood smooth_neighborhood(const Surface<D>& surface, int
     // No border is smooth at the ends.
     const std::vector<int>& smoothness = surface.direction(static_cast<int>(d)).smoothness();
     const int own = block.first[d];
-    if (smoothness[at(own)] > 0) --block.first[d];
-    if (smoothness[at(own + 1)] > 0) ++block.last[d];
+    if (smoothness[own] > 0) --block.first[d];
+    if (smoothness[own + 1] > 0) ++block.last[d];
   }
   return block;
 }
@@ -68,17 +68,17 @@ template <int D> void ElementBoxes<D>::find_lone_distances(const Surface<D>& sur
   lone2_.resize(bounds_.size());
   for (int e = 0; e < surface.elements(); ++e) {
     const Neighborhood block = smooth_neighborhood(surface, e);
-    DerivativeBounds<D> all = bounds_[at(e)];
+    DerivativeBounds<D> all = bounds_[e];
     for (int j = block.first[1]; j <= block.last[1]; ++j)
-      for (int i = block.first[0]; i <= block.last[0]; ++i) all.include(bounds_[at(i + n * j)]);
-    lone2_[at(e)] = lone_distance2(all);
+      for (int i = block.first[0]; i <= block.last[0]; ++i) all.include(bounds_[i + n * j]);
+    lone2_[e] = lone_distance2(all);
   }
 }
 
 template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
   if (nodes_.empty()) {
     const int u = surface.direction(0).elements();
-    leaves_.resize(at(surface.elements()));
+    leaves_.resize(surface.elements());
     build(surface, {0, 0}, {u, surface.elements() / u});
   }
   for (std::size_t i = nodes_.size(); i-- > 0;) {
@@ -87,7 +87,7 @@ template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
       surface.bounds(node.element, node.box.lower, node.box.upper);
       continue;
     }
-    const Box &a = nodes_[i + 1].box, &b = nodes_[at(node.second)].box;
+    const Box &a = nodes_[i + 1].box, &b = nodes_[node.second].box;
     node.box = {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
   }
   find_lone_distances(surface);
@@ -102,14 +102,14 @@ void ElementBoxes<D>::build(const Surface<D>& surface, std::array<int, 2> first,
   if (u == 1 && v == 1) {
     const int element = first[0] + surface.direction(0).elements() * first[1];
     nodes_[index].element = element;
-    leaves_[at(element)] = static_cast<int>(index);
+    leaves_[element] = static_cast<int>(index);
     return;
   }
   const std::size_t d = u >= v ? 0 : 1;
   std::array<int, 2> end = last, start = first;
   end[d] = start[d] = (first[d] + last[d]) / 2;
   build(surface, first, end);
-  nodes_[index].second = static_cast<int>(nodes_.size());
+  nodes_[index].second = std::ssize(nodes_);
   build(surface, start, last);
 }
 

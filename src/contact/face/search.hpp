@@ -24,11 +24,11 @@ public:
   void update(const Surface<D>& surface);
   /// Squared diagonal of an element's box.
   double diagonal2(int element) const {
-    const Box& box = nodes_[at(leaves_[at(element)])].box;
+    const Box& box = nodes_[leaves_[element]].box;
     return (box.upper - box.lower).squaredNorm();
   }
   /// Squared distance below which a regular foot point on an element is the closest point of its smooth neighborhood.
-  double lone2(int element) const { return lone2_[at(element)]; }
+  double lone2(int element) const { return lone2_[element]; }
 
   /// Calls visit(element) for the elements whose boxes are nearer to x than `distance2()` (a squared distance,
   /// evaluated again before every visit), boxes near x first.
@@ -54,10 +54,10 @@ private:
   template <class Distance2, class Visit>
   void descend(int index, double own, const Vec<D>& x, Distance2& distance2, Visit& visit) const {
     if (own >= distance2()) return;
-    const Node& node = nodes_[at(index)];
+    const Node& node = nodes_[index];
     if (node.element >= 0) return visit(node.element);
     int near = index + 1, far = node.second;
-    double to_near = nodes_[at(near)].box.distance2(x), to_far = nodes_[at(far)].box.distance2(x);
+    double to_near = nodes_[near].box.distance2(x), to_far = nodes_[far].box.distance2(x);
     if (to_far < to_near) {
       std::swap(near, far);
       std::swap(to_near, to_far);

@@ -11,7 +11,7 @@ namespace {
 
 /// 0, 1, … count − 1.
 std::vector<int> numbers(int count) {
-  std::vector<int> list(at(count));
+  std::vector<int> list(count);
   std::iota(list.begin(), list.end(), 0);
   return list;
 }
@@ -79,16 +79,16 @@ template <int D> void Surface<D>::tabulate() {
       element.index[d] = d == 0 ? e % u.elements() : e / u.elements();
       functions.along[d] = spaces_[d].functions_on(element.index[d]);
       functions.stride[d] = d == 0 ? 1 : u.functions();
-      element.functions *= static_cast<int>(functions.along[d].size());
+      element.functions *= std::ssize(functions.along[d]);
       element.points *= spaces_[d].degree(element.index[d]) + 1;
     }
-    bezier_.resize(element.bezier + at(width() * element.points), 0.0);
+    bezier_.resize(element.bezier + width() * element.points, 0.0);
     functions.each([&](int node, const std::array<int, 3>&) { nodes_.push_back(node); });
     most_functions_ = std::max(most_functions_, element.functions);
     elements_.push_back(element);
   }
   const int last = *std::max_element(functions_.begin(), functions_.end());
-  move(std::vector<double>(at(D * (last + 1)), 0.0).data());
+  move(std::vector<double>(D * (last + 1), 0.0).data());
 }
 
 template <int D> std::array<bool, 2> Surface<D>::open_ends(int alpha) const {
@@ -121,7 +121,7 @@ template <int D> double Surface<D>::last_length(int alpha, bool at_end) const {
         xi(a) = a == alpha ? (at_end ? to : from) : first + across * (last - first);
       }
       locate(e, xi, 1, point);
-      longest = std::max(longest, point.tangent[at(alpha)].norm() * (to - from));
+      longest = std::max(longest, point.tangent[alpha].norm() * (to - from));
     }
   }
   return longest;
@@ -133,16 +133,16 @@ template <int D> void Surface<D>::extend(double part, double longest) {
   for (int a = 0; a < D - 1; ++a)
     for (const bool at_end : {false, true}) {
       if (!open_ends(a)[at_end]) continue;
-      const auto [from, to] = own[at(a)].interval(at_end ? own[at(a)].elements() - 1 : 0);
-      parts[at(a)][at_end] = std::min(part, longest / last_length(a, at_end));
-      beyond_[at(a)][at_end] = parts[at(a)][at_end] * (to - from);
+      const auto [from, to] = own[a].interval(at_end ? own[a].elements() - 1 : 0);
+      parts[a][at_end] = std::min(part, longest / last_length(a, at_end));
+      beyond_[a][at_end] = parts[a][at_end] * (to - from);
     }
   for (std::size_t a = 0; a < D - 1; ++a) spaces_[a] = extended(own[a], parts[a], beyond_[a]);
   tabulate();
   // Weights that decrease steeply towards an end become negative beyond it; then a shorter extension is tried.
   for (const Element& element : elements_)
     for (int k = 0; k < element.points && !polynomial_; ++k)
-      if (bezier_[element.bezier + at(width() * k + D)] <= 0) {
+      if (bezier_[element.bezier + width() * k + D] <= 0) {
         spaces_ = own;
         tabulate();
         return extend(part / 2, longest / 2);
@@ -153,8 +153,8 @@ template <int D> double Surface<D>::fade(const FaceCoordinates<D>& xi, FaceCoord
   double product = 1;
   rate.setZero();
   for (int a = 0; a < D - 1; ++a) {
-    const bool behind = xi(a) > ends_[at(a)][1];
-    const double length = beyond_[at(a)][behind], out = behind ? xi(a) - ends_[at(a)][1] : ends_[at(a)][0] - xi(a);
+    const bool behind = xi(a) > ends_[a][1];
+    const double length = beyond_[a][behind], out = behind ? xi(a) - ends_[a][1] : ends_[a][0] - xi(a);
     if (out <= 0 || length == 0) continue;
     // w = (1 − s)² (1 + 2s),  s the distance from the end relative to the extension
     const double s = std::min(out / length, 1.0), w = (1 - s) * (1 - s) * (1 + 2 * s);

@@ -2,7 +2,6 @@
 // Moving contact face: the NURBS face of a body, evaluated at the current control points.
 
 #include "base/eigen.hpp"
-#include "base/index.hpp"
 #include "contact/face/face_grid.hpp"
 #include "nurbs/discretization.hpp"
 
@@ -79,22 +78,22 @@ public:
 
   /// Of several faces, where each lies in the whole.
   const std::vector<FacePlace>& places() const { return places_; }
-  int elements() const { return static_cast<int>(elements_.size()); }
+  int elements() const { return std::ssize(elements_); }
   /// Number of functions on an element.
-  int functions_on(int element) const { return elements_[at(element)].functions; }
+  int functions_on(int element) const { return elements_[element].functions; }
   /// Largest number of functions on an element.
   int most_functions() const { return most_functions_; }
   /// Control points of the face.
-  int functions() const { return static_cast<int>(functions_.size()); }
+  int functions() const { return std::ssize(functions_); }
   /// Face-local indices of the functions of an element.
-  const int* nodes(int element) const { return nodes_.data() + elements_[at(element)].nodes; }
+  const int* nodes(int element) const { return nodes_.data() + elements_[element].nodes; }
   /// The body's function of face-local index i, in a scene numbered through all bodies.
-  int body_function(int i) const { return functions_[at(i)]; }
+  int body_function(int i) const { return functions_[i]; }
   /// A number that face-local indices have in common if their control points share unknowns: at a seam, at a pole.
-  int shared(int i) const { return shared_.empty() ? body_function(i) : shared_[at(i)]; }
+  int shared(int i) const { return shared_.empty() ? body_function(i) : shared_[i]; }
   /// Degree of an element along the face's direction α.
   int degree(int element, int alpha) const { return direction(alpha).degree(index(element, alpha)); }
-  const nurbs::Space1D& direction(int alpha) const { return spaces_[at(alpha)]; }
+  const nurbs::Space1D& direction(int alpha) const { return spaces_[alpha]; }
   /// Parametric interval of an element in direction α.
   std::array<double, 2> interval(int element, int alpha) const {
     return direction(alpha).interval(index(element, alpha));
@@ -156,7 +155,7 @@ private:
   using Bernsteins = std::array<std::array<double, 3 * (nurbs::max_degree + 1)>, D - 1>;
 
   Surface(const nurbs::Row& row, std::vector<int> functions, double orientation);
-  int index(int element, int alpha) const { return elements_[at(element)].index[at(alpha)]; }
+  int index(int element, int alpha) const { return elements_[element].index[alpha]; }
   void tabulate();
   std::array<bool, 2> open_ends(int alpha) const;
   double last_length(int alpha, bool at_end) const;

@@ -126,13 +126,11 @@ template <int D> DerivativeBounds<D> rational_bounds(BezierElement<D> element) {
 } // namespace
 
 template <int D> DerivativeBounds<D> Surface<D>::derivative_bounds(int element) const {
-  BezierElement<D> own{bezier_.data() + elements_[at(element)].bezier,
-                       degree(element, 0) + 1,
-                       D == 2 ? 1 : degree(element, D - 2) + 1,
-                       {}};
+  BezierElement<D> own{
+      bezier_.data() + elements_[element].bezier, degree(element, 0) + 1, D == 2 ? 1 : degree(element, D - 2) + 1, {}};
   for (int a = 0; a < D - 1; ++a) {
     const auto [from, to] = interval(element, a);
-    own.lengths[at(a)] = to - from;
+    own.lengths[a] = to - from;
   }
   if (!polynomial_) return rational_bounds<D>(own);
   return homogeneous_bounds < D, D == 2 ? 2 : 4, false > (own).position;

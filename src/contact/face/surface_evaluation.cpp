@@ -21,7 +21,7 @@ template <int P> const std::array<double, 3 * (P + 1) * (P + 1)>& grid_bernstein
     for (int i = 0; i < n; ++i) {
       double b[P + 1];
       nurbs::bernstein<P, 0>(static_cast<double>(i) / (n - 1), 1, b);
-      for (int k = 0; k <= P; ++k) values[at(k * n + i)] = b[k];
+      for (int k = 0; k <= P; ++k) values[k * n + i] = b[k];
     }
     return values;
   }();
@@ -132,13 +132,13 @@ template <int D> void Surface<D>::bounds(int element, Vec<D>& lower, Vec<D>& upp
 
 template <int D> template <int W> void Surface<D>::bounds_with(int element, Vec<D>& lower, Vec<D>& upper) const {
   using Row = Eigen::Matrix<double, W, 1>;
-  const double* q = bezier_.data() + elements_[at(element)].bezier;
+  const double* q = bezier_.data() + elements_[element].bezier;
   const auto point = [&](int k) {
     const Eigen::Map<const Row> row(q + k * W);
     return polynomial_ ? Row(row) : Row(row / row(W == 4 ? D : 0));
   };
   Row least = point(0), most = least;
-  for (int k = 1; k < elements_[at(element)].points; ++k) {
+  for (int k = 1; k < elements_[element].points; ++k) {
     const Row x = point(k);
     least = least.cwiseMin(x);
     most = most.cwiseMax(x);
@@ -149,9 +149,9 @@ template <int D> template <int W> void Surface<D>::bounds_with(int element, Vec<
 
 template <int D> double Surface<D>::least_along(int element, const Vec<D>& direction) const {
   const int width = this->width();
-  const double* q = bezier_.data() + elements_[at(element)].bezier;
+  const double* q = bezier_.data() + elements_[element].bezier;
   double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < elements_[at(element)].points; ++k, q += width) {
+  for (int k = 0; k < elements_[element].points; ++k, q += width) {
     const double x = direction.dot(Eigen::Map<const Vec<D>>(q));
     least = std::min(least, polynomial_ ? x : x / q[D]);
   }
@@ -165,9 +165,9 @@ void Surface<D>::bernsteins(int element, const FaceCoordinates<D>& xi, Bernstein
   for (int d = 0; d < D - 1; ++d) {
     const auto [a, b] = interval(element, d);
     if constexpr (P > 0)
-      nurbs::bernstein<P, Order>((xi(d) - a) / (b - a), 1 / (b - a), out[at(d)].data());
+      nurbs::bernstein<P, Order>((xi(d) - a) / (b - a), 1 / (b - a), out[d].data());
     else
-      nurbs::bernstein(degree(element, d), (xi(d) - a) / (b - a), b - a, Order, out[at(d)].data());
+      nurbs::bernstein(degree(element, d), (xi(d) - a) / (b - a), b - a, Order, out[d].data());
   }
 }
 
@@ -192,7 +192,7 @@ void Surface<D>::locate_with(int element, const FaceCoordinates<D>& xi, FaceGeom
   bernsteins<P, Order>(element, xi, b);
   const int nu = P > 0 ? P + 1 : degree(element, 0) + 1;
   const int nv = D == 2 ? 1 : P > 0 ? P + 1 : degree(element, D - 2) + 1;
-  const double *u = b[0].data(), *v = b[D - 2].data(), *q = bezier_.data() + elements_[at(element)].bezier;
+  const double *u = b[0].data(), *v = b[D - 2].data(), *q = bezier_.data() + elements_[element].bezier;
   // (W x, W) and its derivatives in the order value; ,1 (,2); ,11 (,12 ,22)
   constexpr int count = D == 2 ? Order + 1 : (Order + 1) * (Order + 2) / 2;
   Row sums[count];
@@ -236,9 +236,9 @@ void Surface<D>::locate_with(int element, const FaceCoordinates<D>& xi, FaceGeom
   }
   point.position = sums[0].template head<D>();
   if constexpr (Order > 0)
-    for (int a = 0; a < D - 1; ++a) point.tangent[at(a)] = sums[1 + a].template head<D>();
+    for (int a = 0; a < D - 1; ++a) point.tangent[a] = sums[1 + a].template head<D>();
   if constexpr (Order > 1)
-    for (int k = 0; k < FaceGeometry<D>::seconds; ++k) point.second[at(k)] = sums[D + k].template head<D>();
+    for (int k = 0; k < FaceGeometry<D>::seconds; ++k) point.second[k] = sums[D + k].template head<D>();
 }
 
 template <int D> void Surface<D>::sample(int element, double* positions) const {
@@ -248,7 +248,7 @@ template <int D> void Surface<D>::sample(int element, double* positions) const {
 template <int D> template <int P> void Surface<D>::sample_with(int element, double* positions) const {
   const int width = this->width(), nu = degree(element, 0) + 1, nv = D == 2 ? 1 : degree(element, D - 2) + 1;
   const int gu = 3 * nu, gv = D == 2 ? 1 : 3 * nv, size = gu * gv;
-  const double* q = bezier_.data() + elements_[at(element)].bezier;
+  const double* q = bezier_.data() + elements_[element].bezier;
   if constexpr (P == 0) {
     FaceGeometry<D> point;
     const auto [from, to] = interval(element, 0);
@@ -306,7 +306,7 @@ template <int D> template <int P> void Surface<D>::weighted_functions(FacePoint<
     for (int k = 0; k <= order; ++k)
       for (int a = 0; a < n; ++a) {
         double sum = 0;
-        for (int l = 0; l < points; ++l) sum += c[a * points + l] * b[at(d)][at(k * points + l)];
+        for (int l = 0; l < points; ++l) sum += c[a * points + l] * b[d][k * points + l];
         along[d][k * n + a] = sum;
       }
   }
@@ -314,10 +314,10 @@ template <int D> template <int P> void Surface<D>::weighted_functions(FacePoint<
   for (int j = 0, a = 0; j < nv; ++j)
     for (int i = 0; i < nu; ++i, ++a) {
       const double w = polynomial_ ? 1 : weights_(local[a]), v = D == 2 ? 1 : along[1][j];
-      point.value[at(a)] = w * along[0][i] * v;
+      point.value[a] = w * along[0][i] * v;
       if (order == 0) continue;
-      point.derivative[0][at(a)] = w * along[0][nu + i] * v;
-      if constexpr (D == 3) point.derivative[1][at(a)] = w * along[0][i] * along[1][nv + j];
+      point.derivative[0][a] = w * along[0][nu + i] * v;
+      if constexpr (D == 3) point.derivative[1][a] = w * along[0][i] * along[1][nv + j];
     }
 }
 
@@ -327,14 +327,14 @@ template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) cons
   // R = wN/W,  R_,α = (w N_,α − R W_,α)/W
   const int n = functions_on(point.element);
   double total = 0;
-  for (int a = 0; a < n; ++a) total += point.value[at(a)];
+  for (int a = 0; a < n; ++a) total += point.value[a];
   const double scale = 1 / total;
-  for (int a = 0; a < n; ++a) point.value[at(a)] *= scale;
+  for (int a = 0; a < n; ++a) point.value[a] *= scale;
   for (int d = 0; d < D - 1 && order > 0; ++d) {
-    auto& derivative = point.derivative[at(d)];
+    auto& derivative = point.derivative[d];
     double rate = 0;
-    for (int a = 0; a < n; ++a) rate += derivative[at(a)];
-    for (int a = 0; a < n; ++a) derivative[at(a)] = (derivative[at(a)] - point.value[at(a)] * rate) * scale;
+    for (int a = 0; a < n; ++a) rate += derivative[a];
+    for (int a = 0; a < n; ++a) derivative[a] = (derivative[a] - point.value[a] * rate) * scale;
   }
 }
 

@@ -31,7 +31,7 @@ void combine(int nodes, const std::array<const double*, Count>& functions,
 template <int D>
 BlockSums<D>::BlockSums(const Surface<D>& slave, const Master<D>& master, Pass pass)
     : slave_(slave), master_(master), pass_(pass),
-      columns_(D == 2 ? at(D * (slave.most_functions() + 2 * master.most_functions()) * (2 * D - 1)) : 0) {}
+      columns_(D == 2 ? D * (slave.most_functions() + 2 * master.most_functions()) * (2 * D - 1) : 0) {}
 
 /// Index of the block with these elements, which is created if necessary.
 template <int D> std::size_t BlockSums<D>::find(int slave_element, int master_element, int slip_element, bool tangent) {
@@ -51,8 +51,8 @@ template <int D> std::size_t BlockSums<D>::find(int slave_element, int master_el
   result.slip_element = slip_element;
   result.rows = D * (ns + master_rows(nm));
   result.columns = D * (ns + nm + (slip_element >= 0 ? master_.functions_on(slip_element) : 0));
-  result.force.assign(at(result.rows), 0.0);
-  result.matrix.assign(tangent ? at(result.rows * result.columns) : 0, 0.0);
+  result.force.assign(result.rows, 0.0);
+  result.matrix.assign(tangent ? result.rows * result.columns : 0, 0.0);
   if constexpr (D == 3) {
     const std::size_t own = blocks_.size() - 1 - first_;
     if (products_.size() <= own) products_.emplace_back();
@@ -73,17 +73,17 @@ void BlockSums<D>::fill_columns(const Block& block, const double* r, double w, c
   const int nl = own_columns ? master_.functions_on(block.slip_element) : 0, width = block.columns;
   std::array<const double*, D> of_slave, of_master;
   for (int k = 0; k < D; ++k) {
-    of_slave[at(k)] = r + k * ns;
-    of_master[at(k)] = k == 0 ? master.value.data() : master.derivative[at(k - 1)].data();
+    of_slave[k] = r + k * ns;
+    of_master[k] = k == 0 ? master.value.data() : master.derivative[k - 1].data();
   }
   const auto segment = [&](const auto& rows, int i, int column) -> Eigen::Matrix<double, 1, D> {
     return w * rows.template block<1, D>(i, column);
   };
   std::array<Eigen::Matrix<double, 1, D>, D> vectors;
   for (int i = 0; i < D; ++i, dt += width) {
-    for (int k = 0; k < D; ++k) vectors[at(k)] = segment(force.tangent, i, k * D);
+    for (int k = 0; k < D; ++k) vectors[k] = segment(force.tangent, i, k * D);
     combine<D>(ns, of_slave, vectors, dt);
-    for (int k = 0; k < D; ++k) vectors[at(k)] = segment(force.tangent, i, Force::master_column + k * D);
+    for (int k = 0; k < D; ++k) vectors[k] = segment(force.tangent, i, Force::master_column + k * D);
     double* to = dt + D * ns;
     if (slip_point) {
       const Eigen::Matrix<double, 1, D> slip = segment(force.tangent, i, Force::slip_column);
@@ -105,7 +105,7 @@ void BlockSums<D>::fill_columns(const Block& block, const double* r, double w, c
   }
   for (int k = 0; k < D - 1; ++k, dxi += width) {
     combine<D, 1>(ns, {r}, {segment(force.shift, k, 0)}, dxi);
-    for (int l = 0; l < D; ++l) vectors[at(l)] = segment(force.shift, k, Force::master_column + l * D);
+    for (int l = 0; l < D; ++l) vectors[l] = segment(force.shift, k, Force::master_column + l * D);
     combine<D>(nm, of_master, vectors, dxi + D * ns);
     std::fill_n(dxi + D * (ns + nm), D * nl, 0.0);
   }
@@ -129,7 +129,7 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
   for (int a = 0; a < ns; ++a)
     for (int i = 0; i < D; ++i) *out++ -= w * r[a] * force.force(i);
   for (int a = 0; a < rows; ++a)
-    for (int i = 0; i < D; ++i) *out++ += w * master.value[at(a)] * force.force(i);
+    for (int i = 0; i < D; ++i) *out++ += w * master.value[a] * force.force(i);
   if (!tangent) return;
 
   // ∂f_A = −R_A ∂T on the slave, R̄_A ∂T + T R̄_A,α ∂ξ̄^α on the master
@@ -141,7 +141,7 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
     double* rates = factors.rates;
     for (std::size_t k = 0; k < 2 && rows > 0; ++k)
       for (int a = 0; a < rows; ++a)
-        for (int i = 0; i < 3; ++i) *rates++ = force.force(i) * master.derivative[k][at(a)];
+        for (int i = 0; i < 3; ++i) *rates++ = force.force(i) * master.derivative[k][a];
   } else {
     double* const dt = columns_.data();
     double* const dxi = dt + D * width;
@@ -154,7 +154,7 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
         for (int c = 0; c < width; ++c) matrix[c] -= factor * row[c];
       }
     for (int a = 0; a < rows; ++a) {
-      const std::size_t m = at(a);
+      const std::size_t m = a;
       for (int i = 0; i < D; ++i, matrix += width) {
         const double factor = master.value[m];
         const double* row = dt + i * width;

@@ -117,7 +117,7 @@ void CohesiveContact<D>::record_bond(std::size_t i, const Trial<D>& trial, const
   result.area = result.law_area * stretch;
   result.force += result.area * traction;
   result.potential += result.law_area * 0.5 * separation.stiffness * own.opening * own.opening;
-  for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[at(k)];
+  for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[k];
   if (foot) return;
   result.gap = normal.dot(bond.apart);
   if (separation.dissipated < broken_energy * law_.energy) result.state = ContactState::bonded;

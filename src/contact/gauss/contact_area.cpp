@@ -20,39 +20,38 @@ constexpr double open_gap = 0.1;
 template <int D> class PointGrid {
 public:
   PointGrid(const Formulation<D>& formulation, const History<D>& history)
-      : slave_(formulation.slave()), points_(formulation.points()), per_direction_(at(slave_.elements())),
-        first_(at(slave_.elements())) {
+      : slave_(formulation.slave()), points_(formulation.points()), per_direction_(slave_.elements()),
+        first_(slave_.elements()) {
     behind_[0] = shares_behind(points_.full);
     if (points_.sparse > 0) behind_[1] = shares_behind(points_.sparse);
     for (int e = 0; e < slave_.elements(); ++e) {
-      const bool few = !history.sparse.empty() && history.sparse[at(e)];
-      per_direction_[at(e)] = few ? points_.sparse : points_.full;
-      first_[at(e)] = numbers_.size();
-      numbers_.resize(
-          numbers_.size() + at(D == 2 ? per_direction_[at(e)] : per_direction_[at(e)] * per_direction_[at(e)]), -1);
+      const bool few = !history.sparse.empty() && history.sparse[e];
+      per_direction_[e] = few ? points_.sparse : points_.full;
+      first_[e] = numbers_.size();
+      numbers_.resize(numbers_.size() + (D == 2 ? per_direction_[e] : per_direction_[e] * per_direction_[e]), -1);
     }
     for (std::size_t i = 0; i < points_.size(); ++i)
       if (const ContactPoint& point = points_.list[i]; acts(points_, history, i))
-        numbers_[first_[at(point.element)] + at(point.number)] = static_cast<int>(i);
+        numbers_[first_[point.element] + point.number] = static_cast<int>(i);
   }
 
   /// The next point along a direction; −1 at an end of the face or of the contact's region, and next to an element
   /// with another rule.
   int next(int i, int direction, bool forward) const {
-    const ContactPoint& point = points_.list[at(i)];
-    const int n = per_direction_[at(point.element)], step = direction == 0 ? 1 : n;
+    const ContactPoint& point = points_.list[i];
+    const int n = per_direction_[point.element], step = direction == 0 ? 1 : n;
     const int own = point.number / step % n, last = forward ? n - 1 : 0;
-    if (own != last) return numbers_[first_[at(point.element)] + at(point.number + (forward ? step : -step))];
+    if (own != last) return numbers_[first_[point.element] + point.number + (forward ? step : -step)];
     const int element = slave_.neighbor(point.element, direction, forward);
-    if (element < 0 || per_direction_[at(element)] != n) return -1;
-    return numbers_[first_[at(element)] + at(point.number + (forward ? -1 : 1) * (n - 1) * step)];
+    if (element < 0 || per_direction_[element] != n) return -1;
+    return numbers_[first_[element] + point.number + (forward ? -1 : 1) * (n - 1) * step];
   }
 
   /// The part of a point's Gauss weight on one side of it.
   double share(int i, int direction, bool forward) const {
-    const ContactPoint& point = points_.list[at(i)];
-    const int n = per_direction_[at(point.element)], own = direction == 0 ? point.number % n : point.number / n;
-    const double behind = behind_[point.sparse][at(own)];
+    const ContactPoint& point = points_.list[i];
+    const int n = per_direction_[point.element], own = direction == 0 ? point.number % n : point.number / n;
+    const double behind = behind_[point.sparse][own];
     return forward ? 1 - behind : behind;
   }
 
@@ -127,13 +126,13 @@ private:
 
   /// The gap less the offset; infinite beyond the end of the master.
   double gap(int i) {
-    double& gap = gap_[at(i)];
+    double& gap = gap_[i];
     if (!std::isnan(gap)) return gap;
-    const PointResult<D>& result = history_.results[at(i)];
+    const PointResult<D>& result = history_.results[i];
     if (result.state != ContactState::open) return gap = result.gap;
     FacePoint<D> foot;
-    const Projection<D> found = formulation_.master().project(result.position, history_.points[at(i)].projection, foot);
-    return gap = found.foot == Foot::none ? no_gap : found.gap - formulation_.offset(at(i), history_);
+    const Projection<D> found = formulation_.master().project(result.position, history_.points[i].projection, foot);
+    return gap = found.foot == Foot::none ? no_gap : found.gap - formulation_.offset(i, history_);
   }
 
   /// Length of a point's element.
@@ -145,17 +144,17 @@ private:
 
   void clear_fringe() {
     const auto is_wide = [&](int i) {
-      const PointResult<D>& result = history_.results[at(i)];
-      return result_.inside[at(i)] && touches(result.state) &&
-             modulus_ * result.gap > open_gap * length_of(at(i)) * result.pressure;
+      const PointResult<D>& result = history_.results[i];
+      return result_.inside[i] && touches(result.state) &&
+             modulus_ * result.gap > open_gap * length_of(i) * result.pressure;
     };
     std::vector<int> fringe;
     const auto move_out = [&](int i) {
-      result_.inside[at(i)] = false;
+      result_.inside[i] = false;
       fringe.push_back(i);
     };
-    for (int i = 0; i < static_cast<int>(gap_.size()); ++i)
-      if (acts(formulation_.points(), history_, at(i)) && history_.results[at(i)].state == ContactState::open)
+    for (int i = 0; i < std::ssize(gap_); ++i)
+      if (acts(formulation_.points(), history_, i) && history_.results[i].state == ContactState::open)
         each_neighbor(i, [&](int j) {
           if (is_wide(j)) move_out(j);
         });
@@ -170,10 +169,10 @@ private:
 
   /// Notes of each element whether none, all or some of its points are inside.
   void sort_elements() {
-    elements_.assign(at(formulation_.slave().elements()), Inside::unknown);
+    elements_.assign(formulation_.slave().elements(), Inside::unknown);
     for (std::size_t i = 0; i < history_.results.size(); ++i) {
       if (!acts(formulation_.points(), history_, i)) continue;
-      Inside& element = elements_[at(formulation_.points().list[i].element)];
+      Inside& element = elements_[formulation_.points().list[i].element];
       const Inside own = result_.inside[i] ? Inside::all : Inside::none;
       element = element == Inside::unknown || element == own ? own : Inside::some;
     }
@@ -181,9 +180,9 @@ private:
 
   /// Whether all points of an element and of its neighbors are inside, or none.
   bool is_uniform(int element) const {
-    const Inside own = elements_[at(element)];
+    const Inside own = elements_[element];
     if (own == Inside::some) return false;
-    const auto differs = [&](int other) { return other >= 0 && elements_[at(other)] != own; };
+    const auto differs = [&](int other) { return other >= 0 && elements_[other] != own; };
     const Surface<D>& face = formulation_.slave();
     for (const bool first : {false, true}) {
       const int a = face.neighbor(element, 0, first);
@@ -229,12 +228,12 @@ private:
 
   /// The part inside of a cell of neighboring points, the first of which takes the place of those that are missing.
   double cell_inside(std::array<int, 4> corners) {
-    const bool inside = result_.inside[at(corners[0])];
+    const bool inside = result_.inside[corners[0]];
     bool mixed = false, held = false;
     for (int& corner : corners) {
       if (corner < 0) corner = corners[0];
-      mixed = mixed || (result_.inside[at(corner)] != 0) != inside;
-      const ContactState state = history_.results[at(corner)].state;
+      mixed = mixed || (result_.inside[corner] != 0) != inside;
+      const ContactState state = history_.results[corner].state;
       held = held || (state != ContactState::open && !touches(state));
     }
     if (!mixed || held) return inside;
@@ -242,9 +241,9 @@ private:
     for (std::size_t k = 0; k < 4; ++k) {
       const double own = gap(corners[k]);
       if (own == no_gap) return inside;
-      gaps[k] = result_.inside[at(corners[k])] ? -std::max(-own, 0.0) : std::max(own, 0.0);
+      gaps[k] = result_.inside[corners[k]] ? -std::max(-own, 0.0) : std::max(own, 0.0);
     }
-    return negative_part(gaps, [&](std::size_t k) { return result_.inside[at(corners[k])] != 0; });
+    return negative_part(gaps, [&](std::size_t k) { return result_.inside[corners[k]] != 0; });
   }
 
   const Formulation<D>& formulation_;

@@ -106,7 +106,7 @@ template <int D> void Formulation<D>::choose_points(History<D>& present, double 
     std::vector<std::size_t> before, after;
     for (last = first; last < points_.size() && points_.list[last].element == e; ++last)
       (acts(points_, present, last) ? before : after).push_back(last);
-    if (sparse[at(e)] == present.sparse[at(e)]) continue;
+    if (sparse[e] == present.sparse[e]) continue;
     recall(memories<D>(*this, present, before), *this, after, present);
     for (const std::size_t i : before) {
       present.growth -= present.results[i].potential;

@@ -15,7 +15,7 @@ GaussPointContact<D>::GaussPointContact(ContactSetting<D> setting, Pass pass)
 }
 
 template <int D> void GaussPointContact<D>::evaluate_part(int index, const Trial<D>& trial, bool tangent) {
-  Part& part = parts_[static_cast<std::size_t>(index)];
+  Part& part = parts_[index];
   part.tangent = tangent;
   Feet feet;
   for (std::size_t i = part.first; i < part.last; ++i) {
@@ -80,7 +80,7 @@ void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const Lo
   result.gap = geometry.gap - geometry.offset;
   // Cauchy tractions, whatever the area on which the law's act: t da = T dA
   result.pressure = force.pressure / force.stretch;
-  for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[static_cast<std::size_t>(k)];
+  for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[k];
   result.friction = force.friction / force.stretch;
   result.force = weight * force.force;
   result.law_area = weight * force.measure;

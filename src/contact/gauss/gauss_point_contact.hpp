@@ -12,7 +12,7 @@ template <int D> class GaussPointContact : public Formulation<D> {
 public:
   explicit GaussPointContact(ContactSetting<D> setting, Pass pass = Pass::full);
 
-  int parts() const final { return static_cast<int>(parts_.size()); }
+  int parts() const final { return std::ssize(parts_); }
   void evaluate_part(int part, const Trial<D>& trial, bool tangent) final;
   void gather(const Trial<D>& trial, bool tangent) final;
   double memory() const final;

@@ -17,12 +17,12 @@ struct Shadow {
 template <int D>
 std::vector<Shadow> shadows(const Formulation<D>& formulation, const History<D>& history, int direction) {
   const ContactPoints<D>& points = formulation.points();
-  std::vector<Shadow> all(at(formulation.slave().elements()));
+  std::vector<Shadow> all(formulation.slave().elements());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!acts(points, history, i)) continue;
     const ContactPoint& point = points.list[i];
     const int per_direction = point.sparse ? points.sparse : points.full;
-    Shadow& shadow = all[at(point.element)];
+    Shadow& shadow = all[point.element];
     shadow.points = per_direction;
     if (history.results[i].state == ContactState::open || history.results[i].pressure <= 0) continue;
     shadow.closed.insert(direction == 0 ? point.number % per_direction : point.number / per_direction);
@@ -33,17 +33,17 @@ std::vector<Shadow> shadows(const Formulation<D>& formulation, const History<D>&
 template <int D>
 ZoneExtent extent_along(const Surface<D>& slave, const std::vector<Shadow>& all, int start, int direction) {
   const auto share = [](const Shadow& shadow) { return static_cast<double>(shadow.closed.size()) / shadow.points; };
-  ZoneExtent result{share(all[at(start)])};
+  ZoneExtent result{share(all[start])};
   for (const bool onward : {false, true}) {
     int last = start;
     for (int e = slave.neighbor(start, direction, onward);; e = slave.neighbor(e, direction, onward)) {
-      if (e < 0 || all[at(e)].points == 0) {
-        const Shadow& end = all[at(last)];
+      if (e < 0 || all[e].points == 0) {
+        const Shadow& end = all[last];
         result.edges += onward ? end.closed.contains(end.points - 1) : end.closed.contains(0);
         break;
       }
-      if (all[at(e)].closed.empty()) break;
-      result.elements += share(all[at(e)]);
+      if (all[e].closed.empty()) break;
+      result.elements += share(all[e]);
       last = e;
     }
   }
@@ -56,9 +56,9 @@ template <int D> std::optional<PeakZone<D>> peak_zone(const Formulation<D>& form
   const auto peak = std::ranges::max_element(
       history.results, {}, [](const PointResult<D>& point) { return touches(point.state) ? point.pressure : 0; });
   if (peak == history.results.end() || !touches(peak->state) || peak->pressure <= 0) return std::nullopt;
-  PeakZone<D> zone{formulation.points().list[at(static_cast<int>(peak - history.results.begin()))].element, {}};
+  PeakZone<D> zone{formulation.points().list[static_cast<int>(peak - history.results.begin())].element, {}};
   for (int direction = 0; direction < D - 1; ++direction)
-    zone.extent[at(direction)] =
+    zone.extent[direction] =
         extent_along(formulation.slave(), shadows(formulation, history, direction), zone.element, direction);
   return zone;
 }

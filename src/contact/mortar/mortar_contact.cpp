@@ -14,9 +14,8 @@ template <int D>
 MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLaw& law, Pass pass)
     : Formulation<D>(setting), law_(checked(law.penalty)), scale_(law.scale > 0 ? law.scale : law.penalty.normal),
       pass_(pass), functions_(this->slave_, this->points_, setting.points, law.multipliers),
-      is_skipped_(at(this->slave_.elements()), false), cleared_(at(this->slave_.elements()), 0.0),
-      sums_(at(functions_.count())), fractions_(at(functions_.count())), tangents_(at(functions_.count())),
-      strips_(at(this->slave_.elements())) {
+      is_skipped_(this->slave_.elements(), false), cleared_(this->slave_.elements(), 0.0), sums_(functions_.count()),
+      fractions_(functions_.count()), tangents_(functions_.count()), strips_(this->slave_.elements()) {
   for (const auto& [first, last] : pieces(this->points_))
     parts_.push_back({first,
                       last,
@@ -30,7 +29,7 @@ MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLa
   }
   element_sums_.resize(sums);
   if (!solves_multipliers()) return;
-  conditions_.resize(at(functions_.count()));
+  conditions_.resize(functions_.count());
   whole_ = functions_.areas(this->points_);
 }
 
@@ -44,9 +43,9 @@ template <int D> int MortarContact<D>::extra_unknowns() const {
 template <int D> bool MortarContact<D>::is_far(int multiplier, const Trial<D>& trial) const {
   if (!this->active(trial.present)) return true;
   const auto& fixed = trial.controls.fixed_states;
-  const FixedContactState state = fixed.empty() ? FixedContactState::free : fixed[at(multiplier)];
+  const FixedContactState state = fixed.empty() ? FixedContactState::free : fixed[multiplier];
   if (state != FixedContactState::free) return state == FixedContactState::open;
-  const MultiplierHistory<D>& history = trial.present.multipliers[at(multiplier)];
+  const MultiplierHistory<D>& history = trial.present.multipliers[multiplier];
   // A multiplier with a pressure remains closed up to the gap pressure/ε.
   const double penalty = law(trial.present, solves_multipliers() ? 1 : trial.penalty_factor).normal;
   const double closed = (solves_multipliers() ? scale_ * unknowns_of<D>(trial.extra, multiplier, may_rub(law_)).normal
@@ -56,21 +55,21 @@ template <int D> bool MortarContact<D>::is_far(int multiplier, const Trial<D>& t
 }
 
 template <int D> void MortarContact<D>::evaluate_part(int index, const Trial<D>& trial, bool /*tangent*/) {
-  Part& part = parts_[at(index)];
+  Part& part = parts_[index];
   const auto& list = this->points_.list;
   Feet feet;
   for (std::size_t first = part.first, last = first; first < part.last; first = last) {
     const int element = list[first].element;
     const auto on = functions_.on(element);
-    std::fill_n(element_sums_.begin() + static_cast<std::ptrdiff_t>(first_sum_[at(element)]), on.size(),
+    std::fill_n(element_sums_.begin() + static_cast<std::ptrdiff_t>(first_sum_[element]), on.size(),
                 MultiplierSums<D>{});
-    is_skipped_[at(element)] = std::all_of(on.begin(), on.end(), [&](int a) { return is_far(a, trial); });
-    double& cleared = cleared_[at(element)] = std::numeric_limits<double>::infinity();
+    is_skipped_[element] = std::all_of(on.begin(), on.end(), [&](int a) { return is_far(a, trial); });
+    double& cleared = cleared_[element] = std::numeric_limits<double>::infinity();
     for (; last < part.last && list[last].element == element; ++last) {
       PointResult<D>& result = trial.present.results[last];
       result = {};
       result.position = position(this->points_, this->slave(), last);
-      if (!is_skipped_[at(element)]) weigh(last, trial, part, feet);
+      if (!is_skipped_[element]) weigh(last, trial, part, feet);
       cleared = std::min(cleared, trial.present.points[last].cleared);
     }
   }
@@ -124,7 +123,7 @@ template <int D> void MortarContact<D>::weigh(std::size_t i, const Trial<D>& tri
   }
   const std::size_t count = functions_.on(own.element).size();
   const double* values = functions_.at_point(i);
-  MultiplierSums<D>* sums = element_sums_.data() + first_sum_[signorini::at(own.element)];
+  MultiplierSums<D>* sums = element_sums_.data() + first_sum_[own.element];
   for (std::size_t a = 0; a < count; ++a) {
     sums[a].area += values[a] * one.area;
     sums[a].gap += values[a] * one.gap;
@@ -155,8 +154,8 @@ template <int D> MultiplierSums<D> MortarContact<D>::sum_up(int multiplier) cons
   for (const int element : functions_.support(multiplier)) {
     const auto on = functions_.on(element);
     const MultiplierSums<D>& part =
-        element_sums_[first_sum_[at(element)] +
-                      at(static_cast<int>(std::find(on.begin(), on.end(), multiplier) - on.begin()))];
+        element_sums_[first_sum_[element] +
+                      (static_cast<int>(std::find(on.begin(), on.end(), multiplier) - on.begin()))];
     sum.area += part.area;
     sum.gap += part.gap;
     sum.normal += part.normal;
@@ -172,30 +171,28 @@ template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
   const Controls& controls = trial.controls;
   const double tie = controls.onward ? -controls.guessed : controls.guessed;
   for (int a = 0; a < functions_.count(); ++a) {
-    MultiplierResult<D>& result = trial.present.multiplier_results[at(a)];
-    MultiplierHistory<D>& history = trial.present.multipliers[at(a)];
+    MultiplierResult<D>& result = trial.present.multiplier_results[a];
+    MultiplierHistory<D>& history = trial.present.multipliers[a];
     const bool far = is_far(a, trial);
     result = {};
-    tangents_[at(a)] = {};
+    tangents_[a] = {};
     history.cleared = std::numeric_limits<double>::infinity();
-    for (const int element : functions_.support(a)) history.cleared = std::min(history.cleared, cleared_[at(element)]);
-    const MultiplierSums<D>& sum = sums_[at(a)] = far ? MultiplierSums<D>{} : sum_up(a);
+    for (const int element : functions_.support(a)) history.cleared = std::min(history.cleared, cleared_[element]);
+    const MultiplierSums<D>& sum = sums_[a] = far ? MultiplierSums<D>{} : sum_up(a);
     result.beyond = !far && sum.area == 0;
-    const FixedContactState fixed =
-        controls.fixed_states.empty() ? FixedContactState::free : controls.fixed_states[at(a)];
+    const FixedContactState fixed = controls.fixed_states.empty() ? FixedContactState::free : controls.fixed_states[a];
     const MultiplierControl control{fixed, controls.guessed, tie, controls.landing};
     const bool open = far || result.beyond;
-    fractions_[at(a)] = 0;
+    fractions_[a] = 0;
     if (controls.foresees && !open && frictional(trial.present)) foresee_touch(a, sum, trial);
     if (!solves_multipliers()) {
-      if (!open) tangents_[at(a)] = mortar_law(law, sum, history, control, result);
+      if (!open) tangents_[a] = mortar_law(law, sum, history, control, result);
       result.potential *= energy_share(pass_);
       continue;
     }
     const auto unknowns = unknowns_of<D>(trial.extra, a, may_rub(law_));
-    conditions_[at(a)] =
-        open ? open_multiplier(scale_, whole_[at(a)], unknowns)
-             : multiplier_law(law, scale_, sum, whole_[at(a)], unknowns, history.touch, control, result);
+    conditions_[a] = open ? open_multiplier(scale_, whole_[a], unknowns)
+                          : multiplier_law(law, scale_, sum, whole_[a], unknowns, history.touch, control, result);
   }
 }
 
@@ -210,8 +207,8 @@ template <int D> void MortarContact<D>::distribute(Part& part, const Trial<D>& t
   for (std::size_t first = part.first, last = first; first < part.last; first = last) {
     const int element = list[first].element;
     const auto on = functions_.on(element);
-    const bool acts = !is_skipped_[at(element)] && std::any_of(on.begin(), on.end(), [&](int a) {
-      return trial.present.multiplier_results[at(a)].state != ContactState::open;
+    const bool acts = !is_skipped_[element] && std::any_of(on.begin(), on.end(), [&](int a) {
+      return trial.present.multiplier_results[a].state != ContactState::open;
     });
     for (; last < part.last && list[last].element == element; ++last)
       if (acts) add_point(last, trial, tangent, part, feet, weights);
@@ -235,7 +232,7 @@ void MortarContact<D>::add_point(std::size_t i, const Trial<D>& trial, bool tang
   Vec<D> friction = Vec<D>::Zero();
   weights.assign(on.size(), 0);
   for (std::size_t a = 0; a < on.size(); ++a) {
-    const MultiplierResult<D>& multiplier = trial.present.multiplier_results[signorini::at(on[a])];
+    const MultiplierResult<D>& multiplier = trial.present.multiplier_results[on[a]];
     if (multiplier.state == ContactState::open || values[a] == 0) continue;
     const double share = values[a] * multiplier.pressure;
     pressure += share;
@@ -265,7 +262,7 @@ void MortarContact<D>::add_point(std::size_t i, const Trial<D>& trial, bool tang
 
   result.gap = projection.gap - geometry.offset;
   result.pressure = pressure;
-  for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[signorini::at(k)];
+  for (int k = 0; k < D - 1; ++k) result.tangents.col(k) = geometry.slave_tangent[k];
   result.friction = friction;
   result.force = own.weight * force.force;
   result.area = own.weight * force.measure;
@@ -295,8 +292,7 @@ template <int D> Block& MortarContact<D>::new_block() {
 
 /// Appends the blocks of multipliers that are unknowns.
 template <int D> void MortarContact<D>::add_conditions(bool tangent) {
-  for (int a = 0; a < functions_.count(); ++a)
-    fill_conditions(conditions_[at(a)], a, may_rub(law_), tangent, new_block());
+  for (int a = 0; a < functions_.count(); ++a) fill_conditions(conditions_[a], a, may_rub(law_), tangent, new_block());
   if (!tangent) return;
   for (const Part& part : parts_)
     for (const Strip& strip : part.rows.strips())
@@ -307,22 +303,22 @@ template <int D> void MortarContact<D>::add_conditions(bool tangent) {
 template <int D> void MortarContact<D>::couple_all(bool frictional) {
   for (auto& list : strips_) list.clear();
   for (const Part& part : parts_)
-    for (const Strip& strip : part.rows.strips()) strips_[at(strip.slave_element)].push_back(&strip);
+    for (const Strip& strip : part.rows.strips()) strips_[strip.slave_element].push_back(&strip);
   const auto& groups = functions_.groups();
   const std::size_t first = this->blocks_.size(), chunks = parts_.size();
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const auto& members = groups[g].members;
-    if (std::all_of(members.begin(), members.end(), [&](int a) { return tangents_[at(a)].pressure == 0; })) continue;
+    if (std::all_of(members.begin(), members.end(), [&](int a) { return tangents_[a].pressure == 0; })) continue;
     Block& block = new_block();
     block.slave_element = block.master_element = block.slip_element = -1;
     block.group = static_cast<int>(g);
   }
   const std::size_t count = this->blocks_.size() - first;
   parallel(static_cast<int>(chunks), [&](int chunk) {
-    const std::size_t own = at(chunk);
+    const std::size_t own = chunk;
     for (std::size_t k = own * count / chunks; k < (own + 1) * count / chunks; ++k) {
       Block& block = this->blocks_[first + k];
-      couple<D>(groups[at(block.group)], functions_, sums_, tangents_, this->slave(), this->master(), strips_,
+      couple<D>(groups[block.group], functions_, sums_, tangents_, this->slave(), this->master(), strips_,
                 PointRows<D>::count(frictional), pass_, parts_[own].space, block);
     }
   });
@@ -330,7 +326,7 @@ template <int D> void MortarContact<D>::couple_all(bool frictional) {
 
 template <int D> void MortarContact<D>::gather(const Trial<D>& trial, bool tangent) {
   decide(trial);
-  parallel(parts(), [&](int part) { distribute(parts_[at(part)], trial, tangent); });
+  parallel(parts(), [&](int part) { distribute(parts_[part], trial, tangent); });
   for (Part& part : parts_) {
     part.blocks = part.sums.hand_over(this->blocks_);
     this->search_seconds_ += std::exchange(part.search_seconds, 0);

@@ -29,7 +29,7 @@ public:
   int extra_unknowns() const override;
   /// Except beyond open ends of the master, where the area on which tractions act changes.
   bool has_potential() const override { return !may_rub(law_) && !solves_multipliers() && pass_ == Pass::full; }
-  int parts() const override { return static_cast<int>(parts_.size()); }
+  int parts() const override { return std::ssize(parts_); }
   void evaluate_part(int part, const Trial<D>& trial, bool tangent) override;
   void gather(const Trial<D>& trial, bool tangent) override;
   void augment(History<D>& history) const override;

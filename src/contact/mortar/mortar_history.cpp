@@ -28,7 +28,7 @@ void MortarContact<D>::commit_points(History<D>& present, const History<D>& acce
   }
   for (std::size_t i = 0; i < present.points.size(); ++i) {
     PointHistory<D>& point = present.points[i];
-    point.slips = !is_skipped_[at(this->points_.list[i].element)] && point.projection.foot != Foot::none;
+    point.slips = !is_skipped_[this->points_.list[i].element] && point.projection.foot != Foot::none;
     point.slip = point.projection.point();
   }
 }

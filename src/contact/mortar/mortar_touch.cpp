@@ -27,9 +27,9 @@ template <int D> double MortarContact<D>::gap_before(std::size_t i, const Trial<
 /// and the fraction s*_A of the step at which its gap closes on the way to it.
 template <int D>
 void MortarContact<D>::foresee_touch(int multiplier, const MultiplierSums<D>& sum, const Trial<D>& trial) {
-  if (trial.accepted.multiplier_results[at(multiplier)].state != ContactState::open || sum.gap >= 0) return;
-  fractions_[at(multiplier)] = touch_fraction(sum.before, sum.gap);
-  trial.present.multipliers[at(multiplier)].touch = fractions_[at(multiplier)] * (sum.slip / sum.area);
+  if (trial.accepted.multiplier_results[multiplier].state != ContactState::open || sum.gap >= 0) return;
+  fractions_[multiplier] = touch_fraction(sum.before, sum.gap);
+  trial.present.multipliers[multiplier].touch = fractions_[multiplier] * (sum.slip / sum.area);
 }
 
 /// Moves the former feet of the points to where they are at the fraction Σ M_A s*_A of the step, and reduces V*_A by
@@ -44,8 +44,8 @@ template <int D> void MortarContact<D>::move_feet(const Trial<D>& trial) {
     const auto on = functions_.on(element);
     const double* values = functions_.at_point(i);
     double fraction = 0;
-    for (std::size_t a = 0; a < on.size(); ++a) fraction += values[a] * fractions_[at(on[a])];
-    if (fraction == 0 || is_skipped_[at(element)] || result.beyond || !point.slips) continue;
+    for (std::size_t a = 0; a < on.size(); ++a) fraction += values[a] * fractions_[on[a]];
+    if (fraction == 0 || is_skipped_[element] || result.beyond || !point.slips) continue;
     const Master<D>& master = this->master();
     master.locate(point.projection, foot);
     master.locate(point.slip, slip_point);
@@ -58,8 +58,8 @@ template <int D> void MortarContact<D>::move_feet(const Trial<D>& trial) {
     const double area =
         this->points_.list[i].weight * measure(i, result.position) * master.fade(point.projection.xi, rate);
     for (std::size_t a = 0; a < on.size(); ++a)
-      if (const double whole = sums_[at(on[a])].area; whole > 0)
-        trial.present.multipliers[at(on[a])].touch -= (values[a] * area / whole) * (slip_point.position - before);
+      if (const double whole = sums_[on[a]].area; whole > 0)
+        trial.present.multipliers[on[a]].touch -= (values[a] * area / whole) * (slip_point.position - before);
   }
 }
 

@@ -31,7 +31,7 @@ void fill_conditions(const ConditionRows<D>& conditions, int multiplier, bool fr
   number_unknowns(multiplier, size, block.extra);
   block.rows = block.columns = size;
   block.force.assign(conditions.residual.data(), conditions.residual.data() + size);
-  block.matrix.resize(tangent ? at(size * size) : 0);
+  block.matrix.resize(tangent ? size * size : 0);
   if (tangent) Eigen::Map<RowMajor>(block.matrix.data(), size, size) = conditions.of_unknowns.topLeftCorner(size, size);
 }
 
@@ -53,11 +53,11 @@ void fill_coupling(const Strip& strip, const Surface<D>& slave, const Master<D>&
   for (const int a : on) number_unknowns(a, each, block.extra);
   block.rows = width + extra;
   block.columns = block.rows + behind;
-  block.force.assign(at(block.rows), 0.0);
-  block.matrix.assign(at(block.rows * block.columns), 0.0);
+  block.force.assign(block.rows, 0.0);
+  block.matrix.assign(block.rows * block.columns, 0.0);
   Eigen::Map<RowMajor> matrix(block.matrix.data(), block.rows, block.columns);
   for (std::size_t k = 0; k < on.size(); ++k) {
-    const ConditionRows<D>& condition = conditions[at(on[k])];
+    const ConditionRows<D>& condition = conditions[on[k]];
     const int index = static_cast<int>(k), first = width + index * each;
     const Eigen::Map<const RowMajor> x(strip.rows.data() + index * count * strip.columns, count, strip.columns);
     const double* shares = strip.shares.data() + index * nodes;

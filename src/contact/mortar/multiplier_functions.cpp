@@ -22,7 +22,7 @@ MatrixX values_on(const nurbs::Space1D& space, int element, int points) {
   const int degree = space.degree(element);
   const solid::QuadratureRule rule = solid::gauss_legendre(points, 0, 1);
   MatrixX bernsteins(degree + 1, points);
-  for (int q = 0; q < points; ++q) nurbs::bernstein(degree, rule.points[at(q)], 1, 0, bernsteins.col(q).data());
+  for (int q = 0; q < points; ++q) nurbs::bernstein(degree, rule.points[q], 1, 0, bernsteins.col(q).data());
   return space.extraction(element) * bernsteins;
 }
 
@@ -31,12 +31,12 @@ MatrixX values_on(const nurbs::Space1D& space, int element, int points) {
 template <int D>
 MultiplierFunctions<D>::MultiplierFunctions(const Surface<D>& slave, const ContactPoints<D>& points, int per_direction,
                                             MultiplierSpace kind)
-    : numbers_(at(slave.elements())) {
+    : numbers_(slave.elements()) {
   const FaceMultipliers<D> face(slave, kind);
   const nurbs::Space1D& u = face.along.front();
-  supports_.resize(at(face.count));
-  largest_.assign(at(face.count), -1);
-  std::vector<double> most(at(face.count), 0.0);
+  supports_.resize(face.count);
+  largest_.assign(face.count, -1);
+  std::vector<double> most(face.count, 0.0);
   std::size_t i = 0;
   for (int e = 0; e < slave.elements(); ++e) {
     nurbs::ElementFunctions functions;
@@ -47,15 +47,15 @@ MultiplierFunctions<D>::MultiplierFunctions(const Surface<D>& slave, const Conta
       functions.stride[d] = d == 0 ? 1 : u.functions();
       along[d] = values_on(face.along[d], own, per_direction);
     }
-    std::vector<int>& numbers = numbers_[at(e)];
+    std::vector<int>& numbers = numbers_[e];
     std::vector<std::size_t> place; // of each product's function among the element's
     functions.each([&](int product, const std::array<int, 3>&) {
-      const int multiplier = face.number[at(product)];
+      const int multiplier = face.number[product];
       const auto found = std::find(numbers.begin(), numbers.end(), multiplier);
       place.push_back(static_cast<std::size_t>(found - numbers.begin()));
       if (found != numbers.end()) return;
       numbers.push_back(multiplier);
-      supports_[at(multiplier)].push_back(e);
+      supports_[multiplier].push_back(e);
     });
     for (; i < points.size() && points.list[i].element == e; ++i) {
       const int q = points.list[i].number;
@@ -67,9 +67,9 @@ MultiplierFunctions<D>::MultiplierFunctions(const Surface<D>& slave, const Conta
         values[*own++] += along[0](a[0], q % per_direction) * along[1](a[1], q / per_direction);
       });
       for (std::size_t k = 0; k < numbers.size(); ++k) {
-        if (values[k] <= most[at(numbers[k])]) continue;
-        most[at(numbers[k])] = values[k];
-        largest_[at(numbers[k])] = static_cast<int>(i);
+        if (values[k] <= most[numbers[k]]) continue;
+        most[numbers[k]] = values[k];
+        largest_[numbers[k]] = static_cast<int>(i);
       }
     }
   }
@@ -81,10 +81,10 @@ template <int D> void MultiplierFunctions<D>::make_groups(const Surface<D>& slav
   const int tile = D - 1, width = slave.direction(0).elements(), across = (width + tile - 1) / tile;
   std::map<int, MultiplierGroup> by_tile;
   for (int a = 0; a < count(); ++a) {
-    const int first = supports_[at(a)].front();
+    const int first = supports_[a].front();
     MultiplierGroup& group = by_tile[first % width / tile + across * (first / width / tile)];
     group.members.push_back(a);
-    group.support.insert(group.support.end(), supports_[at(a)].begin(), supports_[at(a)].end());
+    group.support.insert(group.support.end(), supports_[a].begin(), supports_[a].end());
   }
   for (auto& [place, group] : by_tile) {
     sort_once(group.support);
@@ -96,11 +96,11 @@ template <int D> void MultiplierFunctions<D>::make_groups(const Surface<D>& slav
 }
 
 template <int D> std::vector<double> MultiplierFunctions<D>::areas(const ContactPoints<D>& points) const {
-  std::vector<double> sums(at(count()), 0.0);
+  std::vector<double> sums(count(), 0.0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ContactPoint& own = points.list[i];
     const double* values = at_point(i);
-    for (const int a : on(own.element)) sums[at(a)] += *values++ * own.weight * own.reference_area;
+    for (const int a : on(own.element)) sums[a] += *values++ * own.weight * own.reference_area;
   }
   const double largest = *std::max_element(sums.begin(), sums.end());
   std::replace(sums.begin(), sums.end(), 0.0, largest);

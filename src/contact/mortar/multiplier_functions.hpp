@@ -22,16 +22,16 @@ public:
   /// `points` has `per_direction` Gauss points per element and direction. Throws Error as multiplier_space().
   MultiplierFunctions(const Surface<D>& slave, const ContactPoints<D>& points, int per_direction, MultiplierSpace kind);
 
-  int count() const { return static_cast<int>(supports_.size()); }
+  int count() const { return std::ssize(supports_); }
   /// Multipliers that do not vanish on a slave element.
-  std::span<const int> on(int element) const { return numbers_[at(element)]; }
+  std::span<const int> on(int element) const { return numbers_[element]; }
   /// Slave elements on which a multiplier does not vanish, increasing.
-  std::span<const int> support(int multiplier) const { return supports_[at(multiplier)]; }
+  std::span<const int> support(int multiplier) const { return supports_[multiplier]; }
   const std::vector<MultiplierGroup>& groups() const { return groups_; }
   /// M_A of on(element) at contact point i.
   const double* at_point(std::size_t i) const { return values_.data() + offsets_[i]; }
   /// The contact point at which a multiplier is largest; −1 if it has none.
-  int largest(int multiplier) const { return largest_[at(multiplier)]; }
+  int largest(int multiplier) const { return largest_[multiplier]; }
   /// Reference areas of the multipliers, Σ w_k M_A over all points; the largest for those without points.
   std::vector<double> areas(const ContactPoints<D>& points) const;
   double memory() const;

@@ -21,7 +21,7 @@ LocalRows<D> point_rows(const LocalGeometry<D>& geometry, const GapRows<D>& gap,
     LocalBlock<D> slip = LocalBlock<D>::Zero();
     slip.template middleCols<D>(Force::master_column).setIdentity();
     slip.template middleCols<D>(Force::slip_column).diagonal().setConstant(-1);
-    for (int a = 0; a < D - 1; ++a) slip.noalias() += geometry.master->tangent[at(a)] * shift.row(a);
+    for (int a = 0; a < D - 1; ++a) slip.noalias() += geometry.master->tangent[a] * shift.row(a);
     rows.template middleRows<D>(Rows::slip) = area * slip;
     rows.template middleRows<D>(Rows::slip).noalias() += (geometry.master->position - slip_point->position) * area_row;
   }
@@ -37,7 +37,7 @@ template <int D>
 MultiplierRows<D>::MultiplierRows(const Surface<D>& slave, const Master<D>& master,
                                   const MultiplierFunctions<D>& functions)
     : slave_(slave), master_(master), functions_(functions),
-      base_(at(PointRows<D>::most * D * (slave.most_functions() + 2 * master.most_functions()))) {}
+      base_(PointRows<D>::most * D * (slave.most_functions() + 2 * master.most_functions())) {}
 
 template <int D> void MultiplierRows<D>::clear() {
   std::move(strips_.begin(), strips_.end(), std::back_inserter(spare_));
@@ -55,13 +55,13 @@ template <int D> Strip& MultiplierRows<D>::find(int slave_element, int master_el
   }
   Strip& strip = strips_.back();
   const int nodes = slave_.functions_on(slave_element) + master_.functions_on(master_element);
-  const int multipliers = static_cast<int>(functions_.on(slave_element).size());
+  const int multipliers = std::ssize(functions_.on(slave_element));
   strip.slave_element = slave_element;
   strip.master_element = master_element;
   strip.slip_element = slip_element;
   strip.columns = D * (nodes + (slip_element >= 0 ? master_.functions_on(slip_element) : 0));
-  strip.rows.assign(at(multipliers * count * strip.columns), 0.0);
-  strip.shares.assign(at(multipliers * nodes), 0.0);
+  strip.rows.assign(multipliers * count * strip.columns, 0.0);
+  strip.shares.assign(multipliers * nodes, 0.0);
   return strip;
 }
 
@@ -84,13 +84,13 @@ void MultiplierRows<D>::expand(const Strip& strip, const double* r, const FacePo
       }
     for (int b = 0; b < nm; ++b)
       for (int c = 0; c < D; ++c) {
-        double sum = row(Force::master_column + c) * master.value[at(b)];
-        for (int k = 0; k < D - 1; ++k) sum += row(Force::tangent_column + k * D + c) * master.derivative[at(k)][at(b)];
-        if (slip_point && !own_columns) sum += row(Force::slip_column + c) * slip_point->value[at(b)];
+        double sum = row(Force::master_column + c) * master.value[b];
+        for (int k = 0; k < D - 1; ++k) sum += row(Force::tangent_column + k * D + c) * master.derivative[k][b];
+        if (slip_point && !own_columns) sum += row(Force::slip_column + c) * slip_point->value[b];
         *out++ = sum;
       }
     for (int b = 0; b < nl; ++b)
-      for (int c = 0; c < D; ++c) *out++ = row(Force::slip_column + c) * slip_point->value[at(b)];
+      for (int c = 0; c < D; ++c) *out++ = row(Force::slip_column + c) * slip_point->value[b];
   }
 }
 
@@ -105,7 +105,7 @@ void MultiplierRows<D>::add(const ContactPoints<D>& points, std::size_t i, const
   const double* r = points.functions(i);
   expand(strip, r, master, slip_point, local, count);
   const int ns = slave_.functions_on(strip.slave_element), nm = master_.functions_on(strip.master_element);
-  const int multipliers = static_cast<int>(functions_.on(strip.slave_element).size()), size = count * strip.columns;
+  const int multipliers = std::ssize(functions_.on(strip.slave_element)), size = count * strip.columns;
   const double* __restrict base = base_.data();
   for (int a = 0; a < multipliers; ++a) {
     if (weights[a] == 0) continue;
@@ -113,7 +113,7 @@ void MultiplierRows<D>::add(const ContactPoints<D>& points, std::size_t i, const
     for (int c = 0; c < size; ++c) rows[c] += weights[a] * base[c];
     double* shares = strip.shares.data() + a * (ns + nm);
     for (int b = 0; b < ns; ++b) shares[b] -= area * weights[a] * r[b];
-    for (int b = 0; b < nm; ++b) shares[ns + b] += area * weights[a] * master.value[at(b)];
+    for (int b = 0; b < nm; ++b) shares[ns + b] += area * weights[a] * master.value[b];
   }
 }
 
@@ -127,7 +127,7 @@ void collect_nodes(const MultiplierGroup& group, const Master<D>& master,
   block.master_elements.clear();
   block.master_nodes.clear();
   for (const int element : group.support)
-    for (const Strip* strip : strips[at(element)]) {
+    for (const Strip* strip : strips[element]) {
       block.master_elements.push_back(strip->master_element);
       if (strip->slip_element >= 0) block.master_elements.push_back(strip->slip_element);
     }
@@ -145,8 +145,8 @@ void collect_nodes(const MultiplierGroup& group, const Master<D>& master,
 
 /// Numbers of the nodes in the block, by face-local index.
 void number(const std::vector<int>& nodes, int first, int functions, std::vector<int>& numbers) {
-  numbers.resize(at(functions));
-  for (const int node : nodes) numbers[at(node)] = first++;
+  numbers.resize(functions);
+  for (const int node : nodes) numbers[node] = first++;
 }
 
 /// Adds a multiplier's rows and shares in a strip to those of the block.
@@ -159,12 +159,12 @@ void add_strip(const Strip& strip, int own, int count, const Surface<D>& slave, 
   for (int b = 0, nodes = strip.columns / D; b < nodes; ++b) {
     int node;
     if (b < ns) {
-      node = space.slave_column[at(slave.nodes(strip.slave_element)[b])];
+      node = space.slave_column[slave.nodes(strip.slave_element)[b]];
     } else if (master.rigid()) {
-      node = space.master_column[at(b - ns)];
+      node = space.master_column[b - ns];
     } else {
       const int* list = master.surface()->nodes(b < ns + nm ? strip.master_element : strip.slip_element);
-      node = space.master_column[at(list[b < ns + nm ? b - ns : b - ns - nm])];
+      node = space.master_column[list[b < ns + nm ? b - ns : b - ns - nm]];
     }
     for (int i = 0; i < count; ++i)
       for (int c = 0; c < D; ++c) space.rows(i, D * node + c) += rows[i * strip.columns + D * b + c];
@@ -208,7 +208,7 @@ void couple(const MultiplierGroup& group, const MultiplierFunctions<D>& function
             const Surface<D>& slave, const Master<D>& master, const std::vector<std::vector<const Strip*>>& strips,
             int count, Pass pass, CouplingSpace& space, Block& block) {
   collect_nodes(group, master, strips, block);
-  const int ns = static_cast<int>(block.slave_nodes.size()), nm = static_cast<int>(block.master_nodes.size());
+  const int ns = std::ssize(block.slave_nodes), nm = std::ssize(block.master_nodes);
   number(block.slave_nodes, 0, slave.functions(), space.slave_column);
   number(block.master_nodes, ns, master.rigid() ? master.functions_on(0) : master.surface()->functions(),
          space.master_column);
@@ -218,7 +218,7 @@ void couple(const MultiplierGroup& group, const MultiplierFunctions<D>& function
   const int factors = frictional ? 1 + D : 1; // per multiplier
   space.active.clear();
   for (const int a : group.members)
-    if (tangents[at(a)].pressure != 0) space.active.push_back(a);
+    if (tangents[a].pressure != 0) space.active.push_back(a);
   const int all = factors * static_cast<int>(space.active.size());
   space.left.resize(all, block.rows);
   space.right.resize(all, size);
@@ -229,13 +229,13 @@ void couple(const MultiplierGroup& group, const MultiplierFunctions<D>& function
     for (const int element : functions.support(a)) {
       const auto on = functions.on(element);
       const int own = static_cast<int>(std::find(on.begin(), on.end(), a) - on.begin());
-      for (const Strip* strip : strips[at(element)]) add_strip<D>(*strip, own, count, slave, master, space);
+      for (const Strip* strip : strips[element]) add_strip<D>(*strip, own, count, slave, master, space);
     }
-    add_factors(sums[at(a)], tangents[at(a)], frictional, row, space);
+    add_factors(sums[a], tangents[a], frictional, row, space);
     row += factors;
   }
-  block.force.assign(at(block.rows), 0.0);
-  block.matrix.resize(at(block.rows * size));
+  block.force.assign(block.rows, 0.0);
+  block.matrix.resize(block.rows * size);
   Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> matrix(block.matrix.data(),
                                                                                             block.rows, size);
   matrix.noalias() = space.left.transpose() * space.right;

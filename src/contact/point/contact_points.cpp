@@ -65,7 +65,7 @@ template <int D> Vec<D> position(const ContactPoints<D>& points, const Surface<D
 template <int D>
 std::array<Vec<D>, D - 1> tangents(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i) {
   std::array<Vec<D>, D - 1> result;
-  for (int k = 0; k < D - 1; ++k) result[at(k)] = sum_at(points, slave, i, k + 1);
+  for (int k = 0; k < D - 1; ++k) result[k] = sum_at(points, slave, i, k + 1);
   return result;
 }
 

@@ -6,10 +6,10 @@ namespace signorini::contact {
 
 template <int D>
 History<D>::History(const ContactPoints<D>& of, int count, bool bonded)
-    : points(of.size()), results(of.size()), multipliers(at(count)), multiplier_results(at(count)),
+    : points(of.size()), results(of.size()), multipliers(count), multiplier_results(count),
       bonds(bonded ? of.size() : 0) {
   for (std::size_t i = 0; i < of.size(); ++i) results[i].position = of.reference[i];
-  if (of.sparse > 0) sparse.resize(at(of.list.back().element + 1), 0);
+  if (of.sparse > 0) sparse.resize(of.list.back().element + 1, 0);
 }
 
 template <int D> Resultant<D> resultant(const History<D>& history) {
@@ -31,7 +31,7 @@ template <int D> int constraints(const History<D>& history) {
 
 template <int D> Constraint constraint(const History<D>& history, int index) {
   const auto of = [](const auto& result) { return Constraint{result.state, result.beyond, result.gap}; };
-  return history.multipliers.empty() ? of(history.results[at(index)]) : of(history.multiplier_results[at(index)]);
+  return history.multipliers.empty() ? of(history.results[index]) : of(history.multiplier_results[index]);
 }
 
 template <int D> double potential(const History<D>& history) {

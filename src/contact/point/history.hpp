@@ -91,7 +91,7 @@ template <int D> struct History {
 
 /// Whether point i acts: it belongs to the rule of its element.
 template <int D> bool acts(const ContactPoints<D>& points, const History<D>& history, std::size_t i) {
-  return history.sparse.empty() || (history.sparse[at(points.list[i].element)] != 0) == points.list[i].sparse;
+  return history.sparse.empty() || (history.sparse[points.list[i].element] != 0) == points.list[i].sparse;
 }
 
 /// ½ (φ₀ + φ₁) (A₁ − A₀) of a point or a multiplier over a step, zero if it is open before or after.

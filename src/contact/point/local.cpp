@@ -55,20 +55,20 @@ template <int D> GapRows<D> gap_rows(const LocalGeometry<D>& geometry, LocalShif
     if (geometry.foot == Foot::edge) {
       // The foot moves along the kink:  [τ·τ − g n̄·x_,ββ] δξ̄ = (δxˢ − δx̄ᵐ)·τ + g n̄·δτ,  and δn̄ loses τ δξ̄ with δx̄ᵐ.
       const int b = geometry.along;
-      const Vec<D>& tau = master.tangent[at(b)];
+      const Vec<D>& tau = master.tangent[b];
       LocalRow<D> right = LocalRow<D>::Zero();
       right.template segment<D>(0) = tau.transpose();
       right.template segment<D>(Force::master_column) = -tau.transpose();
       right.template segment<D>(Force::tangent_column + D * b) = g * n.transpose();
-      shift.row(b) = right / (tau.squaredNorm() - g * n.dot(master.second[at(b + b)]));
+      shift.row(b) = right / (tau.squaredNorm() - g * n.dot(master.second[b + b]));
       rows.normal.noalias() -= (projector * tau) * shift.row(b);
     }
   } else {
     Eigen::Matrix<double, D, tangents> basis; // τ_α
-    for (int a = 0; a < tangents; ++a) basis.col(a) = master.tangent[at(a)];
+    for (int a = 0; a < tangents; ++a) basis.col(a) = master.tangent[a];
     Mat<tangents> curvature; // n̄·x_,αβ
     for (int a = 0; a < tangents; ++a)
-      for (int b = 0; b < tangents; ++b) curvature(a, b) = n.dot(master.second[at(a + b)]);
+      for (int b = 0; b < tangents; ++b) curvature(a, b) = n.dot(master.second[a + b]);
     const Mat<tangents> metric = basis.transpose() * basis;
 
     // [τ_α·τ_β − g n̄·x_,αβ] δξ̄^β = (δxˢ − δx̄ᵐ)·τ_α + g n̄·δτ_α   (thesis A.17, A.18)

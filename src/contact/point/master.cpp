@@ -34,7 +34,7 @@ Master<D>::Master(Obstacle<D> obstacle, std::optional<Turning<D>> turning, doubl
     surface_.emplace(*patch);
     surface_->extend(end_extension, end_extension * opposite);
     boxes_.update(*surface_);
-    displacements_.resize(at(D * surface_->functions()));
+    displacements_.resize(D * surface_->functions());
   } else {
     shape_ = std::move(obstacle);
   }

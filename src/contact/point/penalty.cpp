@@ -74,7 +74,7 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
     each_range<D>([&]<int From, int Count>() {
       for (int a = 0; a < tangents; ++a)
         trial_rows.template middleCols<Count>(From) +=
-            (law.tangential * master.tangent[at(a)]) * result.shift.row(a).template middleCols<Count>(From);
+            (law.tangential * master.tangent[a]) * result.shift.row(a).template middleCols<Count>(From);
     });
     trial_rows.template middleCols<D>(Force::master_column).diagonal().array() += law.tangential;
     trial_rows.template middleCols<D>(Force::slip_column).diagonal().setConstant(-law.tangential);

@@ -25,9 +25,9 @@ struct ElementState {
 template <int D>
 std::vector<char> choose_sparse(const ContactPoints<D>& points, const Surface<D>& slave, const History<D>& history,
                                 double moved, const IsNear& is_near) {
-  std::vector<ElementState> elements(at(slave.elements()));
+  std::vector<ElementState> elements(slave.elements());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    ElementState& element = elements[at(points.list[i].element)];
+    ElementState& element = elements[points.list[i].element];
     ++element.listed;
     if (!acts(points, history, i)) continue;
     const PointResult<D>& result = history.results[i];
@@ -41,16 +41,16 @@ std::vector<char> choose_sparse(const ContactPoints<D>& points, const Surface<D>
   const auto power = [](int n) { return D == 2 ? n : n * n; };
   const int all = power(points.full) + power(points.sparse);
   std::vector<char> sparse = history.sparse;
-  for (int e = 0; e < static_cast<int>(sparse.size()); ++e) {
-    const ElementState& element = elements[at(e)];
+  for (int e = 0; e < std::ssize(sparse); ++e) {
+    const ElementState& element = elements[e];
     bool full = element.listed < all || element.mixed || !element.state;
     for (int alpha = 0; alpha < D - 1 && !full; ++alpha)
       for (const bool at_end : {false, true}) {
         const int next = slave.neighbor(e, alpha, at_end);
         if (next < 0) continue;
-        full = full || (touches(*element.state) ? elements[at(next)].apart : elements[at(next)].touching);
+        full = full || (touches(*element.state) ? elements[next].apart : elements[next].touching);
       }
-    const double caution = sparse[at(e)] ? 1 : rule_hysteresis;
+    const double caution = sparse[e] ? 1 : rule_hysteresis;
     if (!full && touches(*element.state)) full = element.least < caution * border_pressure * element.most;
     if (!full && !touches(*element.state)) {
       Vec<D> lower, upper;
@@ -58,7 +58,7 @@ std::vector<char> choose_sparse(const ContactPoints<D>& points, const Surface<D>
       full =
           is_near(element.points, caution * std::max(border_motion * moved, border_distance * (upper - lower).norm()));
     }
-    sparse[at(e)] = !full;
+    sparse[e] = !full;
   }
   return sparse;
 }

@@ -1,7 +1,6 @@
 #include "contact/rigid/level_set.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "contact/closest/chord.hpp"
 
 #include <algorithm>
@@ -92,7 +91,7 @@ template <int D> LevelValue<D> CompiledLevelSet<D>::operator()(const Vec<D>& x) 
   std::array<double, most_on_stack> few;
   std::vector<double> many;
   double* registers = few.data();
-  if (tape.registers > most_on_stack) many.resize(at(tape.registers)), registers = many.data();
+  if (tape.registers > most_on_stack) many.resize(tape.registers), registers = many.data();
   std::copy_n(x.data(), D, registers);
   symbolic::evaluate(tape, registers, 1, 1, static_cast<int>(tape.outputs.size()));
   std::size_t next = 0;
@@ -118,11 +117,11 @@ template <int D> LevelSet<D> make_level_set(symbolic::Formula given, const Vec<D
   std::vector<int> all{node};
   for (int i = 0; i < D; ++i) all.push_back(symbolic::derivative(graph, node, i));
   for (int i = 0; i < D; ++i)
-    for (int j = i; j < D; ++j) all.push_back(symbolic::derivative(graph, all[at(i + 1)], j));
+    for (int j = i; j < D; ++j) all.push_back(symbolic::derivative(graph, all[i + 1], j));
   result->tape = symbolic::compile(graph, all, false);
   result->mesh = march(*result);
   const auto& points = result->mesh.points;
-  result->sorted.resize(static_cast<std::size_t>(points.cols()));
+  result->sorted.resize(points.cols());
   std::iota(result->sorted.begin(), result->sorted.end(), 0);
   std::ranges::stable_sort(result->sorted, {}, [&](int i) { return points(0, i); });
   return {result};
@@ -178,7 +177,7 @@ template <int D> void locate(const LevelSet<D>& level_set, FaceGeometry<D>& poin
   const Mat<D - 1> bend = t.transpose() * at.second * t / -slope;
   std::size_t next = 0;
   for (int a = 0; a < D - 1; ++a) {
-    point.tangent[signorini::at(a)] = t.col(a);
+    point.tangent[a] = t.col(a);
     for (int b = a; b < D - 1; ++b) point.second[next++] = bend(a, b) * normal;
   }
 }

@@ -1,7 +1,6 @@
 // Marching tetrahedra (3D) or triangles (2D).
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "contact/rigid/level_set.hpp"
 
 #include <algorithm>
@@ -34,14 +33,14 @@ public:
     spacing_ = sides.maxCoeff() / most_cells<D>;
     int nodes = 1;
     for (int d = 0; d < D; ++d) {
-      cells_[at(d)] = std::max(1, static_cast<int>(std::ceil(sides(d) / spacing_ * (1 - 1e-12))));
-      step_(d) = sides(d) / cells_[at(d)];
-      stride_[at(d)] = nodes;
-      nodes *= cells_[at(d)] + 1;
+      cells_[d] = std::max(1, static_cast<int>(std::ceil(sides(d) / spacing_ * (1 - 1e-12))));
+      step_(d) = sides(d) / cells_[d];
+      stride_[d] = nodes;
+      nodes *= cells_[d] + 1;
     }
-    values_.resize(at(nodes));
+    values_.resize(nodes);
     for (int node = 0; node < nodes; ++node) {
-      const double value = values_[at(node)] = f(position(node)).value;
+      const double value = values_[node] = f(position(node)).value;
       require(std::isfinite(value), "contact.level_set.not_finite", {{"value", value}, {"at", position(node)}});
     }
   }
@@ -49,7 +48,7 @@ public:
   LevelMesh<D> run() {
     LevelMesh<D> mesh;
     mesh.spacing = spacing_;
-    for (int node = 0; node < static_cast<int>(values_.size()); ++node)
+    for (int node = 0; node < std::ssize(values_); ++node)
       if (starts_cell(node)) take_cell(node, mesh);
     if (points_.empty()) {
       const auto [least, most] = std::ranges::minmax(values_);
@@ -61,7 +60,7 @@ public:
   }
 
 private:
-  int place(int node, int axis) const { return node / stride_[at(axis)] % (cells_[at(axis)] + 1); }
+  int place(int node, int axis) const { return node / stride_[axis] % (cells_[axis] + 1); }
   Vec<D> position(int node) const {
     Vec<D> x;
     for (int d = 0; d < D; ++d) x(d) = f_.low(d) + place(node, d) * step_(d);
@@ -69,18 +68,18 @@ private:
   }
   bool starts_cell(int node) const {
     for (int d = 0; d < D; ++d)
-      if (place(node, d) == cells_[at(d)]) return false;
+      if (place(node, d) == cells_[d]) return false;
     return true;
   }
-  bool outside(int node) const { return values_[at(node)] > 0; }
+  bool outside(int node) const { return values_[node] > 0; }
 
   void take_cell(int node, LevelMesh<D>& mesh) {
     for (const auto& simplex : simplices_of_cell<D>()) {
       std::array<int, D + 1> corners;
       for (int k = 0; k <= D; ++k) {
-        corners[at(k)] = node;
+        corners[k] = node;
         for (int d = 0; d < D; ++d)
-          if (simplex[at(k)] >> d & 1) corners[at(k)] += stride_[at(d)];
+          if (simplex[k] >> d & 1) corners[k] += stride_[d];
       }
       const auto middle = std::partition(corners.begin(), corners.end(), [&](int c) { return !outside(c); });
       if (middle == corners.begin() || middle == corners.end()) continue;
@@ -94,17 +93,17 @@ private:
     for (int i = 0; i < inner; ++i)
       for (int k = inner; k <= D; ++k) {
         const int o = i % 2 == 1 ? inner + D - k : k;
-        found.push_back(crossing(corners[at(i)], corners[at(o)]));
+        found.push_back(crossing(corners[i], corners[o]));
       }
     const Vec<D> out = position(corners[D]) - position(corners[0]); // from inside to outside
     std::array<int, D> piece;
     for (std::size_t first = 1; first + D - 1 <= found.size(); ++first) {
       piece[0] = found[0];
-      for (int k = 1; k < D; ++k) piece[at(k)] = found[first + at(k) - 1];
+      for (int k = 1; k < D; ++k) piece[k] = found[first + k - 1];
       Eigen::Matrix<double, D, D - 1> sides;
-      for (int k = 1; k < D; ++k) sides.col(k - 1) = points_[at(piece[at(k)])] - points_[at(piece[0])];
+      for (int k = 1; k < D; ++k) sides.col(k - 1) = points_[piece[k]] - points_[piece[0]];
       std::array<Vec<D>, D - 1> tangents;
-      for (int k = 0; k < D - 1; ++k) tangents[at(k)] = sides.col(k);
+      for (int k = 0; k < D - 1; ++k) tangents[k] = sides.col(k);
       if (normal_of<D>(tangents).dot(out) < 0) std::swap(piece[0], piece[1]);
       std::array<int, D> sorted = piece;
       std::ranges::sort(sorted);
@@ -115,11 +114,11 @@ private:
   /// The number of the point on the edge between two nodes, of which the first is inside; a node where f = 0 is one
   /// point for all of its edges.
   int crossing(int inner, int outer) {
-    if (values_[at(inner)] == 0) outer = inner;
+    if (values_[inner] == 0) outer = inner;
     const auto count = static_cast<long>(values_.size());
     const long key = std::min(inner, outer) * count + std::max(inner, outer);
     const auto [known, added] = known_.try_emplace(key, static_cast<int>(points_.size()));
-    if (added) points_.push_back(root(position(inner), position(outer), values_[at(inner)], values_[at(outer)]));
+    if (added) points_.push_back(root(position(inner), position(outer), values_[inner], values_[outer]));
     return known->second;
   }
 

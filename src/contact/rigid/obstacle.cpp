@@ -70,14 +70,14 @@ Torus make_torus(const Vec<3>& center, const Vec<3>& axis, double ring, double r
 template <int D> FaceCoordinates<D> closest(const Plane<D>& plane, const Vec<D>& x) {
   const auto directions = across(plane.normal);
   FaceCoordinates<D> xi;
-  for (int a = 0; a < D - 1; ++a) xi(a) = directions[at(a)].dot(x);
+  for (int a = 0; a < D - 1; ++a) xi(a) = directions[a].dot(x);
   return xi;
 }
 
 template <int D> void locate(const Plane<D>& plane, FaceGeometry<D>& point) {
   point.tangent = across(plane.normal);
   point.position = plane.normal.dot(plane.point) * plane.normal;
-  for (int a = 0; a < D - 1; ++a) point.position += point.xi(a) * point.tangent[at(a)];
+  for (int a = 0; a < D - 1; ++a) point.position += point.xi(a) * point.tangent[a];
   for (auto& second : point.second) second.setZero();
 }
 

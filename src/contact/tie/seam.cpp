@@ -48,7 +48,7 @@ template <int D> double longest_side(const Surface<D>& face, const FacePoint<D>&
   double longest = 0;
   for (int d = 0; d < D - 1; ++d) {
     const auto [from, to] = face.interval(at.element, d);
-    longest = std::max(longest, (to - from) * at.tangent[signorini::at(d)].norm());
+    longest = std::max(longest, (to - from) * at.tangent[d].norm());
   }
   return longest;
 }

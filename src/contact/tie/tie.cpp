@@ -25,18 +25,18 @@ public:
     nurbs::ElementFunctions functions;
     std::array<VectorX, 2> values{VectorX::Ones(1), VectorX::Ones(1)};
     for (int d = 0; d < D - 1; ++d) {
-      const nurbs::Space1D& space = face_.along[at(d)];
+      const nurbs::Space1D& space = face_.along[d];
       const int across = face_.along.front().elements(), own = d == 0 ? element % across : element / across;
       const auto [from, to] = space.interval(own);
       const int degree = space.degree(own);
       VectorX bernsteins(degree + 1);
       nurbs::bernstein(degree, (xi(d) - from) / (to - from), 1, 0, bernsteins.data());
-      values[at(d)] = space.extraction(own) * bernsteins;
-      functions.along[at(d)] = space.functions_on(own);
-      functions.stride[at(d)] = d == 0 ? 1 : face_.along.front().functions();
+      values[d] = space.extraction(own) * bernsteins;
+      functions.along[d] = space.functions_on(own);
+      functions.stride[d] = d == 0 ? 1 : face_.along.front().functions();
     }
     functions.each([&](int product, const std::array<int, 3>& a) {
-      visit(face_.number[at(product)], values[0](a[0]) * values[1](a[1]));
+      visit(face_.number[product], values[0](a[0]) * values[1](a[1]));
     });
   }
 
@@ -50,19 +50,19 @@ template <int D> class CouplingBlocks {
 public:
   void add(int slave_element, const std::vector<double>& multipliers, const Surface<D>& face, const FacePoint<D>& at) {
     MatrixX& block = blocks_[{slave_element, at.element}];
-    const int n = face.functions_on(at.element), m = static_cast<int>(multipliers.size());
+    const int n = face.functions_on(at.element), m = std::ssize(multipliers);
     if (block.size() == 0) block = MatrixX::Zero(m, n);
     for (int b = 0; b < n; ++b)
-      for (int a = 0; a < m; ++a) block(a, b) += multipliers[signorini::at(a)] * at.value[signorini::at(b)];
+      for (int a = 0; a < m; ++a) block(a, b) += multipliers[a] * at.value[b];
   }
   /// Sums of each multiplier by function of the body; `on`: multipliers of each slave element.
   std::vector<std::map<int, double>> sums(const std::vector<std::vector<int>>& on, int count,
                                           const Surface<D>& face) const {
-    std::vector<std::map<int, double>> rows(at(count));
+    std::vector<std::map<int, double>> rows(count);
     for (const auto& [elements, block] : blocks_)
       for (int a = 0; a < block.rows(); ++a)
         for (int b = 0; b < block.cols(); ++b)
-          rows[at(on[at(elements.first)][at(a)])][face.body_function(face.nodes(elements.second)[b])] += block(a, b);
+          rows[on[elements.first][a]][face.body_function(face.nodes(elements.second)[b])] += block(a, b);
     return rows;
   }
 
@@ -83,19 +83,19 @@ template <int D>
 Tie<D>::Tie(const Surface<D>& slave, const Surface<D>& master, Seam<D> seam, MultiplierSpace kind)
     : slave_(slave), master_(master), seam_(std::move(seam)) {
   const SeamFunctions<D> functions(slave_, kind);
-  std::vector<std::vector<int>> on(at(slave_.elements()));
-  std::vector<double> area(at(functions.count()), 0.0);
+  std::vector<std::vector<int>> on(slave_.elements());
+  std::vector<double> area(functions.count(), 0.0);
   CouplingBlocks<D> slave_blocks, master_blocks;
   FacePoint<D> own, foot;
   for (const SeamPoint<D>& point : seam_.points) {
-    std::vector<int>& numbers = on[at(point.slave_element)];
+    std::vector<int>& numbers = on[point.slave_element];
     numbers.clear();
     std::vector<double> weighted;
     first_.push_back(row_at_.size());
     functions.at_point(point.slave_element, point.slave_xi, [&](int function, double value) {
       numbers.push_back(function);
       weighted.push_back(point.area * value);
-      area[at(function)] += weighted.back();
+      area[function] += weighted.back();
       row_at_.push_back(function);
       value_at_.push_back(value);
     });
@@ -119,10 +119,10 @@ Tie<D>::Tie(const Surface<D>& slave, const Surface<D>& master, Seam<D> seam, Mul
   std::vector<int> row_of(area.size(), -1);
   for (std::size_t a = 0; a < area.size(); ++a) {
     if (area[a] <= least_support * mean) continue;
-    row_of[a] = static_cast<int>(rows_.size());
+    row_of[a] = std::ssize(rows_);
     rows_.push_back({area[a], listed<Entry>(slave_sums[a]), listed<Entry>(master_sums[a])});
   }
-  for (int& number : row_at_) number = row_of[at(number)];
+  for (int& number : row_at_) number = row_of[number];
 }
 
 template <int D> Vec<D> Tie<D>::combine(std::size_t point, const double* values) const {

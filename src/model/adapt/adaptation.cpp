@@ -1,7 +1,6 @@
 #include "model/adapt/adaptation.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "model/adapt/scene_archive.hpp"
 #include "model/constants.hpp"
 #include "model/steps/equilibrium.hpp"
@@ -49,12 +48,10 @@ public:
     MatrixX result(values.rows(), to_.count);
     VectorX products(static_cast<Eigen::Index>(from_.number.size()));
     for (Eigen::Index i = 0; i < values.rows(); ++i) {
-      for (Eigen::Index k = 0; k < products.size(); ++k)
-        products(k) = values(i, from_.number[static_cast<std::size_t>(k)]);
+      for (Eigen::Index k = 0; k < products.size(); ++k) products(k) = values(i, from_.number[k]);
       const MatrixX carried = first * products.reshaped(first.cols(), second.cols()) * second.transpose();
       // Products of one function, on a border, have equal values, which projections keep.
-      for (Eigen::Index k = 0; k < carried.size(); ++k)
-        result(i, to_.number[static_cast<std::size_t>(k)]) = carried.reshaped()(k);
+      for (Eigen::Index k = 0; k < carried.size(); ++k) result(i, to_.number[k]) = carried.reshaped()(k);
     }
     return result;
   }
@@ -84,11 +81,11 @@ public:
   VectorX degrees_of_freedom(const VectorX& values) const {
     const Unknowns<D>&old = from_.unknowns, &own = to_.unknowns;
     VectorX result = VectorX::Zero(own.dofs());
-    for (int b = 0; b < static_cast<int>(from_.scene.bodies.size()); ++b) {
-      const nurbs::Discretization &before = from_.scene.bodies[at(b)].body->space(),
-                                  &after = to_.scene.bodies[at(b)].body->space();
-      for (int j = 0; j < static_cast<int>(before.rows().size()); ++j) {
-        const nurbs::Row &row = before.rows()[at(j)], &other = after.rows()[at(j)];
+    for (int b = 0; b < std::ssize(from_.scene.bodies); ++b) {
+      const nurbs::Discretization &before = from_.scene.bodies[b].body->space(),
+                                  &after = to_.scene.bodies[b].body->space();
+      for (int j = 0; j < std::ssize(before.rows()); ++j) {
+        const nurbs::Row &row = before.rows()[j], &other = after.rows()[j];
         const auto part = values.segment(old.offset(b) + D * before.first_function(j), D * row.functions());
         result.segment(own.offset(b) + D * after.first_function(j), D * other.functions()) =
             nurbs::project_row(row, other, part.reshaped(D, row.functions())).reshaped();
@@ -125,8 +122,8 @@ public:
           area > 0 ? one.limit / area : 0;
     }
     const MatrixX carried = (*multipliers_[k])(values);
-    result.multipliers.assign(at(own.multipliers()), {});
-    result.multiplier_results.assign(at(own.multipliers()), {});
+    result.multipliers.assign(own.multipliers(), {});
+    result.multiplier_results.assign(own.multipliers(), {});
     for (std::size_t a = 0; a < result.multipliers.size(); ++a) {
       const auto column = carried.col(static_cast<Eigen::Index>(a));
       contact::MultiplierHistory<D>& one = result.multipliers[a];
@@ -153,7 +150,7 @@ template <int D> void carry_reactions(const Model<D>& from, Model<D>& to) {
   // Obstacles, with their markers, are the same in both models.
   const int behind = own.displacements() - own.obstacles();
   force.segment(own.obstacles(), behind) = from.accepted.force.segment(old.obstacles(), behind);
-  for (int s = 0; s < static_cast<int>(to.system.scene.supports.size()); ++s)
+  for (int s = 0; s < std::ssize(to.system.scene.supports); ++s)
     for (int c = 0; c < D; ++c) {
       double missing = 0;
       int count = 0;

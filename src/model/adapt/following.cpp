@@ -1,7 +1,6 @@
 #include "model/adapt/following.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "model/results/profile.hpp"
 #include "model/results/sample.hpp"
 #include "solid/quadrature.hpp"
@@ -49,8 +48,8 @@ public:
         xi(a) = mid(a, e);
         return all > 1 && surface.fade(xi, rate) < 1;
       };
-      before_[at(a)] = is_beyond(0) ? 1 : 0;
-      own_[at(a)] = all - before_[at(a)] - (is_beyond(all - 1) ? 1 : 0);
+      before_[a] = is_beyond(0) ? 1 : 0;
+      own_[a] = all - before_[a] - (is_beyond(all - 1) ? 1 : 0);
     }
   }
 
@@ -59,7 +58,7 @@ public:
     std::array<int, D - 1> index{};
     for (int a = 0; a < D - 1; ++a) {
       const int all = surface_.direction(a).elements();
-      index[at(a)] = std::clamp(element % all - before_[at(a)], 0, own_[at(a)] - 1);
+      index[a] = std::clamp(element % all - before_[a], 0, own_[a] - 1);
       element /= all;
     }
     if (surface_.places().empty()) return {0, index};
@@ -89,17 +88,17 @@ public:
   Marks(const Scene<D>& scene, std::vector<LayerLine>& lines) : scene_(scene), lines_(lines) {}
 
   void add(const FaceReference& face, const std::array<int, D - 1>& index, double value) {
-    const Discretization& space = scene_.bodies[at(face.body)].body->space();
+    const Discretization& space = scene_.bodies[face.body].body->space();
     const int own = contact_index(space, face.side);
     if (own < 0 || !space.recipe()) return;
     for (LayerLine& line : lines_) {
       if (line.body != face.body || line.face != static_cast<std::size_t>(own)) continue;
       const nurbs::Space1D& direction = space.rows().front().direction(static_cast<int>(line.direction));
       // Layer knots cut the elements of the plan.
-      const int e = direction.elements() == static_cast<int>(line.jump.size())
+      const int e = direction.elements() == std::ssize(line.jump)
                         ? index[line.direction]
                         : whole(space, direction, line.direction, index[line.direction]);
-      line.jump[at(e)] = std::max({line.jump[at(e)], value, touch});
+      line.jump[e] = std::max({line.jump[e], value, touch});
     }
   }
 
@@ -120,13 +119,13 @@ template <int D> Mat<D> cauchy_stress(const Model<D>& model, int body, const Bod
     std::vector<std::array<const Field<D>*, D>> rows(D);
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j)
-        rows[at(i)][at(j)] = &find_field<D>(std::string("s") + static_cast<char>('x' + std::min(i, j)) +
-                                            static_cast<char>('x' + std::max(i, j)));
+        rows[i][j] = &find_field<D>(std::string("s") + static_cast<char>('x' + std::min(i, j)) +
+                                    static_cast<char>('x' + std::max(i, j)));
     return rows;
   }();
   Mat<D> result;
   for (int i = 0; i < D; ++i)
-    for (int j = 0; j < D; ++j) result(i, j) = value_at(model, body, *fields[at(i)][at(j)], point);
+    for (int j = 0; j < D; ++j) result(i, j) = value_at(model, body, *fields[i][j], point);
   return result;
 }
 
@@ -134,7 +133,7 @@ template <int D> Mat<D> cauchy_stress(const Model<D>& model, int body, const Bod
 template <int D>
 Vec<D> body_traction(const Model<D>& model, const contact::Formulation<D>& formulation, const FaceReference& face,
                      std::size_t i, const std::array<int, D - 1>& index, int points) {
-  const Discretization& space = model.system.scene.bodies[at(face.body)].body->space();
+  const Discretization& space = model.system.scene.bodies[face.body].body->space();
   const contact::ContactPoint& point = formulation.points().list[i];
   int element = 0, base = 1;
   VectorX xi(D);
@@ -145,10 +144,10 @@ Vec<D> body_traction(const Model<D>& model, const contact::Formulation<D>& formu
                                                    : space.rows().front().direction(space.in_row(d)).interval(own);
       xi(d) = face.side.at_end ? to : from;
     } else {
-      own = index[at(a++)];
+      own = index[a++];
       const nurbs::Space1D& direction = space.rows().front().direction(space.in_row(d));
       const auto [from, to] = direction.interval(own);
-      xi(d) = solid::gauss_legendre(points, from, to).points[at(rest % points)];
+      xi(d) = solid::gauss_legendre(points, from, to).points[rest % points];
       rest /= points;
     }
     element += base * own;
@@ -177,14 +176,14 @@ template <int D> void mark(const Model<D>& model, std::size_t k, bool measured, 
     double value = 1;
     if (measured && f >= 0 && contact.slave.size() == 1 && result.area > 0 && largest > 0) {
       const Vec<D> traction = result.force / result.area;
-      value = (traction - body_traction(model, formulation, contact.slave[at(f)], i, index, contact.points)).norm() /
-              largest;
+      value =
+          (traction - body_traction(model, formulation, contact.slave[f], i, index, contact.points)).norm() / largest;
     }
-    if (f >= 0) marks.add(contact.slave[at(f)], index, value);
+    if (f >= 0) marks.add(contact.slave[f], index, value);
     const int foot = history.points[i].projection.element;
     if (!master || foot < 0) continue;
     const auto [g, there] = on_master->find(foot);
-    if (g >= 0) marks.add((*master)[at(g)], there, value);
+    if (g >= 0) marks.add((*master)[g], there, value);
   }
 }
 
@@ -193,18 +192,18 @@ template <int D> void mark(const Model<D>& model, std::size_t k, bool measured, 
 template <int D> std::vector<LayerLine> layer_lines(const Model<D>& model) {
   std::vector<LayerLine> lines;
   const auto& bodies = model.system.scene.bodies;
-  for (int b = 0; b < static_cast<int>(bodies.size()); ++b) {
-    const Discretization& space = bodies[at(b)].body->space();
+  for (int b = 0; b < std::ssize(bodies); ++b) {
+    const Discretization& space = bodies[b].body->space();
     if (!space.recipe()) continue;
     const nurbs::Plan& plan = space.recipe()->plan;
     for (std::size_t f = 0; f < space.contact().size(); ++f)
       for (int a = 0; a < D - 1; ++a) {
-        if (!plan.labels[at(a)].layer) continue;
+        if (!plan.labels[a].layer) continue;
         const int d = a < space.through() ? a : a + 1;
         const std::size_t count = nurbs::element_breaks(space.recipe()->patch, plan, d).size() - 1;
         std::vector<bool> raised(count, true);
-        if (!plan.raised.empty() && !plan.raised[f][at(a)].empty()) raised = plan.raised[f][at(a)];
-        lines.push_back({b, f, at(a), std::move(raised), std::vector<double>(count, 0.0)});
+        if (!plan.raised.empty() && !plan.raised[f][a].empty()) raised = plan.raised[f][a];
+        lines.push_back({b, f, a, std::move(raised), std::vector<double>(count, 0.0)});
       }
   }
   return lines;
@@ -226,9 +225,9 @@ template <int D> std::vector<nurbs::RaisedElements> layers(const Model<D>& model
 template <int D> std::vector<nurbs::RaisedElements> layers(const Model<D>& model, const std::vector<LayerLine>& lines) {
   std::vector<nurbs::RaisedElements> result(model.system.scene.bodies.size());
   for (const LayerLine& line : lines) {
-    const auto faces = model.system.scene.bodies[at(line.body)].body->space().contact().size();
-    result[at(line.body)].resize(faces, std::vector<std::vector<bool>>(static_cast<std::size_t>(D - 1)));
-    result[at(line.body)][line.face][line.direction] = line.raised;
+    const auto faces = model.system.scene.bodies[line.body].body->space().contact().size();
+    result[line.body].resize(faces, std::vector<std::vector<bool>>(static_cast<std::size_t>(D - 1)));
+    result[line.body][line.face][line.direction] = line.raised;
   }
   return result;
 }
@@ -255,9 +254,9 @@ template <int D> void check_following(const Model<D>& model) {
   for (const Contact<D>& contact : model.system.scene.contacts)
     require(!contact.adaptive_points, "model.adapt.auto_points", {{"contact", contact.name}});
   check_replaceable<D>(model.system.scene, [&](int b, int row) {
-    const auto& recipe = bodies[at(b)].body->space().recipe();
+    const auto& recipe = bodies[b].body->space().recipe();
     if (!recipe) return false;
-    const Discretization& space = bodies[at(b)].body->space();
+    const Discretization& space = bodies[b].body->space();
     const int count = space.stack().functions();
     int deep = 0;
     for (const nurbs::Label& label : recipe->plan.labels)

@@ -1,6 +1,5 @@
 #include "model/adapt/scene_archive.hpp"
 
-#include "base/index.hpp"
 #include "contact/method/archive.hpp"
 #include "model/scene/region.hpp"
 #include "model/scene/scene_check.hpp"

@@ -1,7 +1,5 @@
 #include "model/checks/axis.hpp"
 
-#include "base/index.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,31 +13,31 @@ constexpr double on_axis = 1e-12;
 } // namespace
 
 template <int D> std::vector<char> radial_on_axis(const System<D>& system) {
-  std::vector<char> held(at(system.unknowns.dofs()), 0);
+  std::vector<char> held(system.unknowns.dofs(), 0);
   if (system.scene.kind != solid::Kind::axisymmetric) return held;
   for (std::size_t b = 0; b < system.scene.bodies.size(); ++b) {
     const MatrixX points = system.scene.bodies[b].body->space().points();
     const double least = on_axis * points.row(0).cwiseAbs().maxCoeff();
     for (Eigen::Index i = 0; i < points.cols(); ++i)
-      held[at(system.unknowns.offset(static_cast<int>(b)) + D * static_cast<int>(i))] = points(0, i) <= least;
+      held[system.unknowns.offset(static_cast<int>(b)) + D * static_cast<int>(i)] = points(0, i) <= least;
   }
   return held;
 }
 
 template <int D> Message off_axis(const System<D>& system, int drive, const std::vector<double>& values) {
-  const Drive& moving = system.drives.all()[at(drive)];
+  const Drive& moving = system.drives.all()[drive];
   if (system.scene.kind != solid::Kind::axisymmetric || moving.support < 0) return {};
   VectorX targets = VectorX::Zero(system.drives.start().size());
   for (std::size_t k = 0; k < std::min(values.size(), moving.components.size()); ++k)
     targets(moving.first + static_cast<int>(k)) = values[k];
   const VectorX moved = system.drives.displacement(targets);
-  const Support<D>& support = system.scene.supports[at(moving.support)];
+  const Support<D>& support = system.scene.supports[moving.support];
   const double least = on_axis * system.extent; // a body on the axis has no larger radii
   for (const int obstacle : support.obstacles)
     if (const double across = moved(system.unknowns.obstacle_offset(obstacle)); std::abs(across) > least)
       return Message("model.axis.obstacle", {{"support", support.name}, {"across", across}});
   for (const SupportedControlPoints& part : support.on) {
-    const NamedBody<D>& named = system.scene.bodies[at(part.body)];
+    const NamedBody<D>& named = system.scene.bodies[part.body];
     for (const int function : part.functions) {
       const int dof = system.unknowns.offset(part.body) + D * function;
       if (std::abs(moved(dof)) <= least) continue;

@@ -1,7 +1,6 @@
 #include "model/checks/clearance.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "model/checks/constants.hpp"
 #include "model/checks/outline.hpp"
 #include "model/constants.hpp"
@@ -78,7 +77,7 @@ template <int D> bool can_part(System<D>& system, const Contact<D>& contact, con
   const auto parts = [&](const UnconstrainedMotion& free, const Faces& faces) {
     for (const FaceReference& face : faces)
       if (face.body == free.body)
-        for (const int function : system.scene.bodies[at(face.body)].body->space().face_functions(face.side))
+        for (const int function : system.scene.bodies[face.body].body->space().face_functions(face.side))
           if (std::abs(free.motion.template segment<D>(D * function).dot(normal)) > parting) return true;
     return false;
   };
@@ -140,7 +139,7 @@ template <int D> bool is_shallow(const Scene<D>& scene, const Contact<D>& contac
   if (depth <= 0) return true;
   const double thick = thickness(scene, contact.slave);
   if (contact.start.interference) return depth <= whole_depth * thick;
-  const double size = size_of(scene.bodies[at(contact.slave.front().body)].body->space().points());
+  const double size = size_of(scene.bodies[contact.slave.front().body].body->space().points());
   return depth < obstacle_overlap * size && depth < mistaken_overlap * thick;
 }
 
@@ -191,13 +190,13 @@ std::vector<Message> check_clearance(System<D>& system, const std::vector<contac
     const Contact<D>& contact = scene.contacts[k];
     if (!contact.start.active) continue;
     const Overlap<D> deepest = overlap_of(*system.contacts[k], histories[k]);
-    const NamedBody<D>& named = scene.bodies[at(contact.slave.front().body)];
+    const NamedBody<D>& named = scene.bodies[contact.slave.front().body];
     if (const auto* face = std::get_if<Faces>(&contact.master)) {
       check_overlap(scene, contact, *face, deepest);
       warn_of_strain(system, k, deepest, warnings);
       continue;
     }
-    const contact::Obstacle<D>& obstacle = scene.obstacles[at(std::get<ObstacleReference>(contact.master).obstacle)];
+    const contact::Obstacle<D>& obstacle = scene.obstacles[std::get<ObstacleReference>(contact.master).obstacle];
     require(is_shallow(scene, contact, deepest.depth), "model.clearance.inside",
             {{"contact", contact.name},
              {"body", named.name},

@@ -1,6 +1,5 @@
 #include "model/checks/idle_actions.hpp"
 
-#include "base/index.hpp"
 #include "model/checks/axis.hpp"
 #include "model/scene/turning.hpp"
 
@@ -27,14 +26,14 @@ template <int D> std::vector<int> loaded(const System<D>& system, const Drive& d
   const auto components = static_cast<Eigen::Index>(drive.components.size());
   const VectorX start = system.drives.start().segment(drive.first, components);
   VectorX targets = VectorX::Zero(system.drives.start().size());
-  targets.segment(drive.first, components) = start.isZero(0) || !system.scene.loads[at(drive.load)].values.empty()
+  targets.segment(drive.first, components) = start.isZero(0) || !system.scene.loads[drive.load].values.empty()
                                                  ? VectorX(VectorX::Ones(components))
                                                  : VectorX((start.array() != 0).template cast<double>());
   VectorX force = system.drives.force(targets);
   system.followers.add_force(VectorX::Zero(system.unknowns.dofs()), targets, force);
   std::vector<int> dofs;
   add_acting(force, dofs);
-  if (system.scene.loads[at(drive.load)].kind != LoadKind::follower_pressure) return dofs;
+  if (system.scene.loads[drive.load].kind != LoadKind::follower_pressure) return dofs;
   std::vector<int> all;
   for (const int dof : dofs)
     for (int c = 0; c < D; ++c) all.push_back(dof - dof % D + c);
@@ -56,7 +55,7 @@ template <int D> std::string holders(const System<D>& system, const std::vector<
   for (std::size_t s = 0; s < system.scene.supports.size(); ++s) {
     const Support<D>& support = system.scene.supports[s];
     const auto holds = [&](int dof) {
-      return support.constraint[at(dof % D)] != Constraint::free &&
+      return support.constraint[dof % D] != Constraint::free &&
              std::ranges::binary_search(system.unknowns.of_support(static_cast<int>(s), dof % D), dof);
     };
     const auto holds_obstacle = [&](int obstacle) {
@@ -88,7 +87,7 @@ template <int D> bool is_round(const contact::LevelSet<D>& level_set, const Vec<
 
 /// Whether an obstacle is round about the axis of its free angle, so that only friction turns it.
 template <int D> bool is_round(const Scene<D>& scene, const FreeAngle<D>& angle) {
-  const contact::Obstacle<D>& shape = scene.obstacles[at(angle.obstacle)];
+  const contact::Obstacle<D>& shape = scene.obstacles[angle.obstacle];
   const Vec<D> center = turn_of(scene, angle.obstacle)->turning.center;
   const double tolerance = negligible * angle.arm;
   if (const auto* ball = std::get_if<contact::Ball<D>>(&shape)) {
@@ -134,15 +133,14 @@ template <int D> void warn_of_idle_actions(const System<D>& system, std::vector<
   const auto warn = [&](const std::vector<int>& dofs, const Message& action) {
     if (dofs.empty() && system.scene.kind != solid::Kind::axisymmetric)
       warnings.push_back(Message("model.warning.idle_no_area", {{"action", action}}));
-    else if (std::ranges::all_of(dofs, [&](int dof) { return on_axis[at(dof)] != 0; }))
+    else if (std::ranges::all_of(dofs, [&](int dof) { return on_axis[dof] != 0; }))
       warnings.push_back(Message("model.warning.idle_on_axis", {{"action", action}}));
-    else if (std::ranges::all_of(dofs,
-                                 [&](int dof) { return on_axis[at(dof)] != 0 || system.unknowns.unknown(dof) < 0; }))
+    else if (std::ranges::all_of(dofs, [&](int dof) { return on_axis[dof] != 0 || system.unknowns.unknown(dof) < 0; }))
       warnings.push_back(Message("model.warning.idle", {{"action", action}, {"supports", holders(system, dofs)}}));
   };
   for (const Drive& drive : system.drives.all()) {
     if (drive.load < 0) continue;
-    const Load& load = system.scene.loads[at(drive.load)];
+    const Load& load = system.scene.loads[drive.load];
     if (!load.values.empty() && std::ranges::all_of(load.values, [](double value) { return value == 0; }))
       warnings.push_back(Message("model.warning.zero_function", {{"load", load.name}}));
     else if (load.kind != LoadKind::body_force)

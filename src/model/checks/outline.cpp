@@ -123,24 +123,24 @@ void Outline<D>::add_face(const nurbs::Discretization& space, const MatrixX& poi
   nurbs::ElementBasis basis;
   std::vector<std::vector<double>> parameters(D);
   std::array<Vec<D>, static_cast<std::size_t>(rows * (n + 1))> places;
-  const auto place = [&](int i, int j) -> const Vec<D>& { return places[at(j * (n + 1) + i)]; };
+  const auto place = [&](int i, int j) -> const Vec<D>& { return places[j * (n + 1) + i]; };
   for (int f = 0; f < space.elements_on(side); ++f) {
     const int e = space.element_behind(side, f);
     for (int d = 0; d < D; ++d) {
       const auto [from, to] = space.interval(e, d);
-      parameters[at(d)] = {side.at_end ? to : from};
+      parameters[d] = {side.at_end ? to : from};
       if (d == side.direction) continue;
-      parameters[at(d)].clear();
-      for (int k = 0; k <= n; ++k) parameters[at(d)].push_back(from + (to - from) * k / n);
+      parameters[d].clear();
+      for (int k = 0; k <= n; ++k) parameters[d].push_back(from + (to - from) * k / n);
     }
     grid.choose(e, parameters);
     for (int j = 0; j < rows; ++j)
       for (int i = 0; i <= n; ++i) {
         std::array<int, 3> point{};
         for (int d = 0, along = 0; d < D; ++d)
-          if (d != side.direction) point[at(d)] = along++ == 0 ? i : j;
+          if (d != side.direction) point[d] = along++ == 0 ? i : j;
         grid.evaluate(point, basis);
-        Vec<D>& x = places[at(j * (n + 1) + i)];
+        Vec<D>& x = places[j * (n + 1) + i];
         x.setZero();
         for (std::size_t a = 0; a < basis.functions.size(); ++a)
           x += basis.values(static_cast<Eigen::Index>(a)) * points.col(basis.functions[a]);
@@ -196,19 +196,19 @@ template <int D> void Outline<D>::sort() {
     for (int d = 1; d < D; ++d) {
       const auto [low, top] = std::minmax_element(turned_[i].begin(), turned_[i].end(),
                                                   [d](const Vec<D>& a, const Vec<D>& b) { return a(d) < b(d); });
-      from[at(d - 1)] = cell((*low)(d), d);
-      to[at(d - 1)] = cell((*top)(d), d);
+      from[d - 1] = cell((*low)(d), d);
+      to[d - 1] = cell((*top)(d), d);
     }
     for (int k = from[1]; k <= to[1]; ++k)
-      for (int j = from[0]; j <= to[0]; ++j) what(at(k * cells_ + j));
+      for (int j = from[0]; j <= to[0]; ++j) what(k * cells_ + j);
   };
-  first_.assign(at(D == 2 ? cells_ : cells_ * cells_) + 1, 0);
+  first_.assign((D == 2 ? cells_ : cells_ * cells_) + 1, 0);
   for (std::size_t i = 0; i < turned_.size(); ++i) visit(i, [&](std::size_t c) { ++first_[c + 1]; });
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  listed_.resize(at(first_.back()));
+  listed_.resize(first_.back());
   std::vector<int> next = first_;
   for (std::size_t i = 0; i < turned_.size(); ++i)
-    visit(i, [&](std::size_t c) { listed_[at(next[c]++)] = static_cast<int>(i); });
+    visit(i, [&](std::size_t c) { listed_[next[c]++] = static_cast<int>(i); });
 }
 
 template <int D> double Outline<D>::winding(const Vec<D>& x) const {
@@ -223,9 +223,9 @@ template <int D> double Outline<D>::winding(const Vec<D>& x) const {
 
 template <int D> int Outline<D>::layers(const Vec<D>& x) const {
   const Vec<D> turned = ray_frame<D>() * x;
-  const std::size_t here = at((D == 2 ? 0 : cells_ * cell(turned(D - 1), D - 1)) + cell(turned(1), 1));
+  const std::size_t here = (D == 2 ? 0 : cells_ * cell(turned(D - 1), D - 1)) + cell(turned(1), 1);
   int sum = 0;
-  for (int i = first_[here]; i < first_[here + 1]; ++i) sum += passed(turned_[at(listed_[at(i)])], turned);
+  for (int i = first_[here]; i < first_[here + 1]; ++i) sum += passed(turned_[listed_[i]], turned);
   return sum;
 }
 

@@ -2,7 +2,6 @@
 // Outline of a body in one of its positions: its faces as segments (2D) or triangles (3D), and what they enclose.
 
 #include "base/eigen.hpp"
-#include "base/index.hpp"
 #include "nurbs/discretization.hpp"
 
 #include <array>
@@ -24,7 +23,7 @@ template <int D> struct Facet {
 
 /// Of a side in lists of all sides.
 inline std::size_t number_of(nurbs::Side side) {
-  return at(2 * side.direction + side.at_end);
+  return 2 * side.direction + side.at_end;
 }
 
 /// A value for each side of a body.

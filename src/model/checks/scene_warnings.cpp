@@ -1,7 +1,6 @@
 #include "model/checks/scene_warnings.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "model/constants.hpp"
 #include "model/scene/element_size.hpp"
 #include "model/scene/thickness.hpp"
@@ -22,7 +21,7 @@ template <int D> PenaltyRatio ratio_behind(const Scene<D>& scene, const Faces& f
   PenaltyRatio softest{0, std::numeric_limits<double>::infinity(), {}};
   for (const FaceReference& face : faces)
     if (const double stiffness = element_stiffness(scene, face); stiffness < softest.stiffness)
-      softest = {0, stiffness, scene.bodies[at(face.body)].name};
+      softest = {0, stiffness, scene.bodies[face.body].name};
   return softest;
 }
 
@@ -95,8 +94,8 @@ void warn_of_stiff_slave(const Scene<D>& scene, const Contact<D>& contact, std::
   if (ratio < stiff_slave || element_size(scene, contact.slave, 2) > coarse_slave * element_size(scene, *face, 2))
     return;
   warnings.push_back(Message("model.warning.stiff_slave", {{"contact", contact.name},
-                                                           {"slave", scene.bodies[at(contact.slave.front().body)].name},
-                                                           {"master", scene.bodies[at(face->front().body)].name},
+                                                           {"slave", scene.bodies[contact.slave.front().body].name},
+                                                           {"master", scene.bodies[face->front().body].name},
                                                            {"ratio", ratio}}));
 }
 
@@ -120,7 +119,7 @@ template <int D> void warn_of_areas(const Scene<D>& scene, std::vector<Message>&
       for (const FaceReference& face : load.on)
         if (face.body == b) faces.push_back(face.side);
       if (faces.empty()) continue;
-      if (const double error = solid::area_error(*scene.bodies[at(b)].body, faces); error > most_quadrature_error)
+      if (const double error = solid::area_error(*scene.bodies[b].body, faces); error > most_quadrature_error)
         warnings.push_back(Message("model.warning.area", {{"load", load.name}, {"percent", 100 * error}}));
     }
 }

@@ -1,7 +1,6 @@
 #include "model/diagnosis/diagnosis.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "base/orthonormal.hpp"
 #include "model/checks/scene_warnings.hpp"
 #include "model/constants.hpp"
@@ -28,7 +27,7 @@ template <int D> VectorX accepted_displacement(const Model<D>& model, int body, 
 
 /// A control point of a body.
 template <int D> FailurePlace control_point(const Model<D>& model, int body, int function) {
-  const auto& named = model.system.scene.bodies[at(body)];
+  const auto& named = model.system.scene.bodies[body];
   const VectorX reference = named.body->space().points().col(function);
   return {"control point",
           named.name,
@@ -49,8 +48,8 @@ std::vector<FailurePlace> largest(const Model<D>& model, const VectorX& values, 
   };
   std::vector<Share> shares;
   const VectorX all = model.system.unknowns.spread(values);
-  for (int b = 0; b < static_cast<int>(model.system.scene.bodies.size()); ++b)
-    for (int a = 0; a < model.system.scene.bodies[at(b)].body->functions(); ++a)
+  for (int b = 0; b < std::ssize(model.system.scene.bodies); ++b)
+    for (int a = 0; a < model.system.scene.bodies[b].body->functions(); ++a)
       shares.push_back({b, a, all.template segment<D>(model.system.unknowns.offset(b) + D * a).norm()});
   const std::size_t count = std::min<std::size_t>(3, shares.size());
   std::partial_sort(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(count), shares.end(),
@@ -81,14 +80,14 @@ FailurePlace contact_point(const Model<D>& model, std::size_t contact, std::size
 template <int D, class What>
 void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<PointIndex>& points, What what) {
   for (std::size_t k = 0; k < std::min(points.size(), most_places); ++k) {
-    const std::size_t contact = at(points[k].contact);
+    const std::size_t contact = points[k].contact;
     const int i = model.system.contacts[contact]->point_of(points[k].point);
     const double gap = constraint(model.present.contacts[contact], points[k].point).gap;
-    diagnosis.places.push_back(contact_point(model, contact, at(i), gap, what(points[k])));
+    diagnosis.places.push_back(contact_point(model, contact, i, gap, what(points[k])));
   }
   if (points.empty()) return;
   const FailurePlace& first = diagnosis.places.front();
-  const bool weighted = model.system.contacts[at(points.front().contact)]->multipliers() > 0;
+  const bool weighted = model.system.contacts[points.front().contact]->multipliers() > 0;
   diagnosis.messages.push_back(Message(
       weighted ? "model.diagnosis.multipliers" : "model.diagnosis.points",
       {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
@@ -102,9 +101,9 @@ template <int D> void add_crossed(Diagnosis& diagnosis, const Model<D>& model) {
     if (points.empty()) continue;
     const std::vector<double> gaps = model.system.contacts[k]->gaps(history);
     for (std::size_t n = 0; n < std::min(points.size(), most_places); ++n) {
-      const double gap = gaps[at(points[n])];
+      const double gap = gaps[points[n]];
       diagnosis.places.push_back(
-          contact_point(model, k, at(points[n]), gap, Message("model.place.behind", {{"distance", gap}})));
+          contact_point(model, k, points[n], gap, Message("model.place.behind", {{"distance", gap}})));
     }
     const FailurePlace& first = diagnosis.places.front();
     diagnosis.messages.push_back(Message(
@@ -116,10 +115,10 @@ template <int D> void add_crossed(Diagnosis& diagnosis, const Model<D>& model) {
 /// The points of augmented contacts that are not open, those with the largest |gap| first.
 template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
   const auto& contacts = model.present.contacts;
-  const auto result = [&](const PointIndex& p) { return constraint(contacts[at(p.contact)], p.point); };
+  const auto result = [&](const PointIndex& p) { return constraint(contacts[p.contact], p.point); };
   std::vector<PointIndex> points;
-  for (int k = 0; k < static_cast<int>(contacts.size()); ++k)
-    for (int i = 0; model.system.contacts[at(k)]->augmented() && i < constraints(contacts[at(k)]); ++i)
+  for (int k = 0; k < std::ssize(contacts); ++k)
+    for (int i = 0; model.system.contacts[k]->augmented() && i < constraints(contacts[k]); ++i)
       if (result({k, i}).state != contact::ContactState::open) points.push_back({k, i});
   std::stable_sort(points.begin(), points.end(), [&](const PointIndex& a, const PointIndex& b) {
     return std::abs(result(a).gap) > std::abs(result(b).gap);
@@ -130,7 +129,7 @@ template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
 /// The inverted Gauss point of an element.
 template <int D> FailurePlace inverted_element(const Model<D>& model) {
   const auto& [body, inversion] = *model.inversion;
-  const auto& named = model.system.scene.bodies[at(body)];
+  const auto& named = model.system.scene.bodies[body];
   const nurbs::Discretization& space = named.body->space();
   const solid::ElementQuadrature rule = solid::element_quadrature(space, inversion.element);
   VectorX current = inversion.point;
@@ -165,7 +164,7 @@ template <int D> Message obstacle_part(const Model<D>& model, const VectorX& all
     return Message("model.diagnosis.obstacle",
                    {{"component", component}, {"support", support_of(scene, obstacle, component)}});
   };
-  for (int k = 0; k < static_cast<int>(scene.obstacles.size()); ++k)
+  for (int k = 0; k < std::ssize(scene.obstacles); ++k)
     for (int c = 0; c < D; ++c)
       if (std::abs(all(unknowns.obstacle_offset(k) + c)) > own_part * all.norm()) return message(k, component_name(c));
   for (const FreeAngle<D>& angle : unknowns.free_angles())
@@ -326,8 +325,7 @@ template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonRe
   if (report.outcome == Outcome::crossed) add_crossed(diagnosis, model);
   if (report.outcome == Outcome::penetration)
     add_points(diagnosis, model, farthest(model), [&](const PointIndex& point) {
-      return Message("model.place.gap",
-                     {{"gap", constraint(model.present.contacts[at(point.contact)], point.point).gap}});
+      return Message("model.place.gap", {{"gap", constraint(model.present.contacts[point.contact], point.point).gap}});
     });
   // A tangent that was too large for one process is not factored in one.
   const bool by_mumps = model.linear.kind() == solve::LinearKind::mumps;

@@ -1,6 +1,5 @@
 #include "model/diagnosis/sliding.hpp"
 
-#include "base/index.hpp"
 #include "base/orthonormal.hpp"
 #include "model/constants.hpp"
 
@@ -57,7 +56,7 @@ std::vector<Vec<D>> touching_normals(const contact::Surface<D>& slave, const con
   for (const auto& point : history.results) {
     if (!contact::touches(point.state)) continue;
     std::array<Vec<D>, D - 1> tangents;
-    for (int a = 0; a < D - 1; ++a) tangents[at(a)] = point.tangents.col(a);
+    for (int a = 0; a < D - 1; ++a) tangents[a] = point.tangents.col(a);
     normals.push_back(slave.outward(tangents).normalized());
   }
   return normals;
@@ -86,13 +85,13 @@ template <int D> Message exhausted_friction(const Model<D>& model) {
   const Unknowns<D>& unknowns = model.system.unknowns;
   if (!scene.joins.empty() || !scene.ties.empty() || !model.external.allFinite()) return {};
   const std::vector<UnconstrainedMotion> motions = unconstrained_motions(scene, unknowns);
-  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) {
+  for (int b = 0; b < std::ssize(scene.bodies); ++b) {
     const int k = only_contact(model, b);
     if (k < 0 || !floats<D>(motions, b)) continue;
-    const contact::Formulation<D>& contact = *model.system.contacts[at(k)];
-    const contact::History<D>& present = model.present.contacts[at(k)];
+    const contact::Formulation<D>& contact = *model.system.contacts[k];
+    const contact::History<D>& present = model.present.contacts[k];
     // Those of the state before the step, which is in equilibrium, if it has any
-    std::vector<Vec<D>> normals = touching_normals(contact.slave(), model.accepted.contacts[at(k)]);
+    std::vector<Vec<D>> normals = touching_normals(contact.slave(), model.accepted.contacts[k]);
     if (normals.empty()) normals = touching_normals(contact.slave(), present);
     if (normals.empty()) continue;
     Vec<D> n = Vec<D>::Zero(), force = n;
@@ -103,13 +102,13 @@ template <int D> Message exhausted_friction(const Model<D>& model) {
     const bool sticks = std::ranges::any_of(
         present.results, [](const auto& point) { return point.state == contact::ContactState::stick; });
     const double mu = contact.friction(present), angle = std::atan(mu) + (sticks ? spread : -spread);
-    for (int i = 0; i < scene.bodies[at(b)].body->functions(); ++i)
+    for (int i = 0; i < scene.bodies[b].body->functions(); ++i)
       force += model.external.template segment<D>(unknowns.offset(b) + D * i);
-    const double normal = (scene.contacts[at(k)].slave.on(b) ? 1 : -1) * force.dot(n);
+    const double normal = (scene.contacts[k].slave.on(b) ? 1 : -1) * force.dot(n);
     const double demanded = (force - force.dot(n) * n).norm();
     if (normal > 0 && angle < std::acos(0) && demanded > normal * std::tan(angle))
-      return Message("model.diagnosis.friction", {{"contact", scene.contacts[at(k)].name},
-                                                  {"body", scene.bodies[at(b)].name},
+      return Message("model.diagnosis.friction", {{"contact", scene.contacts[k].name},
+                                                  {"body", scene.bodies[b].name},
                                                   {"ratio", demanded / normal},
                                                   {"normal", normal},
                                                   {"demanded", demanded},

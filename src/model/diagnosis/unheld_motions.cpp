@@ -1,6 +1,5 @@
 #include "model/diagnosis/unheld_motions.hpp"
 
-#include "base/index.hpp"
 #include "model/diagnosis/weak_directions.hpp"
 #include "model/system/rigid_motions.hpp"
 
@@ -30,15 +29,15 @@ template <int D> Message unheld_motions(const Model<D>& model, int body) {
   const Scene<D>& scene = model.system.scene;
   const Unknowns<D>& unknowns = model.system.unknowns;
   const Assembly<D>& assembly = model.system.assembly;
-  MatrixX points = scene.bodies[at(body)].body->space().points();
+  MatrixX points = scene.bodies[body].body->space().points();
   points += Eigen::Map<const MatrixX>(model.present.displacement.data() + unknowns.offset(body), D, points.cols());
 
   const int translations = scene.kind == solid::Kind::axisymmetric ? 1 : D;
   const double least = rounding * assembly.diagonal().cwiseAbs().maxCoeff();
   std::vector<std::string> moves, turns;
   const std::vector<VectorX> motions = rigid_motions<D>(points, scene.kind);
-  for (int m = 0; m < static_cast<int>(motions.size()); ++m) {
-    const VectorX motion = by_unknown(unknowns, body, motions[at(m)]);
+  for (int m = 0; m < std::ssize(motions); ++m) {
+    const VectorX motion = by_unknown(unknowns, body, motions[m]);
     if (motion.size() == 0) continue;
     const double stiffness = motion.dot(VectorX(times(assembly.pattern(), assembly.values(), motion)));
     if (!(std::abs(stiffness) <= least * motion.squaredNorm())) continue; // also where it is not a number
@@ -48,7 +47,7 @@ template <int D> Message unheld_motions(const Model<D>& model, int body) {
       turns.push_back(component_name(D == 2 ? 2 : m - translations));
   }
   if (moves.size() + turns.size() < 2) return {};
-  const std::string& name = scene.bodies[at(body)].name;
+  const std::string& name = scene.bodies[body].name;
   if (turns.empty()) return Message("model.diagnosis.unheld_moves", {{"body", name}, {"moves", moves}});
   if (moves.empty()) return Message("model.diagnosis.unheld_turns", {{"body", name}, {"turns", turns}});
   return Message("model.diagnosis.unheld", {{"body", name}, {"moves", moves}, {"turns", turns}});

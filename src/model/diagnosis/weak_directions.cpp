@@ -61,13 +61,13 @@ WeakDirection iterate(solve::LinearKind kind, const solve::Pattern& pattern, con
 MatrixX times(const solve::Pattern& pattern, const std::vector<double>& values, const MatrixX& x) {
   MatrixX product = MatrixX::Zero(x.rows(), x.cols());
   for (int j = 0; j < pattern.size; ++j)
-    for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1]; ++k)
-      product.row(pattern.rows[static_cast<std::size_t>(k)]) += values[static_cast<std::size_t>(k)] * x.row(j);
+    for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k)
+      product.row(pattern.rows[k]) += values[k] * x.row(j);
   return product;
 }
 
 std::vector<double> shifted(const solve::Pattern& pattern, std::vector<double> values, double shift) {
-  for (int i = 0; i < pattern.size; ++i) values[static_cast<std::size_t>(pattern.find(i, i))] += shift;
+  for (int i = 0; i < pattern.size; ++i) values[pattern.find(i, i)] += shift;
   return values;
 }
 

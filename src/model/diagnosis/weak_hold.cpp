@@ -1,6 +1,5 @@
 #include "model/diagnosis/weak_hold.hpp"
 
-#include "base/index.hpp"
 #include "base/orthonormal.hpp"
 #include "model/steps/equilibrium.hpp"
 #include "solve/least_eigenpair.hpp"
@@ -27,7 +26,7 @@ template <int D> FreeMotions free_motions(System<D>& system) {
     for (Eigen::Index i = 0; i < motion.size(); ++i)
       if (const int unknown = unknowns.unknown(unknowns.offset(body) + static_cast<int>(i)); unknown >= 0)
         motions.columns(unknown, column) = motion(i);
-    motions.names.push_back(system.scene.bodies[at(body)].name);
+    motions.names.push_back(system.scene.bodies[body].name);
   }
   for (const UnconstrainedObstacle& motion : obstacles) {
     motions.columns(unknowns.unknown(motion.dof), static_cast<Eigen::Index>(motions.names.size())) = 1;
@@ -61,7 +60,7 @@ const std::string& mover(const FreeMotions& motions, const MatrixX& m, const Vec
   const VectorX shares = motions.columns.transpose().lazyProduct(m.lazyProduct(c));
   Eigen::Index largest = 0;
   shares.cwiseAbs().maxCoeff(&largest);
-  return motions.names[static_cast<std::size_t>(largest)];
+  return motions.names[largest];
 }
 
 } // namespace

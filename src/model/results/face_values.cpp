@@ -1,7 +1,6 @@
 #include "model/results/face_values.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "solid/quadrature.hpp"
 
 #include <algorithm>
@@ -36,10 +35,10 @@ MatrixX interpolation(int sparse, int full) {
 } // namespace
 
 template <int D> MatrixX contact_point_values(const Model<D>& model, FaceField field, int contact, std::size_t face) {
-  const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
-  const Contact<D>& named = model.system.scene.contacts[at(contact)];
+  const contact::Formulation<D>& formulation = *model.system.contacts[contact];
+  const Contact<D>& named = model.system.scene.contacts[contact];
   const int points = named.points;
-  const contact::History<D>& history = model.present.contacts[at(contact)];
+  const contact::History<D>& history = model.present.contacts[contact];
   const std::vector<double> damage = field == FaceField::damage ? formulation.damage(history) : std::vector<double>();
   MatrixX all = MatrixX::Zero(D == 3 ? points * points : points, formulation.slave().elements());
   for (std::size_t i = 0; i < formulation.points().size(); ++i) {
@@ -49,8 +48,8 @@ template <int D> MatrixX contact_point_values(const Model<D>& model, FaceField f
   }
   if (const int sparse = formulation.points().sparse; sparse > 0) {
     const MatrixX along = interpolation(sparse, points);
-    for (int e = 0; e < static_cast<int>(history.sparse.size()); ++e) {
-      if (!history.sparse[at(e)]) continue;
+    for (int e = 0; e < std::ssize(history.sparse); ++e) {
+      if (!history.sparse[e]) continue;
       if constexpr (D == 2)
         all.col(e) = (along * all.col(e).head(sparse)).eval();
       else
@@ -67,8 +66,8 @@ template <int D> MatrixX contact_point_values(const Model<D>& model, FaceField f
 
 template <int D>
 FaceValues<D>::FaceValues(const Model<D>& model, FaceField field, int contact, std::size_t face)
-    : side_(model.system.scene.contacts[at(contact)].slave[face].side),
-      points_(model.system.scene.contacts[at(contact)].points), places_(solid::gauss_legendre(points_, 0, 1).points),
+    : side_(model.system.scene.contacts[contact].slave[face].side),
+      points_(model.system.scene.contacts[contact].points), places_(solid::gauss_legendre(points_, 0, 1).points),
       values_(contact_point_values(model, field, contact, face)) {}
 
 template <int D> double FaceValues<D>::at_place(int e, const contact::FaceCoordinates<D>& fraction) const {
@@ -78,10 +77,10 @@ template <int D> double FaceValues<D>::at_place(int e, const contact::FaceCoordi
   for (std::size_t d = 0; d < D - 1; ++d) {
     const double place = fraction(static_cast<int>(d));
     int i = 0;
-    while (i + 2 < points_ && places_[at(i + 1)] < place) ++i;
-    const double gap = places_[at(std::min(i + 1, points_ - 1))] - places_[at(i)];
+    while (i + 2 < points_ && places_[i + 1] < place) ++i;
+    const double gap = places_[std::min(i + 1, points_ - 1)] - places_[i];
     first[d] = i;
-    weight[d] = gap > 0 ? std::clamp((place - places_[at(i)]) / gap, 0.0, 1.0) : 0.0;
+    weight[d] = gap > 0 ? std::clamp((place - places_[i]) / gap, 0.0, 1.0) : 0.0;
   }
   for (int corner = 0; corner < 1 << (D - 1); ++corner) {
     double share = 1;
@@ -109,7 +108,7 @@ template <int D> [[noreturn]] void throw_without(const Model<D>& model, FaceFiel
   for (const auto& contact : model.system.scene.contacts)
     for (const auto& [on, side] : contact.slave) {
       if (on != body || !has(contact, field)) continue;
-      const double end = end_of(model.system.scene.bodies[at(body)].body->space(), side);
+      const double end = end_of(model.system.scene.bodies[body].body->space(), side);
       places.push_back(
           Message("model.field.face_place", {{"direction", side.direction}, {"xi", end}, {"contact", contact.name}}));
     }
@@ -120,7 +119,7 @@ template <int D> [[noreturn]] void throw_without(const Model<D>& model, FaceFiel
 } // namespace
 
 template <int D> double sample_face(const Model<D>& model, FaceField field, int body, const VectorX& xi) {
-  const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[body].body->space();
   const int e = space.find_element(xi); // throws Error outside
   double sum = 0;
   bool found = false;

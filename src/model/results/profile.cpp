@@ -17,11 +17,11 @@ template <int D> void append(const Vec<D>& v, std::array<std::vector<double>*, 3
 } // namespace
 
 template <int D> Profile profile(const Model<D>& model, int contact) {
-  const contact::Formulation<D>& formulation = *model.system.contacts[at(contact)];
-  const contact::History<D>& history = model.present.contacts[at(contact)];
+  const contact::Formulation<D>& formulation = *model.system.contacts[contact];
+  const contact::History<D>& history = model.present.contacts[contact];
   Profile result;
   const std::vector<double> gaps = formulation.gaps(history), damage = formulation.damage(history);
-  const std::vector<char> inside = contact_area(model, at(contact), history).inside;
+  const std::vector<char> inside = contact_area(model, contact, history).inside;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     if (!acts(formulation.points(), history, i)) continue;
     const auto& point = history.results[i];

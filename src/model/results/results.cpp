@@ -1,7 +1,6 @@
 #include "model/results/results.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "model/scene/turning.hpp"
 
 #include <algorithm>
@@ -12,18 +11,18 @@ namespace signorini::model {
 template <int D>
 Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> body_displacement(const Model<D>& model, int body) {
   return {model.present.displacement.data() + model.system.unknowns.offset(body), D,
-          model.system.scene.bodies[at(body)].body->functions()};
+          model.system.scene.bodies[body].body->functions()};
 }
 
 template <int D> Vec<D> reaction(const Model<D>& model, int index) {
   // In equilibrium f_int + f_c − f_ext is the reaction of the supports.
   const Scene<D>& scene = model.system.scene;
   const Unknowns<D>& unknowns = model.system.unknowns;
-  const Support<D>& support = scene.supports[at(index)];
+  const Support<D>& support = scene.supports[index];
   const int bodies = scene.obstacles.empty() ? unknowns.dofs() : unknowns.obstacle_offset(0);
   Vec<D> sum = Vec<D>::Zero();
   for (int c = 0; c < D; ++c) {
-    if (support.constraint[at(c)] != Constraint::free || support.rotates)
+    if (support.constraint[c] != Constraint::free || support.rotates)
       for (int dof : unknowns.of_support(index, c))
         if (dof < bodies) sum(c) += model.residual(dof);
     for (const int obstacle : support.obstacles)
@@ -39,12 +38,12 @@ template <int D> double moment(const Model<D>& model, int support) {
 }
 
 template <int D> std::vector<std::pair<std::string, double>> free_motion(const Model<D>& model, int index) {
-  const Support<D>& support = model.system.scene.supports[at(index)];
+  const Support<D>& support = model.system.scene.supports[index];
   const Unknowns<D>& unknowns = model.system.unknowns;
   std::vector<std::pair<std::string, double>> motion;
   for (const int obstacle : support.obstacles) {
     for (int c = 0; c < D; ++c)
-      if (support.freed[at(c)])
+      if (support.freed[c])
         motion.emplace_back("u" + component_name(c),
                             model.present.displacement(unknowns.obstacle_offset(obstacle) + c));
     for (const FreeAngle<D>& angle : unknowns.free_angles())
@@ -76,9 +75,9 @@ template <int D> Energies energies(const Model<D>& model) {
 }
 
 template <int D> double imbalance(const Model<D>& model, int pass) {
-  const int other = model.system.scene.contacts[at(pass)].other_pass;
-  const Vec<D> here = contact::resultant(model.present.contacts[at(pass)]).force;
-  const Vec<D> there = contact::resultant(model.present.contacts[at(other)]).force;
+  const int other = model.system.scene.contacts[pass].other_pass;
+  const Vec<D> here = contact::resultant(model.present.contacts[pass]).force;
+  const Vec<D> there = contact::resultant(model.present.contacts[other]).force;
   const double larger = std::max(here.norm(), there.norm());
   return larger > 0 ? (here + there).norm() / larger : 0;
 }

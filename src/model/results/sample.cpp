@@ -1,6 +1,5 @@
 #include "model/results/sample.hpp"
 
-#include "base/index.hpp"
 #include "model/results/results.hpp"
 #include "solid/quadrature.hpp"
 
@@ -11,7 +10,7 @@
 namespace signorini::model {
 
 template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e, const VectorX& xi) {
-  const nurbs::Discretization& space = model.system.scene.bodies[at(body)].body->space();
+  const nurbs::Discretization& space = model.system.scene.bodies[body].body->space();
   const nurbs::ElementBasis basis = space.basis(e, xi);
   const auto displacement = body_displacement(model, body);
   BodyPoint<D> point{Vec<D>::Zero(), Mat<D>::Zero(), {Vec<D>::Zero(), Mat<D>::Zero()}, e, xi};
@@ -26,7 +25,7 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
     rate += displacement.col(function) * basis.gradients.col(i).transpose();
   }
   point.state.deformation = Mat<D>::Identity() + rate * jacobian.inverse();
-  const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
+  const solid::Body<D>& solid = *model.system.scene.bodies[body].body;
   if constexpr (D == 2)
     if (solid.kind() == solid::Kind::plane_stress)
       point.state.hoop = solid.material().thickness_stretch(point.state.deformation);
@@ -39,16 +38,16 @@ template <int D> BodyPoint<D> body_point(const Model<D>& model, int body, int e,
 }
 
 template <int D> void add_volume_change(const Model<D>& model, int body, BodyPoint<D>& point) {
-  const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
+  const solid::Body<D>& solid = *model.system.scene.bodies[body].body;
   if (solid.volumetric() == solid::Volumetric::pointwise) return;
   const Mat<3> f = solid::in_space<D>(point.state.deformation, point.state.hoop);
-  point.state.dilation = model.projected_volumes[at(body)].change(solid, point.element, point.xi, f,
-                                                                  body_displacement(model, body).data());
+  point.state.dilation =
+      model.projected_volumes[body].change(solid, point.element, point.xi, f, body_displacement(model, body).data());
 }
 
 template <int D> double value_at(const Model<D>& model, int body, const Field<D>& field, BodyPoint<D> point) {
   if (field.of_stress) add_volume_change(model, body, point);
-  return field.value(model.system.scene.bodies[at(body)].body->material(), point.state);
+  return field.value(model.system.scene.bodies[body].body->material(), point.state);
 }
 
 namespace {
@@ -97,7 +96,7 @@ template <int D> bool is_pole(const Mat<D>& jacobian) {
 
 template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int e, const VectorX& xi) {
   BodyPoint<D> point = body_point(model, body, e, xi);
-  const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
+  const solid::Body<D>& solid = *model.system.scene.bodies[body].body;
   const nurbs::Discretization& space = solid.space();
   // F is unbounded towards a flat corner, and det F may be negative next to and between the Gauss points.
   const auto is_inverted = [&](const BodyPoint<D>& at) {
@@ -120,7 +119,7 @@ template <int D> BodyPoint<D> regular_point(const Model<D>& model, int body, int
 }
 
 template <int D> double sample(const Model<D>& model, int body, const Field<D>& field, const VectorX& xi) {
-  const solid::Body<D>& solid = *model.system.scene.bodies[at(body)].body;
+  const solid::Body<D>& solid = *model.system.scene.bodies[body].body;
   return value_at(model, body, field, regular_point(model, body, solid.space().find_element(xi), xi));
 }
 

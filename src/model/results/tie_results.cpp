@@ -1,6 +1,5 @@
 #include "model/results/tie_results.hpp"
 
-#include "base/index.hpp"
 #include "model/scene/ties.hpp"
 
 namespace signorini::model {
@@ -10,15 +9,14 @@ namespace {
 /// Components of λ = s χ, D per row of the tie.
 template <int D> VectorX tractions(const Model<D>& model, int tie) {
   const System<D>& system = model.system;
-  const double scale = tie_scale * tied_stiffness(system.scene, system.scene.ties[at(tie)]);
-  return scale *
-         model.present.displacement.segment(system.unknowns.of_tie(at(tie)), system.ties[at(tie)].multipliers());
+  const double scale = tie_scale * tied_stiffness(system.scene, system.scene.ties[tie]);
+  return scale * model.present.displacement.segment(system.unknowns.of_tie(tie), system.ties[tie].multipliers());
 }
 
 } // namespace
 
 template <int D> TieResultant<D> tie_resultant(const Model<D>& model, int tie) {
-  const contact::Tie<D>& own = model.system.ties[at(tie)];
+  const contact::Tie<D>& own = model.system.ties[tie];
   const VectorX lambda = tractions(model, tie);
   TieResultant<D> result{Vec<D>::Zero(), own.seam().area, own.seam().area / own.seam().whole,
                          own.seam().distance.value};
@@ -30,7 +28,7 @@ template <int D> TieResultant<D> tie_resultant(const Model<D>& model, int tie) {
 
 template <int D> TieProfile tie_profile(const Model<D>& model, int tie) {
   const System<D>& system = model.system;
-  const contact::Tie<D>& own = system.ties[at(tie)];
+  const contact::Tie<D>& own = system.ties[tie];
   const VectorX lambda = tractions(model, tie);
   contact::Surface<D> slave = own.slave(), master = own.master();
   slave.move(model.present.displacement.data());

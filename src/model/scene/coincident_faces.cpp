@@ -1,6 +1,5 @@
 #include "model/scene/coincident_faces.hpp"
 
-#include "base/index.hpp"
 #include "contact/closest/projection.hpp"
 #include "model/constants.hpp"
 #include "nurbs/constants.hpp"
@@ -66,7 +65,7 @@ template <int D> double longest_side(const contact::Surface<D>& face, const cont
   double longest = 0;
   for (int d = 0; d < D - 1; ++d) {
     const auto [from, to] = face.interval(at_point.element, d);
-    longest = std::max(longest, (to - from) * at_point.tangent[at(d)].norm());
+    longest = std::max(longest, (to - from) * at_point.tangent[d].norm());
   }
   return longest;
 }

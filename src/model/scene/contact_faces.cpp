@@ -6,7 +6,7 @@ namespace signorini::model {
 
 template <int D> int first_control_point(const Scene<D>& scene, int body) {
   int first = 0;
-  for (int b = 0; b < body; ++b) first += scene.bodies[at(b)].body->functions();
+  for (int b = 0; b < body; ++b) first += scene.bodies[b].body->functions();
   return first;
 }
 
@@ -15,14 +15,14 @@ namespace {
 /// Unites the control points of a body that coincide.
 template <int D> void unite_coincident(const Scene<D>& scene, int body, Groups& groups) {
   const int first = first_control_point(scene, body);
-  for (const std::vector<int>& group : nurbs::coincident_functions(scene.bodies[at(body)].body->space()))
+  for (const std::vector<int>& group : nurbs::coincident_functions(scene.bodies[body].body->space()))
     for (int function : group) groups.unite(first + group.front(), first + function);
 }
 
 } // namespace
 
 template <int D> Groups coincident_points(const Scene<D>& scene) {
-  const auto count = static_cast<int>(scene.bodies.size());
+  const int count = std::ssize(scene.bodies);
   Groups groups(first_control_point(scene, count));
   for (int b = 0; b < count; ++b) unite_coincident(scene, b, groups);
   for (const Join& join : scene.joins) {
@@ -39,7 +39,7 @@ namespace {
 template <int D>
 std::vector<int> shared_numbers(const Scene<D>& scene, const FaceReference& face, const Groups& groups) {
   const int first = first_control_point(scene, face.body);
-  std::vector<int> nodes = scene.bodies[at(face.body)].body->space().face_functions(face.side);
+  std::vector<int> nodes = scene.bodies[face.body].body->space().face_functions(face.side);
   for (int& node : nodes) node = groups.leader(first + node);
   return nodes;
 }
@@ -48,7 +48,7 @@ std::vector<int> shared_numbers(const Scene<D>& scene, const FaceReference& face
 
 template <int D> contact::Surface<D> surface_of(const Scene<D>& scene, const Faces& faces, const Message& list) {
   const auto space = [&](const FaceReference& face) -> const nurbs::Discretization& {
-    return scene.bodies[at(face.body)].body->space();
+    return scene.bodies[face.body].body->space();
   };
   if (const FaceReference& face = faces.front(); faces.size() == 1) {
     // Points of one face coincide only at seams and poles of its own body.

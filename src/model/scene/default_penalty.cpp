@@ -1,6 +1,5 @@
 #include "model/scene/default_penalty.hpp"
 
-#include "base/index.hpp"
 #include "model/constants.hpp"
 #include "model/scene/element_size.hpp"
 #include "model/scene/thickness.hpp"
@@ -26,7 +25,7 @@ template <int D> double penalty_alone(const Scene<D>& scene, const Contact<D>& c
 
 template <int D> double default_penalty(const Scene<D>& scene, const Contact<D>& contact) {
   const double own = penalty_alone(scene, contact);
-  return contact.other_pass < 0 ? own : std::min(own, penalty_alone(scene, scene.contacts[at(contact.other_pass)]));
+  return contact.other_pass < 0 ? own : std::min(own, penalty_alone(scene, scene.contacts[contact.other_pass]));
 }
 
 template <int D> void set_default_penalties(Scene<D>& scene) {

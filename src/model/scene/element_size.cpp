@@ -1,6 +1,5 @@
 #include "model/scene/element_size.hpp"
 
-#include "base/index.hpp"
 #include "model/scene/contact_faces.hpp"
 
 #include <algorithm>
@@ -37,7 +36,7 @@ double element_size(const Scene<D>& scene, const Faces& faces, int points, const
 template <int D> double youngs_modulus(const Scene<D>& scene, const Faces& faces) {
   double least = std::numeric_limits<double>::infinity();
   for (const FaceReference& face : faces)
-    least = std::min(least, scene.bodies[at(face.body)].body->material().constants().youngs_modulus);
+    least = std::min(least, scene.bodies[face.body].body->material().constants().youngs_modulus);
   return least;
 }
 

@@ -1,7 +1,6 @@
 #include "model/scene/face_projection.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "solid/face_points.hpp"
 
 #include <Eigen/SparseCholesky>
@@ -43,7 +42,7 @@ Projection project(const Scene<D>& scene, const std::vector<FaceReference>& face
   constexpr double coincident = 1e-9; // relative to the coordinates: rounding error of positions
   double size = 0;
   for (const FaceReference& face : faces)
-    size = std::max(size, scene.bodies[at(face.body)].body->space().points().cwiseAbs().maxCoeff());
+    size = std::max(size, scene.bodies[face.body].body->space().points().cwiseAbs().maxCoeff());
   Places<D> places(coincident * size);
 
   std::vector<Eigen::Triplet<double>> mass;
@@ -51,7 +50,7 @@ Projection project(const Scene<D>& scene, const std::vector<FaceReference>& face
   double total = 0; // ∫|v|²
   Eigen::Index k = 0;
   for (const FaceReference& face : faces) {
-    const solid::Body<D>& body = *scene.bodies[at(face.body)].body;
+    const solid::Body<D>& body = *scene.bodies[face.body].body;
     const MatrixX points = body.space().points();
     for (const solid::FacePoints<D>& part : solid::face_points(body, face.side)) {
       const MatrixX x = points(Eigen::all, part.functions);
@@ -82,7 +81,7 @@ Projection project(const Scene<D>& scene, const std::vector<FaceReference>& face
   const double projected = right.cwiseProduct(solution).sum();
   Projection result{{}, total > 0 ? std::sqrt(std::max(0.0, 1 - projected / total)) : 0.0};
   for (const FaceReference& face : faces) {
-    const nurbs::Discretization& space = scene.bodies[at(face.body)].body->space();
+    const nurbs::Discretization& space = scene.bodies[face.body].body->space();
     const std::vector<int> functions = space.face_functions(face.side);
     const MatrixX points = space.points();
     result.displacements.emplace_back(D, functions.size());

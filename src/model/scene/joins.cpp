@@ -9,7 +9,7 @@ namespace signorini::model {
 namespace {
 
 template <int D> const nurbs::Discretization& space_of(const Scene<D>& scene, const FaceReference& face) {
-  return scene.bodies[at(face.body)].body->space();
+  return scene.bodies[face.body].body->space();
 }
 
 template <int D>

@@ -7,7 +7,7 @@ namespace signorini::model {
 template <int D> RegionPoints<D> points_of_region(const contact::Formulation<D>& formulation) {
   const auto& positions = formulation.points().reference;
   RegionPoints<D> points(D, formulation.points().whole ? 0 : static_cast<Eigen::Index>(positions.size()));
-  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = positions[static_cast<std::size_t>(i)];
+  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = positions[i];
   return points;
 }
 
@@ -17,7 +17,7 @@ template <int D> RegionPoints<D> bonded_points(const contact::Formulation<D>& fo
   for (std::size_t i = 0; i < bonds.size(); ++i)
     if (bonds[i].foot != contact::Foot::none) bonded.push_back(formulation.points().reference[i]);
   RegionPoints<D> points(D, bonded.size() == bonds.size() ? 0 : static_cast<Eigen::Index>(bonded.size()));
-  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = bonded[static_cast<std::size_t>(i)];
+  for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = bonded[i];
   return points;
 }
 

@@ -1,7 +1,6 @@
 #include "model/scene/replaced_rows.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -14,14 +13,14 @@ using nurbs::Discretization;
 
 /// Whether the functions of a body's face are those of a row that changes.
 template <int D> bool on_row(const Scene<D>& scene, const FaceReference& face, const RowChanges<D>& changes) {
-  const Discretization& space = scene.bodies[at(face.body)].body->space();
+  const Discretization& space = scene.bodies[face.body].body->space();
   return face.side.direction == space.through() &&
          changes(face.body, face.side.at_end ? space.stack().functions() - 1 : 0);
 }
 
 /// The row of a function.
 int row_of(const Discretization& space, int function) {
-  int row = static_cast<int>(space.rows().size()) - 1;
+  int row = std::ssize(space.rows()) - 1;
   while (space.first_function(row) > function) --row;
   return row;
 }
@@ -42,8 +41,8 @@ constexpr int place_count = 9;
 /// The functions of `to` at the faces, edges and corners where those of `from` are.
 std::vector<int> carried(const Discretization& from, const Discretization& to, const std::vector<int>& functions) {
   std::vector<int> result;
-  for (int j = 0; j < static_cast<int>(from.rows().size()); ++j) {
-    const nurbs::Row &old = from.rows()[at(j)], &row = to.rows()[at(j)];
+  for (int j = 0; j < std::ssize(from.rows()); ++j) {
+    const nurbs::Row &old = from.rows()[j], &row = to.rows()[j];
     std::array<bool, place_count> has{};
     for (const int function : functions) {
       const int own = function - from.first_function(j);
@@ -51,17 +50,17 @@ std::vector<int> carried(const Discretization& from, const Discretization& to, c
       if (old.directions() == row.directions())
         result.push_back(to.first_function(j) + own);
       else
-        has[at(place_in(old, own))] = true;
+        has[place_in(old, own)] = true;
     }
     if (old.directions() == row.directions()) continue;
     for (int i = 0; i < row.functions(); ++i)
-      if (has[at(place_in(row, i))]) result.push_back(to.first_function(j) + i);
+      if (has[place_in(row, i)]) result.push_back(to.first_function(j) + i);
   }
   return result;
 }
 
 template <int D> bool any_row(const Scene<D>& scene, int body, const RowChanges<D>& changes) {
-  const int rows = scene.bodies[at(body)].body->space().stack().functions();
+  const int rows = scene.bodies[body].body->space().stack().functions();
   for (int j = 0; j < rows; ++j)
     if (changes(body, j)) return true;
   return false;
@@ -71,18 +70,18 @@ template <int D> bool any_row(const Scene<D>& scene, int body, const RowChanges<
 
 template <int D> void check_replaceable(const Scene<D>& scene, const RowChanges<D>& changes) {
   const auto changing = [&](int body) { return any_row(scene, body, changes); };
-  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
-    require(!changing(b) || scene.bodies[at(b)].body->internal_variables() == 0, "model.adapt.internal",
-            {{"body", scene.bodies[at(b)].name}});
+  for (int b = 0; b < std::ssize(scene.bodies); ++b)
+    require(!changing(b) || scene.bodies[b].body->internal_variables() == 0, "model.adapt.internal",
+            {{"body", scene.bodies[b].name}});
   for (const Support<D>& support : scene.supports)
     for (const SupportedControlPoints& on : support.on) {
-      const Discretization& space = scene.bodies[at(on.body)].body->space();
+      const Discretization& space = scene.bodies[on.body].body->space();
       const bool changed =
           std::ranges::any_of(on.functions, [&](int function) { return changes(on.body, row_of(space, function)); });
       require(!changed || on.shape.empty(), "model.adapt.shape",
-              {{"support", support.name}, {"body", scene.bodies[at(on.body)].name}});
+              {{"support", support.name}, {"body", scene.bodies[on.body].name}});
     }
-  const auto name_of = [&](int body) { return scene.bodies[at(body)].name; };
+  const auto name_of = [&](int body) { return scene.bodies[body].name; };
   for (const Load& load : scene.loads) {
     std::vector<int> loaded = load.bodies;
     for (const FaceReference& face : load.on) loaded.push_back(face.body);
@@ -90,9 +89,9 @@ template <int D> void check_replaceable(const Scene<D>& scene, const RowChanges<
       require(load.values.empty() || !changing(body), "model.adapt.load",
               {{"load", load.name}, {"body", name_of(body)}});
     for (const PointShare& point : load.points) {
-      const Discretization& space = scene.bodies[at(point.body)].body->space();
+      const Discretization& space = scene.bodies[point.body].body->space();
       const int row = row_of(space, point.function);
-      const int place = place_in(space.rows()[at(row)], point.function - space.first_function(row));
+      const int place = place_in(space.rows()[row], point.function - space.first_function(row));
       const bool corner = place % 3 != 1 && (D == 2 || place / 3 != 1);
       require(corner || !changes(point.body, row), "model.adapt.edge_load",
               {{"load", load.name}, {"body", name_of(point.body)}});
@@ -104,19 +103,19 @@ template <int D> void check_replaceable(const Scene<D>& scene, const RowChanges<
               {{"tie", tie_message(tie)}, {"face", face_message(scene, face)}});
   for (const Join& join : scene.joins)
     for (const FaceReference& face : {join.first, join.second}) {
-      const bool across = face.side.direction != scene.bodies[at(face.body)].body->space().through();
+      const bool across = face.side.direction != scene.bodies[face.body].body->space().through();
       require(!(changing(face.body) && (D == 3 || !across)), "model.adapt.join",
               {{"join", join.name}, {"face", face_message(scene, face)}});
     }
 }
 
 template <int D> Scene<D> with_bodies(Scene<D> scene, const Bodies<D>& bodies) {
-  const auto space = [&](int b) -> const Discretization& { return scene.bodies[at(b)].body->space(); };
+  const auto space = [&](int b) -> const Discretization& { return scene.bodies[b].body->space(); };
   check_replaceable<D>(scene, [&](int b, int row) {
-    return space(b).rows()[at(row)].directions() != bodies[at(b)]->space().rows()[at(row)].directions();
+    return space(b).rows()[row].directions() != bodies[b]->space().rows()[row].directions();
   });
   const auto carry = [&](int body, const std::vector<int>& functions) {
-    return carried(space(body), bodies[at(body)]->space(), functions);
+    return carried(space(body), bodies[body]->space(), functions);
   };
   for (Support<D>& support : scene.supports)
     for (SupportedControlPoints& on : support.on) on.functions = carry(on.body, on.functions);

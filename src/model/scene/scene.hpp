@@ -165,8 +165,7 @@ template <int D> bool acts_on(const Contact<D>& contact, int body) {
 
 /// A face and its body, for messages.
 template <int D> Message face_message(const Scene<D>& scene, const FaceReference& face) {
-  return Message("model.face.of_body",
-                 {{"face", nurbs::name_of(face.side)}, {"body", scene.bodies[at(face.body)].name}});
+  return Message("model.face.of_body", {{"face", nurbs::name_of(face.side)}, {"body", scene.bodies[face.body].name}});
 }
 
 /// The faces of a list, for messages.

@@ -18,10 +18,10 @@ template <int D> struct SceneCheck {
   void expect(bool ok, const char* what) const { require(ok, "model.archive.part", {{"part", part}, {"what", what}}); }
 
   const solid::Body<D>& body(int index) const {
-    expect(index >= 0 && at(index) < scene.bodies.size(), "a body");
-    return *scene.bodies[at(index)].body;
+    expect(index >= 0 && index < std::ssize(scene.bodies), "a body");
+    return *scene.bodies[index].body;
   }
-  void obstacle(int index) const { expect(index >= 0 && at(index) < scene.obstacles.size(), "an obstacle"); }
+  void obstacle(int index) const { expect(index >= 0 && index < std::ssize(scene.obstacles), "an obstacle"); }
   void obstacles(const std::vector<int>& list) const {
     for (const int index : list) obstacle(index);
   }
@@ -78,10 +78,10 @@ template <int D> struct SceneCheck {
       obstacle(std::get<ObstacleReference>(contact.master).obstacle);
     constexpr int most_points = 100;
     expect(contact.points >= 1 && contact.points <= most_points, "a number of contact points");
-    const auto count = static_cast<int>(scene.contacts.size());
+    const int count = std::ssize(scene.contacts);
     const int other = contact.other_pass;
     expect(other == -1 ||
-               (other >= 0 && other < count && other != number && scene.contacts[at(other)].other_pass == number &&
+               (other >= 0 && other < count && other != number && scene.contacts[other].other_pass == number &&
                 std::holds_alternative<contact::HalfPass>(contact.method) &&
                 std::holds_alternative<Faces>(contact.master)),
            "a half pass");

@@ -1,7 +1,6 @@
 #pragma once
 // Thickness of a body behind one of its faces.
 
-#include "base/index.hpp"
 #include "model/scene/scene.hpp"
 
 #include <limits>
@@ -11,7 +10,7 @@ namespace signorini::model {
 /// Mean distance between a face of a body and the opposite one, along the thickness direction.
 double thickness(const nurbs::Discretization& space, nurbs::Side side);
 template <int D> double thickness(const Scene<D>& scene, const FaceReference& face) {
-  return thickness(scene.bodies[at(face.body)].body->space(), face.side);
+  return thickness(scene.bodies[face.body].body->space(), face.side);
 }
 
 /// The least of several faces.
@@ -23,7 +22,7 @@ template <int D> double thickness(const Scene<D>& scene, const Faces& faces) {
 
 /// E/h behind a face, h the thickness of the elements there.
 template <int D> double element_stiffness(const Scene<D>& scene, const FaceReference& face) {
-  const solid::Body<D>& body = *scene.bodies[at(face.body)].body;
+  const solid::Body<D>& body = *scene.bodies[face.body].body;
   return body.material().constants().youngs_modulus /
          (thickness(scene, face) / body.space().elements(face.side.direction));
 }

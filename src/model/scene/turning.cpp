@@ -32,7 +32,7 @@ template <int D> double arm_of(const Scene<D>& scene, int obstacle, const Vec<D>
     else
       return 0.0;
   };
-  if (const double arm = std::visit(extent, scene.obstacles[at(obstacle)]); arm > 0) return arm;
+  if (const double arm = std::visit(extent, scene.obstacles[obstacle]); arm > 0) return arm;
   double largest = 0;
   for (const auto& named : scene.bodies)
     largest = std::max(largest, reach_from<D>(named.body->space().points(), center, axis));
@@ -46,8 +46,8 @@ template <int D> bool acts_on(const Support<D>& support, int obstacle) {
 } // namespace
 
 template <int D> std::optional<ObstacleTurn<D>> turn_of(const Scene<D>& scene, int obstacle) {
-  for (int s = 0; s < static_cast<int>(scene.supports.size()); ++s) {
-    const Support<D>& support = scene.supports[at(s)];
+  for (int s = 0; s < std::ssize(scene.supports); ++s) {
+    const Support<D>& support = scene.supports[s];
     if (!support.rotates || !acts_on(support, obstacle)) continue;
     const double arm = arm_of(scene, obstacle, support.center, support.axis);
     return ObstacleTurn<D>{s, {support.center, arm}, support.axis, support.free_angle};
@@ -58,7 +58,7 @@ template <int D> std::optional<ObstacleTurn<D>> turn_of(const Scene<D>& scene, i
 template <int D> const Support<D>* holder_of(const Scene<D>& scene, int obstacle, int component) {
   const auto names = [&](const Support<D>& support) {
     return acts_on(support, obstacle) &&
-           (support.constraint[at(component)] != Constraint::free || support.freed[at(component)]);
+           (support.constraint[component] != Constraint::free || support.freed[component]);
   };
   const auto acts = [&](const Support<D>& support) { return acts_on(support, obstacle); };
   auto found = std::ranges::find_if(scene.supports, names);
@@ -69,13 +69,13 @@ template <int D> const Support<D>* holder_of(const Scene<D>& scene, int obstacle
 template <int D> const std::string& support_of(const Scene<D>& scene, int obstacle, const std::string& component) {
   const auto frees = [&](const Support<D>& support) {
     return acts_on(support, obstacle) &&
-           (component == "angle" ? support.free_angle : support.freed[at(component.front() - 'x')]);
+           (component == "angle" ? support.free_angle : support.freed[component.front() - 'x']);
   };
   return std::ranges::find_if(scene.supports, frees)->name;
 }
 
 template <int D> void check_obstacles(const Scene<D>& scene) {
-  for (int k = 0; k < static_cast<int>(scene.obstacles.size()); ++k) {
+  for (int k = 0; k < std::ssize(scene.obstacles); ++k) {
     const Support<D>* turning = nullptr;
     for (const Support<D>& support : scene.supports)
       if (support.rotates && acts_on(support, k)) {

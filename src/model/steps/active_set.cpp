@@ -56,15 +56,15 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
                                              ? contact::FixedContactState::touching
                                              : contact::FixedContactState::open);
   }
-  counts_.assign(at(first_.back()), 0);
+  counts_.assign(first_.back(), 0);
 }
 
 template <int D> void ActiveSet<D>::stick_where_reversed(const Histories& histories, Controls& controls) {
   using contact::ContactState, contact::FixedContactState;
   for (const auto& [index, before] : std::exchange(reversed_, {})) {
-    std::vector<FixedContactState>& fixed = controls[at(index.contact)].fixed_states;
+    std::vector<FixedContactState>& fixed = controls[index.contact].fixed_states;
     if (fixed.empty()) continue; // freed meanwhile
-    fixed[at(index.point)] = before;
+    fixed[index.point] = before;
     if (std::all_of(fixed.begin(), fixed.end(), [](auto state) { return state == FixedContactState::free; }))
       fixed.clear();
   }
@@ -99,9 +99,9 @@ template <int D> void ActiveSet<D>::note(const Histories& histories, double resi
       const int* counts = counts_.data() + first_[k];
       if (std::none_of(counts, counts + count, [&](int changes) { return changes > options_.changes; })) continue;
       std::vector<contact::FixedContactState>& fixed = controls[k].fixed_states;
-      fixed.assign(at(count), contact::FixedContactState::free);
+      fixed.assign(count, contact::FixedContactState::free);
       for (int i = 0; i < count; ++i)
-        if (counts[i] > options_.changes) fixed[at(i)] = fixed_state_for(constraint(histories[k], i).state);
+        if (counts[i] > options_.changes) fixed[i] = fixed_state_for(constraint(histories[k], i).state);
     }
   }
   entries_.push_back(std::move(entry));
@@ -119,7 +119,7 @@ bool ActiveSet<D>::hold_back(const Histories& histories, const std::function<dou
     if (!solved_[k]) continue;
     if (!controls[k].fixed_states.empty()) return false;
     for (int i = first_[k]; i < first_[k + 1]; ++i)
-      if (now[at(i)] != before[at(i)] && now[at(i)] != beyond && before[at(i)] != beyond)
+      if (now[i] != before[i] && now[i] != beyond && before[i] != beyond)
         changed.push_back({static_cast<int>(k), i - first_[k]});
   }
   if (changed.size() <= 1) return false;
@@ -131,12 +131,12 @@ bool ActiveSet<D>::hold_back(const Histories& histories, const std::function<dou
   for (const PointIndex& index : changed) violations.push_back(violation(index));
   const double least = (1 - same_violation) * *std::max_element(violations.begin(), violations.end());
   for (std::size_t c = 0; c < changed.size(); ++c) {
-    const auto i = at(first_[at(changed[c].contact)] + changed[c].point);
+    const std::size_t i = first_[changed[c].contact] + changed[c].point;
     if (violations[c] < least) now[i] = before[i];
   }
   for (std::size_t k = 0; k < histories.size(); ++k)
     for (int i = first_[k]; i < first_[k + 1] && solved_[k]; ++i)
-      controls[k].fixed_states.push_back(held_state(now[at(i)]));
+      controls[k].fixed_states.push_back(held_state(now[i]));
   held_ = true;
   return true;
 }
@@ -196,11 +196,11 @@ template <int D> std::vector<PointIndex> ActiveSet<D>::points_with(const std::ve
   std::vector<int> order;
   for (std::size_t i = 0; i < changes.size(); ++i)
     if (changes[i] >= least) order.push_back(static_cast<int>(i));
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return changes[at(a)] > changes[at(b)]; });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return changes[a] > changes[b]; });
   std::vector<PointIndex> points;
   for (int i : order) {
     const auto contact = std::upper_bound(first_.begin(), first_.end(), i) - first_.begin() - 1;
-    points.push_back({static_cast<int>(contact), i - first_[static_cast<std::size_t>(contact)]});
+    points.push_back({static_cast<int>(contact), i - first_[contact]});
   }
   return points;
 }
@@ -210,8 +210,8 @@ template <int D> std::vector<PointIndex> ActiveSet<D>::cycling_points() const {
 }
 
 template <int D> std::string ActiveSet<D>::alternating(const PointIndex& index) const {
-  const auto i = at(first_[at(index.contact)] + index.point);
-  const bool frictional = frictional_[at(index.contact)];
+  const std::size_t i = first_[index.contact] + index.point;
+  const bool frictional = frictional_[index.contact];
   const auto name = [&](unsigned char code) -> std::string {
     if (code == beyond) return "beyond";
     const auto state = static_cast<contact::ContactState>(code);

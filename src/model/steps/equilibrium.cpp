@@ -1,7 +1,6 @@
 #include "model/steps/equilibrium.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "model/constants.hpp"
 #include "model/system/free_angles.hpp"
 #include "os/timer.hpp"
@@ -26,7 +25,7 @@ template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* directi
   model.inversion = inverted;
   const auto& [body, inversion] = *inverted;
   why = Message("model.step.inverted", {{"element", inversion.element},
-                                        {"body", model.system.scene.bodies[at(body)].name},
+                                        {"body", model.system.scene.bodies[body].name},
                                         {"jacobian", inversion.jacobian},
                                         {"place", inversion.point}});
   return solve::Outcome::inverted_element;

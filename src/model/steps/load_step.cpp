@@ -1,7 +1,6 @@
 #include "model/steps/load_step.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "model/constants.hpp"
 #include "model/steps/equilibrium.hpp"
 #include "model/steps/first_guess.hpp"
@@ -89,9 +88,9 @@ template <int D> Step begin_step(Model<D>& model, const StepOptions& options) {
 /// The residual of the conditions of a multiplier that is an unknown, a force: its gap in the springs of the penalty
 /// where it is closed, its pressure where it is open.
 template <int D> double violation(const Model<D>& model, const PointIndex& index) {
-  const contact::Formulation<D>& contact = *model.system.contacts[at(index.contact)];
+  const contact::Formulation<D>& contact = *model.system.contacts[index.contact];
   const int each = contact.extra_unknowns() / contact.multipliers();
-  const int first = model.system.unknowns.of_contact(at(index.contact)).extra;
+  const int first = model.system.unknowns.of_contact(index.contact).extra;
   return model.residual.segment(first + each * index.point, each).norm();
 }
 

@@ -57,8 +57,8 @@ template <int D> void set_penalty_factor(Model<D>& model, double factor) {
 }
 
 template <int D> void set_contact(Model<D>& model, int contact, const contact::Changes& changes) {
-  check_changes(model.system.scene.contacts[at(contact)], changes);
-  auto& history = model.present.contacts[at(contact)];
+  check_changes(model.system.scene.contacts[contact], changes);
+  auto& history = model.present.contacts[contact];
   if (history.changes == changes) return;
   contact::change(history, changes);
   model.step.reset();

@@ -1,6 +1,5 @@
 #include "model/system/assembly.hpp"
 
-#include "base/index.hpp"
 #include "model/system/free_angles.hpp"
 #include "os/parallel.hpp"
 #include "os/timer.hpp"
@@ -39,7 +38,7 @@ Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const 
                       const contact::Ties<D>& ties, const FollowerLoads<D>& followers, const Springs<D>& springs)
     : scene_(scene), unknowns_(unknowns), contacts_(contacts), followers_(followers), springs_(springs),
       ties_(tie_terms(scene, unknowns, ties)), border_(tie_border(scene, unknowns, ties)), placements_(contacts.size()),
-      is_contact_unknown_(at(unknowns.size()), false), product_(unknowns.dofs()) {
+      is_contact_unknown_(unknowns.size(), false), product_(unknowns.dofs()) {
   for (const auto& named : scene_.bodies) linear_ = linear_ && named.body->linear();
   for (std::size_t b = 0; b < scene_.bodies.size() && !linear_; ++b) {
     const solid::Body<D>& body = *scene_.bodies[b].body;
@@ -59,7 +58,7 @@ Assembly<D>::Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const 
 template <int D> void Assembly<D>::add_ties(double* values) const {
   for (std::size_t k = 0; k < tie_positions_.size(); ++k)
     if (tie_positions_[k] >= 0) values[tie_positions_[k]] += ties_.couplings[k / 2].value;
-  for (const auto& [multiplier, value] : ties_.proximal) values[diagonal_[at(unknowns_.unknown(multiplier))]] += value;
+  for (const auto& [multiplier, value] : ties_.proximal) values[diagonal_[unknowns_.unknown(multiplier)]] += value;
 }
 
 template <int D>
@@ -111,15 +110,15 @@ template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Reques
                       present.displacement.data() + unknowns_.of_contact(k).extra});
     for (int part = 0; part < contacts_[k]->parts(); ++part) contact_tasks.push_back({k, part});
   }
-  const auto add_heads = [&](std::size_t contacts) {
+  const auto add_heads = [&](int contacts) {
     clear(request);
     parallel(static_cast<int>(contacts + tasks.size()), [&](int i) {
-      if (at(i) < contacts) {
-        ContactTask& task = contact_tasks[at(i)];
+      if (i < contacts) {
+        ContactTask& task = contact_tasks[i];
         ScopedTimer timer(task.seconds);
         return contacts_[task.contact]->evaluate_part(task.part, trials[task.contact], request.tangent);
       }
-      Task& task = tasks[at(i) - contacts];
+      Task& task = tasks[i - contacts];
       if (linear_) return add_linear_body(request, task);
       add_elements(partitions_[task.body].heads[task.share], request, task);
     });
@@ -142,8 +141,8 @@ template <int D> std::optional<BodyInversion> Assembly<D>::add_bulk(const Reques
       add_heads(0);
   }
   if (!linear_) {
-    parallel(static_cast<int>(tasks.size()), [&](int i) {
-      Task& task = tasks[at(i)];
+    parallel(std::ssize(tasks), [&](int i) {
+      Task& task = tasks[i];
       add_elements(partitions_[task.body].tails[task.share], request, task);
     });
     for (Task& task : tasks)
@@ -188,7 +187,7 @@ template <int D> void Assembly<D>::add_element(int e, const Request& request, Ta
   const int b = static_cast<int>(task.body), offset = unknowns_.offset(b);
   const solid::Body<D>& body = *scene_.bodies[task.body].body;
   solid::ElementArrays<D>& arrays = *task.arrays;
-  const bool multiplies = request.direction && supports_[task.body][at(e)].any;
+  const bool multiplies = request.direction && supports_[task.body][e].any;
   const double* displacement = request.states.present.displacement.data() + offset;
   if (const auto inversion =
           internal_force(body, e, displacement, arrays, request.tangent || multiplies,
@@ -208,11 +207,11 @@ template <int D> void Assembly<D>::add_element(int e, const Request& request, Ta
 
 /// Positions are those of add_nodes() or, if not all nodes are whole, of every entry: of K_ij, i ≤ j, and of K_ji.
 template <int D> void Assembly<D>::scatter(int b, int e, const solid::ElementArrays<D>& arrays) {
-  const std::size_t n = scene_.bodies[at(b)].body->functions_of_macro(e).size();
-  const int* position = positions_.data() + first_position_[at(b)][at(e)];
+  const std::size_t n = scene_.bodies[b].body->functions_of_macro(e).size();
+  const int* position = positions_.data() + first_position_[b][e];
   const double* block = arrays.blocks.data();
   double* const values = values_.data();
-  if (supports_[at(b)][at(e)].whole) return add_nodes<D>(n, position, block, values, std::make_index_sequence<D>());
+  if (supports_[b][e].whole) return add_nodes<D>(n, position, block, values, std::make_index_sequence<D>());
   for (int i = 0; i < D; ++i)
     for (int j = i; j < D; ++j, block += n * n)
       for (int twin = 0; twin < (i == j ? 1 : 2); ++twin, position += n * n)
@@ -222,9 +221,9 @@ template <int D> void Assembly<D>::scatter(int b, int e, const solid::ElementArr
 /// Adds the element's tangent times `direction` to product().
 template <int D>
 void Assembly<D>::multiply(int b, int e, const solid::ElementArrays<D>& arrays, const VectorX& direction) {
-  const auto functions = scene_.bodies[at(b)].body->functions_of_macro(e);
-  const int n = static_cast<int>(functions.size()), offset = unknowns_.offset(b);
-  const auto dof = [&](int a, int i) { return offset + D * functions[at(a)] + i; };
+  const auto functions = scene_.bodies[b].body->functions_of_macro(e);
+  const int n = std::ssize(functions), offset = unknowns_.offset(b);
+  const auto dof = [&](int a, int i) { return offset + D * functions[a] + i; };
   const double* block = arrays.blocks.data();
   for (int i = 0; i < D; ++i)
     for (int j = i; j < D; ++j, block += n * n)
@@ -240,7 +239,7 @@ template <int D> void Assembly<D>::add_angles(const Request& request) {
   const auto& [displacement, targets, force, factor, contacts, internal] = request.states.present;
   if (!unknowns_.free_angles().empty()) changed_.reset();
   for (const FreeAngle<D>& angle : unknowns_.free_angles())
-    values_[at(diagonal_[at(unknowns_.unknown(angle.dof))])] += angle_curvature(angle, displacement, force);
+    values_[diagonal_[unknowns_.unknown(angle.dof)]] += angle_curvature(angle, displacement, force);
 }
 
 template <int D> void Assembly<D>::add_contacts(const Request& request) {
@@ -252,10 +251,9 @@ template <int D> void Assembly<D>::add_contacts(const Request& request) {
       const Placement& placement = placements_[k].find(block.key())->second;
       const double* matrix = block.matrix.data();
       for (int r = 0; r < block.rows; ++r) {
-        force(placement.rows[at(r)]) += block.force[at(r)];
+        force(placement.rows[r]) += block.force[r];
         for (int c = 0; c < block.columns && request.direction; ++c)
-          product_(placement.rows[at(r)]) +=
-              matrix[r * block.columns + c] * (*request.direction)(placement.columns[at(c)]);
+          product_(placement.rows[r]) += matrix[r * block.columns + c] * (*request.direction)(placement.columns[c]);
       }
       if (!request.tangent) continue;
       const int* position = placement.positions.data();
@@ -266,7 +264,7 @@ template <int D> void Assembly<D>::add_contacts(const Request& request) {
           const double* const from = matrix + first * block.columns + c;
           for (int k = 0; k < count && !turns; ++k) to[k] += from[k * block.columns];
           for (int k = 0; k < count && turns; ++k)
-            to[k] += rates(placement.rows[at(first + k)]) * from[k * block.columns] * rates(placement.columns[at(c)]);
+            to[k] += rates(placement.rows[first + k]) * from[k * block.columns] * rates(placement.columns[c]);
           for (int k = 0; k < count && changed_; ++k) changed_->push_back(*position + k);
         }
     }
@@ -274,19 +272,19 @@ template <int D> void Assembly<D>::add_contacts(const Request& request) {
 
 template <int D> void Assembly<D>::find_diagonal_norm() {
   double sum = 0;
-  for (int position : diagonal_) sum += values_[at(position)] * values_[at(position)];
+  for (int position : diagonal_) sum += values_[position] * values_[position];
   diagonal_norm_ = std::sqrt(sum);
 }
 
 template <int D> VectorX Assembly<D>::diagonal() const {
   VectorX result(diagonal_.size());
-  for (std::size_t i = 0; i < diagonal_.size(); ++i) result(static_cast<Eigen::Index>(i)) = values_[at(diagonal_[i])];
+  for (std::size_t i = 0; i < diagonal_.size(); ++i) result(static_cast<Eigen::Index>(i)) = values_[diagonal_[i]];
   return result;
 }
 
 template <int D> void Assembly<D>::add_diagonal(const VectorX& shift) {
   changed_.reset();
-  for (std::size_t i = 0; i < diagonal_.size(); ++i) values_[at(diagonal_[i])] += shift(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < diagonal_.size(); ++i) values_[diagonal_[i]] += shift(static_cast<Eigen::Index>(i));
 }
 
 template <int D> double Assembly<D>::memory() const {

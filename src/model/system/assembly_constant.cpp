@@ -1,7 +1,6 @@
 // The part of the tangent that does not depend on displacements.
 #include "model/system/assembly.hpp"
 
-#include "base/index.hpp"
 #include "solve/values.hpp"
 
 #include <algorithm>
@@ -32,19 +31,18 @@ template <int D>
 double Assembly<D>::stored_energy(int index, const VectorX& displacement,
                                   const std::vector<std::vector<double>>& internal) const {
   const double* own = displacement.data() + unknowns_.offset(index);
-  const solid::Body<D>& body = *scene_.bodies[at(index)].body;
+  const solid::Body<D>& body = *scene_.bodies[index].body;
   if (!linear_) {
     energies_.resize(scene_.bodies.size());
-    KnownEnergy& known = energies_[at(index)];
+    KnownEnergy& known = energies_[index];
     const Eigen::Map<const VectorX> moved(own, D * body.functions());
-    if (known.displacement.size() != moved.size() || known.displacement != moved ||
-        known.internal != internal[at(index)])
-      known = {moved, internal[at(index)], solid::stored_energy(body, own, internal[at(index)])};
+    if (known.displacement.size() != moved.size() || known.displacement != moved || known.internal != internal[index])
+      known = {moved, internal[index], solid::stored_energy(body, own, internal[index])};
     return known.energy;
   }
   // ½ u·K u
   VectorX force = VectorX::Zero(D * body.functions());
-  stiffness_[at(index)].multiply(own, force.data());
+  stiffness_[index].multiply(own, force.data());
   return 0.5 * force.dot(Eigen::Map<const VectorX>(own, force.size()));
 }
 
@@ -68,7 +66,7 @@ template <int D> void Assembly<D>::build_constant() {
         if (i < 0) continue;
         position = i == before + 1 ? position + 1 : pattern_.find(i, j);
         before = i;
-        constant_[at(position)] += values[k];
+        constant_[position] += values[k];
       }
     });
   }
@@ -83,7 +81,7 @@ template <int D> void Assembly<D>::move_constant(std::vector<int> moved) {
     build_constant();
   } else {
     const std::vector<double> before = std::exchange(constant_, std::vector<double>(values_.size(), 0.0));
-    for (std::size_t k = 0; k < moved.size(); ++k) constant_[at(moved[k])] = before[at(constant_positions_[k])];
+    for (std::size_t k = 0; k < moved.size(); ++k) constant_[moved[k]] = before[constant_positions_[k]];
   }
   constant_positions_ = std::move(moved);
   changed_.reset();
@@ -94,7 +92,7 @@ template <int D> void Assembly<D>::set_values(const Request& request) {
   if (!request.tangent) return;
   if (linear_) {
     if (changed_)
-      for (const int position : *changed_) values_[at(position)] = constant_[at(position)];
+      for (const int position : *changed_) values_[position] = constant_[position];
     else
       std::copy(constant_.begin(), constant_.end(), values_.begin());
     changed_.emplace();

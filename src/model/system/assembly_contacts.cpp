@@ -1,7 +1,6 @@
 // The unknowns on which contacts and ties act, and the positions of contact blocks in the tangent.
 #include "model/system/assembly.hpp"
 
-#include "base/index.hpp"
 #include "model/constants.hpp"
 
 #include <algorithm>
@@ -11,10 +10,10 @@ namespace signorini::model {
 
 /// Lists the unknowns that are marked as those of contacts, and the border.
 template <int D> void Assembly<D>::list_contact_unknowns() {
-  for (const int i : border_) is_contact_unknown_[at(i)] = true;
+  for (const int i : border_) is_contact_unknown_[i] = true;
   contact_unknowns_.clear();
   for (int i = 0; i < unknowns_.size(); ++i)
-    if (is_contact_unknown_[at(i)]) contact_unknowns_.push_back(i);
+    if (is_contact_unknown_[i]) contact_unknowns_.push_back(i);
   ++contact_version_;
 }
 
@@ -32,7 +31,7 @@ template <int D> void Assembly<D>::forget_contact_unknowns() {
     for (int e = 0; e < masters; ++e) contact.append_master(e, offsets, dofs);
     for (int number = 0; number < contact.extra_unknowns(); ++number) dofs.push_back(offsets.extra + number);
     for (int dof : dofs)
-      if (const int i = unknowns_.mover(dof); i >= 0) is_contact_unknown_[at(i)] = true;
+      if (const int i = unknowns_.mover(dof); i >= 0) is_contact_unknown_[i] = true;
   }
   const double all = static_cast<double>(std::count(is_contact_unknown_.begin(), is_contact_unknown_.end(), true));
   if (2.0 / 3.0 * all * all * all > whole_faces * pattern_.entries())
@@ -47,7 +46,7 @@ template <int D> void Assembly<D>::watch_contacts() {
     const Nodes& list = placements_[k].find(block.key())->second.columns;
     return std::all_of(list.begin(), list.end(), [&](int dof) {
       const int i = unknowns_.mover(dof);
-      return i < 0 || is_contact_unknown_[at(i)];
+      return i < 0 || is_contact_unknown_[i];
     });
   };
   bool known = true;
@@ -73,7 +72,7 @@ template <int D> void Assembly<D>::watch_contacts() {
           }
     }
     for (int dof : dofs)
-      if (const int i = unknowns_.mover(dof); i >= 0) is_contact_unknown_[at(i)] = true;
+      if (const int i = unknowns_.mover(dof); i >= 0) is_contact_unknown_[i] = true;
   }
   list_contact_unknowns();
 }
@@ -92,10 +91,10 @@ template <int D> bool Assembly<D>::locate() {
       placement.runs.clear();
       std::vector<int> positions;
       for (int first = 0, count; first < block.rows; first += count) {
-        const int i = unknowns_.mover(placement.rows[at(first)]);
+        const int i = unknowns_.mover(placement.rows[first]);
         count = 1;
         if (i < 0) continue;
-        while (first + count < block.rows && unknowns_.mover(placement.rows[at(first + count)]) == i + count) ++count;
+        while (first + count < block.rows && unknowns_.mover(placement.rows[first + count]) == i + count) ++count;
         placement.runs.push_back({first, count});
         for (int column : placement.columns) {
           const int j = unknowns_.mover(column);

@@ -1,8 +1,6 @@
 // Contributions of springs and of the loads that follow the deformation to the tangent.
 #include "model/system/assembly.hpp"
 
-#include "base/index.hpp"
-
 namespace signorini::model {
 
 namespace {
@@ -39,7 +37,7 @@ template <int D> void Assembly<D>::add_followers(const Request& request) {
       const MatrixX tangent = followers_.tangent(part, request.states.present.displacement, request.states.loads);
       if (request.direction) product_(part.dofs) -= tangent * (*request.direction)(part.dofs);
       for (Eigen::Index k = 0; k < entries && request.tangent; ++k)
-        if (position[k] >= 0) values_[at(position[k])] -= tangent.data()[k];
+        if (position[k] >= 0) values_[position[k]] -= tangent.data()[k];
     }
     position += entries;
   }

@@ -1,8 +1,6 @@
 // Patterns of the tangent, and the positions of the elements' entries in them.
 #include "model/system/assembly.hpp"
 
-#include "base/index.hpp"
-
 #include <utility>
 
 namespace signorini::model {
@@ -75,13 +73,13 @@ template <int D> void Assembly<D>::build_bulk() {
     const Partition& shares = partitions_[body];
     first_position_.emplace_back();
     for (int e = 0; e < scene_.bodies[body].body->macro_elements(); ++e, ++g) {
-      trash = first_trash + D * shares.share[at(e)];
+      trash = first_trash + D * shares.share[e];
       const Nodes& group = groups[g];
       find(group);
-      const auto n = static_cast<int>(scene_.bodies[body].body->functions_of_macro(e).size());
-      const auto add = [&](int row, int column) { bulk_positions_[next_position++] = found[at(column * D * n + row)]; };
+      const int n = std::ssize(scene_.bodies[body].body->functions_of_macro(e));
+      const auto add = [&](int row, int column) { bulk_positions_[next_position++] = found[column * D * n + row]; };
       first_position_.back().push_back(next_position);
-      const bool whole = supports_[body][at(e)].whole;
+      const bool whole = supports_[body][e].whole;
       for (int column = 0; column < D * n && whole; ++column)
         for (int a = 0; a < n; ++a) add(D * a, column);
       for (int i = 0; i < D && !whole; ++i)
@@ -116,7 +114,7 @@ template <int D> void Assembly<D>::cover(bool contacts) {
   const int trash = D * static_cast<int>(arrays_.size());
   for (int k = 0; k < trash; ++k) moved.push_back(pattern_.entries() + k);
   positions_.resize(bulk_positions_.size());
-  for (std::size_t i = 0; i < positions_.size(); ++i) positions_[i] = moved[at(bulk_positions_[i])];
+  for (std::size_t i = 0; i < positions_.size(); ++i) positions_[i] = moved[bulk_positions_[i]];
   diagonal_.clear();
   for (int i = 0; i < pattern_.size; ++i) diagonal_.push_back(pattern_.find(i, i));
   tie_positions_.clear();
@@ -126,7 +124,7 @@ template <int D> void Assembly<D>::cover(bool contacts) {
     tie_positions_.push_back(j < 0 ? -1 : pattern_.find(j, i));
   }
   locate_face_terms();
-  values_.resize(at(pattern_.entries() + trash));
+  values_.resize(pattern_.entries() + trash);
   for (auto& placements : placements_) placements.clear();
   if (linear_) move_constant(std::move(moved));
   ++version_;

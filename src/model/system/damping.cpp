@@ -1,6 +1,5 @@
 #include "model/system/damping.hpp"
 
-#include "base/index.hpp"
 #include "model/constants.hpp"
 #include "model/scene/turning.hpp"
 #include "model/system/rigid_motions.hpp"
@@ -26,7 +25,7 @@ template <int D> double nearest_gap(const contact::Formulation<D>& contact, cons
 
 template <int D> std::vector<std::vector<int>> connected_groups(const Scene<D>& scene) {
   std::vector<std::vector<int>> groups;
-  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b) groups.push_back({b});
+  for (int b = 0; b < std::ssize(scene.bodies); ++b) groups.push_back({b});
   const auto group_of = [&](int body) {
     return std::find_if(groups.begin(), groups.end(),
                         [&](const auto& group) { return std::find(group.begin(), group.end(), body) != group.end(); });
@@ -47,7 +46,7 @@ template <int D> std::vector<std::vector<int>> connected_groups(const Scene<D>& 
 template <int D> MatrixX reference_points(const Scene<D>& scene, const std::vector<int>& bodies) {
   MatrixX points(D, 0);
   for (const int b : bodies) {
-    const MatrixX own = scene.bodies[at(b)].body->space().points();
+    const MatrixX own = scene.bodies[b].body->space().points();
     points.conservativeResize(D, points.cols() + own.cols());
     points.rightCols(own.cols()) = own;
   }
@@ -63,7 +62,7 @@ std::vector<UnconstrainedMotion> unconstrained_motions(const Scene<D>& scene, co
       std::vector<UnconstrainedMotion> parts;
       bool free = true;
       for (Eigen::Index first = 0; const int b : group) {
-        const VectorX own = motion.segment(first, D * scene.bodies[at(b)].body->functions());
+        const VectorX own = motion.segment(first, D * scene.bodies[b].body->functions());
         for (Eigen::Index i = 0; i < own.size() && free; ++i)
           free = std::abs(own(i)) < 1e-12 || unknowns.unknown(unknowns.offset(b) + static_cast<int>(i)) >= 0;
         first += own.size();
@@ -92,13 +91,13 @@ VectorX damping(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::v
         work += force(offset + i) * motion(i);
         stiffness += diagonal(unknown) * motion(i) * motion(i);
       }
-    factor[at(body)] = std::max({factor[at(body)], least_damping, std::abs(work) / (stride[at(body)] * stiffness)});
+    factor[body] = std::max({factor[body], least_damping, std::abs(work) / (stride[body] * stiffness)});
   }
   VectorX shift = VectorX::Zero(unknowns.size());
-  for (int b = 0; b < static_cast<int>(factor.size()); ++b)
-    for (int i = 0; i < D * scene.bodies[at(b)].body->functions(); ++i)
+  for (int b = 0; b < std::ssize(factor); ++b)
+    for (int i = 0; i < D * scene.bodies[b].body->functions(); ++i)
       if (const int unknown = unknowns.unknown(unknowns.offset(b) + i); unknown >= 0)
-        shift(unknown) = factor[at(b)] * diagonal(unknown);
+        shift(unknown) = factor[b] * diagonal(unknown);
   return shift;
 }
 
@@ -107,16 +106,16 @@ std::vector<double> strides(const Scene<D>& scene, const contact::Formulations<D
                             double small) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> nearest(scene.bodies.size(), infinity);
-  const auto note = [&](int body, double distance) { nearest[at(body)] = std::min(nearest[at(body)], distance); };
+  const auto note = [&](int body, double distance) { nearest[body] = std::min(nearest[body], distance); };
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const double distance = nearest_gap(*contacts[k], state.contacts[k]);
-    for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
+    for (int b = 0; b < std::ssize(scene.bodies); ++b)
       if (acts_on(scene.contacts[k], b)) note(b, distance);
   }
   for (const std::vector<int>& group : connected_groups(scene)) {
     double least = infinity;
-    for (const int b : group) least = std::min(least, nearest[at(b)]);
-    for (const int b : group) nearest[at(b)] = least;
+    for (const int b : group) least = std::min(least, nearest[b]);
+    for (const int b : group) nearest[b] = least;
   }
   for (double& distance : nearest) distance = distance == infinity ? small : std::max(distance, small);
   return nearest;
@@ -129,7 +128,7 @@ std::vector<UnconstrainedObstacle> unconstrained_obstacles(const Scene<D>& scene
     return std::ranges::any_of(springs.parts(), [&](const auto& part) { return part.dofs.front() == dof; });
   };
   std::vector<UnconstrainedObstacle> motions;
-  for (int k = 0; k < static_cast<int>(scene.obstacles.size()); ++k)
+  for (int k = 0; k < std::ssize(scene.obstacles); ++k)
     for (int dof = unknowns.obstacle_offset(k), end = dof + D; dof < end; ++dof)
       if (unknowns.unknown(dof) >= 0 && !held(dof)) motions.push_back({k, dof});
   for (const FreeAngle<D>& angle : unknowns.free_angles()) motions.push_back({angle.obstacle, angle.dof});

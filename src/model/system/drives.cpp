@@ -1,7 +1,6 @@
 #include "model/system/drives.hpp"
 
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "model/scene/rotation.hpp"
 #include "model/scene/turning.hpp"
 #include "solid/load.hpp"
@@ -22,7 +21,7 @@ template <int D> std::vector<std::string> moved_components(const Support<D>& sup
   if (support.shaped()) return {"factor"};
   std::vector<std::string> names;
   for (int c = 0; c < D; ++c)
-    if (support.constraint[at(c)] == Constraint::driven) names.push_back(component_name(c));
+    if (support.constraint[c] == Constraint::driven) names.push_back(component_name(c));
   if (support.turns()) names.emplace_back("angle");
   return names;
 }
@@ -50,17 +49,17 @@ Drives<D>::Drives(const Scene<D>& scene, const Unknowns<D>& unknowns) : scene_(s
   int count = 0;
   const auto add = [&](Drive drive) {
     drive.first = count;
-    count += static_cast<int>(drive.components.size());
+    count += std::ssize(drive.components);
     if (!drive.components.empty()) all_.push_back(std::move(drive));
   };
-  for (int s = 0; s < static_cast<int>(scene.supports.size()); ++s) {
-    const Support<D>& support = scene.supports[at(s)];
+  for (int s = 0; s < std::ssize(scene.supports); ++s) {
+    const Support<D>& support = scene.supports[s];
     require(D == 2 || !support.rotates || std::abs(support.axis.norm() - 1) < 1e-9, "model.support.axis",
             {{"support", support.name}});
     add({support.name, s, -1, 0, moved_components(support)});
   }
-  for (int l = 0; l < static_cast<int>(scene.loads.size()); ++l)
-    add({scene.loads[at(l)].name, -1, l, 0, load_components<D>(scene.loads[at(l)])});
+  for (int l = 0; l < std::ssize(scene.loads); ++l)
+    add({scene.loads[l].name, -1, l, 0, load_components<D>(scene.loads[l])});
 
   start_ = VectorX::Zero(count);
   loads_ = MatrixX::Zero(unknowns.dofs(), count);
@@ -69,9 +68,9 @@ Drives<D>::Drives(const Scene<D>& scene, const Unknowns<D>& unknowns) : scene_(s
       follow(drive.support, drive);
       continue;
     }
-    const Load& load = scene.loads[at(drive.load)];
-    for (int k = 0; k < static_cast<int>(drive.components.size()); ++k) {
-      start_(drive.first + k) = load.start[at(k)];
+    const Load& load = scene.loads[drive.load];
+    for (int k = 0; k < std::ssize(drive.components); ++k) {
+      start_(drive.first + k) = load.start[k];
       if (load.kind == LoadKind::follower_pressure) continue; // model/follower_loads.hpp
       add_unit_load(load, k, loads_.col(drive.first + k));
     }
@@ -83,7 +82,7 @@ template <int D> void Drives<D>::add_unit_load(const Load& load, int k, Eigen::R
   const auto add = [&](int body, const VectorX& unit) { force.segment(unknowns_.offset(body), unit.size()) += unit; };
   Eigen::Index used = 0; // of a function's values
   for (const FaceReference& face : load.on) {
-    const solid::Body<D>& body = *scene_.bodies[at(face.body)].body;
+    const solid::Body<D>& body = *scene_.bodies[face.body].body;
     if (load.values.empty())
       add(face.body,
           load.pressure() ? solid::pressure_load(body, face.side) : solid::traction_load(body, face.side, k));
@@ -93,7 +92,7 @@ template <int D> void Drives<D>::add_unit_load(const Load& load, int k, Eigen::R
                          next_values(load, used, load.pressure() ? 1 : D, solid::face_point_count(body, face.side))));
   }
   for (const int index : load.bodies) {
-    const solid::Body<D>& body = *scene_.bodies[at(index)].body;
+    const solid::Body<D>& body = *scene_.bodies[index].body;
     const auto count = static_cast<Eigen::Index>(body.points());
     add(index, load.values.empty() ? solid::body_load(body, k)
                                    : solid::distributed_load(body, next_values(load, used, D, count)));
@@ -108,10 +107,9 @@ template <int D> void Drives<D>::add_unit_load(const Load& load, int k, Eigen::R
 }
 
 template <int D> int Drives<D>::target(int drive, int component) const {
-  require(drive >= 0 && drive < static_cast<int>(all_.size()), "model.drive.unknown",
-          {{"drive", drive}, {"count", all_.size()}});
-  const Drive& found = all_[at(drive)];
-  require(component >= 0 && component < static_cast<int>(found.components.size()), "model.drive.component",
+  require(drive >= 0 && drive < std::ssize(all_), "model.drive.unknown", {{"drive", drive}, {"count", all_.size()}});
+  const Drive& found = all_[drive];
+  require(component >= 0 && component < std::ssize(found.components), "model.drive.component",
           {{"drive", found.name}, {"component", component}, {"count", found.components.size()}});
   return found.first + component;
 }
@@ -120,14 +118,14 @@ template <int D> int Drives<D>::target(int drive, int component) const {
 /// same place that the support holds.
 template <int D> double Drives<D>::shape_of(const Support<D>& support, int body, int function, int component) const {
   const auto place = [&](int b, int f) -> Vec<D> {
-    const auto point = scene_.bodies[at(b)].body->space().homogeneous().col(f);
+    const auto point = scene_.bodies[b].body->space().homogeneous().col(f);
     return point.template head<D>() / point(D);
   };
   const Vec<D> here = place(body, function);
   double nearest = std::numeric_limits<double>::infinity(), value = 0;
   for (const SupportedControlPoints& points : support.on)
     for (std::size_t i = 0; i < points.functions.size(); ++i) {
-      const double own = points.shape[D * i + at(component)];
+      const double own = points.shape[D * i + component];
       if (points.body == body && points.functions[i] == function) return own;
       const double distance = (place(points.body, points.functions[i]) - here).norm();
       if (distance >= nearest) continue;
@@ -139,10 +137,10 @@ template <int D> double Drives<D>::shape_of(const Support<D>& support, int body,
 
 /// Adds the degrees of freedom that a support moves.
 template <int D> void Drives<D>::follow(int s, const Drive& drive) {
-  const Support<D>& support = scene_.supports[at(s)];
+  const Support<D>& support = scene_.supports[s];
   const int angle = support.turns() ? drive.first + static_cast<int>(drive.components.size()) - 1 : -1;
   for (int c = 0, next = drive.first; c < D; ++c) {
-    const bool driven = support.constraint[at(c)] == Constraint::driven;
+    const bool driven = support.constraint[c] == Constraint::driven;
     const int target = !driven ? -1 : support.shaped() ? drive.first : next++;
     if (!driven && !support.rotates) continue;
     for (const int dof : unknowns_.of_support(s, c)) {
@@ -198,7 +196,7 @@ template <int D> VectorX Drives<D>::force(const VectorX& targets) const {
 template <int D> double Drives<D>::moment(int support, const VectorX& targets, const VectorX& force) const {
   // With a unit rate of the angle in radians, M = f · ∂u/∂θ.
   for (const Drive& drive : all_) {
-    if (drive.support != support || !scene_.supports[at(support)].turns()) continue;
+    if (drive.support != support || !scene_.supports[support].turns()) continue;
     VectorX turn = VectorX::Zero(targets.size());
     turn(drive.first + static_cast<int>(drive.components.size()) - 1) = 1 / radians_per_degree;
     return rate(targets, turn).dot(force);

@@ -1,6 +1,5 @@
 #include "model/system/follower_loads.hpp"
 
-#include "base/index.hpp"
 #include "solid/load.hpp"
 
 #include <Eigen/SparseCore>
@@ -15,11 +14,11 @@ FollowerLoads<D>::FollowerLoads(const Scene<D>& scene, const Unknowns<D>& unknow
     : unknowns_(unknowns) {
   for (const Drive& drive : drives.all()) {
     if (drive.load < 0) continue;
-    const Load& load = scene.loads[at(drive.load)];
+    const Load& load = scene.loads[drive.load];
     if (load.kind != LoadKind::follower_pressure) continue;
     Eigen::Index used = 0; // of a function's values
     for (const FaceReference& face : load.on) {
-      const solid::Body<D>& body = *scene.bodies[at(face.body)].body;
+      const solid::Body<D>& body = *scene.bodies[face.body].body;
       const MatrixX points = body.space().points();
       for (solid::FacePoints<D>& element : solid::face_points(body, face.side)) {
         Part part{std::move(element), {}, {}, drive.first};

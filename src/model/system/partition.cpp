@@ -1,6 +1,5 @@
 #include "model/system/partition.hpp"
 
-#include "base/index.hpp"
 #include "model/constants.hpp"
 
 #include <algorithm>
@@ -16,15 +15,15 @@ struct Slabs {
 };
 
 template <int D> Slabs slabs_across(const solid::Body<D>& body, int direction) {
-  Slabs slabs{direction, body.macro_elements(direction), std::vector<int>(at(body.macro_elements(direction)), 0)};
-  std::vector<int> last(at(body.functions()), 0); // last slab of each control point
+  Slabs slabs{direction, body.macro_elements(direction), std::vector<int>(body.macro_elements(direction), 0)};
+  std::vector<int> last(body.functions(), 0); // last slab of each control point
   for (int e = 0; e < body.macro_elements(); ++e)
     for (int function : body.functions_of_macro(e))
-      last[at(function)] = std::max(last[at(function)], body.macro_index(e, direction));
+      last[function] = std::max(last[function], body.macro_index(e, direction));
   for (int e = 0; e < body.macro_elements(); ++e)
     for (int function : body.functions_of_macro(e)) {
-      int& reach = slabs.reach[at(body.macro_index(e, direction))];
-      reach = std::max(reach, last[at(function)]);
+      int& reach = slabs.reach[body.macro_index(e, direction)];
+      reach = std::max(reach, last[function]);
     }
   return slabs;
 }
@@ -39,14 +38,14 @@ std::vector<int> cut(const Slabs& slabs, int shares) {
     // the previous one, so that tails are as equal as heads.
     int tail = first;
     if (k + 1 == shares && k > 0)
-      tail = std::max(first, end - (first - starts[at(2 * k - 1)]));
+      tail = std::max(first, end - (first - starts[2 * k - 1]));
     else
-      while (tail < end && slabs.reach[at(tail)] < end) ++tail;
+      while (tail < end && slabs.reach[tail] < end) ++tail;
     starts.insert(starts.end(), {first, tail});
   }
   for (int k = 0; k + 1 < shares; ++k)
-    for (int slab = starts[at(2 * k + 1)]; slab < starts[at(2 * k + 2)]; ++slab)
-      if (slabs.reach[at(slab)] >= starts[at(2 * k + 3)]) return {};
+    for (int slab = starts[2 * k + 1]; slab < starts[2 * k + 2]; ++slab)
+      if (slabs.reach[slab] >= starts[2 * k + 3]) return {};
   return starts;
 }
 
@@ -67,17 +66,17 @@ double time_on_two(const Slabs& slabs, std::vector<int> starts) {
 template <int D>
 std::vector<char> on_shared_unknowns(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset,
                                      bool one_share) {
-  std::vector<int> owner(at(unknowns.size()), -1);
-  std::vector<char> shared(at(unknowns.size()), false), result(at(body.macro_elements()), false);
+  std::vector<int> owner(unknowns.size(), -1);
+  std::vector<char> shared(unknowns.size(), false), result(body.macro_elements(), false);
   for (int dof = offset; dof < offset + D * body.functions(); ++dof)
     if (const int i = unknowns.unknown(dof); i >= 0) {
-      shared[at(i)] = unknowns.of_several_bodies(i) || (owner[at(i)] >= 0 && !one_share);
-      owner[at(i)] = dof;
+      shared[i] = unknowns.of_several_bodies(i) || (owner[i] >= 0 && !one_share);
+      owner[i] = dof;
     }
   for (int e = 0; e < body.macro_elements(); ++e)
     for (int function : body.functions_of_macro(e))
       for (int c = 0; c < D; ++c)
-        if (const int i = unknowns.unknown(offset + D * function + c); i >= 0 && shared[at(i)]) result[at(e)] = true;
+        if (const int i = unknowns.unknown(offset + D * function + c); i >= 0 && shared[i]) result[e] = true;
   return result;
 }
 
@@ -105,13 +104,13 @@ template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::B
   result.tails.resize(shares);
   const bool shares_unknowns = shares > 1 || unknowns.any_of_several_bodies();
   const std::vector<char> in_rest = shares_unknowns ? on_shared_unknowns(unknowns, body, offset, shares == 1)
-                                                    : std::vector<char>(at(body.macro_elements()), false);
+                                                    : std::vector<char>(body.macro_elements(), false);
   for (int e = 0; e < body.macro_elements(); ++e) {
     // First slabs of heads and tails alternate in `starts`.
     const int slab = body.macro_index(e, best.direction);
     const int piece = static_cast<int>(std::upper_bound(starts.begin(), starts.end(), slab) - starts.begin()) - 1;
     result.share.push_back(piece / 2);
-    auto& list = in_rest[at(e)] ? result.rest : (piece % 2 == 0 ? result.heads : result.tails)[at(piece / 2)];
+    auto& list = in_rest[e] ? result.rest : (piece % 2 == 0 ? result.heads : result.tails)[piece / 2];
     list.push_back(e);
   }
   return result;

@@ -1,6 +1,5 @@
 #include "model/system/path_norm.hpp"
 
-#include "base/index.hpp"
 #include "model/scene/turning.hpp"
 
 namespace signorini::model {
@@ -16,7 +15,7 @@ template <int D> VectorX path_weights(const Scene<D>& scene, const Unknowns<D>& 
     volume += body.volumes().sum();
   }
   weights /= volume;
-  for (int k = 0; k < static_cast<int>(scene.obstacles.size()); ++k) {
+  for (int k = 0; k < std::ssize(scene.obstacles); ++k) {
     const int first = unknowns.obstacle_offset(k);
     weights.template segment<D>(first).setOnes();
     // Two markers move by L dθ each, those of a free angle with s = L θ.

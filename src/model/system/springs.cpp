@@ -1,6 +1,5 @@
 #include "model/system/springs.hpp"
 
-#include "base/index.hpp"
 #include "solid/face_points.hpp"
 
 namespace signorini::model {
@@ -13,7 +12,7 @@ template <int D> Springs<D>::Springs(const Scene<D>& scene, const Unknowns<D>& u
         if (const double k = support.obstacle_spring(c); k > 0)
           parts_.push_back({static_cast<int>(s), {unknowns.obstacle_offset(obstacle) + c}, MatrixX::Constant(1, 1, k)});
     for (const FaceReference& face : support.spring_faces) {
-      const solid::Body<D>& body = *scene.bodies[at(face.body)].body;
+      const solid::Body<D>& body = *scene.bodies[face.body].body;
       const MatrixX points = body.space().points();
       for (const solid::FacePoints<D>& element : solid::face_points(body, face.side)) {
         const MatrixX x = points(Eigen::all, element.functions);

@@ -2,7 +2,6 @@
 
 #include "base/dense.hpp"
 #include "base/error.hpp"
-#include "base/index.hpp"
 #include "model/scene/contact_faces.hpp"
 #include "model/scene/default_penalty.hpp"
 #include "model/scene/joins.hpp"
@@ -22,7 +21,7 @@ namespace {
 
 /// Whether a face collapses to a point, in 3D also to a line: the scatter of its control points has too few directions.
 template <int D> bool is_collapsed(const Scene<D>& scene, const FaceReference& face) {
-  const nurbs::Discretization& space = scene.bodies[at(face.body)].body->space();
+  const nurbs::Discretization& space = scene.bodies[face.body].body->space();
   const MatrixX all = space.points();
   const std::vector<int> functions = space.face_functions(face.side);
   MatrixX points(D, functions.size());
@@ -77,7 +76,7 @@ template <int D> double middle_size(const contact::Surface<D>& face) {
       length(a) = to - from;
     }
     face.locate(e, xi, 1, point);
-    for (int a = 0; a < D - 1; ++a) length(a) *= point.tangent[at(a)].norm();
+    for (int a = 0; a < D - 1; ++a) length(a) *= point.tangent[a].norm();
     sizes.push_back(length.minCoeff());
   }
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
@@ -90,7 +89,7 @@ template <int D> contact::Master<D> master_of(const Scene<D>& scene, const Conta
   if (const auto* faces = std::get_if<Faces>(&contact.master)) return {surface_of(scene, *faces), opposite};
   const int obstacle = std::get<ObstacleReference>(contact.master).obstacle;
   const auto turn = turn_of(scene, obstacle);
-  return {scene.obstacles[at(obstacle)], turn ? std::optional(turn->turning) : std::nullopt, opposite};
+  return {scene.obstacles[obstacle], turn ? std::optional(turn->turning) : std::nullopt, opposite};
 }
 
 template <int D> contact::Formulations<D> make_contacts(const Scene<D>& scene) {

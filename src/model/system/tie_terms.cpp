@@ -1,6 +1,5 @@
 #include "model/system/tie_terms.hpp"
 
-#include "base/index.hpp"
 #include "base/orthonormal.hpp"
 #include "model/constants.hpp"
 #include "model/scene/ties.hpp"
@@ -39,12 +38,12 @@ namespace {
 /// Whether the prescribed degrees of freedom of a body prevent all its rigid-body modes.
 template <int D> bool is_held(const Scene<D>& scene, const Unknowns<D>& unknowns, int body) {
   std::vector<int> prescribed;
-  for (int i = 0; i < D * scene.bodies[at(body)].body->functions(); ++i)
+  for (int i = 0; i < D * scene.bodies[body].body->functions(); ++i)
     if (unknowns.unknown(unknowns.offset(body) + i) < 0) prescribed.push_back(i);
-  const auto motions = rigid_motions<D>(scene.bodies[at(body)].body->space().points(), scene.kind);
+  const auto motions = rigid_motions<D>(scene.bodies[body].body->space().points(), scene.kind);
   MatrixX columns(static_cast<Eigen::Index>(prescribed.size()), static_cast<Eigen::Index>(motions.size()));
   for (Eigen::Index m = 0; m < columns.cols(); ++m)
-    for (Eigen::Index i = 0; i < columns.rows(); ++i) columns(i, m) = motions[at(m)](prescribed[at(i)]);
+    for (Eigen::Index i = 0; i < columns.rows(); ++i) columns(i, m) = motions[m](prescribed[i]);
   // A mode that depends on those before it leaves no residual.
   for (Eigen::Index m = 0; m < columns.cols(); ++m) {
     const MatrixX rest = residual_of(orthonormal(columns.leftCols(m)), columns.col(m));

@@ -12,9 +12,9 @@ namespace {
 
 /// Message code of the constraint of a component.
 template <int D> const char* verb(const Support<D>& support, int component) {
-  if (support.freed[at(component)] && support.constraint[at(component)] == Constraint::free) return "model.verb.frees";
+  if (support.freed[component] && support.constraint[component] == Constraint::free) return "model.verb.frees";
   if (support.rotates) return "model.verb.turns";
-  return support.constraint[at(component)] == Constraint::driven ? "model.verb.drives" : "model.verb.fixes";
+  return support.constraint[component] == Constraint::driven ? "model.verb.drives" : "model.verb.fixes";
 }
 
 } // namespace
@@ -32,7 +32,7 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
   }
   obstacles_ = count;
   check_obstacles(scene);
-  for (int k = 0; k < static_cast<int>(scene.obstacles.size()); ++k) {
+  for (int k = 0; k < std::ssize(scene.obstacles); ++k) {
     obstacle_offsets_.push_back(count);
     count += D;
     const auto turn = turn_of(scene, k);
@@ -42,32 +42,32 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
 
   // Coincident control points of a body, and those of joined faces, share the unknowns of the first of them.
   const std::vector<std::vector<int>> mates = coincident_points(scene).all();
-  std::vector<int> group_of(at(count / D), -1);
+  std::vector<int> group_of(count / D, -1);
   for (std::size_t group = 0; group < mates.size(); ++group)
-    for (int member : mates[group]) group_of[at(member)] = static_cast<int>(group);
+    for (int member : mates[group]) group_of[member] = static_cast<int>(group);
 
   // The support of each degree of freedom
-  std::vector<const Support<D>*> support_of(at(count), nullptr);
+  std::vector<const Support<D>*> support_of(count, nullptr);
   for (const Support<D>& support : scene.supports)
     for (int c = 0; c < D; ++c) {
-      const Constraint constraint = support.constraint[at(c)];
+      const Constraint constraint = support.constraint[c];
       std::vector<int> list;
       for (const SupportedControlPoints& points : support.on)
         for (int function : points.functions) list.push_back(offset(points.body) + D * function + c);
       for (int obstacle : support.obstacles) list.push_back(obstacle_offset(obstacle) + c);
       for (std::size_t i = 0, own = list.size(); i < own; ++i)
-        if (const int group = group_of[at(list[i] / D)]; group >= 0)
-          for (int member : mates[at(group)]) list.push_back(D * member + c);
+        if (const int group = group_of[list[i] / D]; group >= 0)
+          for (int member : mates[group]) list.push_back(D * member + c);
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
-      if (constraint != Constraint::free || support.rotates || support.freed[at(c)])
+      if (constraint != Constraint::free || support.rotates || support.freed[c])
         for (int dof : list) {
           // Control points that a support does not constrain are free; of obstacles the translation that it frees.
-          const bool moved = dof < obstacles_ ? support.rotates : support.freed[at(c)];
+          const bool moved = dof < obstacles_ ? support.rotates : support.freed[c];
           if (constraint == Constraint::free && !moved) continue;
-          const Support<D>*& other = support_of[at(dof)];
+          const Support<D>*& other = support_of[dof];
           const bool both_fixed = constraint == Constraint::fixed && !support.rotates &&
-                                  (!other || (other->constraint[at(c)] == constraint && !other->rotates));
+                                  (!other || (other->constraint[c] == constraint && !other->rotates));
           if (other && !both_fixed)
             fail(dof < obstacles_ ? "model.scene.constrained_twice" : "model.scene.moved_twice",
                  {{"support", support.name},
@@ -83,18 +83,18 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
   std::vector<std::array<int, D>> shared(scene.supports.size());
   for (auto& list : shared) list.fill(-1);
   for (int dof = 0; dof < count; ++dof) {
-    const Support<D>* support = support_of[at(dof)];
+    const Support<D>* support = support_of[dof];
     const int c = dof % D; // every body and obstacle has D components per control point
     constrained_.push_back(support != nullptr || dof >= obstacles_);
     if (dof >= obstacles_) {
-      const bool freed = support && support->constraint[at(c)] == Constraint::free;
+      const bool freed = support && support->constraint[c] == Constraint::free;
       unknown_.push_back(freed ? size_++ : -1);
       constrained_.back() = !freed;
     } else if (!support) {
-      const int group = group_of[at(dof / D)], lead = group < 0 ? dof : D * mates[at(group)].front() + c;
+      const int group = group_of[dof / D], lead = group < 0 ? dof : D * mates[group].front() + c;
       unknown_.push_back(lead < dof ? unknown(lead) : size_++);
-    } else if (support->rotates && support->constraint[at(c)] == Constraint::free) {
-      int& unknown = shared[static_cast<std::size_t>(support - scene.supports.data())][at(c)];
+    } else if (support->rotates && support->constraint[c] == Constraint::free) {
+      int& unknown = shared[support - scene.supports.data()][c];
       if (unknown < 0) unknown = size_++;
       unknown_.push_back(unknown);
     } else {
@@ -102,18 +102,18 @@ Unknowns<D>::Unknowns(const Scene<D>& scene, const contact::Formulations<D>& con
     }
   }
   for (const FreeAngle<D>& angle : free_angles_) {
-    unknown_[at(angle.dof)] = size_++;
+    unknown_[angle.dof] = size_++;
     std::fill_n(constrained_.begin() + angle.markers, D * D + 1, false);
   }
   displacements_ = count;
   free_displacements_ = size_;
-  std::vector<int> owner(at(size_), -1);
-  of_several_bodies_.assign(at(size_), false);
-  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
-    for (int dof = offset(b), end = dof + D * scene.bodies[at(b)].body->functions(); dof < end; ++dof)
+  std::vector<int> owner(size_, -1);
+  of_several_bodies_.assign(size_, false);
+  for (int b = 0; b < std::ssize(scene.bodies); ++b)
+    for (int dof = offset(b), end = dof + D * scene.bodies[b].body->functions(); dof < end; ++dof)
       if (const int i = unknown(dof); i >= 0) {
-        if (owner[at(i)] >= 0 && owner[at(i)] != b) of_several_bodies_[at(i)] = any_of_several_bodies_ = true;
-        owner[at(i)] = b;
+        if (owner[i] >= 0 && owner[i] != b) of_several_bodies_[i] = any_of_several_bodies_ = true;
+        owner[i] = b;
       }
   const auto add = [&](int further) {
     for (int i = 0; i < further; ++i) {

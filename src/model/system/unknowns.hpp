@@ -29,15 +29,15 @@ public:
   explicit Unknowns(const Scene<D>& scene, const contact::Formulations<D>& contacts = {},
                     const contact::Ties<D>& ties = {});
 
-  int dofs() const { return static_cast<int>(unknown_.size()); }
+  int dofs() const { return std::ssize(unknown_); }
   /// Number of degrees of freedom that are displacements; those of contacts and ties follow.
   int displacements() const { return displacements_; }
   int size() const { return size_; }
   /// Number of unknowns that are displacements; those of contacts and ties follow.
   int free_displacements() const { return free_displacements_; }
   /// First degree of freedom of a body, and of an obstacle.
-  int offset(int body) const { return offsets_[at(body)]; }
-  int obstacle_offset(int obstacle) const { return obstacle_offsets_[at(obstacle)]; }
+  int offset(int body) const { return offsets_[body]; }
+  int obstacle_offset(int obstacle) const { return obstacle_offsets_[obstacle]; }
   /// First degree of freedom of all obstacles.
   int obstacles() const { return obstacles_; }
   /// Angles that are unknowns, by obstacle.
@@ -47,19 +47,17 @@ public:
   /// First degree of freedom of a tie's multipliers.
   int of_tie(std::size_t tie) const { return of_ties_[tie]; }
   /// Unknown of a degree of freedom; −1 if it is prescribed.
-  int unknown(int dof) const { return unknown_[at(dof)]; }
+  int unknown(int dof) const { return unknown_[dof]; }
   /// The unknown that moves a degree of freedom: its own, or of a marker the angle that it follows; −1: none.
-  int mover(int dof) const { return movers_.empty() ? unknown(dof) : movers_[at(dof)]; }
+  int mover(int dof) const { return movers_.empty() ? unknown(dof) : movers_[dof]; }
   /// Whether any unknown belongs to several bodies.
   bool any_of_several_bodies() const { return any_of_several_bodies_; }
   /// Whether an unknown belongs to several bodies, which are joined or rotate together.
-  bool of_several_bodies(int unknown) const { return of_several_bodies_[at(unknown)] != 0; }
+  bool of_several_bodies(int unknown) const { return of_several_bodies_[unknown] != 0; }
   /// Whether a support constrains this degree of freedom: it is prescribed, or rotates with others.
-  bool constrained(int dof) const { return constrained_[at(dof)] != 0; }
+  bool constrained(int dof) const { return constrained_[dof] != 0; }
   /// Degrees of freedom of a support in one component, also if that is free.
-  const std::vector<int>& of_support(int support, int component) const {
-    return of_support_[at(support * D + component)];
-  }
+  const std::vector<int>& of_support(int support, int component) const { return of_support_[support * D + component]; }
 
   /// Sums values of all degrees of freedom into their unknowns.
   VectorX gather(const VectorX& values) const;

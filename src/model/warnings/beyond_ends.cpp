@@ -1,7 +1,5 @@
 #include "model/warnings/beyond_ends.hpp"
 
-#include "base/index.hpp"
-
 #include <cmath>
 
 namespace signorini::model {

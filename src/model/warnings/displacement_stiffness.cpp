@@ -1,6 +1,5 @@
 #include "model/warnings/displacement_stiffness.hpp"
 
-#include "base/index.hpp"
 #include "model/constants.hpp"
 #include "solve/dense_factors.hpp"
 
@@ -30,14 +29,14 @@ class Elimination {
 public:
   Elimination(const solve::Pattern& pattern, const std::vector<double>& values, int displacements)
       : pattern_(pattern), values_(values), displacements_(displacements) {
-    couplings_.resize(at(pattern.size - displacements));
+    couplings_.resize(pattern.size - displacements);
     for (int j = 0; j < displacements; ++j)
       each_entry(j, [&](int i, double value) {
-        if (i >= displacements_) couplings_[at(i - displacements_)].row.push_back({j, value});
+        if (i >= displacements_) couplings_[i - displacements_].row.push_back({j, value});
       });
     for (int j = displacements; j < pattern.size; ++j)
       each_entry(j, [&](int i, double value) {
-        if (i < displacements_) couplings_[at(j - displacements_)].column.push_back({i, value});
+        if (i < displacements_) couplings_[j - displacements_].column.push_back({i, value});
       });
     for (int first = displacements; first < pattern.size;) first = add_group(first);
   }
@@ -48,10 +47,10 @@ public:
     of_displacements.rows.reserve(pattern_.rows.size());
     values.reserve(pattern_.rows.size());
     for (int j = 0; j < displacements_; ++j) {
-      for (int k = pattern_.starts[at(j)]; k < pattern_.starts[at(j) + 1]; ++k)
-        if (const int i = pattern_.rows[at(k)]; i < displacements_ && acts(k, i, j)) {
+      for (int k = pattern_.starts[j]; k < pattern_.starts[j + 1]; ++k)
+        if (const int i = pattern_.rows[k]; i < displacements_ && acts(k, i, j)) {
           of_displacements.rows.push_back(i);
-          values.push_back(values_[at(k)]);
+          values.push_back(values_[k]);
         }
       of_displacements.starts.push_back(of_displacements.entries());
     }
@@ -60,33 +59,31 @@ public:
     for (const MultiplierGroup& group : groups_) coupled.push_back(group.unknowns);
     std::vector<int> moved;
     Stiffness result{solve::extend(of_displacements, coupled, moved), {}};
-    result.values.assign(at(result.pattern.entries()), 0.0);
-    for (std::size_t k = 0; k < values.size(); ++k) result.values[at(moved[k])] = values[k];
+    result.values.assign(result.pattern.entries(), 0.0);
+    for (std::size_t k = 0; k < values.size(); ++k) result.values[moved[k]] = values[k];
     for (const MultiplierGroup& group : groups_) add(group, result);
     return result;
   }
 
 private:
   /// Whether entry k of row i and column j, or the transposed one, is not zero: the pattern stays symmetric.
-  bool acts(int k, int i, int j) const {
-    return i == j || values_[at(k)] != 0 || values_[at(pattern_.find(j, i))] != 0;
-  }
+  bool acts(int k, int i, int j) const { return i == j || values_[k] != 0 || values_[pattern_.find(j, i)] != 0; }
 
   template <class Visit> void each_entry(int column, const Visit& visit) const {
-    for (int k = pattern_.starts[at(column)]; k < pattern_.starts[at(column) + 1]; ++k)
-      if (values_[at(k)] != 0) visit(pattern_.rows[at(k)], values_[at(k)]);
+    for (int k = pattern_.starts[column]; k < pattern_.starts[column + 1]; ++k)
+      if (values_[k] != 0) visit(pattern_.rows[k], values_[k]);
   }
 
   /// Adds the group that begins with a multiplier, if it constrains displacements; returns the first one after it.
   int add_group(int first) {
     int end = first + 1;
     for (int j = first; j < end; ++j)
-      for (int k = pattern_.starts[at(j)]; k < pattern_.starts[at(j) + 1]; ++k)
-        if (const int i = pattern_.rows[at(k)]; i >= displacements_ && acts(k, i, j)) end = std::max(end, i + 1);
+      for (int k = pattern_.starts[j]; k < pattern_.starts[j + 1]; ++k)
+        if (const int i = pattern_.rows[k]; i >= displacements_ && acts(k, i, j)) end = std::max(end, i + 1);
     MultiplierGroup group;
     bool constrains = false;
     for (int j = first; j < end; ++j) {
-      const Couplings& own = couplings_[at(j - displacements_)];
+      const Couplings& own = couplings_[j - displacements_];
       constrains = constrains || !own.row.empty();
       for (const auto* list : {&own.column, &own.row})
         for (const auto& [unknown, value] : *list) group.unknowns.push_back(unknown);
@@ -100,7 +97,7 @@ private:
   }
 
   void fill(int first, int end, MultiplierGroup& group) const {
-    const int size = end - first, width = static_cast<int>(group.unknowns.size());
+    const int size = end - first, width = std::ssize(group.unknowns);
     group.columns.setZero(width, size);
     group.inner.setZero(size, size);
     group.rows.setZero(size, width);
@@ -108,7 +105,7 @@ private:
       return std::lower_bound(group.unknowns.begin(), group.unknowns.end(), unknown) - group.unknowns.begin();
     };
     for (int j = 0; j < size; ++j) {
-      const Couplings& own = couplings_[at(first + j - displacements_)];
+      const Couplings& own = couplings_[first + j - displacements_];
       double column = 0, row = 0, stiffest = 0;
       for (const auto& [unknown, value] : own.column) {
         group.columns(place(unknown), j) = value;
@@ -117,7 +114,7 @@ private:
       for (const auto& [unknown, value] : own.row) {
         group.rows(j, place(unknown)) = value;
         row = std::max(row, std::abs(value));
-        stiffest = std::max(stiffest, std::abs(values_[at(pattern_.find(unknown, unknown))]));
+        stiffest = std::max(stiffest, std::abs(values_[pattern_.find(unknown, unknown)]));
       }
       each_entry(first + j, [&](int i, double value) {
         if (i >= displacements_) group.inner(i - first, j) = value;
@@ -136,10 +133,10 @@ private:
       solve::solve_dense<double>(factors, exchanges, part);
       const VectorX product = group.columns * part;
       // Both lists of rows increase.
-      int k = to.pattern.starts[at(group.unknowns[at(j)])];
+      int k = to.pattern.starts[group.unknowns[j]];
       for (int i = 0; i < product.size(); ++i) {
-        while (to.pattern.rows[at(k)] < group.unknowns[at(i)]) ++k;
-        to.values[at(k)] -= product(i);
+        while (to.pattern.rows[k] < group.unknowns[i]) ++k;
+        to.values[k] -= product(i);
       }
     }
   }

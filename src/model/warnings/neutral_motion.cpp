@@ -1,6 +1,5 @@
 #include "model/warnings/neutral_motion.hpp"
 
-#include "base/index.hpp"
 #include "base/orthonormal.hpp"
 #include "model/checks/outline.hpp"
 #include "model/constants.hpp"
@@ -90,7 +89,7 @@ template <int D> std::optional<VectorX> center_of_rotation(const Points<D>& poin
 template <int D> std::vector<Facet<D>> facets_on(const Scene<D>& scene, const Faces& faces) {
   std::vector<Facet<D>> list;
   for (const FaceReference& face : faces) {
-    const nurbs::Discretization& space = scene.bodies[at(face.body)].body->space();
+    const nurbs::Discretization& space = scene.bodies[face.body].body->space();
     const Outline<D> outline(space, space.points());
     for (const Facet<D>& facet : outline.facets())
       if (facet.side == face.side) list.push_back(facet);
@@ -137,7 +136,7 @@ template <int D> bool rolls(const Model<D>& model, const std::vector<int>& group
     const auto center = center_of_rotation<D>(points, spin);
     if (!center) return false;
     const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);
-    const bool flat = obstacle ? std::holds_alternative<contact::Plane<D>>(scene.obstacles[at(obstacle->obstacle)])
+    const bool flat = obstacle ? std::holds_alternative<contact::Plane<D>>(scene.obstacles[obstacle->obstacle])
                                : is_flat<D>(corners_of(facets_on(scene, as_slave ? *master : contact.slave)));
     const double radius = (points.colwise() - Vec<D>(*center)).norm() / std::sqrt(static_cast<double>(points.cols()));
     const double moved = (motion.at + motion.gradient * *center).norm();
@@ -160,7 +159,7 @@ template <int D> bool is_full(const contact::Obstacle<D>& obstacle) {
 /// roll.
 template <int D> bool lies_on_top(const Scene<D>& scene, const Contact<D>& contact) {
   const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);
-  if (!obstacle || !is_full<D>(scene.obstacles[at(obstacle->obstacle)])) return false;
+  if (!obstacle || !is_full<D>(scene.obstacles[obstacle->obstacle])) return false;
   const std::vector<Facet<D>> facets = facets_on(scene, contact.slave);
   const auto center = center_of(corners_of(facets));
   if (!center) return false;

@@ -1,6 +1,5 @@
 #include "model/warnings/penetration.hpp"
 
-#include "base/index.hpp"
 #include "model/checks/constants.hpp"
 #include "model/constants.hpp"
 #include "model/scene/default_penalty.hpp"
@@ -52,13 +51,13 @@ template <int D> SpringSums springs_of(const contact::History<D>& history, const
 
 template <int D> void warn_of_springs(const Model<D>& model, int index, std::vector<Message>& warnings) {
   const Scene<D>& scene = model.system.scene;
-  const contact::History<D>& history = model.present.contacts[at(index)];
-  const Contact<D>& contact = scene.contacts[at(index)];
+  const contact::History<D>& history = model.present.contacts[index];
+  const Contact<D>& contact = scene.contacts[index];
   const contact::PenaltyLaw law = contact::scaled(
       contact::changed(*contact::penalty_law(contact.method), history.changes), model.present.penalty_factor);
   const SpringSums sum = springs_of(history, law);
   if (sum.force <= 0) return;
-  const double modulus = youngs_modulus(scene, contact.slave), stiffness = model.system.stiffness[at(index)];
+  const double modulus = youngs_modulus(scene, contact.slave), stiffness = model.system.stiffness[index];
   const bool lost = sum.force < lost_strain * modulus * sum.area && law.normal < far_too_soft * stiffness;
   double strain = model.system.springs.energy(model.present.displacement);
   // The bodies of the contact, and those that joins and ties connect with them
@@ -83,8 +82,7 @@ template <int D> void warn_of_springs(const Model<D>& model, int index, std::vec
   const bool slips = stuck && above(noticeable_part, sum.slip, approach * sum.force);
   const bool uneven = above(uneven_part, sum.uneven, approach * sum.force);
   if (!penetrates && !slips && !uneven) return;
-  const double usual =
-      default_penalty(scene, with_regions(contact, *model.system.contacts[at(index)], model.system.size));
+  const double usual = default_penalty(scene, with_regions(contact, *model.system.contacts[index], model.system.size));
   // Springs in series: part/(1 − part) is inversely proportional to the penalty.
   const double series = strain > 0 ? law.normal * (sum.normal / strain) * (1 - small_part) / small_part : 0;
   const double enough = std::max(usual, series);
@@ -126,13 +124,13 @@ void warn_of_adhesion(const std::string& contact, const contact::Adhesion& law, 
 
 template <int D> void warn_of_soft_penalties(const Model<D>& model, std::vector<Message>& warnings) {
   for (int k = 0; k < std::ssize(model.system.scene.contacts); ++k) {
-    const Contact<D>& contact = model.system.scene.contacts[at(k)];
+    const Contact<D>& contact = model.system.scene.contacts[k];
     const bool second_pass = contact.other_pass >= 0 && contact.other_pass < k;
     if (contact::penalty_law(contact.method) && !std::holds_alternative<contact::CohesiveLaw>(contact.method) &&
         !second_pass)
       warn_of_springs(model, k, warnings);
     if (const auto* law = std::get_if<contact::Adhesion>(&contact.method))
-      warn_of_adhesion(contact.name, *law, contact::resultant(model.present.contacts[at(k)]).max_penetration, warnings);
+      warn_of_adhesion(contact.name, *law, contact::resultant(model.present.contacts[k]).max_penetration, warnings);
   }
 }
 

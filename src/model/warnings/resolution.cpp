@@ -1,6 +1,5 @@
 #include "model/warnings/resolution.hpp"
 
-#include "base/index.hpp"
 #include "contact/method/peak.hpp"
 #include "model/constants.hpp"
 #include "model/scene/element_size.hpp"
@@ -22,16 +21,15 @@ struct PressureSpace {
 
 /// Empty for laws whose pressures are not those of contact alone.
 template <int D> std::optional<PressureSpace> pressure_space(const Model<D>& model, int index) {
-  const contact::Formulation<D>& formulation = *model.system.contacts[at(index)];
-  const Contact<D>& contact = model.system.scene.contacts[at(index)];
+  const contact::Formulation<D>& formulation = *model.system.contacts[index];
+  const Contact<D>& contact = model.system.scene.contacts[index];
   if (!contact::penalty_law(contact.method) || std::holds_alternative<contact::CohesiveLaw>(contact.method))
     return std::nullopt;
   std::optional<contact::MultiplierSpace> multipliers;
   if (const auto* mortar = std::get_if<contact::MortarLaw>(&contact.method)) multipliers = mortar->multipliers;
   if (const auto* half = std::get_if<contact::HalfPass>(&contact.method)) multipliers = half->multipliers;
-  PressureSpace space{!multipliers, multipliers == contact::MultiplierSpace::reduced,
-                      model.system.stiffness[at(index)]};
-  space.ratio = model.present.penalty_factor * formulation.penalty(model.present.contacts[at(index)]) / space.stiffness;
+  PressureSpace space{!multipliers, multipliers == contact::MultiplierSpace::reduced, model.system.stiffness[index]};
+  space.ratio = model.present.penalty_factor * formulation.penalty(model.present.contacts[index]) / space.stiffness;
   return space;
 }
 
@@ -39,7 +37,7 @@ template <int D> std::optional<PressureSpace> pressure_space(const Model<D>& mod
 double functions_per_element(const nurbs::Space1D& direction, int element) {
   int smoothness = -1;
   for (const int end : {element, element + 1})
-    if (end > 0 && end < direction.elements()) smoothness = std::max(smoothness, direction.smoothness()[at(end)]);
+    if (end > 0 && end < direction.elements()) smoothness = std::max(smoothness, direction.smoothness()[end]);
   return std::max(1, direction.degree(element) - std::max(smoothness, 0));
 }
 
@@ -57,17 +55,17 @@ struct Narrow {
 };
 /// Empty if the zone is wide enough, or if the mean, which needs a smaller width, confirms the peak.
 template <int D> std::optional<Narrow> narrow_zone(const Model<D>& model, int index, const PressureSpace& space) {
-  const auto& formulation = *model.system.contacts[at(index)];
+  const auto& formulation = *model.system.contacts[index];
   const contact::Surface<D>& slave = formulation.slave();
-  const contact::History<D>& history = model.present.contacts[at(index)];
+  const contact::History<D>& history = model.present.contacts[index];
   const double least_pressure =
-      contact_rounding * youngs_modulus(model.system.scene, model.system.scene.contacts[at(index)].slave);
+      contact_rounding * youngs_modulus(model.system.scene, model.system.scene.contacts[index].slave);
   const auto zone = contact::peak_zone(formulation, history);
   Narrow found{0, 0, resultant(history).max_pressure, contact::mean_pressure(formulation.points(), history)};
   if (!zone || found.peak <= least_pressure) return std::nullopt;
   double most = 1;
   for (int a = 0; a < D - 1; ++a) {
-    const contact::ZoneExtent& extent = zone->extent[at(a)];
+    const contact::ZoneExtent& extent = zone->extent[a];
     const auto place = std::div(zone->element, slave.direction(0).elements());
     if (extent.edges == 2) continue;
     const double width = (1 + extent.edges) * extent.elements;
@@ -99,7 +97,7 @@ template <int D> void warn_of_narrow_contacts(const Model<D>& model, std::vector
     Message cure;
     if (space->at_points && enough >= default_penalty_ratio)
       cure = Message("model.narrow.penalty", {{"penalty", enough * space->stiffness}});
-    warnings.push_back(Message("model.warning.narrow", {{"contact", model.system.scene.contacts[at(k)].name},
+    warnings.push_back(Message("model.warning.narrow", {{"contact", model.system.scene.contacts[k].name},
                                                         {"width", narrow->width},
                                                         {"least", std::ceil(narrow->least)},
                                                         {"peak", narrow->peak},

@@ -1,6 +1,5 @@
 #include "model/warnings/small_strain.hpp"
 
-#include "base/index.hpp"
 #include "model/constants.hpp"
 #include "model/results/results.hpp"
 #include "solid/internal.hpp"
@@ -76,7 +75,7 @@ template <int D> void warn_of_large_strains(const Model<D>& model, std::vector<M
     Distortion worst{0, 0};
     int element = 0;
     for (int e = 0; e < body->elements(); ++e)
-      if (const Distortion found = distortion(means[at(e)]); found.excess() > worst.excess()) {
+      if (const Distortion found = distortion(means[e]); found.excess() > worst.excess()) {
         worst = found;
         element = e;
       }

@@ -1,6 +1,5 @@
 #include "model/warnings/stability.hpp"
 
-#include "base/index.hpp"
 #include "model/checks/constants.hpp"
 #include "model/constants.hpp"
 #include "model/diagnosis/weak_directions.hpp"
@@ -29,7 +28,7 @@ Stiffness symmetric_part(Stiffness k) {
 /// The square root of the diagonal, in place of inertia: lengths that make stiffnesses comparable.
 VectorX scale_of(const Stiffness& k) {
   VectorX diagonal(k.pattern.size);
-  for (int i = 0; i < k.pattern.size; ++i) diagonal(i) = std::abs(k.values[at(k.pattern.find(i, i))]);
+  for (int i = 0; i < k.pattern.size; ++i) diagonal(i) = std::abs(k.values[k.pattern.find(i, i)]);
   const double largest = diagonal.maxCoeff();
   for (double& value : diagonal)
     if (value < neutral_stiffness * largest) value = largest;
@@ -39,8 +38,7 @@ VectorX scale_of(const Stiffness& k) {
 /// D⁻¹ K D⁻¹.
 Stiffness scaled(Stiffness k, const VectorX& d) {
   for (int j = 0; j < k.pattern.size; ++j)
-    for (int i = k.pattern.starts[at(j)]; i < k.pattern.starts[at(j) + 1]; ++i)
-      k.values[at(i)] /= d(j) * d(k.pattern.rows[at(i)]);
+    for (int i = k.pattern.starts[j]; i < k.pattern.starts[j + 1]; ++i) k.values[i] /= d(j) * d(k.pattern.rows[i]);
   return k;
 }
 

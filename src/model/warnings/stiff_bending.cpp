@@ -1,6 +1,5 @@
 #include "model/warnings/stiff_bending.hpp"
 
-#include "base/index.hpp"
 #include "model/checks/constants.hpp"
 
 #include <algorithm>
@@ -50,8 +49,8 @@ BentPoint<D> bent_point(const solid::Body<D>& body, const nurbs::ElementBasis& b
   const Mat<D> stress = moduli.lame * trace * Mat<D>::Identity() + 2 * moduli.shear * strain;
   point.energy = moduli.lame * trace * trace / 2 + moduli.shear * (strain.squaredNorm() + hoop * hoop);
   for (int d = 0; d < D; ++d) {
-    point.normal[at(d)] = inverse.row(d).normalized();
-    point.traction[at(d)] = stress * point.normal[at(d)];
+    point.normal[d] = inverse.row(d).normalized();
+    point.traction[d] = stress * point.normal[d];
   }
   return point;
 }
@@ -76,12 +75,12 @@ template <int D> double locked_part(const solid::Body<D>& body, const MatrixX& d
     }
     std::size_t stride = 1;
     for (int d = 0; d < D; ++d) {
-      const auto count = at(space.degree(e, d) + 1);
+      const int count = space.degree(e, d) + 1;
       for (std::size_t q = 0; count == 2 && q < bent.size(); ++q) {
         if (q / stride % 2 != 0) continue;
         const BentPoint<D>&a = bent[q], &b = bent[q + stride];
-        const Vec<D> varies = (b.traction[at(d)] - a.traction[at(d)]) / 2;
-        const double across = varies.dot((a.normal[at(d)] + b.normal[at(d)]).normalized());
+        const Vec<D> varies = (b.traction[d] - a.traction[d]) / 2;
+        const double across = varies.dot((a.normal[d] + b.normal[d]).normalized());
         locked += (a.volume + b.volume) *
                   (across * across / (moduli.lame + 2 * moduli.shear) +
                    (varies.squaredNorm() - across * across) / moduli.shear) /

@@ -81,8 +81,8 @@ template <int D> class StartOutlines {
 public:
   explicit StartOutlines(const Scene<D>& scene) : scene_(scene), outlines_(scene.bodies.size()) {}
   const Outline<D>& operator[](int body) {
-    auto& outline = outlines_[at(body)];
-    const nurbs::Discretization& space = scene_.bodies[at(body)].body->space();
+    auto& outline = outlines_[body];
+    const nurbs::Discretization& space = scene_.bodies[body].body->space();
     return outline ? *outline : outline.emplace(space, space.points());
   }
 
@@ -145,12 +145,12 @@ std::vector<Vec<D>> places_of(const contact::Master<D>& master, double radius, c
     std::vector<double> grid;
     for (int e = 0; e < surface->elements(); ++e) {
       std::size_t count = 1;
-      for (int alpha = 0; alpha < D - 1; ++alpha) count *= at(3 * (surface->degree(e, alpha) + 1));
+      for (int alpha = 0; alpha < D - 1; ++alpha) count *= 3 * (surface->degree(e, alpha) + 1);
       grid.resize(D * count);
       surface->sample(e, grid.data());
       for (std::size_t k = 0; k < count; ++k) {
         Vec<D>& place = places.emplace_back();
-        for (int i = 0; i < D; ++i) place(i) = grid[at(i) * count + k];
+        for (int i = 0; i < D; ++i) place(i) = grid[i * count + k];
       }
     }
   }
@@ -206,7 +206,7 @@ void warn_of(const Model<D>& model, const PresentOutlines<D>& outlines, int body
       found.depth > 0)
     warnings.push_back(Message("model.warning.obstacle_inside",
                                {{"contact", obstacle.contact.name},
-                                {"body", scene.bodies[at(body)].name},
+                                {"body", scene.bodies[body].name},
                                 {"face", face_message(scene, {body, found.side})},
                                 {"depth", found.depth},
                                 {"at", found.position},
@@ -223,7 +223,7 @@ void warn_of_obstacles(const Model<D>& model, const PresentOutlines<D>& outlines
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
     const auto* master = std::get_if<ObstacleReference>(&scene.contacts[k].master);
     if (!master || !examined.insert(master->obstacle).second) continue;
-    const contact::Obstacle<D>& shape = scene.obstacles[at(master->obstacle)];
+    const contact::Obstacle<D>& shape = scene.obstacles[master->obstacle];
     const PlacedObstacle<D> obstacle{master->obstacle, scene.contacts[k], model.system.contacts[k]->master(),
                                      contact::Master<D>(shape), full_radius<D>(shape)};
     for (int b = 0; b < outlines.bodies(); ++b) warn_of(model, outlines, b, obstacle, start, warnings);

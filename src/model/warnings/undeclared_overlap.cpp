@@ -142,33 +142,32 @@ template <int D> DeclaredContacts contacts_between(const Model<D>& model, int fi
 } // namespace
 
 template <int D> PresentOutlines<D>::PresentOutlines(const Model<D>& model) : scene_(model.system.scene) {
-  const auto count = static_cast<int>(scene_.bodies.size());
+  const int count = std::ssize(scene_.bodies);
   const Groups joined = connected_bodies(scene_, false), connected = connected_bodies(scene_, true);
   for (int b = 0; b < count; ++b) {
-    const nurbs::Discretization& space = scene_.bodies[at(b)].body->space();
+    const nurbs::Discretization& space = scene_.bodies[b].body->space();
     outlines_.emplace_back(space, space.points() + body_displacement(model, b));
     within_.emplace_back();
-    for (const int d : nurbs::closed_directions(space))
-      within_.back()[at(2 * d)] = within_.back()[at(2 * d + 1)] = true;
+    for (const int d : nurbs::closed_directions(space)) within_.back()[2 * d] = within_.back()[2 * d + 1] = true;
     if (scene_.kind == solid::Kind::axisymmetric)
       for (const nurbs::Side side : nurbs::sides(D))
         if (lies_on_axis(outlines_.back(), side)) within_.back()[number_of(side)] = true;
   }
   for (const Join& join : scene_.joins)
-    for (const FaceReference& face : {join.first, join.second}) within_[at(face.body)][number_of(face.side)] = true;
-  declared_.assign(at(count), 0);
-  std::vector<double> declared(at(count), 0);
+    for (const FaceReference& face : {join.first, join.second}) within_[face.body][number_of(face.side)] = true;
+  declared_.assign(count, 0);
+  std::vector<double> declared(count, 0);
   for (std::size_t k = 0; k < scene_.contacts.size(); ++k) {
     const double overlap = declared_slack * declared_overlap(*model.system.contacts[k], model.present.contacts[k]);
     for (int b = 0; b < count; ++b)
       if (acts_on(scene_.contacts[k], b)) {
-        double& most = declared[at(connected.leader(b))];
+        double& most = declared[connected.leader(b)];
         most = std::max(most, overlap);
       }
   }
   for (int b = 0; b < count; ++b) {
     parts_.push_back(joined.leader(b));
-    declared_[at(b)] = declared[at(connected.leader(b))];
+    declared_[b] = declared[connected.leader(b)];
   }
 }
 

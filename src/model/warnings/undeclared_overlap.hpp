@@ -18,19 +18,19 @@ public:
   explicit PresentOutlines(const Model<D>& model);
 
   const Scene<D>& scene() const { return scene_; }
-  int bodies() const { return static_cast<int>(outlines_.size()); }
-  const Outline<D>& operator[](int body) const { return outlines_[at(body)]; }
+  int bodies() const { return std::ssize(outlines_); }
+  const Outline<D>& operator[](int body) const { return outlines_[body]; }
   /// Whether a face is joined with another one, closes its own patch or is on the axis of revolution, and so lies
   /// within a body.
-  bool within(int body, nurbs::Side side) const { return within_[at(body)][number_of(side)]; }
+  bool within(int body, nurbs::Side side) const { return within_[body][number_of(side)]; }
   /// Whether bodies are parts of one: equal, or joined.
   bool joined(int first, int second) const { return part(first) == part(second); }
   /// The first of a body and those joined with it.
-  int part(int body) const { return parts_[at(body)]; }
+  int part(int body) const { return parts_[body]; }
   /// The depth up to which a place of a body may penetrate without a contact: 1 % of its thickness, the error of the
   /// outline there, and what is declared for its faces in contact.
   double allowed(int body, const Facet<D>& facet) const {
-    return std::max({small_overlap * outlines_[at(body)].thickness(), declared_[at(body)], 2 * facet.sagitta});
+    return std::max({small_overlap * outlines_[body].thickness(), declared_[body], 2 * facet.sagitta});
   }
 
 private:

@@ -89,7 +89,7 @@ void Output::send_available(bool all) {
     char buffer[1 << 16];
     ssize_t count = 0;
     while ((count = ::read(stream.read_end, buffer, sizeof buffer)) > 0 || (count < 0 && errno == EINTR))
-      if (count > 0) text.append(buffer, static_cast<std::size_t>(count));
+      if (count > 0) text.append(buffer, count);
     if (!all) {
       const std::size_t finished = text.size() - unfinished_bytes(text);
       stream.left = text.substr(finished);
