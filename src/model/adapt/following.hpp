@@ -8,8 +8,9 @@ namespace signorini::model {
 /// A direction along a contact face of a body with a layer, by the elements of its plan (nurbs::Plan).
 struct LayerLine {
   int body;
-  std::size_t face, direction; ///< index into Discretization::contact(), and along that face
-  std::vector<bool> raised;    ///< the elements that have the layer
+  std::size_t face;         ///< index into Discretization::contact()
+  int direction;            ///< along that face
+  std::vector<bool> raised; ///< the elements that have the layer
   /// Of each element, 0 if none of its points is in contact, otherwise positive: the largest jump, in any of them,
   /// between the traction of the contact and that of the body's stress on the face, relative to the largest traction
   /// of the contact; at least `touch`.
