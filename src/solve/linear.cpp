@@ -6,16 +6,31 @@
 #include "solve/reused.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace signorini::solve {
 
 namespace {
 
-constexpr std::pair<LinearKind, const char*> names[] = {
-    {LinearKind::automatic, "auto"},      {LinearKind::klu, "klu"},     {LinearKind::umfpack, "umfpack"},
-    {LinearKind::condensed, "condensed"}, {LinearKind::reuse, "reuse"}, {LinearKind::mumps, "mumps"}};
+struct Kind {
+  LinearKind kind;
+  const char* name;
+  std::unique_ptr<DirectSolver> (*make)() = nullptr; ///< factors every matrix; null: see make_solver()
+};
+
+constexpr Kind kinds[] = {
+    {LinearKind::automatic, "auto", make_klu},
+    {LinearKind::klu, "klu", make_klu},
+    {LinearKind::umfpack, "umfpack", make_umfpack},
+    {LinearKind::condensed, "condensed"},
+    {LinearKind::reuse, "reuse"},
+    {LinearKind::mumps, "mumps"},
+};
+
+const Kind& row_of(LinearKind kind) {
+  return *std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& row) { return row.kind == kind; });
+}
 
 /// Factors every matrix.
 class Direct final : public LinearSolver {
@@ -37,20 +52,18 @@ private:
 
 std::vector<std::string> linear_names() {
   std::vector<std::string> all;
-  for (const auto& [kind, name] : names) all.emplace_back(name);
+  for (const Kind& row : kinds) all.emplace_back(row.name);
   return all;
 }
 
 LinearKind linear_kind(const std::string& name) {
-  for (const auto& [kind, kind_name] : names)
-    if (name == kind_name) return kind;
+  for (const Kind& row : kinds)
+    if (name == row.name) return row.kind;
   fail("solve.linear.unknown", {{"name", name}, {"known", linear_names()}});
 }
 
 std::string name_of(LinearKind kind) {
-  for (const auto& [known, name] : names)
-    if (kind == known) return name;
-  return "";
+  return row_of(kind).name;
 }
 
 bool worth_reusing(double operations, double entries) {
@@ -78,9 +91,7 @@ std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& patter
     const MakeDirect make = [settings] { return make_mumps(settings); };
     return make_reused(pattern, make, nullptr, loosest, kind);
   }
-  std::unique_ptr<DirectSolver> direct = kind == LinearKind::umfpack ? make_umfpack()
-                                         : kind == LinearKind::mumps ? make_mumps(settings)
-                                                                     : make_klu();
+  std::unique_ptr<DirectSolver> direct = kind == LinearKind::mumps ? make_mumps(settings) : row_of(kind).make();
   direct->analyze(pattern);
   const SolverStatistics expected = direct->statistics();
   if (kind == LinearKind::automatic && worth_reusing(expected.operations, expected.entries))
