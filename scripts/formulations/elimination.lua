@@ -16,14 +16,14 @@
 --         NURBS; share/doc/benchmark.md on the solvers.
 -- Units: times in ms of processor time.
 -- Expected: the fastest solver takes 1.1 to 1.7 times as long per iteration with multipliers as with a penalty.
--- Run: signorini -q scripts/formulations/elimination.lua [problems=hertz,plane,solid] [meshes=m1,m2,m3,m4]
+-- Run: signorini -q formulations/elimination.lua [problems=hertz,plane,solid] [meshes=m1,m2,m3,m4]
 --      [solids=sparse,coarse] [solvers=auto,klu,umfpack,reuse,condensed] [rounds=3] [out=out/formulations/elimination]
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
-local hertz = require "hertz2d.problem"
-local plane = require "ironing2d.problem"
-local solid = require "ironing3d.problem"
+local hertz = require "problems.hertz2d.problem"
+local plane = require "problems.ironing2d.problem"
+local solid = require "problems.ironing3d.problem"
 
 local names = { "hertz", "plane", "solid" }
 local solvers = { "auto", "klu", "umfpack", "reuse", "condensed" }

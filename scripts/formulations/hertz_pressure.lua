@@ -24,7 +24,7 @@
 --           With N2 reduced multipliers are constant per element: their error is that of a staircase, 1.6e-2 at m3.
 --           Forces under a given displacement approach their limit as 1/penalty. On the coarsest mesh of the sphere no
 --           element of N2 overlaps the plane on average: reduced multipliers start from a singular tangent.
--- Run: signorini -q scripts/formulations/hertz_pressure.lua [problems=line,sphere] [meshes=m1,m2,m3,m4,m5]
+-- Run: signorini -q formulations/hertz_pressure.lua [problems=line,sphere] [meshes=m1,m2,m3,m4,m5]
 --      [orders=N2,N2-N2.2] [formulations=…] [penalties=2e2,5e2,1e3,2e3,5e3,1e4,1e5,1e6] [reference=m6] [steps=4]
 --      [drift=m3] [out=out/formulations/hertz_pressure]; drift: mesh on which forces under a given displacement are
 --      compared over the penalties.
@@ -34,7 +34,7 @@ local chart = require "formulations.chart"
 local deviation = require "formulations.deviation"
 local formulations = require "formulations.rows"
 
-local problems = { line = require "hertz2d.problem", sphere = require "hertz_sphere.problem" }
+local problems = { line = require "problems.hertz2d.problem", sphere = require "problems.hertz_sphere.problem" }
 local levels = { "m1", "m2", "m3", "m4", "m5", "m6" }
 local on_obstacles = formulations.where(function(row) return not row.two_faces end)
 local options = sg.arguments{

@@ -19,7 +19,7 @@
 --           half passes have 1.6 to 6 times the oscillation. Multipliers as unknowns on the stiff die take 0.8 to 4
 --           times the iterations, and fail on m3; with the slab as slave 0.8 to 1 times, except where the lowest
 --           point of the die, a jump of curvature, passes element borders of the slab.
--- Run: signorini -q scripts/formulations/ironing_cost.lua [problems=plane,solid] [orders=N2,N2-N2.2]
+-- Run: signorini -q formulations/ironing_cost.lua [problems=plane,solid] [orders=N2,N2-N2.2]
 --      [meshes=m1,m2,m3,m4] [solids=sparse,coarse] [formulations=…] [mu=0.3] [penalty=100] [rounds=1]
 --      [controls=robust] [out=out/formulations/ironing_cost]; meshes: of the plane problem; solids: of the solid one,
 --      whose friction is mu and whose penalties are penalty; rounds: runs per case, for medians of the times; controls:
@@ -27,9 +27,9 @@
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
-local measure = require "ironing2d.measure"
-local plane = require "ironing2d.problem"
-local solid = require "ironing3d.problem"
+local measure = require "problems.ironing2d.measure"
+local plane = require "problems.ironing2d.problem"
+local solid = require "problems.ironing3d.problem"
 
 -- Augmented Gauss points do not reach their tolerance on a curved deformable master (model:run, augmented).
 local usual = formulations.where(function(row) return row.name ~= "gpts-augmented" end)

@@ -20,14 +20,14 @@
 --           hold changes the forces by 4e-5, the residual that slip on a curved master leaves (share/doc/theory.md,
 --           Coulomb friction), of first order in the step; the others nothing. Two half passes change by 5e-3 in the
 --           first step and creep by 8e-5 in the others.
--- Run: signorini -q scripts/formulations/load_and_hold.lua [orders=N2,N2-N2.2] [formulations=…] [mesh=m1]
+-- Run: signorini -q formulations/load_and_hold.lua [orders=N2,N2-N2.2] [formulations=…] [mesh=m1]
 --      [steps=25,50,100] [hold=50] [out=out/formulations/load_and_hold]; steps: of the slide, the press takes half as
 --      many.
 
 local sg = require "signorini"
 local chart = require "formulations.chart"
 local formulations = require "formulations.rows"
-local ironing = require "ironing2d.problem"
+local ironing = require "problems.ironing2d.problem"
 
 local options = sg.arguments{
   orders = { "N2", "N2-N2.2" }, formulations = formulations.argument(formulations.names), mesh = ironing.meshes "m1",

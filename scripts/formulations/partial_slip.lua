@@ -20,7 +20,7 @@
 -- Units: any consistent units; lengths relative to the radius R, tractions to Young's modulus.
 -- Expected: c/a = √(1 − Q/(mu P)) within the length of a span; the L2 error of the traction over x/a falls with the
 --           mesh; sticking points slip by the traction over the tangential penalty.
--- Run: signorini -q scripts/formulations/partial_slip.lua [orders=N2,N2-N2.2] [counts=4,8,16] [formulations=…]
+-- Run: signorini -q formulations/partial_slip.lua [orders=N2,N2-N2.2] [counts=4,8,16] [formulations=…]
 --      [penalty=10] [press=16] [steps=10] [out=out/formulations/partial_slip]; press, steps: number of steps of the
 --      pressing and of each shear; pressed: the integral of |q| over the contact after the pressing, which should
 --      cause no friction.

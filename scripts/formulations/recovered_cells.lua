@@ -11,7 +11,7 @@
 -- Expected: with a high penalty in Hertz's contact mortar recovers all cells that Gauss points lose. Elsewhere each
 --           formulation recovers some cells and loses others. The default controls converge with each formulation in
 --           nearly all cells.
--- Run: signorini -q scripts/formulations/recovered_cells.lua
+-- Run: signorini -q formulations/recovered_cells.lua
 --      [maps=deep_ironing,friction_steps,penalty_hertz,first_touch] [formulations=…] [coarse=no] [jobs=2]
 --      [out=out/formulations/recovered_cells]; coarse=yes: few cells of each map. Maps are written to `out`, with a
 --      picture of each next to that of Gauss points, and a second call continues with their cells.

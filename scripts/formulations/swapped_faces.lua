@@ -16,13 +16,13 @@
 -- Expected: no difference for two half passes. Otherwise the difference falls with the mesh, to a rest that is due to
 --           the penalty. With the slab as slave its elements are as long as the contact (m1) or half as long (m2),
 --           which mortar, with as few multipliers, resolves less than Gauss points.
--- Run: signorini -q scripts/formulations/swapped_faces.lua [orders=N2,N2-N2.2] [meshes=m1,m2,m3] [formulations=…]
+-- Run: signorini -q formulations/swapped_faces.lua [orders=N2,N2-N2.2] [meshes=m1,m2,m3] [formulations=…]
 --      [out=out/formulations/swapped_faces]
 
 local sg = require "signorini"
 local chart = require "formulations.chart"
 local formulations = require "formulations.rows"
-local ironing = require "ironing2d.problem"
+local ironing = require "problems.ironing2d.problem"
 
 local options = sg.arguments{
   orders = { "N2", "N2-N2.2" }, meshes = ironing.meshes{ "m1", "m2", "m3" },

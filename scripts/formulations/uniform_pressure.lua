@@ -18,14 +18,14 @@
 --           N2-N2.2) on straight meshes and as n^-2 on skewed ones. With the coarser block as slave mortar has at most
 --           a third of the error of Gauss points. Augmented Gauss points are over-constrained: their error is larger
 --           than with a penalty, or the augmentation does not end ("penetration").
--- Run: signorini -q scripts/formulations/uniform_pressure.lua [dimensions=2,3] [orders=N2,N2-N2.2] [formulations=…]
+-- Run: signorini -q formulations/uniform_pressure.lua [dimensions=2,3] [orders=N2,N2-N2.2] [formulations=…]
 --      [skews=0,0.2] [points=20] [points_3d=8] [out=out/formulations/uniform_pressure]; points, points_3d: largest
 --      number of points per element and direction, from p + 1 on, p the degree on the face; in 3D the first order only.
 
 local sg = require "signorini"
 local chart = require "formulations.chart"
 local formulations = require "formulations.rows"
-local problem = require "patch_test.problem"
+local problem = require "problems.patch_test.problem"
 
 local options = sg.arguments{
   dimensions = { { 2, 3 }, choices = { 2, 3 } }, orders = { "N2", "N2-N2.2" },

@@ -12,7 +12,7 @@
 -- Units: lengths in units of the radius, pressures of Young's modulus.
 -- Expected: force within 1.5 %, peak pressure within 5 % of the axisymmetric model's. With a stiffer penalty the force
 --           is 18 % above Hertz's at a/R = 0.28, 4 % at a/R = 0.07: the finite size acts in proportion to a/R.
--- Run: signorini scripts/objects/ball.lua [elements=4] [depth=2] [approach=0.16] [reference=24] [penalty=20]
+-- Run: signorini objects/ball.lua [elements=4] [depth=2] [approach=0.16] [reference=24] [penalty=20]
 --      [out=out/ball]; elements: along each edge of the core; depth: from the core to the sphere; reference: in each
 --      direction; penalty: in E/R, of the ball and the first model of the section
 

@@ -10,7 +10,7 @@
 -- Units: mm, N, MPa, degrees.
 -- Expected: the ratio of the thick belt within 0.5 % on the pulley, within 1.5 % over the fixed cylinder, where the
 --           belt also bends as it leaves; both differences fall with h. The moment within 0.5 %.
--- Run: signorini scripts/objects/belt.lua [elements=48] [order=N2] [h=0.5] [mu=0.3] [turn=3] [steps=12] [penalty=100]
+-- Run: signorini objects/belt.lua [elements=48] [order=N2] [h=0.5] [mu=0.3] [turn=3] [steps=12] [penalty=100]
 --      [out=out/belt]
 
 local sg = require "signorini"

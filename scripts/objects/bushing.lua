@@ -10,7 +10,7 @@
 -- Units: mm, N per mm, MPa.
 -- Expected: the stiffness of the first, small step within 0.1 % of that for nu, which is 1.3 % below that of an
 --           incompressible bushing for K = 2000 MPa. The force remains nearly proportional to the shift.
--- Run: signorini scripts/objects/bushing.lua [elements=8] [order=N2] [volumetric=projected] [K=2000] [most=0.4]
+-- Run: signorini objects/bushing.lua [elements=8] [order=N2] [volumetric=projected] [K=2000] [most=0.4]
 --      [steps=10] [out=out/bushing]
 
 local sg = require "signorini"

@@ -12,7 +12,7 @@
 -- Expected: the compression for a force within 5 % of Johnson's up to C = 0.15, the pressure within 5 % of 2 F/(pi a)
 --           up to 0.25: fluids of lower pressure do not leak. Lindley's force is a quarter below both at
 --           C = 0.1 to 0.2.
--- Run: signorini scripts/objects/o_ring.lua [elements=96] [order=N2] [most=0.25] [steps=10] [out=out/o_ring]
+-- Run: signorini objects/o_ring.lua [elements=96] [order=N2] [most=0.25] [steps=10] [out=out/o_ring]
 
 local sg = require "signorini"
 

@@ -7,7 +7,7 @@
 --         F + F²/(2 E' t) = G, E' = E/(1 − nu²); without stretch F = G.
 -- Units: mm, N, MPa; forces per mm of width.
 -- Expected: the steady force is the closed form within 1 %, and work = stored energy + G times the peeled length.
--- Run: signorini scripts/objects/peel_film.lua [elements=70] [order=N2] [energy=0.1] [strength=1] [steps=60]
+-- Run: signorini objects/peel_film.lua [elements=70] [order=N2] [energy=0.1] [strength=1] [steps=60]
 --      [law=exponential] [out=out/peel_film]
 
 local sg = require "signorini"

@@ -8,7 +8,7 @@
 -- Units: those of E and the size of the slab; any consistent ones.
 -- Expected: the contact carries P in every step; drag and sinking of both agree within 0.5 %; the rigid tool takes
 --           0.8 of the time.
--- Run: signorini scripts/objects/pressed_tool.lua [refinement=2] [order=N2] [P=0.15] [mu=0.2] [distance=1]
+-- Run: signorini objects/pressed_tool.lua [refinement=2] [order=N2] [P=0.15] [mu=0.2] [distance=1]
 --      [steps=50] [out=out/pressed_tool]
 
 local sg = require "signorini"

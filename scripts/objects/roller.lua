@@ -8,7 +8,7 @@
 --         order of a: K. L. Johnson, Contact Mechanics, 1985, section 8.2.
 -- Units: any consistent units.
 -- Expected: a mean drag below 0.1 % of the weight; an advance per radian above R by 0.07 a to 0.1 a.
--- Run: signorini scripts/objects/roller.lua [elements=48] [order=N2] [mu=0.6] [travel=0.8] [steps=80] [out=out/roller]
+-- Run: signorini objects/roller.lua [elements=48] [order=N2] [mu=0.6] [travel=0.8] [steps=80] [out=out/roller]
 
 local sg = require "signorini"
 

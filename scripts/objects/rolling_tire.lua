@@ -11,7 +11,7 @@
 -- Expected: the rolling radius is between the loaded radius, 280 mm, and the free one, 300 mm; nu = 0.45 has 319 mm.
 --           Elastic tires have no rolling resistance: the moment of free rolling is below 0.1 % of load times radius
 --           on average. The traction at large slip is mu times the load within 1 %.
--- Run: signorini scripts/objects/rolling_tire.lua [elements=72] [order=N2] [nu=0.2] [mu=0.5] [angle=90] [steps=60]
+-- Run: signorini objects/rolling_tire.lua [elements=72] [order=N2] [nu=0.2] [mu=0.5] [angle=90] [steps=60]
 --      [out=out/rolling_tire]
 
 local sg = require "signorini"

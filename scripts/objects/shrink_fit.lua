@@ -12,7 +12,7 @@
 -- Expected: the pressure after shrinking is Lamé's within 0.5 %, the largest force the closed form within 1 %. Later
 --           the force falls with the overlap l, more slowly than 2 pi R l mu p, because the free parts of shaft and hub
 --           stiffen the ends of the contact.
--- Run: signorini scripts/objects/shrink_fit.lua [elements=12] [order=N2] [interference=0.02] [mu=0.15] [steps=30]
+-- Run: signorini objects/shrink_fit.lua [elements=12] [order=N2] [interference=0.02] [mu=0.15] [steps=30]
 --      [penalty=2e6] [out=out/shrink_fit]
 
 local sg = require "signorini"

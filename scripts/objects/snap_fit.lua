@@ -10,7 +10,7 @@
 -- Units: mm, N per mm of width, MPa.
 -- Expected: greatest insertion and retention force within 15 % of beam theory, which overestimates them: its nose
 --           is rigid and touches at a point. Plain: without slope, rounding and lever arm, P = 3 E' I y/l^3.
--- Run: signorini scripts/objects/snap_fit.lua [elements=40] [order=N2] [mu=0.2] [steps=80] [penalty=500]
+-- Run: signorini objects/snap_fit.lua [elements=40] [order=N2] [mu=0.2] [steps=80] [penalty=500]
 --      [out=out/snap_fit]; penalty: of the contact; a higher one needs shorter steps
 
 local sg = require "signorini"

@@ -1,6 +1,6 @@
 -- Penalty and augmented Lagrangian methods compared: remaining penetration and error of the pressure.
 --
--- Problem: Hertz line contact (scripts/hertz2d.lua): a quarter of a hollow cylinder, radii 0.1 and 1, E = 1, nu = 0.3,
+-- Problem: Hertz line contact (hertz2d.lua): a quarter of a hollow cylinder, radii 0.1 and 1, E = 1, nu = 0.3,
 --          is pressed onto a rigid plane, with penalties from far too soft to far too stiff; for each, once with the
 --          penalty method alone and once with the augmented Lagrangian (Uzawa), until no contact point penetrates by
 --          more than 1e-6 of the body's size.
@@ -13,12 +13,12 @@
 --           constraint, which over-constrains the problem. With N2-N2.2 it is not over-constrained: with the softest
 --           penalty the error decreases from 0.099 to 0.010 of Hertz's peak pressure; the best penalty without
 --           augmentation, 2000, has 0.008.
--- Run: signorini scripts/stability/augmented.lua [orders=N2,N2-N2.2] [mesh=m3] [penalties=1e2,5e2,2e3,1e4,1e5,1e6]
+-- Run: signorini stability/augmented.lua [orders=N2,N2-N2.2] [mesh=m3] [penalties=1e2,5e2,2e3,1e4,1e5,1e6]
 --      [penetration=1e-6] [loops=500] [steps=4] [reference=m5] [out=out/stability/augmented]
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
-local hertz = require "hertz2d.problem"
+local hertz = require "problems.hertz2d.problem"
 
 local levels = { "m1", "m2", "m3", "m4", "m5", "m6" }
 local options = sg.arguments{

@@ -1,7 +1,7 @@
 -- Cost of robust solver controls where nothing fails, and iterations saved by predictors.
 --
--- Problem: runs that converge without controls: 2D frictional ironing as published (scripts/ironing2d.lua) and Hertz
---          line contact under a prescribed load and displacement (scripts/hertz2d.lua), each with plain Newton
+-- Problem: runs that converge without controls: 2D frictional ironing as published (ironing2d.lua) and Hertz
+--          line contact under a prescribed load and displacement (hertz2d.lua), each with plain Newton
 --          (sg.plain) and with all controls (sg.robust, the default of model:run); then ironing with the four
 --          predictors: tangent, constant, linear, quadratic.
 -- Source: V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of
@@ -10,14 +10,14 @@
 -- Expected: with all controls no run takes more iterations than without (limit: 1.05 times as many); ironing takes 0.67
 --           to 0.70 times as many, Hertz 0.83 to 0.98. The quadratic predictor saves 27 to 33 % of the iterations of
 --           the sliding stage, the linear one 11 to 31 %.
--- Run: signorini scripts/stability/cost.lua [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [mesh=m1]
+-- Run: signorini stability/cost.lua [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [mesh=m1]
 --      [hertz=L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2] [rings=m3] [steps=10] [coarser=1] [repeats=3] [out=out/stability/cost];
 --      rings, steps: mesh and number of steps of Hertz; coarser: factor on the step size of ironing; times are medians
 --      of repeats.
 
 local sg = require "signorini"
-local hertz = require "hertz2d.problem"
-local ironing = require "ironing2d.problem"
+local hertz = require "problems.hertz2d.problem"
+local ironing = require "problems.ironing2d.problem"
 
 local options = sg.arguments{
   orders = { "N2", "N4", "N6", "N2-N4", "N2-N6", "N2-N2.1", "N2-N2.2", "N2-N2.3" }, mesh = ironing.meshes "m1",

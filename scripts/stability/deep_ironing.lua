@@ -18,7 +18,7 @@
 --           controls in all 120. With the published steps plain Newton converges with all discretizations, except N2
 --           with 2(p + 1); with steps 16 times as large it always fails immediately. Where both converge, all controls
 --           take 0.71 times as many iterations and give the same forces to 2e-6.
--- Run: signorini scripts/stability/deep_ironing.lua [points=p+1,2(p+1),3(p+1)]
+-- Run: signorini stability/deep_ironing.lua [points=p+1,2(p+1),3(p+1)]
 --      [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [coarser=1,2,4,8,16] [mesh=m1] [places=N6] [jobs=2]
 --      [limit=600] [keep=no] [with=robust] [formulation=gpts] [out=out/stability/deep_ironing]; points: contact points
 --      per element, p the degree on the contact face, also auto, one map for each; coarser: factors on the step size;
@@ -29,7 +29,7 @@
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
-local ironing = require "ironing2d.problem"
+local ironing = require "problems.ironing2d.problem"
 local study = require "stability.study"
 
 local multiples = { ["p+1"] = 1, ["2(p+1)"] = 2, ["3(p+1)"] = 3 }

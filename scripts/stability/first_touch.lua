@@ -19,7 +19,7 @@
 --           all cells on the plane without friction and under the tool, otherwise in all but those of the highest load:
 --           8 and 6 of 24 cells. All controls converge in all 144: damping moves the body to its first contact. The
 --           contact force equals the load.
--- Run: signorini scripts/stability/first_touch.lua [under=plane,slab,tool] [friction=0,0.3] [order=N2]
+-- Run: signorini stability/first_touch.lua [under=plane,slab,tool] [friction=0,0.3] [order=N2]
 --      [gaps=-1e-2,-1e-3,0,1e-3,1e-2,1e-1] [loads=1e-4,1e-3,1e-2,0.05] [steps=5] [jobs=2] [limit=600] [keep=no]
 --      [with=robust] [formulation=gpts] [out=out/stability/first_touch]; one map for each of under and friction;
 --      keep=yes reuses the cells that an earlier call left in the folder; with=cutting, fallback or prediction turns on

@@ -19,7 +19,7 @@
 --           to 0.75 times as many iterations where both converge, and the same drag to 2e-5. Plain Newton converges
 --           with steps up to 4 times as large for every friction but one, up to 8 times with N2 and N4; with steps 16
 --           times as large all fail early. Drag over pressing force is 0.43 at mu = 0.4, in both directions.
--- Run: signorini scripts/stability/friction_steps.lua [orders=N2,N4,N2-N2.2] [friction=0,0.1,0.2,0.4,0.6,0.8]
+-- Run: signorini stability/friction_steps.lua [orders=N2,N4,N2-N2.2] [friction=0,0.1,0.2,0.4,0.6,0.8]
 --      [coarser=1,2,4,8,16] [mesh=m1] [points=3(p+1)] [jobs=2] [limit=600] [keep=no] [with=robust] [formulation=gpts]
 --      [out=out/stability/friction_steps];
 --      one map for each discretization; coarser: factors on the step size; points: contact points, also auto; keep=yes
@@ -28,7 +28,7 @@
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
-local ironing = require "ironing2d.problem"
+local ironing = require "problems.ironing2d.problem"
 local study = require "stability.study"
 
 local options = study.arguments{

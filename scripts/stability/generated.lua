@@ -19,7 +19,7 @@
 -- Units: the units of E; forces per depth in plane strain.
 -- Expected: if the master has no sharp edges, all models complete except one in several hundred; if the block is the
 --           master, about 1 % end early (35 % if the traction ended at the boundary of the master face).
--- Run: signorini scripts/stability/generated.lua [kind=plane] [first=1] [count=2209] [mirror=no] [saved=no] [law=gpts]
+-- Run: signorini stability/generated.lua [kind=plane] [first=1] [count=2209] [mirror=no] [saved=no] [law=gpts]
 --      [fewer=1] [jobs=2] [limit=600] [out=out/stability/generated]; kind: plane (2D) or space (3D); first, count:
 --      seeds; law: gpts, mortar or multipliers; fewer: divides the numbers of steps, so that more of them are cut;
 --      limit: seconds per model. A second call continues from the results in the folder.

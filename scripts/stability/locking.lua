@@ -22,7 +22,7 @@
 --           0.6 %, 3.2 %; N4 0.1 %, 0.1 %, 0.1 %. A layer reduces the error of N2 at 0.499 only by a third, since it is
 --           the bulk that locks. With projected volume change L1 is off by 2 %, all others by at most 0.7 %, also at
 --           0.4999.
--- Run: signorini scripts/stability/locking.lua [orders=L1,L2,N2,N3,N4,N2-N2.1,N2-N4] [nu=0.3,0.4,0.45,0.49,0.495,0.499]
+-- Run: signorini stability/locking.lua [orders=L1,L2,N2,N3,N4,N2-N2.1,N2-N4] [nu=0.3,0.4,0.45,0.49,0.495,0.499]
 --      [volumetric=pointwise] [elements=8] [reference=24] [steps=5] [depth=0.15] [jobs=2] [limit=600] [keep=no]
 --      [with=robust] [out=out/stability/locking]; orders: N2:1 is N2 with degree 1 in the thickness direction,
 --      otherwise that of the bulk; volumetric=pointwise,projected draws both maps of the error side by side; elements,

@@ -22,13 +22,13 @@
 --           points to a state behind the fold, with 7, 1, 4 and 1 steps solved by fallbacks; also with arc length,
 --           before which predictors and step cuts are tried. Where both converge, the controls take 0.77 and 0.78 times
 --           as many iterations.
--- Run: signorini scripts/stability/peeling.lua [control=rotation,arc] [orders=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
+-- Run: signorini stability/peeling.lua [control=rotation,arc] [orders=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
 --      [meshes=m0,m1,m2] [angle=90] [pitch=0.2] [length=100] [bonded=85] [jobs=2] [limit=600] [keep=no] [with=robust]
 --      [out=out/stability/peeling]; pitch: degrees per step; keep=yes reuses the cells that an earlier call left in the
 --      folder; with=cutting, fallback or prediction turns on only one of the controls.
 
 local sg = require "signorini"
-local peeling = require "peeling2d.problem"
+local peeling = require "problems.peeling2d.problem"
 local study = require "stability.study"
 
 local options = study.arguments{

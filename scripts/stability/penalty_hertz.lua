@@ -24,7 +24,7 @@
 --           cells. Oscillation at 10³, 10⁴, 10⁵, 10⁶: N2 0.003, 0.016, 0.037, 0.055; N4 0.005, 0.032, 0.11, 0.35;
 --           N2-N2.2 0.001, 0.001, 0.002, 0.003. Up to 10² the value of 0.003 is the misfit of f itself. The penetration
 --           decreases with the penalty.
--- Run: signorini scripts/stability/penalty_hertz.lua [orders=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
+-- Run: signorini stability/penalty_hertz.lua [orders=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
 --      [penalties=1,10,1e2,1e3,1e4,1e5,1e6] [mesh=m3] [load=displacement] [steps=10] [jobs=2] [limit=600] [keep=no]
 --      [with=robust] [formulation=gpts] [out=out/stability/penalty_hertz]; mesh: m1 to m6 as in hertz2d.lua; load:
 --      displacement or force; keep=yes reuses the cells that an earlier call left in the folder; with=cutting, fallback
@@ -33,7 +33,7 @@
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
-local hertz = require "hertz2d.problem"
+local hertz = require "problems.hertz2d.problem"
 local smooth = require "stability.smooth"
 local study = require "stability.study"
 

@@ -14,7 +14,7 @@
 -- Units: any consistent units; lengths relative to twice the radius, forces to Young's modulus times that length.
 -- Expected: plain Newton converges in 6 (mu = 0.2) and 8 (mu = 0.5) of 20 cells, and with a gap of 0.05 in none, since
 --           nothing holds the tool before it touches; all controls converge in all 80, and the contact carries P.
--- Run: signorini scripts/stability/pressed_tool.lua [friction=0.2,0.5] [order=N2] [gap=-1e-3]
+-- Run: signorini stability/pressed_tool.lua [friction=0.2,0.5] [order=N2] [gap=-1e-3]
 --      [forces=0.02,0.05,0.1,0.2,0.4] [lengths=0.02,0.05,0.1,0.2] [jobs=2] [limit=600] [keep=no] [with=robust]
 --      [formulation=gpts] [out=out/stability/pressed_tool]; one map for each friction; lengths: of a step of the slide;
 --      keep=yes reuses the cells that an earlier call left in the folder; with=cutting, fallback or prediction turns on

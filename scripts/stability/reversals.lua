@@ -1,6 +1,6 @@
 -- Many reversals of the sliding direction: ironing back and forth, with plain Newton and with the default controls.
 --
--- Problem: the die of published ironing (scripts/ironing2d.lua) is pressed by 0.1 in 20 steps and dragged by 0.5 and
+-- Problem: the die of published ironing (ironing2d.lua) is pressed by 0.1 in 20 steps and dragged by 0.5 and
 --          back, in 100 steps each way, 15 times. After a step in which all points have slipped they all lie on
 --          Coulomb's cone, and the first guess of the next step decides between stick and slip.
 -- Source: the problem of V. Agrawal, An Accurate and Efficient Varying Order NURBS Discretization Method for
@@ -9,11 +9,11 @@
 -- Units: mm, N, N/mm²; Newton iterations.
 -- Expected: all 15 cycles with both; the default controls take 0.68 to 0.69 times as many iterations as plain Newton,
 --           no fallback, and give the same drag at the end to 1e-8.
--- Run: signorini scripts/stability/reversals.lua [cases=N2:m1,N2-N2.2:m1,N2:m2] [cycles=15] [steps=100]
+-- Run: signorini stability/reversals.lua [cases=N2:m1,N2-N2.2:m1,N2:m2] [cycles=15] [steps=100]
 --      [out=out/stability/reversals]; cases: order:mesh; steps: of each way.
 
 local sg = require "signorini"
-local ironing = require "ironing2d.problem"
+local ironing = require "problems.ironing2d.problem"
 
 local function is_case(text)
   local order, mesh = text:match "^([^:]+):([^:]+)$"

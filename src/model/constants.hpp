@@ -126,10 +126,10 @@ inline constexpr double across_part = 0.1;
 inline constexpr double default_penalty_ratio = 10;
 /// The same of contacts that are enforced by the penalty alone. In Hertz's line and point contact over 5 elements (N2)
 /// penetration is 0.4 and 1.0 % of the approach with 30 (forces 0.4 and 1.5 % too small), 1.2 and 2.7 % with 10, 0.1
-/// and 0.3 % with 100, which doubles the width from which peaks are right (scripts/contact_width.lua).
+/// and 0.3 % with 100, which doubles the width from which peaks are right (scripts/studies/contact_width.lua).
 inline constexpr double default_penalty_alone = 30;
 /// Least widths of a zone of contact from which peaks are within 10 % of Hertz's, in functions of the slave face:
-/// elements times p − k for degree p and continuity k (scripts/contact_width.lua). At Gauss points with penalty ratio c
+/// elements times p − k for degree p and continuity k (scripts/studies/contact_width.lua). At Gauss points with penalty ratio c
 /// peak_functions √(c/30), since a high penalty over-constrains, of degree 1 in proportion to c; of mortar contact
 /// with multipliers "equal" and "reduced" at any penalty.
 inline constexpr double peak_functions = 7, peak_functions_linear = 13;

@@ -84,8 +84,12 @@ std::string release() {
 std::string find_script(const std::string& name) {
   if (name.empty() || name == "-" || fs::exists(name) || fs::path(name).is_absolute()) return name;
   const fs::path home = find_home();
-  const fs::path place = name.starts_with("scripts/") ? home / name : home / "scripts" / name;
-  return place.extension() == ".lua" && fs::exists(place) ? place.string() : name;
+  for (const char* folder : {"", "scripts", "scripts/problems", "scripts/studies"}) {
+    const fs::path place = home / folder / name;
+    const bool script = place.extension() == ".lua" && place.string().starts_with((home / "scripts").string());
+    if (script && fs::exists(place)) return place.string();
+  }
+  return name;
 }
 
 void write_new_study(const std::string& file) {

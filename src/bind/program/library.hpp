@@ -34,7 +34,7 @@ extern const char* const source_hash;
 std::string release();
 
 /// The file of a script: the path as given, or if that does not exist the supplied script of that name, "hertz2d.lua"
-/// or "scripts/hertz2d.lua".
+/// "problems/hertz2d.lua" or "scripts/problems/hertz2d.lua".
 std::string find_script(const std::string& name);
 
 /// Writes share/starter.lua, the study for new users, atomically to a new file. Throws Error when the file exists, its

@@ -3,7 +3,7 @@
 local sg = require "signorini"
 local check = require "check"
 local ironing = require "ironing"
-local problem = require "ironing2d.problem"
+local problem = require "problems.ironing2d.problem"
 
 local elements = { die = { 24, 2 }, slab = { 24, 4 } }
 local stages = { { name = "press", steps = 8, grip = { 0, -0.2 } },

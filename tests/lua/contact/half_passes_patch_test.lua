@@ -2,7 +2,7 @@
 -- face, straight, skewed and stretched.
 
 local check = require "check"
-local patch_test = require "patch_test.problem"
+local patch_test = require "problems.patch_test.problem"
 local sg = require "signorini"
 
 local function solved(model, stages, options)

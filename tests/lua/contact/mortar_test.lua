@@ -3,9 +3,9 @@
 
 local sg = require "signorini"
 local check = require "check"
-local problem = require "hertz2d.problem"
+local problem = require "problems.hertz2d.problem"
 local ironing = require "ironing"
-local patch_test = require "patch_test.problem"
+local patch_test = require "problems.patch_test.problem"
 
 local equal, reduced = { method = "mortar", multipliers = "equal" }, { method = "mortar", multipliers = "reduced" }
 local gpts = { method = "gpts" }
@@ -37,7 +37,7 @@ end
 
 -- ── Patch test ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The largest error of the pressure between two blocks under uniform pressure; scripts/patch_test.lua, sides guided.
+--- The largest error of the pressure between two blocks under uniform pressure; patch_test.lua, sides guided.
 local function patch_error(o)
   local model = patch_test.scene{ dimension = o.dimension, order = o.order, lower = o.lower, upper = o.upper,
     slave = o.slave, points = o.points, penalty = 100, sides = "guided", formulation = { keys = o.keys } }
@@ -152,7 +152,7 @@ check.case("Hertz 2D: augmentation removes the weighted penetration at a low pen
   end
 end)
 
---- Hertz's point contact as an axisymmetric scene; scripts/hertz_sphere.lua.
+--- Hertz's point contact as an axisymmetric scene; scripts/problems/hertz_sphere.lua.
 local function point_contact(count, keys, penalty)
   local load, young, poisson = 3.14e-4, 1, 0.3
   local graded = { elements = 0.75, length = 0.1, at = "start" }

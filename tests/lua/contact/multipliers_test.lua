@@ -3,7 +3,7 @@
 local sg = require "signorini"
 local check = require "check"
 local core = require "signorini.core"
-local problem = require "hertz2d.problem"
+local problem = require "problems.hertz2d.problem"
 
 local spaces = { "equal", "reduced" }
 
@@ -22,7 +22,7 @@ end
 
 -- ── Without friction ─────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Hertz's line contact (scripts/hertz2d) with other keys in its contact.
+--- Hertz's line contact (scripts/problems/hertz2d) with other keys in its contact.
 local function ring(own, order, mesh)
   local make = sg.model
   rawset(sg, "model", function(scene)

@@ -222,9 +222,9 @@ check.case("friction.penalty is optional; a soft one, with which points stick, i
   end
 end)
 
-check.case("scripts/contact_width.lua: the widths behind the warning", function()
-  local study = assert(loadfile(core.home .. "/scripts/contact_width.lua"))("orders=N2,N2-N2.2", "penalties=30,100",
-    "formulations=gpts", "problems=line", "depths=12")
+check.case("scripts/studies/contact_width.lua: the widths behind the warning", function()
+  local study = assert(loadfile(core.home .. "/scripts/studies/contact_width.lua"))("orders=N2,N2-N2.2",
+    "penalties=30,100",    "formulations=gpts", "problems=line", "depths=12")
   local widths = {}
   for _, row in ipairs(study.rows) do widths[#widths + 1] = row[5] end
   check.at_most("N2, 30", widths[1], 7)

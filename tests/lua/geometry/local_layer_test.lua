@@ -5,8 +5,8 @@ local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local formulations = require "formulations.rows"
-local hertz = require "hertz2d.problem"
-local patch_test = require "patch_test.problem"
+local hertz = require "problems.hertz2d.problem"
+local patch_test = require "problems.patch_test.problem"
 
 local soft = sg.linear_elastic{ E = 1, nu = 0.3 }
 

@@ -1,8 +1,9 @@
--- scripts/benchmark.lua, coarse: sums of its parts, exponents of growth, files.
+-- tests/measure/benchmark.lua, coarse: sums of its parts, exponents of growth, files.
 
 local core = require "signorini.core"
 local sg = require "signorini"
 local check = require "check"
+package.path = core.home .. "/tests/measure/?.lua;" .. package.path
 
 local growth = require "benchmark.growth"
 
@@ -12,7 +13,7 @@ local folder = check.folder()
 local function benchmark(...)
   local print_to_terminal = print
   print = function() end
-  local ok, result = pcall(assert(loadfile(core.home .. "/scripts/benchmark.lua")), "out=" .. folder, ...)
+  local ok, result = pcall(assert(loadfile(core.home .. "/tests/measure/benchmark.lua")), "out=" .. folder, ...)
   print = print_to_terminal
   if not ok then error(result, 0) end
   return result

@@ -1,4 +1,4 @@
--- scripts/checkpoint_cost.lua, coarse: its rows, and that it leaves no file.
+-- tests/measure/checkpoint_cost.lua, coarse: its rows, and that it leaves no file.
 
 local core = require "signorini.core"
 local check = require "check"
@@ -9,7 +9,7 @@ local folder = check.folder()
 check.case("both problems with and without checkpoints", function()
   local print_to_terminal = print
   print = function() end
-  local ok, costs = pcall(assert(loadfile(core.home .. "/scripts/checkpoint_cost.lua")),
+  local ok, costs = pcall(assert(loadfile(core.home .. "/tests/measure/checkpoint_cost.lua")),
     "every=0,10", "mesh=sparse", "slides=2", "repeats=1", "out=" .. folder)
   print = print_to_terminal
   if not ok then error(costs, 0) end
@@ -22,7 +22,8 @@ check.case("both problems with and without checkpoints", function()
 end)
 
 check.case("wrong arguments", function()
-  local function run(word) assert(loadfile(core.home .. "/scripts/checkpoint_cost.lua"))(word, "out=" .. folder) end
+  local script = assert(loadfile(core.home .. "/tests/measure/checkpoint_cost.lua"))
+  local function run(word) script(word, "out=" .. folder) end
   check.fails(function() run "every=-1" end, "every must be whole numbers, 0 or more, got '-1'")
   check.fails(function() run "evry=1" end, "unknown argument 'evry=1'")
 end)

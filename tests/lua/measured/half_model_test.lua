@@ -1,4 +1,4 @@
--- scripts/half_model.lua, coarse: unknowns and forces of partial models. Its times depend on the machine.
+-- tests/measure/half_model.lua, coarse: unknowns and forces of partial models. Its times depend on the machine.
 
 local core = require "signorini.core"
 local check = require "check"
@@ -8,7 +8,8 @@ core.quiet = true
 check.case("halves and a quarter", function()
   local print_to_terminal = print
   print = function() end
-  local ok, scenes = pcall(assert(loadfile(core.home .. "/scripts/half_model.lua")), "mesh=1", "solid=1", "repeats=1")
+  local ok, scenes = pcall(assert(loadfile(core.home .. "/tests/measure/half_model.lua")), "mesh=1", "solid=1",
+    "repeats=1")
   print = print_to_terminal
   if not ok then error(scenes, 0) end
   check.equal(#scenes, 5)

@@ -1,12 +1,12 @@
--- scripts/ironing2d.lua variant=cost in few steps.
+-- scripts/problems/ironing2d.lua variant=cost in few steps.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
-local cost = require "ironing2d.cost"
+local cost = require "problems.ironing2d.cost"
 
 local folder = check.folder()
-local run_study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))
+local run_study = assert(loadfile(core.home .. "/scripts/problems/ironing2d.lua"))
 local study = run_study("variant=cost", "steps=66", "repeat=1", "out=" .. folder)
 
 check.case("all discretizations complete, with the forces of the fine mesh", function()

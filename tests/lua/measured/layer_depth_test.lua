@@ -1,4 +1,4 @@
--- scripts/layer_depth.lua as a user runs it, peeling and Hertz on coarser meshes: effect of a second row of the layer,
+-- layer_depth.lua as a user runs it, peeling and Hertz on coarser meshes: effect of a second row of the layer,
 -- and no effect of more.
 
 local sg = require "signorini"
@@ -6,7 +6,7 @@ local core = require "signorini.core"
 local check = require "check"
 
 local folder = check.folder()
-local study = assert(loadfile(core.home .. "/scripts/layer_depth.lua"))(
+local study = assert(loadfile(core.home .. "/scripts/studies/layer_depth.lua"))(
   "out=" .. folder, "rows=1,2,all", "layers=N2.2,N4", "repeat=1",
   "peeling=mesh=m0;length=60;bonded=50;steps=400;window=34,40", "hertz=meshes=m1;sizes=1;reference=m3",
   "rings=meshes=m1;reference=m3")
@@ -65,7 +65,8 @@ check.case("wrong arguments", function()
                                  "problems must be values among 'peeling', 'ironing', 'hertz' and 'rings'",
                                ["rows=0"] = "rows must be whole numbers of at least 1, or all, got '0'",
                                ["repeat=x"] = "repeat must be a whole number, 1 or more, got 'x'" } do
-    local output, status = check.program { "-q", core.home .. "/scripts/layer_depth.lua", "out=" .. folder, word }
+    local output, status = check.program { "-q", core.home .. "/scripts/studies/layer_depth.lua", "out=" .. folder,
+      word }
     check.equal(status, 1)
     check.holds(output, message)
   end

@@ -22,7 +22,7 @@ local function solved(model, stage, controls)
 end
 
 check.case("Cook's membrane: the middle of its side moves as published, with all orders, and locks without", function()
-  local script = core.home .. "/scripts/cook.lua"
+  local script = core.home .. "/scripts/problems/cook.lua"
   local results = assert(loadfile(script))("out=" .. check.folder(), "laws=linear", "orders=L1,L2,N2,N3",
     "elements=16").results.linear
   local published = 16.4326
@@ -56,7 +56,7 @@ check.case("a cantilever bends as a beam of Timoshenko, also with degree 1 acros
 end)
 
 check.case("Lame: displacements and stresses converge at optimal rates", function()
-  local script = core.home .. "/scripts/locking_ring.lua"
+  local script = core.home .. "/scripts/problems/locking_ring.lua"
   local results = assert(loadfile(script))("out=" .. check.folder(), "orders=N2,N3", "elements=6,24")
   for _, shape in ipairs { "ring", "ball" } do
     for order, p in pairs { N2 = 2, N3 = 3 } do
@@ -75,7 +75,7 @@ check.case("Lame: displacements and stresses converge at optimal rates", functio
 end)
 
 check.case("a cylinder of incompressible material touches as Hertz says", function()
-  local problem = require "hertz2d.problem"
+  local problem = require "problems.hertz2d.problem"
   local half_width, peak = problem.hertz(2 * problem.half_load, nu)
   local model, stage = problem.scene{ order = "N2-N2.2", mesh = "m3", load = "force", thickness_degree = 2,
                                       poisson = nu, volumetric = "projected" }

@@ -1,10 +1,10 @@
--- scripts/newton_loop.lua on a short path: a user-defined loop is bitwise equal to model:run.
+-- scripts/studies/newton_loop.lua on a short path: a user-defined loop is bitwise equal to model:run.
 
 local core = require "signorini.core"
 local check = require "check"
 
 core.quiet = true
-local script = core.home .. "/scripts/newton_loop.lua"
+local script = core.home .. "/scripts/studies/newton_loop.lua"
 
 check.case("the loop and model:run take the same iterations with bitwise identical results", function()
   local print_to_terminal = print

@@ -1,4 +1,4 @@
--- scripts/speed_against_accuracy.lua as a user runs it, two problems on their two coarsest meshes: comparison at
+-- speed_against_accuracy.lua as a user runs it, two problems on their two coarsest meshes: comparison at
 -- equal error, the page, and that what is done is not done again. Nothing here depends on how long a case takes.
 
 local sg = require "signorini"
@@ -8,7 +8,7 @@ local check = require "check"
 local folder = check.folder()
 local words = { "problems=ironing,hertz", "meshes=m1,m2", "orders=N2,N4,N2-N2.2", "rounds=1",
                 "out=" .. folder .. "/out", "page=" .. folder .. "/doc" }
-local function run(...) return assert(loadfile(core.home .. "/scripts/speed_against_accuracy.lua"))(...) end
+local function run(...) return assert(loadfile(core.home .. "/scripts/studies/speed_against_accuracy.lua"))(...) end
 local results = run(table.unpack(words)).results
 
 local function row(problem, order, mesh) return results[problem].measured.cases:row{ order = order, mesh = mesh } end
@@ -63,7 +63,7 @@ check.case("ratios of all pairs: within the errors that both reach, or why there
 end)
 
 check.case("the fastest case with at most the error of N2 is at least as accurate and not slower", function()
-  local ratios = require "speed_against_accuracy.ratios"
+  local ratios = require "studies.speed_against_accuracy.ratios"
   local list = ratios.least(results.ironing.measured.cases, "dPx", "wall")
   check.equal(#list, 2)
   for _, pair in ipairs(list) do
@@ -110,7 +110,7 @@ check.case("wrong arguments", function()
     ["meshes=m1,m9"] = "meshes must be all, or meshes that one of the problems has, got 'm9' in 'm1,m9'",
     ["clock=cpu"] = "unknown argument 'clock=cpu'",
   } do
-    local output, status = check.program { "-q", core.home .. "/scripts/speed_against_accuracy.lua",
+    local output, status = check.program { "-q", core.home .. "/scripts/studies/speed_against_accuracy.lua",
                                            "out=" .. folder .. "/out", word }
     check.equal(status, 1)
     check.holds(output, message)

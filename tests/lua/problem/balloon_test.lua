@@ -1,9 +1,9 @@
--- The inflated ball of scripts/balloon.lua against the exact pressures beyond the limit point.
+-- The inflated ball of scripts/problems/balloon.lua against the exact pressures beyond the limit point.
 
 local core = require "signorini.core"
 local check = require "check"
 
-local script = core.home .. "/scripts/balloon.lua"
+local script = core.home .. "/scripts/problems/balloon.lua"
 
 check.case("pressures are those of the incompressible ball, and pass their greatest value", function()
   local laws = assert(loadfile(script))("out=" .. check.folder(), "elements=3", "steps=20").laws

@@ -1,11 +1,11 @@
--- scripts/block_ironing3d.lua, coarse: symmetry and balance of the forces, effect of a layer, files.
+-- scripts/problems/block_ironing3d.lua, coarse: symmetry and balance of the forces, effect of a layer, files.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local way_back = require "way_back"
 
-local script = core.home .. "/scripts/block_ironing3d.lua"
+local script = core.home .. "/scripts/problems/block_ironing3d.lua"
 local folder = check.folder()
 local run_study = assert(loadfile(script))
 local study = run_study("out=" .. folder, "mesh=2x2x1/4x2x1", "orders=N2,N2-N2.1", "press=3", "slide=20")
@@ -69,7 +69,7 @@ check.case("charts, states, a table and a file per order", function()
 end)
 
 check.case("sixty steps: user times compared with other programs, the cheapest case in the range", function()
-  local sixty = require "block_ironing3d.sixty"
+  local sixty = require "problems.block_ironing3d.sixty"
   local both = run_study("variant=sixty", "out=" .. folder .. "/sixty", "mesh=2x2x1/4x2x1", "orders=N2",
                          "thickness_degree=1,2",
                          "part=whole", "line_search=none")

@@ -1,11 +1,11 @@
--- scripts/cylinder_ironing3d.lua, coarse: symmetry and balance of the forces, effect of a layer, files.
+-- scripts/problems/cylinder_ironing3d.lua, coarse: symmetry and balance of the forces, effect of a layer, files.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 local way_back = require "way_back"
 
-local script = core.home .. "/scripts/cylinder_ironing3d.lua"
+local script = core.home .. "/scripts/problems/cylinder_ironing3d.lua"
 local folder = check.folder()
 local study = assert(loadfile(script))("out=" .. folder, "mesh=8x2x1/8x4x1", "orders=N2,N2-N2.1", "press=4", "slide=24")
 

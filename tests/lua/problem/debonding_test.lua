@@ -3,7 +3,7 @@
 local core = require "signorini.core"
 local check = require "check"
 
-local script = core.home .. "/scripts/debonding.lua"
+local script = core.home .. "/scripts/problems/debonding.lua"
 local E, nu, h, G = 70000, 0.3, 2, 0.3
 local plane, inertia = E / (1 - nu^2), h^3 / 12
 local exact = math.sqrt(G * plane * inertia)

@@ -1,10 +1,10 @@
--- scripts/hertz2d.lua, coarse: Hertz's closed form, the published degrees of freedom and orders, the files it leaves.
+-- hertz2d.lua, coarse: Hertz's closed form, the published degrees of freedom and orders, the files it leaves.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
-local script = core.home .. "/scripts/hertz2d.lua"
+local script = core.home .. "/scripts/problems/hertz2d.lua"
 local folder = check.folder()
 
 local function run(...) return assert(loadfile(script))("out=" .. folder, "repeats=1", "steps=5", ...) end

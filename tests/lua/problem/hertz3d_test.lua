@@ -1,10 +1,10 @@
--- scripts/hertz3d.lua, coarse: Hertz's point contact in 3D compared with the axisymmetric model, files.
+-- scripts/problems/hertz3d.lua, coarse: Hertz's point contact in 3D compared with the axisymmetric model, files.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
-local script = core.home .. "/scripts/hertz3d.lua"
+local script = core.home .. "/scripts/problems/hertz3d.lua"
 local folder = check.folder()
 local study = assert(loadfile(script))("out=" .. folder, "meshes=m1,m2", "around=1,3", "steps=3")
 

@@ -1,10 +1,10 @@
--- scripts/hertz_sphere.lua, coarse: Hertz's point contact as an axisymmetric scene, the files it leaves.
+-- scripts/problems/hertz_sphere.lua, coarse: Hertz's point contact as an axisymmetric scene, the files it leaves.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
-local script = core.home .. "/scripts/hertz_sphere.lua"
+local script = core.home .. "/scripts/problems/hertz_sphere.lua"
 local folder = check.folder()
 local study = assert(loadfile(script))("out=" .. folder, "meshes=m1,m2,m3", "sizes=1,2", "steps=5")
 

@@ -1,11 +1,11 @@
--- scripts/ironing2d.lua variant=deep, two discretizations: effect of halving on failed steps and on others.
+-- scripts/problems/ironing2d.lua variant=deep, two discretizations: effect of halving on failed steps and on others.
 
 local core = require "signorini.core"
 local check = require "check"
 
 local folder = check.folder()
-local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("variant=deep", "orders=N4,N2-N2.2", "points=1,3",
-  "coarser=1,2", "out=" .. folder)
+local study = assert(loadfile(core.home .. "/scripts/problems/ironing2d.lua"))("variant=deep", "orders=N4,N2-N2.2",
+  "points=1,3", "coarser=1,2", "out=" .. folder)
 
 --- The comparison of an order with some points at some step length.
 local function comparison(order, multiple, coarser)

@@ -1,11 +1,11 @@
--- scripts/ironing2d.lua as a user runs it: published results, iterations, files.
+-- scripts/problems/ironing2d.lua as a user runs it: published results, iterations, files.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
 local folder = check.folder()
-local run_study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))
+local run_study = assert(loadfile(core.home .. "/scripts/problems/ironing2d.lua"))
 local study = run_study("out=" .. folder)
 
 check.case("Table 7.2: degrees of freedom", function()
@@ -38,7 +38,7 @@ check.case("oscillations that differ from print, and those of N2, are unchanged"
 end)
 
 check.case("three steps lie on a parabola: only the raw oscillation exists", function()
-  local oscillation = require("ironing2d.measure").oscillation
+  local oscillation = require("problems.ironing2d.measure").oscillation
   for _, values in ipairs { { 5 }, { 5, 7 }, { 5, 7, 4 } } do
     local found = oscillation(values, 1, #values)
     check.equal(found.raw, math.max(table.unpack(values)) - math.min(table.unpack(values)))
@@ -100,7 +100,7 @@ check.case("the cheapest case as accurate as N2 on a mesh: both oscillations cou
   local function mesh(name, N2, layer)
     return { mesh = name, cases = { N2, layer, N2 = N2 } }
   end
-  local cheapest = require "ironing2d.convergence".cheapest{
+  local cheapest = require "problems.ironing2d.convergence".cheapest{
     mesh("m1", case("N2", 9, 9, 1), case("layer", 3, 3, 2)),
     mesh("m2", case("N2", 4, 4, 4), case("layer", 0.5, 2, 5)),
     mesh("m3", case("N2", 1, 1, 20), case("layer", 0.1, 0.1, 25)),
@@ -110,7 +110,7 @@ check.case("the cheapest case as accurate as N2 on a mesh: both oscillations cou
 end)
 
 check.case("wrong arguments", function()
-  local script = core.home .. "/scripts/ironing2d.lua"
+  local script = core.home .. "/scripts/problems/ironing2d.lua"
   check.refused(script, {
     ["msh=m1"] = "unknown argument 'msh=m1'; did you mean 'mesh'? known with variant=standard: linear=auto, ",
     ["orders=N2,Q7"] = "Q7", ["deep"] = "unknown argument 'deep'", ["repeat=0"] = "repeat must be a whole number",

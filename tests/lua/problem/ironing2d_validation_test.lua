@@ -1,10 +1,11 @@
--- scripts/ironing2d.lua variant=validation on half of the published spans.
+-- scripts/problems/ironing2d.lua variant=validation on half of the published spans.
 
 local core = require "signorini.core"
 local check = require "check"
 
 local folder = check.folder()
-local study = assert(loadfile(core.home .. "/scripts/ironing2d.lua"))("variant=validation", "mesh=24", "out=" .. folder)
+local study = assert(loadfile(core.home .. "/scripts/problems/ironing2d.lua"))("variant=validation", "mesh=24",
+  "out=" .. folder)
 
 check.case("both discretizations complete without cutting a step", function()
   for _, case in ipairs(study.cases) do

@@ -1,15 +1,15 @@
--- scripts/ironing3d.lua: Table 7.11, symmetry and path independence of its forces, maximum depth, friction, files.
+-- ironing3d.lua: Table 7.11, symmetry and path independence of its forces, maximum depth, friction, files.
 
 local core = require "signorini.core"
 local check = require "check"
 local sg = require "signorini"
 
-local depth = require "ironing3d.depth"
-local friction = require "ironing3d.friction"
-local problem = require "ironing3d.problem"
+local depth = require "problems.ironing3d.depth"
+local friction = require "problems.ironing3d.friction"
+local problem = require "problems.ironing3d.problem"
 
 local folder = check.folder()
-local run_study = assert(loadfile(core.home .. "/scripts/ironing3d.lua"))
+local run_study = assert(loadfile(core.home .. "/scripts/problems/ironing3d.lua"))
 local study = run_study("orders=N2", "fine=none", "radius=7.5", "gap=9.6", "out=" .. folder)
 
 check.case("Table 7.11: every entry", function()
@@ -94,7 +94,7 @@ check.case("a layer on the strip that the indenter touches: fewer unknowns, the 
 end)
 
 check.case("wrong arguments", function()
-  local script = core.home .. "/scripts/ironing3d.lua"
+  local script = core.home .. "/scripts/problems/ironing3d.lua"
   check.refused(script, {
     ["ordrs=N2"] = "unknown argument 'ordrs=N2'; did you mean 'orders'? known with variant=standard: cap=1",
     ["N2"] = "unknown argument 'N2'", ["radius=5"] = "radius must be numbers, 7.1 or more, got '5'",

@@ -1,10 +1,10 @@
--- scripts/local_layers.lua, coarse: peak pressures of Hertz, accuracy of the full layer with fewer degrees of freedom.
+-- local_layers.lua, coarse: peak pressures of Hertz, accuracy of the full layer with fewer degrees of freedom.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
-local script = core.home .. "/scripts/local_layers.lua"
+local script = core.home .. "/scripts/studies/local_layers.lua"
 local folder = check.folder()
 local study = assert(loadfile(script))("out=" .. folder, "meshes=m1,m2", "solid=m1", "reference=m4", "repeats=1",
   "steps=2")

@@ -1,10 +1,10 @@
--- scripts/patch_test.lua, coarse: uniform to rounding error without kinks, expected decrease of errors with kinks.
+-- patch_test.lua, coarse: uniform to rounding error without kinks, expected decrease of errors with kinks.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
-local script = core.home .. "/scripts/patch_test.lua"
+local script = core.home .. "/scripts/problems/patch_test.lua"
 local folder = check.folder()
 
 local function run(...) return assert(loadfile(script))("out=" .. folder, ...) end

@@ -1,17 +1,18 @@
--- scripts/peeling2d.lua as a user runs it, on a shorter strip: published degrees of freedom, the moment of steady
+-- peeling2d.lua as a user runs it, on a shorter strip: published degrees of freedom, the moment of steady
 -- peeling against its closed forms, pinned oscillations, a coarse mesh that peels in snap-backs, the files it leaves.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
-local measure = require "peeling2d.measure"
-local problem = require "peeling2d.problem"
-local steady = require "peeling2d.steady"
+local measure = require "problems.peeling2d.measure"
+local problem = require "problems.peeling2d.problem"
+local steady = require "problems.peeling2d.steady"
 
 local folder = check.folder()
 
 local function run(...)
-  return assert(loadfile(core.home .. "/scripts/peeling2d.lua"))("length=60", "bonded=50", "out=" .. folder, ...)
+  return assert(loadfile(core.home .. "/scripts/problems/peeling2d.lua"))("length=60", "bonded=50",
+    "out=" .. folder, ...)
 end
 local study = run("mesh=m1", "orders=N2,N2-N2.1", "steps=480", "window=36,47")
 local coarse = run("mesh=m0", "orders=N2", "steps=400", "window=34,40", "iterations=10")
@@ -103,7 +104,8 @@ check.case("wrong arguments", function()
                                ["control=force"] = "control must be 'rotation' or 'arc', got 'force'",
                                ["window=140,120"] = "window must be two increasing angles", ["steps=0"] = "got '0'",
                                ["bonded=200"] = "bonded must be a number of nm above 0 and below the strip's" } do
-    local output, status = check.program { "-q", core.home .. "/scripts/peeling2d.lua", "out=" .. folder, word }
+    local output, status = check.program { "-q", core.home .. "/scripts/problems/peeling2d.lua", "out=" .. folder,
+      word }
     check.equal(status, 1)
     check.holds(output, message)
   end

@@ -1,11 +1,11 @@
--- scripts/rings2d.lua as a user runs it: the published errors, friction's law, the files it leaves.
+-- scripts/problems/rings2d.lua as a user runs it: the published errors, friction's law, the files it leaves.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
 local folder = check.folder()
-local study = assert(loadfile(core.home .. "/scripts/rings2d.lua"))("out=" .. folder, "repeats=1")
+local study = assert(loadfile(core.home .. "/scripts/problems/rings2d.lua"))("out=" .. folder, "repeats=1")
 
 local printed = {}
 for _, row in ipairs(sg.reference "rings2d_error_table7_5".rows) do
@@ -77,7 +77,7 @@ check.case("a state's picture, charts, a profile per run and the errors", functi
 end)
 
 check.case("wrong arguments", function()
-  local script = core.home .. "/scripts/rings2d.lua"
+  local script = core.home .. "/scripts/problems/rings2d.lua"
   check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: coordinate=x",
                                ["meshes=m9"] = "got 'm9'",
                                ["coordinate=z"] = "coordinate must be 'x' or 'X', got 'z'",

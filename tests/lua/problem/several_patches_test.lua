@@ -1,4 +1,4 @@
--- The listing of share/doc/several_patches.md runs as printed; scripts/several_patches.lua shows what its header says.
+-- The listing of share/doc/several_patches.md runs as printed; several_patches.lua shows what its header says.
 
 local core = require "signorini.core"
 local check = require "check"
@@ -14,7 +14,7 @@ check.case("the page's listing", function()
 end)
 
 check.case("a die slides across a border without a kick, in the plane and in space", function()
-  local script = assert(loadfile(core.home .. "/scripts/several_patches.lua"))
+  local script = assert(loadfile(core.home .. "/scripts/problems/several_patches.lua"))
   for dimension, arguments in pairs { [2] = "steps=30", [3] = "steps=20" } do
     local result = script("out=" .. check.folder(), "dimensions=" .. dimension, arguments)[dimension]
     check.at_most("joined less line", result.line, 1e-10)

@@ -1,11 +1,11 @@
--- scripts/shallow_ironing2d.lua on the coarsest mesh.
+-- scripts/problems/shallow_ironing2d.lua on the coarsest mesh.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
 local folder = check.folder()
-local script = core.home .. "/scripts/shallow_ironing2d.lua"
+local script = core.home .. "/scripts/problems/shallow_ironing2d.lua"
 local run_study = assert(loadfile(script))
 local study = run_study("mesh=m1", "out=" .. folder)
 local press_end, middle = 50, 50 + 125

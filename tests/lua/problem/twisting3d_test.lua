@@ -1,10 +1,10 @@
--- scripts/twisting3d.lua, coarse: torques against μ∫pr dA and closed forms, levels, the energies' balance, its files.
+-- twisting3d.lua, coarse: torques against μ∫pr dA and closed forms, levels, the energies' balance, its files.
 
 local sg = require "signorini"
 local core = require "signorini.core"
 local check = require "check"
 
-local script = core.home .. "/scripts/twisting3d.lua"
+local script = core.home .. "/scripts/problems/twisting3d.lua"
 local folder = check.folder()
 
 local function run(...) return assert(loadfile(script))("out=" .. folder, ...) end

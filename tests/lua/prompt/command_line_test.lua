@@ -35,11 +35,11 @@ end)
 check.case("modules of the supplied scripts are found last, from scripts in subfolders and elsewhere", function()
   local folder = check.folder()
   local function write(file, text) core.write_file(folder .. "/" .. file, text) end
-  write("study.lua", "print(type(require('ironing2d.problem').scene), (require 'timing.in_turns'))")
-  core.mkdir(folder .. "/timing")
-  write("timing/in_turns.lua", "return 'my own'")
+  write("study.lua", "print(type(require('problems.ironing2d.problem').scene), (require 'studies.in_turns'))")
+  core.mkdir(folder .. "/studies")
+  write("studies/in_turns.lua", "return 'my own'")
   gives(run { folder .. "/study.lua" }, "function\tmy own\n")
-  gives(run { "-e", "print(type((require 'timing.in_turns')))" }, "function\n")
+  gives(run { "-e", "print(type((require 'studies.in_turns')))" }, "function\n")
   local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s stability/locking.lua help"):format(folder,
     core.home, arg[-1]))
   check.equal(status, 0)
@@ -312,7 +312,8 @@ check.case("a script that comes along runs by its name, unless there is a file o
   local function run(words)
     return check.shell(("cd %s && SIGNORINI_HOME=%s %s %s"):format(folder, core.home, arg[-1], words))
   end
-  for _, name in ipairs { "newton_loop.lua", "scripts/newton_loop.lua", "stability/peeling.lua" } do
+  local names = { "newton_loop.lua", "hertz2d.lua", "scripts/studies/newton_loop.lua", "stability/peeling.lua" }
+  for _, name in ipairs(names) do
     local output, status = run(name .. " help")
     check.equal(status, 0)
     check.holds(output, "signorini: running " .. core.home .. "/scripts/", "Arguments of " .. core.home .. "/scripts/")

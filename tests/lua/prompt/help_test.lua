@@ -69,8 +69,8 @@ check.case("help finds the installed scripts, and shows their problems", functio
   local output = check.program({},
     'help "gallery"\nhelp "hertz"\nhelp "hertz2d"\nhelp "scripts"\nhelp "hertz_sphere.lau"\n')
   for _, name in ipairs(all) do check.holds(output, "\n  " .. name .. " ") end
-  check.holds(output, "Scripts with 'hertz':\n  contact_width.lua ",
-    "/scripts/hertz2d.lua\n\nHertz line contact: effect",
+  check.holds(output, "Scripts with 'hertz':\n  hertz2d.lua ",
+    "/scripts/problems/hertz2d.lua\n\nHertz line contact: effect",
     "\nRun: signorini",
     "Tables, files, scripts:\n", "did you mean 'hertz_sphere.lua'?")
 end)

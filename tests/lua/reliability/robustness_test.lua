@@ -1,8 +1,8 @@
--- Generated scenes that may be absurd (scripts/robustness.lua): reproducible from a seed, refused with a message,
+-- Generated scenes that may be absurd (tests/measure/robustness.lua): reproducible from a seed, refused with a message,
 -- solved or ended with a reason; equal forces in other words. And scenes in which the generator found errors.
 
 local core = require "signorini.core"
-package.path = core.home .. "/scripts/?.lua;" .. package.path
+package.path = core.home .. "/tests/measure/?.lua;" .. package.path
 local check = require "check"
 local other_warnings = require "other_warnings"
 local sg = require "signorini"

@@ -5,7 +5,7 @@
 local check = require "check"
 local sg = require "signorini"
 
-local friction3d = require "ironing3d.friction"
+local friction3d = require "problems.ironing3d.friction"
 
 --- What is missing, in parts of the work; `energy` is what model:energy returns.
 local function leak(energy)

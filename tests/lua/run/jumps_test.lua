@@ -3,7 +3,7 @@
 local sg = require "signorini"
 local check = require "check"
 local jumps = require "signorini.run.jumps"
-local peeling = require "peeling2d.problem"
+local peeling = require "problems.peeling2d.problem"
 
 --- What is found in stages of steps, each { length, released }, that take up work of 1 each.
 local function found(...)

@@ -219,7 +219,7 @@ check.case("a ring buckles under 3 E'I/R³ of a pressure that follows, and 4 E'I
   end
 end)
 
---- The pressure in a hole of radius a of the incompressible ball (see scripts/balloon.lua) or, in plane strain, of the
+--- The pressure in a hole of radius a of the incompressible ball (see balloon.lua) or, in plane strain, of the
 --- incompressible neo-Hookean tube, by the radial equilibrium of r² = R² + a² - 1.
 local outer = 1.5
 local function ball_pressure(c01, a)

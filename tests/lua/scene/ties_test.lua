@@ -100,7 +100,7 @@ local function at_least(what, value, bound)
 end
 
 local function study(...)
-  return assert(loadfile(core.home .. "/scripts/tied_seam.lua"))("out=" .. check.folder(), ...).cases
+  return assert(loadfile(core.home .. "/scripts/problems/tied_seam.lua"))("out=" .. check.folder(), ...).cases
 end
 
 check.case("Lamé's cylinder with a tied curved seam: optimal rates with equal multipliers, either slave", function()

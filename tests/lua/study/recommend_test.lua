@@ -3,7 +3,7 @@
 local sg = require "signorini"
 local check = require "check"
 
-local problem = require "hertz2d.problem"
+local problem = require "problems.hertz2d.problem"
 
 local steps = 5
 

@@ -16,16 +16,18 @@ local function header(text)
   return table.concat(lines, "\n")
 end
 
---- All scripts that can be run, in order: { name, path, header, title }.
+--- All scripts, in order: { name, path, header, title }; signorini <name> runs one (core.find_script).
 function scripts.all()
   local list = {}
   if not core.exists(core.home .. "/scripts") then return list end
-  for _, folder in ipairs { "", "stability/", "formulations/", "mumps/", "objects/" } do
+  for _, folder in ipairs { "problems/", "studies/", "stability/", "formulations/", "objects/" } do
     for _, file in ipairs(core.list_folder(core.home .. "/scripts/" .. folder)) do
       local path = ("%s/scripts/%s%s"):format(core.home, folder, file)
       local page = file:find "%.lua$" and header(core.read_file(path)) or ""
       if page:find "\nRun: " then
-        list[#list + 1] = { name = folder .. file, path = path, header = page, title = page:match "^[^\n]*" }
+        local short = folder == "problems/" or folder == "studies/"
+        local name = short and file or folder .. file
+        list[#list + 1] = { name = name, path = path, header = page, title = page:match "^[^\n]*" }
       end
     end
   end
@@ -34,10 +36,8 @@ end
 
 --- The script with a name, with or without folder and ending, or nil.
 function scripts.of(name)
-  return filter(scripts.all(), function(script)
-    local short = script.name:match "([^/]*)%.lua$"
-    return name == script.name or name == "scripts/" .. script.name or name == short or name == short .. ".lua"
-  end)[1]
+  local file = "/" .. name:gsub("%.lua$", "") .. ".lua"
+  return filter(scripts.all(), function(script) return script.path:sub(-#file) == file end)[1]
 end
 
 --- The scripts whose headers contain a word.
