@@ -1,5 +1,19 @@
 # Contents of an installed tree.
 
+# Definitions for editors, man page and completion follow from tables of the program.
+set(generated ${PROJECT_BINARY_DIR}/generated)
+file(GLOB_RECURSE tables CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lua/*.lua)
+add_custom_command(OUTPUT ${generated}/man/signorini.1.gz
+  COMMAND ${CMAKE_COMMAND} -E rm -rf ${generated}
+  COMMAND ${CMAKE_COMMAND} -E env SIGNORINI_HOME=${PROJECT_SOURCE_DIR} ${CMAKE_CROSSCOMPILING_EMULATOR}
+    $<TARGET_FILE:signorini> ${PROJECT_SOURCE_DIR}/share/cmake/generated.lua ${generated}
+  COMMAND gzip -9n ${generated}/man/signorini.1 # as Debian requires
+  DEPENDS signorini ${tables} share/cmake/generated.lua share/man/signorini.1 share/completion/signorini VERBATIM)
+add_custom_target(generated ALL DEPENDS ${generated}/man/signorini.1.gz)
+install(DIRECTORY ${generated}/library DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
+install(FILES ${generated}/man/signorini.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${generated}/completion/signorini DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+
 # In a folder of their own: libraries directly below lib or a folder of it would make packages call ldconfig.
 set(modules lib/signorini/modules)
 
@@ -41,4 +55,3 @@ install(CODE [[
     file(WRITE ${page} "${text}")
   endforeach()
 ]])
-install(FILES share/completion/signorini DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)

@@ -4,14 +4,7 @@
 # ── Files that Debian requires of each package ───────────────────────────────────────────────────────────────────────
 
 set(debian ${PROJECT_BINARY_DIR}/debian)
-# Compresses as Debian requires, without name and time of the file.
-function(compress file result)
-  execute_process(COMMAND gzip -9nc ${file} OUTPUT_FILE ${result} COMMAND_ERROR_IS_FATAL ANY)
-  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-endfunction()
 file(MAKE_DIRECTORY ${debian})
-compress(${PROJECT_SOURCE_DIR}/share/man/signorini.1 ${debian}/signorini.1.gz)
-install(FILES ${debian}/signorini.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 set(CPACK_PACKAGE_CONTACT "The maintainers of signorini <maintainers@localhost>")
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC) # SOURCE_DATE_EPOCH sets it for reproducible packages
 
@@ -23,7 +16,8 @@ function(debian_package component package)
 
  -- ${CPACK_PACKAGE_CONTACT}  ${now}
 ")
-  compress(${debian}/${package}.changelog ${debian}/${package}.changelog.gz)
+  # Compressed as Debian requires, without name and time of the file.
+  execute_process(COMMAND gzip -9nf ${debian}/${package}.changelog COMMAND_ERROR_IS_FATAL ANY)
   file(WRITE ${debian}/${package}.overrides "# Packages made by users have no address of a maintainer.
 ${package}: bogus-mail-host Maintainer maintainers@localhost
 ${package}: bogus-mail-host-in-debian-changelog maintainers@localhost *
@@ -57,7 +51,7 @@ set(CPACK_COMPONENT_UNSPECIFIED_DESCRIPTION "Solves contact problems in 2D and 3
 varying order on their contact faces: finite deformation, friction, adhesion,
 rigid tools. Scenes, solver controls and studies are written in Lua, at a
 prompt or in scripts; states and charts are drawn off-screen.")
-set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_SUGGESTS "signorini-mumps, signorini-jupyter, signorini-hdf5")
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_SUGGESTS "signorini-mumps, signorini-jupyter, signorini-hdf5, ffmpeg")
 if(TARGET signorini_mumps)
   debian_package(mumps signorini-mumps)
   set(CPACK_COMPONENT_MUMPS_DESCRIPTION "The parallel linear solver MUMPS, and runs on several processes with MPI.")

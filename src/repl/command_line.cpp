@@ -14,6 +14,7 @@ namespace {
 
 constexpr int most_jobs = 1 << 16;
 constexpr double largest_limit = 1e9; // of any unit; larger ones are typing errors
+constexpr const char* place_form = "slurm, local or hosts such as ssh:host1,ssh:host2";
 constexpr const char* memory_form = "a size such as 500M or 4G";
 constexpr const char* time_form = "a duration such as 30s, 10m or 2h";
 
@@ -29,7 +30,7 @@ int parse_count(const char* option, const std::string& word, int most) {
 /// The value of --on, checked.
 std::string parse_place(const std::string& word) {
   if (match(word, "local|slurm|ssh:[^ ,-][^ ,]*(,ssh:[^ ,-][^ ,]*)*").empty())
-    throw UsageError(text("--on must be slurm, local or hosts such as ssh:host1,ssh:host2, got '", word, "'"));
+    throw UsageError(text("--on must be ", place_form, ", got '", word, "'"));
   return word;
 }
 
@@ -75,80 +76,127 @@ terminal::Protocol parse_protocol(const std::string& word) {
   return static_cast<terminal::Protocol>(found - names.begin());
 }
 
+using Action = CommandLine::Action;
+
+/// An option: parsing, --help, the man page and the completion follow from it.
+struct Option {
+  std::string name;
+  std::string metavar; ///< of its value; empty without
+  std::string value;   ///< what must follow
+  std::string text;    ///< of --help, with its line breaks
+  std::string more;    ///< sentences that the man page adds
+  void (*set)(CommandLine& line, const std::string& value);
+  bool also_after_script = false;
+};
+
+const std::vector<Option>& options() {
+  static const std::vector<Option> table = {
+      {"-e", "'code'", "code, such as -e 'print(sg)'", "run code (may be repeated, before the script)", "",
+       [](auto& line, auto& value) { line.code.push_back(value); }},
+      {"-i", "", "", "continue at the prompt, also after an error", "There, _ is the value that the script returned.",
+       [](auto& line, auto&) { line.interactive = true; }},
+      {"-q", "", "", "no progress display, no banner", "", [](auto& line, auto&) { line.quiet = true; }},
+      {"--threads", "N", "a number", "threads of assembly and contact search; BLAS uses one (default: 1)",
+       "Results are bitwise identical for any number.",
+       [](auto& line, auto& value) { line.threads = parse_count("--threads", value, bind::most_threads); }},
+      {"--jobs", "N", "a number", "parallel cases of a study, also after the script (default: number of processors)",
+       "", [](auto& line, auto& value) { line.jobs = parse_count("--jobs", value, most_jobs); }, true},
+      {"--on", "WHERE", place_form,
+       "where studies are solved, also after the script: slurm, local, or ssh:host1,ssh:host2",
+       "--on slurm submits the cases to Slurm and waits for them, --on ssh:host1,ssh:host2 solves them on hosts "
+       "that are reached by ssh, --on local on this machine. Takes precedence over the argument on of "
+       "study:execute.",
+       [](auto& line, auto& value) { line.on = parse_place(value); }, true},
+      {"--chunk", "FILE:N", "the file of a job and the number of a chunk, jobs.json:3",
+       "solve chunk N of a job's cases; tasks of Slurm and hosts run this", "",
+       [](auto& line, auto& value) { line.chunk = value; }},
+      {"--pictures", "HOW", "kitty, iterm, sixel, blocks or none",
+       "pictures in the terminal: kitty, iterm, sixel, blocks or none (default: as it can)",
+       "The form blocks consists of half blocks in color.",
+       [](auto& line, auto& value) { line.pictures = parse_protocol(value); }},
+      {"--sandbox", "FOLDER", "the folder that the script may use",
+       "for a stranger's script: it reads the library and itself, reads and writes in the folder,\n"
+       "starts no program and opens no socket",
+       "The folder becomes the working directory. The kernel enforces the limits (Landlock and seccomp); where "
+       "it cannot, the program ends with an error before the script starts. Studies solve --jobs cases at once, "
+       "by default 1. Not available: --kernel, --on with other machines, --chunk.",
+       [](auto& line, auto& value) { line.sandbox = value; }},
+      {"--memory", "SIZE", memory_form,
+       "most memory of each process, such as 500M or 4G (default in the sandbox: half of the\n"
+       "machine's, divided by the processes)",
+       "A size is a number with K, M, G or T (1024 bytes and its powers). What needs more fails with an error "
+       "at its line. In the sandbox, the processes are those of --jobs and one.",
+       [](auto& line, auto& value) { line.memory = parse_memory(value); }},
+      {"--time", "LIMIT", time_form,
+       "longest time of the run, or of a statement at the prompt, such as 30s, 10m or 2h (default\n"
+       "in the sandbox: 1h)",
+       "Then the run stops as by Ctrl-C. If it has not stopped a tenth of the limit later, at least 2 seconds, "
+       "the program ends with status 124.",
+       [](auto& line, auto& value) { line.time = parse_time(value); }},
+      {"--new", "FILE", "the name of a file, such as study.lua",
+       "write a commented starter study, such as study.lua, and settings for editors",
+       "With the settings, .luarc.json next to the study, editors that have a Lua language server complete and check "
+       "scripts. Existing files are not overwritten.",
+       [](auto& line, auto& value) {
+         line.action = Action::new_study;
+         line.new_study = value;
+       }},
+      {"--install-kernel", "", "",
+       "make this program a kernel of Jupyter notebooks, with the options -q, -e, --threads,\n"
+       "--jobs and --on given with it",
+       "Writes kernels/signorini in the user's folder of Jupyter.",
+       [](auto& line, auto&) { line.action = Action::install_kernel; }},
+      {"--kernel", "FILE", "a connection file, which Jupyter writes",
+       "serve a notebook; Jupyter runs this with a connection file", "Needs the package signorini-jupyter.",
+       [](auto& line, auto& value) {
+         line.action = Action::kernel;
+         line.connection = value;
+       }},
+      {"--version", "", "", "version, and a hash of the source",
+       "The hash differs between programs whose results may differ.",
+       [](auto& line, auto&) { line.action = Action::version; }},
+      {"--help", "", "", "short help; also -h", "", [](auto& line, auto&) { line.action = Action::help; }},
+      {"--doctor", "", "", "versions of all libraries, and a test picture", "",
+       [](auto& line, auto&) { line.action = Action::doctor; }}};
+  return table;
+}
+
+/// Null if there is no such option, or it must precede the script, which has been given.
+const Option* find_option(const std::string& name, bool after_script) {
+  for (const Option& option : options())
+    if (option.name == name && (!after_script || option.also_after_script)) return &option;
+  return nullptr;
+}
+
 } // namespace
 
 CommandLine parse(const std::vector<std::string>& words) {
-  const std::vector<std::string> known = {"-e",        "-i",      "-q",       "--threads",  "--jobs",
-                                          "--on",      "--chunk", "--new",    "--kernel",   "--install-kernel",
-                                          "--version", "--help",  "--doctor", "--pictures", "--sandbox",
-                                          "--memory",  "--time"};
   CommandLine line;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
-    const auto value = [&](const char* what) -> const std::string& {
+    const auto next = [&](const std::string& what) -> const std::string& {
       if (i + 1 == words.size()) throw UsageError(text(word, " must be followed by ", what));
       return words[++i];
     };
-    // Words after the script are its arguments, except these options, which apply to every study.
-    if (word == "--jobs")
-      line.jobs = parse_count("--jobs", value("a number"), most_jobs);
-    else if (word.starts_with("--jobs="))
-      line.jobs = parse_count("--jobs", word.substr(7), most_jobs);
-    else if (word == "--on")
-      line.on = parse_place(value("slurm, local or hosts such as ssh:host1,ssh:host2"));
-    else if (word.starts_with("--on="))
-      line.on = parse_place(word.substr(5));
-    else if (!line.script.empty())
+    // Words after the script are its arguments, except options that apply to every study.
+    const bool after_script = !line.script.empty();
+    const std::size_t equals = word.starts_with("--") ? word.find('=') : std::string::npos;
+    const Option* option = find_option(word == "-h" ? "--help" : word.substr(0, equals), after_script);
+    if (option && !option->value.empty())
+      option->set(line, equals == std::string::npos ? next(option->value) : word.substr(equals + 1));
+    else if (option && equals == std::string::npos)
+      option->set(line, "");
+    else if (after_script)
       line.arguments.push_back(word);
-    else if (word == "-e")
-      line.code.push_back(value("code, such as -e 'print(sg)'"));
-    else if (word == "-i")
-      line.interactive = true;
-    else if (word == "-q")
-      line.quiet = true;
-    else if (word == "--threads")
-      line.threads = parse_count("--threads", value("a number"), bind::most_threads);
-    else if (word.starts_with("--threads="))
-      line.threads = parse_count("--threads", word.substr(10), bind::most_threads);
-    else if (word == "--pictures")
-      line.pictures = parse_protocol(value("kitty, iterm, sixel, blocks or none"));
-    else if (word.starts_with("--pictures="))
-      line.pictures = parse_protocol(word.substr(11));
-    else if (word == "--sandbox")
-      line.sandbox = value("the folder that the script may use");
-    else if (word.starts_with("--sandbox="))
-      line.sandbox = word.substr(10);
-    else if (word == "--memory")
-      line.memory = parse_memory(value(memory_form));
-    else if (word.starts_with("--memory="))
-      line.memory = parse_memory(word.substr(9));
-    else if (word == "--time")
-      line.time = parse_time(value(time_form));
-    else if (word.starts_with("--time="))
-      line.time = parse_time(word.substr(7));
-    else if (word == "--chunk")
-      line.chunk = value("the file of a job and the number of a chunk, jobs.json:3");
-    else if (word == "--new") {
-      line.action = CommandLine::Action::new_study;
-      line.new_study = value("the name of a file, such as study.lua");
-    } else if (word == "--kernel") {
-      line.action = CommandLine::Action::kernel;
-      line.connection = value("a connection file, which Jupyter writes");
-    } else if (word == "--install-kernel")
-      line.action = CommandLine::Action::install_kernel;
-    else if (word == "--version")
-      line.action = CommandLine::Action::version;
-    else if (word == "--help" || word == "-h")
-      line.action = CommandLine::Action::help;
-    else if (word == "--doctor")
-      line.action = CommandLine::Action::doctor;
     else if (word == "--")
-      line.script = value("a script");
+      line.script = next("a script");
     else if (word.empty())
       throw UsageError(
           "the script name must not be empty, got ''. Hint: omit it for the prompt, or give the name of a file");
     else if (word.starts_with("-") && word != "-") {
-      const std::string meant = bind::did_you_mean(word, known);
+      std::vector<std::string> names;
+      for (const Option& known : options()) names.push_back(known.name);
+      const std::string meant = bind::did_you_mean(word, names);
       throw UsageError(text("unknown option '", word, "'", meant, meant.empty() ? "." : "",
                             " Hint: options precede the script, --help lists them"));
     } else
@@ -183,43 +231,36 @@ std::vector<std::string> common_options(const CommandLine& line) {
   return words;
 }
 
-const char* usage() {
-  return "signorini: isogeometric contact mechanics from Lua\n"
-         "\n"
-         "  signorini                       prompt with history, completion and help()\n"
-         "  signorini study.lua [args…]     run a script; its arguments are in `arg`\n"
-         "  signorini hertz2d.lua [args…]   run a supplied script; help \"gallery\" at the prompt lists them\n"
-         "  echo 'code' | signorini -       run standard input\n"
-         "\n"
-         "  -e 'code'       run code (may be repeated, before the script)\n"
-         "  -i              continue at the prompt, also after an error\n"
-         "  -q              no progress display, no banner\n"
-         "  --threads N     threads of assembly and contact search; BLAS uses one (default: 1)\n"
-         "  --jobs N        parallel cases of a study, also after the script (default: number of processors)\n"
-         "  --on WHERE      where studies are solved, also after the script: slurm, local, or ssh:host1,ssh:host2\n"
-         "  --chunk FILE:N  solve chunk N of a job's cases; tasks of Slurm and hosts run this\n"
-         "  --pictures HOW  pictures in the terminal: kitty, iterm, sixel, blocks or none (default: as it can)\n"
-         "  --sandbox FOLDER\n"
-         "                  for a stranger's script: it reads the library and itself, reads and writes in the folder,\n"
-         "                  starts no program and opens no socket\n"
-         "  --memory SIZE   most memory of each process, such as 500M or 4G (default in the sandbox: half of the\n"
-         "                  machine's, divided by the processes)\n"
-         "  --time LIMIT    longest time of the run, or of a statement at the prompt, such as 30s, 10m or 2h (default\n"
-         "                  in the sandbox: 1h)\n"
-         "  --new FILE      write a commented starter study, such as study.lua, and settings for editors\n"
-         "  --install-kernel\n"
-         "                  make this program a kernel of Jupyter notebooks, with the options -q, -e, --threads,\n"
-         "                  --jobs and --on given with it\n"
-         "  --kernel FILE   serve a notebook; Jupyter runs this with a connection file\n"
-         "  --version       version, and a hash of the source\n"
-         "  --help          this text\n"
-         "  --doctor        versions of all libraries, and a test picture\n"
-         "\n"
-         "Exit status: 0 on success, 1 after an error, also in a case of a study, 2 for an invalid command line, "
-         "124 after the time of --time, 130 after Ctrl-C.\n"
-         "SIGNORINI_HOME: the folder that contains lua/, if it differs from that of the installation.\n"
-         "SIGNORINI_KERNEL: sse2, avx2 or avx512, the widest vector instructions of the element kernels "
-         "(default: those of the processor; plain on processors other than x86-64).\n";
+std::string usage() {
+  constexpr std::size_t width = 14; // of most names
+  const std::string margin = "\n" + std::string(width + 4, ' ');
+  std::string lines;
+  for (const Option& option : options()) {
+    const std::string name = option.name + (option.metavar.empty() ? "" : " ") + option.metavar;
+    lines += "  " + name + (name.size() > width ? margin : std::string(width + 2 - name.size(), ' '));
+    for (const char letter : option.text) lines += letter == '\n' ? margin : std::string(1, letter);
+    lines += '\n';
+  }
+  return text("signorini: isogeometric contact mechanics from Lua\n"
+              "\n"
+              "  signorini                       prompt with history, completion and help()\n"
+              "  signorini study.lua [args…]     run a script; its arguments are in `arg`\n"
+              "  signorini hertz2d.lua [args…]   run a supplied script; help \"gallery\" at the prompt lists them\n"
+              "  echo 'code' | signorini -       run standard input\n"
+              "\n",
+              lines,
+              "\n"
+              "Exit status: 0 on success, 1 after an error, also in a case of a study, 2 for an invalid command line, "
+              "124 after the time of --time, 130 after Ctrl-C.\n"
+              "SIGNORINI_HOME: the folder that contains lua/, if it differs from that of the installation.\n"
+              "SIGNORINI_KERNEL: sse2, avx2 or avx512, the widest vector instructions of the element kernels "
+              "(default: those of the processor; plain on processors other than x86-64).\n");
+}
+
+std::vector<std::vector<std::string>> option_texts() {
+  std::vector<std::vector<std::string>> rows;
+  for (const Option& option : options()) rows.push_back({option.name, option.metavar, option.text, option.more});
+  return rows;
 }
 
 } // namespace signorini::repl

@@ -51,6 +51,9 @@ std::vector<std::string> common_options(const CommandLine& line);
 CommandLine parse(const std::vector<std::string>& words);
 
 /// The text of --help.
-const char* usage();
+std::string usage();
+
+/// For the man page and the completion: name, name of the value, text of --help and further text of each option.
+std::vector<std::vector<std::string>> option_texts();
 
 } // namespace signorini::repl

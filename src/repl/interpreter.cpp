@@ -7,6 +7,7 @@
 #include "os/interrupt.hpp"
 #include "os/limits.hpp"
 #include "repl/color.hpp"
+#include "repl/command_line.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -100,6 +101,9 @@ int add_traceback(lua_State* L) {
 int open_all(lua_State* L) {
   bind::open_library(L, *static_cast<const bind::Settings*>(lua_touserdata(L, 1)));
   const auto& settings = *static_cast<const bind::Settings*>(lua_touserdata(L, 1));
+  bind::push_table(L, "core");
+  bind::set_field(L, "options", option_texts()); // for share/cmake/generated.lua
+  lua_pop(L, 1);
   // Before the first module that keeps a function of Lua for itself.
   luaL_loadstring(L,
                   settings.sandbox.empty() ? "require 'signorini.call.strict'" : "require 'signorini.prompt.sandbox'");
