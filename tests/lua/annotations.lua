@@ -1,6 +1,6 @@
--- Reads the definitions for editors, share/library: annotations of the Lua language server, in the form in which
--- scripts/reference writes them. A line that is not of this form, a name that is used and not defined, or defined
--- twice, is an error.
+-- Reads the definitions for editors: annotations of the Lua language server, in the form in which
+-- lua/signorini/prompt/editor makes them. A line that is not of this form, a name that is used and not defined, or
+-- defined twice, is an error.
 
 local core = require "signorini.core"
 
@@ -211,13 +211,6 @@ function annotations.read(texts)
   end
   check_names(db)
   return db
-end
-
---- The texts of the committed files, by name.
-function annotations.files()
-  local folder, texts = core.home .. "/share/library", {}
-  for _, name in ipairs(core.list_folder(folder)) do texts[name] = core.read_file(("%s/%s"):format(folder, name)) end
-  return texts
 end
 
 --- The type of a text, for tests.

@@ -3,15 +3,15 @@
 
 local annotations = require "annotations"
 local core = require "signorini.core"
+local library = require "signorini.prompt.editor.library"
 local lists = require "signorini.call.lists"
 
 local conformity = {}
 
 local database
 
---- The definitions of the committed files.
 local function definitions()
-  database = database or annotations.read(annotations.files())
+  database = database or annotations.read(library())
   return database
 end
 conformity.definitions = definitions
@@ -157,8 +157,8 @@ function conformity.watch_calls()
     if page and not page.unchecked then
       local fits, place = conformity.of_call(name, table.pack(...))
       if not fits and not refuses_more[name] and pcall(check_call, name, owner, ...) then
-        error(("%s is called as the program allows, but %s does not conform to share/library: run scripts/reference, "
-          .. "or correct the types"):format(name, place), 0)
+        error(("%s is called as the program allows, but %s does not conform to the definitions for editors: "
+          .. "correct the types"):format(name, place), 0)
       end
     end
     return check_call(name, owner, ...) -- no frame between it and the caller, whose line messages give
@@ -175,7 +175,7 @@ function conformity.watch_results()
       local function watched(...)
         local results = table.pack(call(...))
         local fits, place = conformity.of_results(name, results)
-        if not fits then error(("%s: its %s does not conform to share/library"):format(name, place), 0) end
+        if not fits then error(("%s: its %s does not conform to the definitions for editors"):format(name, place), 0) end
         return table.unpack(results, 1, results.n)
       end
       core.names[watched] = name

@@ -106,8 +106,10 @@ std::string write_editor_settings(const std::string& study) {
     const fs::path file = folder / name;
     if (fs::exists(file)) return text("Kept: ", file.string(), ", the settings of editors; see share/doc/editor.md");
   }
+  const fs::path built = program_file().parent_path() / "generated/library";
+  const fs::path library = fs::exists(built) ? built : find_share() / "library";
   const Json settings = {{"runtime.version", "Lua 5.4"},
-                         {"workspace.library", Json::array({fs::weakly_canonical(find_share() / "library").string()})},
+                         {"workspace.library", Json::array({fs::weakly_canonical(library).string()})},
                          {"workspace.checkThirdParty", false}};
   const std::string file = (folder / ".luarc.json").string();
   write_record(file, settings.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

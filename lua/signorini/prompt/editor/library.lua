@@ -1,5 +1,5 @@
--- The definitions for editors, share/library, made from the tables of the functions; scripts/reference writes them.
--- They are Lua files with annotations, one per subject, which a Lua language server reads to complete and check
+-- The definitions for editors, made from the tables of the functions; the build writes them to its folder
+-- generated/library. They are Lua files with annotations, one per subject, which a Lua language server reads to complete and check
 -- scripts; the program does not load them.
 
 local annotation = require "signorini.prompt.editor.annotation"
