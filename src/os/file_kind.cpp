@@ -18,7 +18,6 @@ constexpr std::pair<std::string_view, FileKind> signatures[] = {{"SIGNORINI "sv,
                                                                 {"\x89HDF\r\n\x1a\n"sv, FileKind::hdf5},
                                                                 {"\x89PNG\r\n\x1a\n"sv, FileKind::png},
                                                                 {"%PDF-"sv, FileKind::pdf},
-                                                                {"OggS"sv, FileKind::ogv},
                                                                 {"MFEM "sv, FileKind::mfem},
                                                                 {"# nurbs "sv, FileKind::geopdes}};
 
@@ -135,8 +134,6 @@ Message name_of(FileKind kind) {
     return Message("os.kind.svg");
   case FileKind::pdf:
     return Message("os.kind.pdf");
-  case FileKind::ogv:
-    return Message("os.kind.ogv");
   case FileKind::mp4:
     return Message("os.kind.mp4");
   case FileKind::vtk:

@@ -15,7 +15,6 @@ enum class FileKind {
   png,
   svg,
   pdf,
-  ogv,
   mp4,
   vtk,
   html,

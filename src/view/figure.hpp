@@ -64,9 +64,6 @@ using ImageMaker = std::function<Pixels(const Plate& plate, int scale, bool tran
 /// The functions of the module with VTK.
 struct Renderer {
   Pixels (*image)(const Plate& plate, int scale, bool transparent);
-  /// Writes a film of `rate` pictures per second, Theora in Ogg; null if VTK was built without it. Throws Error on
-  /// pictures of different sizes; the file is incomplete if the disk was full.
-  void (*ogv)(const std::string& file, int count, int rate, const PictureMaker& png);
   std::string (*description)(); ///< "VTK 9.1.0, llvmpipe …, OpenGL 4.5 …"
 };
 

@@ -5,11 +5,9 @@
 #include "os/process.hpp"
 #include "os/whole_file.hpp"
 #include "view/figure.hpp"
-#include "view/ogg.hpp"
 #include "view/parts_folder.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 namespace signorini::view {
@@ -41,17 +39,7 @@ void write_pictures(const Pattern& name, FileKind kind, int count, const Picture
   for (int i = 0; i < count; ++i) write_output(name(i + 1), picture(i), kind);
 }
 
-void write_by_vtk(const std::string& file, int count, double rate, const PictureMaker& picture) {
-  require(renderer().ogv != nullptr, "view.film.theora", {{"file", file}});
-  require(rate == std::round(rate) && rate >= 1 && rate <= 5000, "view.film.rate", {{"rate", rate}});
-  const PartsFolder folder(check_output(file, FileKind::ogv));
-  renderer().ogv(folder.path("film.ogv"), count, static_cast<int>(rate), picture);
-  // VTK's writer does not report that the disk was full.
-  require(is_whole_ogg(read_file(folder.path("film.ogv"))), "view.film.write", {{"file", file}});
-  move_output(folder.path("film.ogv"), file, FileKind::ogv);
-}
-
-void write_by_ffmpeg(const std::string& file, int count, double rate, const PictureMaker& picture) {
+void write_film(const std::string& file, int count, double rate, const PictureMaker& picture) {
   require(has_program("ffmpeg"), "view.film.ffmpeg", {{"file", file}});
   const PartsFolder folder(check_output(file, FileKind::mp4));
   write_pictures({folder.path(""), ".png", 1}, FileKind::png, count, picture);
@@ -69,8 +57,7 @@ void write_by_ffmpeg(const std::string& file, int count, double rate, const Pict
 } // namespace
 
 bool is_film(const std::string& file) {
-  const std::string ending = file_ending(file);
-  return ending == ".mp4" || ending == ".ogv";
+  return file_ending(file) == ".mp4";
 }
 
 bool is_series(const std::string& file) {
@@ -82,17 +69,14 @@ Format series_format(const std::string& file) {
 }
 
 std::string film_description() {
-  const std::string vtk = renderer().ogv ? ".ogv by VTK" : "no .ogv, VTK was built without Theora",
-                    other = has_program("ffmpeg") ? ".mp4 by ffmpeg" : "no .mp4, ffmpeg is not in PATH";
-  return vtk + "; " + other;
+  return has_program("ffmpeg") ? ".mp4 by ffmpeg" : "no .mp4, ffmpeg is not in PATH";
 }
 
 void write_series(const std::string& file, int count, double rate, const PictureMaker& picture) {
-  if (!is_film(file)) return write_pictures(pattern_of(file), kind_of(format_of(file)), count, picture);
-  if (file_ending(file) == ".ogv")
-    write_by_vtk(file, count, rate, picture);
+  if (is_film(file))
+    write_film(file, count, rate, picture);
   else
-    write_by_ffmpeg(file, count, rate, picture);
+    write_pictures(pattern_of(file), kind_of(format_of(file)), count, picture);
 }
 
 } // namespace signorini::view

@@ -18,7 +18,6 @@ TEST(FileKind, IsThatOfTheFirstBytes) {
       {"<!DOCTYPE html>\n<html><svg>", FileKind::html},
       {"MFEM NURBS mesh v1.0", FileKind::mfem},
       {"# nurbs geometry v.2.1", FileKind::geopdes},
-      {"OggS", FileKind::ogv},
       {" {\"a\": 1}", FileKind::json},
       {"step,fx\n1,0.5\n2,\n", FileKind::table},
       {"# source: a test\nlabel,\"a,b\"\n\"two\nlines\",-1e-3\n", FileKind::table},

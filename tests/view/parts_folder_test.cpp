@@ -20,8 +20,8 @@ void write(const std::string& file) {
 TEST(PartsFolder, IsHiddenNextToTheFileAndRemovedWithItsContents) {
   const test::ScratchFolder scratch;
   {
-    const PartsFolder folder(scratch.file("x'y.ogv"));
-    EXPECT_EQ(folder.path("1.png"), scratch.file(".x'y.ogv.parts/1.png"));
+    const PartsFolder folder(scratch.file("x'y.mp4"));
+    EXPECT_EQ(folder.path("1.png"), scratch.file(".x'y.mp4.parts/1.png"));
     write(folder.path("1.png"));
   }
   EXPECT_EQ(scratch.count(), 0);
@@ -38,11 +38,11 @@ TEST(PartsFolder, LosesWhatAKilledProcessHasLeft) {
 
 TEST(PartsFolder, IsAnotherOneWhileTheSameFileIsMade) {
   const test::ScratchFolder scratch;
-  std::optional<PartsFolder> first(scratch.file("x.ogv"));
+  std::optional<PartsFolder> first(scratch.file("x.mp4"));
   write(first->path("1.png"));
   std::string place;
   {
-    const PartsFolder second(scratch.file("x.ogv"));
+    const PartsFolder second(scratch.file("x.mp4"));
     place = second.path("1.png");
     EXPECT_NE(place, first->path("1.png"));
     write(place);
@@ -57,14 +57,14 @@ TEST(PartsFolder, FollowsNoLink) {
   const test::ScratchFolder scratch;
   fs::create_directory(scratch.file("own"));
   write(scratch.file("own/kept"));
-  fs::create_directory_symlink(scratch.file("own"), scratch.file(".x.ogv.parts"));
-  { const PartsFolder folder(scratch.file("x.ogv")); }
+  fs::create_directory_symlink(scratch.file("own"), scratch.file(".x.mp4.parts"));
+  { const PartsFolder folder(scratch.file("x.mp4")); }
   EXPECT_TRUE(fs::exists(scratch.file("own/kept")));
 }
 
 TEST(PartsFolder, NeedsAFolderForTheFile) {
   const test::ScratchFolder scratch;
-  const std::string message = test::message_of([&] { PartsFolder(scratch.file("missing/x.ogv")); });
+  const std::string message = test::message_of([&] { PartsFolder(scratch.file("missing/x.mp4")); });
   EXPECT_NE(message.find("view.series.no_folder"), std::string::npos) << message;
 }
 

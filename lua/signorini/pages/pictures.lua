@@ -49,7 +49,7 @@ end
 local size_alone, scale, transparent = paper "1600 x 1000, for several states or fields 1600 x 2000"
 
 local columns = { "columns", t.integer(1, 100), "pictures in a row", otherwise = "chosen for the largest pictures" }
-local fps = { "fps", t.positive, "frames per second of a film, for .ogv a whole number", default = 10 }
+local fps = { "fps", t.positive, "frames per second of a film", default = 10 }
 
 --- The rows of sg.picture for model:show and others: without the keys of a string of words, and what refers to them.
 local function rows_without(all, words)
@@ -89,7 +89,7 @@ it to `file` if given. Later changes of the model do not affect the picture.]],
         "patches in gray, all in the plane or all in 3D", optional = true, excludes = { "model" } },
       "Several states or fields:",
       of_models { "states", t.list(t.object "state", nil, 1), [[run:states(): one picture each, as in sg.sheet; or,
-depending on the file's name ("x-%04d.png", "x.ogv"), as in sg.film]], optional = true },
+depending on the file's name ("x-%04d.png", "x.mp4"), as in sg.film]], optional = true },
       { "fields", t.list(field_name, nil, 1), "fields side by side, each with its own color bar, as in sg.sheet",
         optional = true, excludes = { "field", "patch", why = "it replaces it" } },
       merged(columns, { needs = { "states", "fields" } }), merged(fps, { needs = { "states" } }),
@@ -186,8 +186,8 @@ sg.sheet{ whole, cut, title = "Vertical stress", file = "pair.png" }]],
 and range of colors, unless given otherwise. They must have the same contents and arrangement.]],
     entries = entries,
     named = {
-      { "file", t.text, [["x.mp4" (H.264, needs the program ffmpeg), "x.ogv" (Theora, needs no other program), or
-"x-%04d.png", .svg, .pdf: files numbered from 1]] },
+      { "file", t.text, [["x.mp4" (H.264, needs the program ffmpeg), or "x-%04d.png", .svg, .pdf: files
+numbered from 1]] },
       fps,
       { "size", size, "as in sg.picture", otherwise = "that of the first picture", unit = "pixels" },
       scale, transparent,
@@ -195,7 +195,7 @@ and range of colors, unless given otherwise. They must have the same contents an
     returns = {},
     example = [[local pictures = {}
 for i, state in ipairs(run:states()) do pictures[i] = sg.picture{ state = state, field = "uy", size = 800 } end
-sg.film{ pictures, fps = 5, file = "press.ogv" }]] },
+sg.film{ pictures, file = "press-%02d.png" }]] },
   { "picture", [[The result of sg.picture, sg.sheet, sg.chart and sg.heatmap: a complete figure, independent of the
 model. picture:write writes it; sg.sheet and sg.film combine it with others.]],
     example = [[print(sg.picture{ model = model, field = "uy" })]] },

@@ -69,9 +69,7 @@ void check_ending(const std::string& file, bool may_be_series) {
     else if (!file.empty())
       view::format_of(file);
   } catch (const Error& error) {
-    fail(worded(error), may_be_series ? "; for several states also a series, \"x-%04d.png\", or a film, .mp4 or "
-                                        ".ogv"
-                                      : "");
+    fail(worded(error), may_be_series ? "; for several states also a series, \"x-%04d.png\", or a film, .mp4" : "");
   }
   require(may_be_series || !view::is_series(file), "file '", file,
           "' names a series of several pictures: draw one with sg.film, or with states = run:states() in sg.picture");
@@ -191,7 +189,7 @@ int film(lua_State* L) {
   const Arguments a(L);
   const auto file = a.get<std::string>("file");
   if (!view::is_series(file))
-    a.refuse("file", "the name of a film, such as \"x.mp4\" or \"x.ogv\", or of a series, such as \"x-%04d.png\"");
+    a.refuse("file", "the name of a film, such as \"x.mp4\", or of a series, such as \"x-%04d.png\"");
   check_ending(file, true);
   std::vector<Picture> pictures = read_pictures(L);
   Picture& first = pictures[0];

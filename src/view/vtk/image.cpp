@@ -111,10 +111,4 @@ std::string describe() {
 } // namespace
 } // namespace signorini::view
 
-extern "C" const signorini::view::Renderer signorini_renderer = {signorini::view::image,
-#ifdef SIGNORINI_VTK_HAS_THEORA
-                                                                 signorini::view::draw_ogv,
-#else
-                                                                 nullptr,
-#endif
-                                                                 signorini::view::describe};
+extern "C" const signorini::view::Renderer signorini_renderer = {signorini::view::image, signorini::view::describe};

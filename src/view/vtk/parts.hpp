@@ -15,8 +15,4 @@ vtkRenderWindow& offscreen_window(std::array<int, 2> size);
 /// Adds a relief beneath z = 0 and a light.
 void add_relief(vtkRenderer& renderer, const Relief& relief);
 
-/// Writes pictures to a film of `rate` per second, Theora in Ogg, incomplete if the disk is full. Throws Error on
-/// pictures of different sizes.
-void draw_ogv(const std::string& file, int count, int rate, const PictureMaker& png);
-
 } // namespace signorini::view
