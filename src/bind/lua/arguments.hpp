@@ -89,6 +89,13 @@ private:
   std::string path_;
 };
 
+/// The value of a choice, by its name among the names of all values in their order.
+template <class Enum> Enum choice(const std::string& name, std::initializer_list<const char*> names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  require(found != names.end(), "unknown choice '", name, "'");
+  return static_cast<Enum>(found - names.begin());
+}
+
 // ── C++ functions as Lua calls them ──────────────────────────────────────────────────────────────────────────────────
 
 /// An argument of a C++ function at a stack index: an object by reference, also if a shared pointer holds it, a table

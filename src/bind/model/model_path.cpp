@@ -67,18 +67,11 @@ template <int D> model::StepOptions read_newton(const model::Model<D>& model, co
   return options;
 }
 
-model::Predictor read_predictor(const Arguments& a) {
-  const auto name = a.get<std::string>("predictor");
-  return name == "tangent"    ? model::Predictor::tangent
-         : name == "constant" ? model::Predictor::constant
-         : name == "linear"   ? model::Predictor::linear
-                              : model::Predictor::quadratic;
-}
-
 template <int D> model::StepOptions read_step_options(const model::Model<D>& model, const Arguments& a, lua_State* L) {
   model::StepOptions options = read_newton(model, a, L);
   options.newton.line_search = solve::line_search_kind(a.get<std::string>("line_search"));
-  options.predictor = read_predictor(a);
+  options.predictor =
+      choice<model::Predictor>(a.get<std::string>("predictor"), {"tangent", "constant", "linear", "quadratic"});
   options.active_set = {.freeze = a.get("freeze_active_set", 0.0), .changes = a.get<int>("active_set_changes")};
   if (a.has("augmentation")) {
     const auto& contacts = model.system.contacts;

@@ -91,9 +91,10 @@ view::Inset read_inset(const Arguments& a) {
 
 /// true, false, or a position.
 view::LegendPlace read_legend(const Arguments& a) {
+  using enum view::LegendPlace;
   if (is_string(a, "legend"))
-    return a.get<std::string>("legend") == "inside" ? view::LegendPlace::inside : view::LegendPlace::outside;
-  return a.get<bool>("legend") ? view::LegendPlace::automatic : view::LegendPlace::none;
+    return choice<view::LegendPlace>(a.get<std::string>("legend"), {"none", "automatic", "inside", "outside"});
+  return a.get<bool>("legend") ? automatic : none;
 }
 
 int chart(lua_State* L) {

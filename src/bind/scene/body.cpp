@@ -181,12 +181,11 @@ void check_size(const nurbs::Plan& plan, int dimensions) {
 }
 
 template <int D> int push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Arguments& a) {
+  const auto volumetric = choice<solid::Volumetric>(a.get<std::string>("volumetric"), {"pointwise", "projected"});
   const auto& made =
       push_object<Body<D>>(L, std::make_shared<const solid::Body<D>>(
                                   std::make_shared<const nurbs::Discretization>(patch, plan),
-                                  a.object<solid::Material>("material"), solid::Kind::plane_strain,
-                                  a.get<std::string>("volumetric") == "projected" ? solid::Volumetric::projected
-                                                                                  : solid::Volumetric::pointwise));
+                                  a.object<solid::Material>("material"), solid::Kind::plane_strain, volumetric));
   nurbs::check_folds(patch);
   count_memory(L, static_cast<double>(made->memory()));
   return 1;

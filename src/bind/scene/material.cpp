@@ -38,7 +38,7 @@ std::string material_text(const solid::Material& material) {
 }
 
 solid::Measure measure_of(const std::string& name) {
-  return name == "stretches" ? solid::Measure::stretches : solid::Measure::invariants;
+  return choice<solid::Measure>(name, {"invariants", "stretches"});
 }
 
 /// core.strain_symbols("invariants" or "stretches", number of fibers): a list of the arguments of an energy.

@@ -42,11 +42,14 @@ template <int D> int default_points(const model::Scene<D>& scene, const model::F
   return 3 * (degree + 1);
 }
 
+contact::MultiplierSpace read_multipliers(const Arguments& a) {
+  return choice<contact::MultiplierSpace>(a.get<std::string>("multipliers"), {"equal", "reduced"});
+}
+
 contact::Cohesion read_cohesion(const Arguments& a, double penalty) {
   contact::Cohesion cohesion{a.get<double>("strength"), a.get<double>("energy")};
-  if (a.get<std::string>("law") == "exponential") return cohesion;
-  cohesion.softening = contact::Softening::bilinear;
-  cohesion.stiffness = a.get("stiffness", penalty);
+  cohesion.softening = choice<contact::Softening>(a.get<std::string>("law"), {"exponential", "bilinear"});
+  if (cohesion.softening == contact::Softening::bilinear) cohesion.stiffness = a.get("stiffness", penalty);
   return cohesion;
 }
 
@@ -62,24 +65,21 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
     law.tangential = friction.get("penalty", 0.0);
     law.frictional = true;
   }
-  const auto enforcement = a.get<std::string>("enforcement");
-  law.enforcement = enforcement == "penalty"     ? contact::Enforcement::penalty
-                    : enforcement == "augmented" ? contact::Enforcement::augmented
-                                                 : contact::Enforcement::multipliers;
+  law.enforcement =
+      choice<contact::Enforcement>(a.get<std::string>("enforcement"), {"penalty", "augmented", "multipliers"});
   if (a.has("cohesive")) {
     law.per = contact::TractionArea::reference;
     return contact::CohesiveLaw{law, read_cohesion(a.table("cohesive"), law.normal)};
   }
-  const auto method = a.get<std::string>("method");
-  std::optional<contact::MultiplierSpace> multipliers;
-  if (a.has("multipliers"))
-    multipliers = a.get<std::string>("multipliers") == "reduced" ? contact::MultiplierSpace::reduced
-                                                                 : contact::MultiplierSpace::equal;
-  if (method == "half_passes") return contact::HalfPass{law, multipliers};
-  const bool mortar = method == "mortar";
-  if (mortar || (a.has("per") && a.get<std::string>("per") == "reference")) law.per = contact::TractionArea::reference;
-  if (!mortar) return law;
-  return contact::MortarLaw{law, multipliers.value_or(contact::MultiplierSpace::equal)};
+  enum class Points { gauss, half_passes, mortar };
+  const auto points = choice<Points>(a.get<std::string>("method"), {"gpts", "half_passes", "mortar"});
+  std::optional<contact::MultiplierSpace> space;
+  if (a.has("multipliers")) space = read_multipliers(a);
+  if (points == Points::half_passes) return contact::HalfPass{law, space};
+  if (points == Points::mortar || (a.has("per") && a.get<std::string>("per") == "reference"))
+    law.per = contact::TractionArea::reference;
+  if (points == Points::gauss) return law;
+  return contact::MortarLaw{law, space.value_or(contact::MultiplierSpace::equal)};
 }
 
 /// The user's function of the reference position, below a path of keys. It is called only while the model is created,
@@ -142,10 +142,7 @@ template <int D> model::Contact<D> swapped(const SceneBuilder<D>& builder, const
 
 /// An entry of `ties`.
 template <int D> model::Tie read_tie(const SceneBuilder<D>& builder, const Arguments& a) {
-  model::Tie tie{
-      {}, read_faces(builder, a, "slave"), read_faces(builder, a, "master"), contact::MultiplierSpace::equal};
-  if (a.get<std::string>("multipliers") == "reduced") tie.multipliers = contact::MultiplierSpace::reduced;
-  return tie;
+  return {{}, read_faces(builder, a, "slave"), read_faces(builder, a, "master"), read_multipliers(a)};
 }
 
 /// The two faces of an entry of `joins`, a list at a stack index.
@@ -198,12 +195,6 @@ int dimension_of(const Arguments& a) {
   return dimension;
 }
 
-solid::Kind kind_of(const std::string& name) {
-  return name == "axisymmetric"   ? solid::Kind::axisymmetric
-         : name == "plane_stress" ? solid::Kind::plane_stress
-                                  : solid::Kind::plane_strain;
-}
-
 /// The bodies as bodies of revolution, or under plane stress.
 void set_kind(model::Scene<2>& scene) {
   for (auto& named : scene.bodies) try {
@@ -218,7 +209,8 @@ template <int D> int push_model(const Arguments& a, lua_State* L) {
   SceneBuilder<D> builder;
   model::Scene<D>& scene = builder.scene;
   if (D == 3 && a.has("kind")) a.fail("kind is for plane models, but the bodies are solids in 3D: omit it");
-  if (D == 2) scene.kind = kind_of(a.get<std::string>("kind"));
+  if (a.has("kind"))
+    scene.kind = choice<solid::Kind>(a.get<std::string>("kind"), {"plane_strain", "axisymmetric", "plane_stress"});
   scene.bodies = read_bodies<D>(a);
   const auto each = [&](const char* key, const auto& add) {
     if (!a.has(key)) return;
