@@ -46,7 +46,7 @@ local function untouched(run, model, contact)
   for _, gap in ipairs(model:profile(contact).gap) do
     if gap < least then least = gap end -- false for nan, where the master is not opposite
   end
-  if least < -unseen_depth * (core.smallest_body(model) or 0) then
+  if least < -unseen_depth * core.smallest_body(model) then
     return ("contact '%s' has transmitted no force, although points of its slave face lie up to %.3g in the master: "
       .. "the means of its gaps over functions of the slave face are open. Hint: use smaller elements of the slave "
       .. "face there"):format(contact, -least)

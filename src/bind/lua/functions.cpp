@@ -20,8 +20,8 @@ void name_value(lua_State* L, const std::string& name) {
   lua_pop(L, 1);
 }
 
-// Upvalues of a function's closure: its qualified name, the kind of argument check, the C++ function; for a method of
-// two C++ types also the other function and the key of its type.
+// Upvalues of a function's closure: its qualified name, the kind of argument check, the C++ function; of two C++ types
+// also the other function and the key of its type.
 enum Upvalue { name_of_function = 1, check_of_arguments, first_function, second_function, second_key };
 
 enum Check { unchecked, of_function, of_method };
@@ -70,8 +70,8 @@ int invoke(lua_State* L) {
   return lua_tocfunction(L, lua_upvalueindex(second ? second_function : first_function))(L);
 }
 
-/// Pushes a function as a closure with its qualified name. `method`: its first argument is the object. `types`: the C++
-/// types of a method, or empty.
+/// Pushes a function as a closure with its qualified name. `method`: its first argument is the object. `types`: its C++
+/// types, or empty.
 void push_function(lua_State* L, const std::string& name, const Function& row, bool method,
                    std::span<const Implementation> types = {}, std::size_t place = 0) {
   const bool internal = name.starts_with("core.") || (row.name[0] == '_' && std::string_view(row.name) != "__call");
@@ -165,13 +165,19 @@ void push_table(lua_State* L, const std::string& name) {
   }
 }
 
-void register_functions(lua_State* L, const std::string& table, std::span<const Function> rows) {
+void register_functions(lua_State* L, const std::string& table, std::span<const Implementation> implementations) {
   push_table(L, table);
-  for (const Function& row : rows) {
-    push_function(L, table + "." + row.name, row, false);
+  for (std::size_t i = 0; i < implementations[0].rows.size(); ++i) {
+    const Function& row = implementations[0].rows[i];
+    push_function(L, table + "." + row.name, row, false, implementations, i);
     lua_setfield(L, -2, row.name);
   }
   lua_pop(L, 1);
+}
+
+void register_functions(lua_State* L, const std::string& table, std::span<const Function> rows) {
+  const Implementation only[] = {{nullptr, nullptr, rows}};
+  register_functions(L, table, only);
 }
 
 void register_type(lua_State* L, const char* name, std::span<const Implementation> implementations) {

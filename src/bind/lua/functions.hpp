@@ -28,9 +28,6 @@ template <int (*function)(lua_State*)> int wrap(lua_State* L) {
   return lua_error(L);
 }
 
-/// Registers rows under a dotted name, "sg.nurbs" or "core"; missing tables are created.
-void register_functions(lua_State* L, const std::string& table, std::span<const Function> rows);
-
 /// Pushes the table of a dotted name, created if missing.
 void push_table(lua_State* L, const std::string& name);
 
@@ -56,6 +53,18 @@ struct Implementation {
 /// is that of the object's C++ type. The table of methods is core.types[name], so that Lua code can extend it. An
 /// unknown method is an error that lists the known ones.
 void register_type(lua_State* L, const char* name, std::span<const Implementation> implementations);
+
+/// Registers functions under a dotted name, "sg.nurbs" or "core"; missing tables are created.
+void register_functions(lua_State* L, const std::string& table, std::span<const Function> rows);
+/// Of two implementations a function is that of the C++ type of its first argument.
+void register_functions(lua_State* L, const std::string& table, std::span<const Implementation> implementations);
+
+template <class Plane, class Space>
+void register_functions(lua_State* L, const std::string& table, std::span<const Function> plane,
+                        std::span<const Function> space) {
+  const Implementation both[] = {{key_of<Plane>(), nullptr, plane}, {key_of<Space>(), nullptr, space}};
+  register_functions(L, table, both);
+}
 
 template <class T> void register_type(lua_State* L, std::span<const Function> rows) {
   const Implementation only[] = {{key_of<T>(), collect<T>, rows}};

@@ -14,25 +14,9 @@ namespace signorini::bind {
 
 namespace {
 
-/// Calls visit(model) for the shared pointer to the model at stack index 1.
-template <class Visit> int with_model(lua_State* L, Visit visit) {
-  if (auto* model = test_object<Model<3>>(L, 1))
-    visit(*model);
-  else
-    visit(read_object<Model<2>>(L, 1));
-  return 0;
-}
-
-/// core.save(model, path, text, durable): as model:save, with a text stored next to the model, such as the state of a
-/// run. durable: flushed to disk on return.
-int core_save(lua_State* L) {
-  return with_model(
-      L, [&](auto& model) { model::save(*model, to<std::string>(L, 2), to<std::string>(L, 3), to<bool>(L, 4)); });
-}
-
 /// core.restore(model, path): restores the state from a file saved from the same scene.
-int core_restore(lua_State* L) {
-  return with_model(L, [&](auto& model) { model::restore(model, to<std::string>(L, 2)); });
+template <int D> void core_restore(Model<D>& model, const std::string& path) {
+  model::restore(model, path);
 }
 
 int load(lua_State* L) {
@@ -77,11 +61,13 @@ int content(lua_State* L) {
 }
 
 constexpr Function core_rows[] = {
-    {"save", core_save},
-    {"restore", core_restore},
     {"checkpoint_text", call<model::load_text>}, // the text given to core.save
     {"content", content},
 };
+/// core.save(model, path, text, durable): as model:save, with a text stored next to the model, such as the state of a
+/// run. durable: flushed to disk on return.
+template <int D>
+constexpr Function model_core_rows[] = {{"save", call<model::save<D>>}, {"restore", call<core_restore<D>>}};
 constexpr Function checkpoint_functions[] = {{"load", load}};
 
 } // namespace
@@ -89,6 +75,7 @@ constexpr Function checkpoint_functions[] = {{"load", load}};
 void open_checkpoint(lua_State* L) {
   register_functions(L, "sg", checkpoint_functions);
   register_functions(L, "core", core_rows);
+  register_functions<Model<2>, Model<3>>(L, "core", model_core_rows<2>, model_core_rows<3>);
 }
 
 } // namespace signorini::bind

@@ -29,9 +29,9 @@ template <int D> contact::Changes changes_of(const contact::History<D>& history,
 }
 
 /// Both half passes have the same constants.
-template <int D> void set_contact(model::Model<D>& model, const std::string& name, lua_State* L) {
+template <int D> void set_contact(model::Model<D>& model, const std::string& name, const Arguments& a) {
   const int contact = find(model.system.scene.contacts, name, "contact");
-  const contact::Changes changes = changes_of(model.present.contacts[contact], Arguments(L, 3, ""));
+  const contact::Changes changes = changes_of(model.present.contacts[contact], a);
   const int other = model.system.scene.contacts[contact].other_pass;
   model::set_contact(model, contact, changes);
   if (other >= 0) model::set_contact(model, other, changes);
@@ -39,17 +39,30 @@ template <int D> void set_contact(model::Model<D>& model, const std::string& nam
 
 template <int D> constexpr Function contact_entries[] = {{"set_contact", call<set_contact<D>>}};
 
-template <int D> void check(const model::Model<D>& model, const std::string& name, lua_State* L) {
+/// core.contact_problem(model, contact, values): why the contact cannot have these constants; nil if it can.
+template <int D>
+std::optional<std::string> contact_problem(const model::Model<D>& model, const std::string& name, const Arguments& a) {
   const int contact = find(model.system.scene.contacts, name, "contact");
-  model::check_changes(model.system.scene.contacts[contact],
-                       changes_of(model.present.contacts[contact], Arguments(L, 3, "")));
+  try {
+    model::check_changes(model.system.scene.contacts[contact], changes_of(model.present.contacts[contact], a));
+  } catch (const Error& error) {
+    return worded(error);
+  }
+  return std::nullopt;
+}
+
+/// core.contact_warnings(model, contact, mu, offset): sentences on a coefficient of friction that looks like an angle,
+/// and on an offset that is large against the bodies.
+template <int D>
+std::vector<std::string> contact_warnings(const model::Model<D>& model, const std::string& name, double mu,
+                                          double offset) {
+  const model::Scene<D>& scene = model.system.scene;
+  return worded(model::constant_warnings(scene, scene.contacts[find(scene.contacts, name, "contact")], mu, offset));
 }
 
 template <int D>
-std::vector<Message> warnings_of(const model::Model<D>& model, const std::string& name, double mu, double offset) {
-  const model::Scene<D>& scene = model.system.scene;
-  return model::constant_warnings(scene, scene.contacts[find(scene.contacts, name, "contact")], mu, offset);
-}
+constexpr Function contact_core_entries[] = {{"contact_problem", call<contact_problem<D>>},
+                                             {"contact_warnings", call<contact_warnings<D>>}};
 
 } // namespace
 
@@ -57,31 +70,13 @@ template <int D> std::span<const Function> contact_rows() {
   return contact_entries<D>;
 }
 
+template <int D> std::span<const Function> contact_core() {
+  return contact_core_entries<D>;
+}
+
 template std::span<const Function> contact_rows<2>();
 template std::span<const Function> contact_rows<3>();
-
-int contact_problem(lua_State* L) {
-  const auto name = to<std::string>(L, 2);
-  try {
-    if (const auto* solid = test_object<Model<3>>(L, 1))
-      check(**solid, name, L);
-    else
-      check(*read_object<Model<2>>(L, 1), name, L);
-  } catch (const Error& error) {
-    push(L, worded(error));
-    return 1;
-  }
-  return 0;
-}
-
-int contact_warnings(lua_State* L) {
-  const auto name = to<std::string>(L, 2);
-  const double mu = to<double>(L, 3), offset = to<double>(L, 4);
-  const auto* solid = test_object<Model<3>>(L, 1);
-  const std::vector<Message> warnings =
-      solid ? warnings_of(**solid, name, mu, offset) : warnings_of(*read_object<Model<2>>(L, 1), name, mu, offset);
-  push_list(L, warnings, [&](const Message& warning) { push(L, worded(warning)); });
-  return 1;
-}
+template std::span<const Function> contact_core<2>();
+template std::span<const Function> contact_core<3>();
 
 } // namespace signorini::bind

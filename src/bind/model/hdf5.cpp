@@ -155,9 +155,10 @@ void push_spaces(lua_State* L, const nurbs::Discretization& space) {
   lua_setfield(L, -2, "spaces");
 }
 
-template <int D> int push_body_data(lua_State* L, const Model<D>& model, const std::string& name) {
-  const auto& scene = model->system.scene;
-  const Body<D>& body = scene.bodies[find_body(*model, name)].body;
+/// core.body_data(model, body): what a file stores of it.
+template <int D> int body_data(const model::Model<D>& model, const std::string& name, lua_State* L) {
+  const auto& scene = model.system.scene;
+  const Body<D>& body = scene.bodies[find_body(model, name)].body;
   const nurbs::Discretization& space = body->space();
   const MatrixX points = space.points();
   const solid::Material& material = body->material();
@@ -173,23 +174,25 @@ template <int D> int push_body_data(lua_State* L, const Model<D>& model, const s
   return 1;
 }
 
-template <int D> int push_displacement(lua_State* L, const Model<D>& model, const std::string& name) {
-  push(L, VectorX(model::body_displacement(*model, find_body(*model, name)).reshaped()));
+/// core.body_displacement(model, body): a flat list, and the dimension.
+template <int D> int body_displacement(const model::Model<D>& model, const std::string& name, lua_State* L) {
+  push(L, VectorX(model::body_displacement(model, find_body(model, name)).reshaped()));
   push(L, D);
   return 2;
 }
 
 /// "south of die"; the faces of a list with commas between them.
-template <int D> std::string faces_in_words(const Model<D>& model, const model::Faces& faces) {
+template <int D> std::string faces_in_words(const model::Model<D>& model, const model::Faces& faces) {
   std::string words;
   for (const model::FaceReference& face : faces)
     words +=
-        text(words.empty() ? "" : ", ", nurbs::name_of(face.side), " of ", model->system.scene.bodies[face.body].name);
+        text(words.empty() ? "" : ", ", nurbs::name_of(face.side), " of ", model.system.scene.bodies[face.body].name);
   return words;
 }
 
-template <int D> int push_faces(lua_State* L, const Model<D>& model, const std::string& name) {
-  const auto& scene = model->system.scene;
+/// core.contact_faces(model, contact or tie): slave and master in words.
+template <int D> int contact_faces(const model::Model<D>& model, const std::string& name, lua_State* L) {
+  const auto& scene = model.system.scene;
   for (const model::Tie& tie : scene.ties)
     if (tie.name == name) {
       push_fields(L, "slave", faces_in_words(model, tie.slave), "master", faces_in_words(model, tie.master));
@@ -202,32 +205,19 @@ template <int D> int push_faces(lua_State* L, const Model<D>& model, const std::
   return 1;
 }
 
-/// Calls the function of the model's dimension with a model and the name of one of its parts.
-template <int (*plane)(lua_State*, const Model<2>&, const std::string&),
-          int (*space)(lua_State*, const Model<3>&, const std::string&)>
-int of_part(lua_State* L) {
-  const auto name = to<std::string>(L, 2);
-  if (const auto* solid = test_object<Model<3>>(L, 1)) return space(L, *solid, name);
-  return plane(L, read_object<Model<2>>(L, 1), name);
-}
-
-/// core.model_of(snapshot)
-int model_of(lua_State* L) {
-  if (const auto* solid = test_object<Snapshot<3>>(L, 1))
-    push_object(L, solid->model);
-  else
-    push_object(L, read_object<Snapshot<2>>(L, 1).model);
-  return 1;
-}
-
 constexpr Function hdf5_entries[] = {
     {"make_result_file", call<make_result_file>},
     {"open_result_file", call<open_result_file>},
-    {"body_data", wrap<of_part<push_body_data<2>, push_body_data<3>>>}, // (model, body): what a file stores of it
-    {"body_displacement",
-     wrap<of_part<push_displacement<2>, push_displacement<3>>>},    // (model, body): flat list, dimension
-    {"contact_faces", wrap<of_part<push_faces<2>, push_faces<3>>>}, // (model, contact or tie): slave, master in words
-    {"model_of", wrap<model_of>},
+};
+template <int D>
+constexpr Function part_entries[] = {
+    {"body_data", call<body_data<D>>},
+    {"body_displacement", call<body_displacement<D>>},
+    {"contact_faces", call<contact_faces<D>>},
+};
+template <int D>
+constexpr Function snapshot_core[] = {
+    {"model_of", call<[](const Snapshot<D>& snapshot) { return snapshot.model; }>},
 };
 
 } // namespace
@@ -235,6 +225,8 @@ constexpr Function hdf5_entries[] = {
 void open_hdf5(lua_State* L) {
   register_type<Hdf5>(L, hdf5_methods);
   register_functions(L, "core", hdf5_entries);
+  register_functions<Model<2>, Model<3>>(L, "core", part_entries<2>, part_entries<3>);
+  register_functions<Snapshot<2>, Snapshot<3>>(L, "core", snapshot_core<2>, snapshot_core<3>);
 }
 
 } // namespace signorini::bind

@@ -128,7 +128,8 @@ template <int D> std::string snapshot_text(const Snapshot<D>& snapshot) {
   return text("snapshot of a model with ", snapshot.model->system.unknowns.dofs(), " degrees of freedom");
 }
 
-template <int D> int push_smallest_body(lua_State* L, const model::Model<D>& model) {
+/// core.smallest_body(model): the diagonal of the bounding box of the smallest body's control points, and its name.
+template <int D> int smallest_body(const model::Model<D>& model, lua_State* L) {
   double least = std::numeric_limits<double>::infinity();
   const std::string* smallest = nullptr;
   for (const auto& [name, body] : model.system.scene.bodies) {
@@ -143,15 +144,10 @@ template <int D> int push_smallest_body(lua_State* L, const model::Model<D>& mod
   return 2;
 }
 
-/// core.smallest_body(model): the diagonal of the bounding box of the smallest body's control points, and its name;
-/// nothing for other values.
-int smallest_body(lua_State* L) {
-  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_smallest_body(L, **plane);
-  if (const auto* space = test_object<Model<3>>(L, 1)) return push_smallest_body(L, **space);
-  return 0;
-}
-
-template <int D> int push_rounding(lua_State* L, const model::Model<D>& model) {
+/// core.rounding(model): the estimated rounding error of the residual, the largest norm of the forces of supports and
+/// loads in all accepted states, or of the contacts at present, whether loads or contacts act at present, and the
+/// residual of the accepted state.
+template <int D> int rounding(const model::Model<D>& model, lua_State* L) {
   const double rounding = model::rounding_floor(model);
   push(L, rounding);
   push(L, std::max(model::force_norm(model), model::contact_norm(model)));
@@ -161,51 +157,24 @@ template <int D> int push_rounding(lua_State* L, const model::Model<D>& model) {
   return 4;
 }
 
-/// core.rounding(model): the estimated rounding error of the residual, the largest norm of the forces of supports and
-/// loads in all accepted states, or of the contacts at present, whether loads or contacts act at present, and the
-/// residual of the accepted state. core.is_deformed(model): whether bodies are deformed there.
-int rounding(lua_State* L) {
-  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_rounding(L, **plane);
-  if (const auto* space = test_object<Model<3>>(L, 1)) return push_rounding(L, **space);
-  return 0;
+/// core.off_axis(model, name, values): what is wrong with values of a support in an axisymmetric model; else nil.
+template <int D>
+std::optional<std::string> off_axis(const model::Model<D>& model, const std::string& name,
+                                    const std::vector<double>& values) {
+  if constexpr (D == 2) {
+    const auto& drives = model.system.drives.all();
+    const auto drive = std::ranges::find(drives, name, &model::Drive::name);
+    if (drive == drives.end()) return std::nullopt;
+    const Message wrong = model::off_axis(model.system, static_cast<int>(drive - drives.begin()), values);
+    if (!wrong.code.empty()) return worded(wrong);
+  }
+  return std::nullopt;
 }
 
-template <int D> int push_off_axis(lua_State* L, const model::Model<D>& model) {
-  const auto& drives = model.system.drives.all();
-  const auto drive = std::ranges::find(drives, to<std::string>(L, 2), &model::Drive::name);
-  if (drive == drives.end()) return 0;
-  const Message wrong =
-      model::off_axis(model.system, static_cast<int>(drive - drives.begin()), to<std::vector<double>>(L, 3));
-  if (wrong.code.empty()) return 0;
-  push(L, worded(wrong));
-  return 1;
-}
-
-/// core.off_axis(model, name, values): what is wrong with values of a support in an axisymmetric model; else nothing.
-int off_axis(lua_State* L) {
-  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_off_axis(L, **plane);
-  return 0;
-}
-
-int is_deformed(lua_State* L) {
-  const auto* plane = test_object<Model<2>>(L, 1);
-  const auto* space = test_object<Model<3>>(L, 1);
-  push(L, plane ? model::is_deformed(**plane) : space && model::is_deformed(**space));
-  return 1;
-}
-
-template <int D> int push_weak_hold(lua_State* L, model::Model<D>& model) {
+/// core.weak_hold(model): a warning if contacts alone hold a body and hold it weakly; nil otherwise.
+template <int D> std::optional<std::string> weak_hold(model::Model<D>& model) {
   const auto warning = model::weak_hold(model);
-  if (!warning) return 0;
-  push(L, worded(*warning));
-  return 1;
-}
-
-/// core.weak_hold(model): a warning if contacts alone hold a body and hold it weakly; nothing otherwise.
-int weak_hold(lua_State* L) {
-  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_weak_hold(L, **plane);
-  if (const auto* space = test_object<Model<3>>(L, 1)) return push_weak_hold(L, **space);
-  return 0;
+  return warning ? std::optional(worded(*warning)) : std::nullopt;
 }
 
 /// The code of a warning and the names in it.
@@ -219,44 +188,31 @@ std::string subject(const Message& warning) {
   return all;
 }
 
-template <int D> int push_state_warnings(lua_State* L, model::Model<D>& model, bool everything) {
-  lua_newtable(L);
-  int count = 0;
-  for (const Message& warning : model::state_warnings(model, everything)) {
-    lua_createtable(L, 0, 2);
-    push(L, subject(warning));
-    lua_setfield(L, -2, "subject");
-    push(L, worded(warning));
-    lua_setfield(L, -2, "text");
-    lua_rawseti(L, -2, ++count);
-  }
-  return 1;
-}
-
 /// core.state_warnings(model, everything): the warnings about its accepted state as a list of { subject, text }; those
 /// of two states with the same subject differ in figures only.
-int state_warnings(lua_State* L) {
-  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_state_warnings(L, **plane, lua_toboolean(L, 2));
-  if (const auto* space = test_object<Model<3>>(L, 1)) return push_state_warnings(L, **space, lua_toboolean(L, 2));
-  lua_newtable(L);
+template <int D> int state_warnings(model::Model<D>& model, bool everything, lua_State* L) {
+  push_list(L, model::state_warnings(model, everything),
+            [&](const Message& warning) { push_fields(L, "subject", subject(warning), "text", worded(warning)); });
   return 1;
 }
 
-constexpr Function model_core[] = {{"contact_problem", wrap<contact_problem>},
-                                   {"contact_warnings", wrap<contact_warnings>},
-                                   {"rounding", rounding},
-                                   {"smallest_body", smallest_body},
-                                   {"off_axis", off_axis},
-                                   {"is_deformed", is_deformed},
-                                   {"state_warnings", state_warnings},
-                                   {"weak_hold", weak_hold}};
+template <int D>
+constexpr Function model_core[] = {
+    {"rounding", call<rounding<D>>},
+    {"smallest_body", call<smallest_body<D>>},
+    {"off_axis", call<off_axis<D>>},
+    {"is_deformed", call<model::is_deformed<D>>}, // whether bodies are deformed in the accepted state
+    {"state_warnings", call<state_warnings<D>>},
+    {"weak_hold", call<weak_hold<D>>},
+};
 
 template <int D> constexpr Function snapshot_entries[] = {{"__tostring", call<snapshot_text<D>>}};
 
 } // namespace
 
 void open_model(lua_State* L) {
-  register_functions(L, "core", model_core);
+  register_functions<Model<2>, Model<3>>(L, "core", model_core<2>, model_core<3>);
+  register_functions<Model<2>, Model<3>>(L, "core", contact_core<2>(), contact_core<3>());
   register_type<Model<2>, Model<3>>(L, all_rows<2>(), all_rows<3>());
   register_type<Snapshot<2>, Snapshot<3>>(L, snapshot_entries<2>, snapshot_entries<3>);
 }

@@ -11,11 +11,8 @@ namespace signorini::bind {
 template <int D> std::span<const Function> path_rows();
 /// Methods for constants of contacts that a load path changes.
 template <int D> std::span<const Function> contact_rows();
-/// core.contact_problem(model, contact, values): why the contact cannot have these constants; nil if it can.
-int contact_problem(lua_State* L);
-/// core.contact_warnings(model, contact, mu, offset): sentences on a coefficient of friction that looks like an angle,
-/// and on an offset that is large against the bodies.
-int contact_warnings(lua_State* L);
+/// core.contact_problem and core.contact_warnings.
+template <int D> std::span<const Function> contact_core();
 /// Methods for the present state: forces, profiles, samples, energies; and for the cost of the model.
 template <int D> std::span<const Function> result_rows();
 

@@ -67,7 +67,9 @@ solid::Material hyperelastic(const Arguments& a) {
   }
 }
 
-template <int D> int push_instability(lua_State* L, const model::Model<D>& model) {
+/// core.unstable_law(model): a point of the first body whose law from a formula is unstable in the present state,
+/// { body, stretches, at }; nil if there is none.
+template <int D> int unstable_law(const model::Model<D>& model, lua_State* L) {
   const auto& bodies = model.system.scene.bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const double* displacement = model::body_displacement(model, static_cast<int>(b)).data();
@@ -79,14 +81,6 @@ template <int D> int push_instability(lua_State* L, const model::Model<D>& model
   return 0;
 }
 
-/// core.unstable_law(model): a point of the first body whose law from a formula is unstable in the present state,
-/// { body, stretches, at }; nil if there is none, and for other values.
-int unstable_law(lua_State* L) {
-  if (const auto* plane = test_object<Model<2>>(L, 1)) return push_instability(L, **plane);
-  if (const auto* space = test_object<Model<3>>(L, 1)) return push_instability(L, **space);
-  return 0;
-}
-
 constexpr Function material_functions[] = {
     {"neo_hookean", call<material<solid::neo_hookean>>},
     {"linear_elastic", call<material<solid::linear_elastic>>},
@@ -94,8 +88,8 @@ constexpr Function material_functions[] = {
 constexpr Function material_core_entries[] = {
     {"strain_symbols", strain_symbols},
     {"hyperelastic", call<hyperelastic>},
-    {"unstable_law", unstable_law},
 };
+template <int D> constexpr Function law_of_model[] = {{"unstable_law", call<unstable_law<D>>}};
 constexpr Function material_entries[] = {{"__tostring", call<material_text>}};
 
 } // namespace
@@ -103,6 +97,7 @@ constexpr Function material_entries[] = {{"__tostring", call<material_text>}};
 void open_material(lua_State* L) {
   register_functions(L, "sg", material_functions);
   register_functions(L, "core", material_core_entries);
+  register_functions<Model<2>, Model<3>>(L, "core", law_of_model<2>, law_of_model<3>);
   register_type<solid::Material>(L, material_entries);
 }
 
