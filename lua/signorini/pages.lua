@@ -65,7 +65,7 @@ local function load_all()
   end
 end
 
---- Whether a subject may have a page: whether the name is in its file, which takes longer to compile than to search.
+--- True if a subject may have a page: its file, which takes longer to compile than to search, contains the name.
 local function may_have(subject, name)
   if not texts[subject] then
     local path = searchpath("signorini.pages." .. subject, standard_path)
@@ -167,7 +167,7 @@ function pages.of_objects(name)
   end
 end
 
---- Whether the argument of a row must be given.
+--- True if the argument of a row must be given.
 function pages.is_needed(row) return row.default == nil and not (row.otherwise or row.optional) end
 
 --- How a function is called, "sg.f{ a, b = 1 }".
@@ -177,7 +177,7 @@ function pages.head(page)
   return call(page, page.fields and "" or listed(pages.shown(page)))
 end
 
---- The same in at most so many characters; the last arguments are left out.
+--- How a function is called, in at most so many characters; the last arguments are left out.
 function pages.short_head(page, most)
   local head = pages.head(page):match "^[^\n]*"
   if utf8.len(head) <= most then return head end

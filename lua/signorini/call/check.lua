@@ -72,7 +72,7 @@ local function list_cure(of, value)
   end
 end
 
---- Whether a value has the shape of a type, so that messages about it should be those of the type.
+--- True if a value has the shape of a type, so that messages about it should be those of the type.
 local function resembles(of, value)
   if of.single and resembles(of.of, value) then return true end
   if of.kind == "either" and lists.any(of, function(one) return resembles(one, value) end) then return true end
@@ -168,7 +168,7 @@ function reads.rows(of, value, where, name, row)
   return value
 end
 
---- Whether a value is a point of a type, without a message.
+--- True if a value is a point of a type; without a message.
 local function is_point(of, value)
   if length(value) ~= of.low then return false end
   for i = 1, of.low do
@@ -358,7 +358,7 @@ end
 --- returns it with defaults.
 check.value, check.keys = read, check_keys
 
---- Whether a value is of a type that is not a table.
+--- True if a value is of a type that is not a table.
 function check.fits(of, value) return (fits[of.kind](of, value)) end
 
 -- ── Calls ────────────────────────────────────────────────────────────────────────────────────────────────────────────

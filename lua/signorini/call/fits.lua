@@ -1,6 +1,5 @@
--- Whether a single value, not a table of others, is of a type (signorini.types). For each kind a function of type and
--- value, which returns whether it is, otherwise a hint if one is known, and the expectation if that differs from the
--- words of the type.
+-- Checks single values, not tables of others, against types. For each kind a function of type and value, which returns
+-- true if the value fits, otherwise false, a hint if one is known, and the expectation if it differs from describe.one.
 
 local core = require "signorini.core"
 local describe = require "signorini.call.describe"

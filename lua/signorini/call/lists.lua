@@ -2,7 +2,7 @@
 
 local lists = {}
 
---- Whether a list contains a value.
+--- True if a list contains a value.
 function lists.holds(list, value) return lists.any(list, function(known) return known == value end) end
 
 --- The names of a table's entries, sorted.
@@ -29,7 +29,7 @@ function lists.filter(list, keeps)
   return kept
 end
 
---- Whether `is` is true for any entry.
+--- True if `is` is true for any entry.
 function lists.any(list, is)
   for i = 1, #list do
     if is(list[i], i) then return true end

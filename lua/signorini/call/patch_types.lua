@@ -86,7 +86,7 @@ patch_types.several = t.worded(t.list_with(t.object "patch", {
   { "boundaries", t.map(places), "faces by name", optional = true },
 }), "a list of one or more patches")
 
---- The same, or a single patch without braces, which becomes a list of one.
+--- Several patches, or a single one without braces, which becomes a list of one.
 patch_types.one_or_several = lists.merged(patch_types.several, { single = true })
 
 patch_types.degree = t.integer(1, core.max_degree)

@@ -26,7 +26,7 @@ local function field_value(text)
   return tonumber(text) or text
 end
 
---- Whether a text is a formula to spreadsheets, perhaps after apostrophes.
+--- True for a text that spreadsheets take for a formula, perhaps after apostrophes.
 local function is_formula(text) return text:find "^'*[=@\t]" or text:find "^'*[+-]." end
 
 local function string_text(value)

@@ -179,13 +179,13 @@ function Record:add_state(run, stage, stored)
   end
 end
 
---- Whether the run has stored the state of its last step.
+--- True if the run has stored the state of its last step.
 local function stored_last(run)
   local last = run.stored_states[#run.stored_states]
   return last ~= nil and last.step == run.steps
 end
 
---- Whether the file on the disk is to be replaced after a step.
+--- True if the file on the disk is to be replaced after a step.
 function Record:is_due(step)
   if self.saves and step % self.saves == 0 then return true end
   if self.wants.every then return step % self.wants.every == 0 end

@@ -21,7 +21,7 @@ local line = t.worded(t.either(t.number, pair(1)), "a number or a pair {position
 
 local chart_size = t.list(t.integer(120, 5000), 2)
 
---- Of the curves of a chart.
+--- The curves of a chart.
 rows.curve = {
   { "y", t.numbers(nil, true), "values; nan and inf are gaps. A single point between gaps gets a marker" },
   { "x", t.numbers(nil, true), "abscissae, one per value", otherwise = "the chart's x" },
@@ -39,7 +39,7 @@ lists them after the curves]], optional = true },
 reports more]], otherwise = "that of the curve's number" },
 }
 
---- Of charts.
+--- Charts.
 rows.chart = {
   { "x", t.numbers(nil, true), "abscissae of the curves without x", optional = true },
   { "xlabel", t.text, 'label of the x axis with its unit: "force (N)"', otherwise = "none" },
@@ -72,7 +72,7 @@ legend]], default = true },
 local cells = t.list(t.any)
 local of_numbers = { "categories", why = "it is for maps of numbers" }
 
---- Of heat maps.
+--- Heat maps.
 rows.heatmap = {
   { "title", t.text, "title above the map", otherwise = "none" },
   { "xlabel", t.text, "label of the x axis with its unit", otherwise = "none" },

@@ -77,13 +77,13 @@ newton.tolerance is its goal; the energy |f·Δu| of the correction; contact poi
 have changed their state; the linear solver, where it has factored, or iterations of GMRES; a factor on the correction,
 augmentations, the reason of the end]], default = false }
 
---- Of model:solve_step.
+--- model:solve_step.
 rows.step = joined(loop, { { "predictor", predictors, first_guess, default = "tangent" }, linear, mumps,
                            augmentation, damping, pseudo_transient, verbose })
 rows.step.conflict = function(values) return conflict_of_moves(values, values) or conflict_of_solver(values) end
 rows.step.hints = hints
 
---- Of model:solve_arc.
+--- model:solve_arc.
 rows.arc = {
   { "length", t.positive, "distance from the accepted state, root mean square of the displacement over all bodies",
     unit = "length" },
@@ -137,7 +137,7 @@ local info = t.record("step", t.number, "stage", t.text, "residual?", t.number)
 info.rest = t.number
 local iteration = t.record("step", t.count, "stage", t.text, "from to", t.number, "iteration", t.count,
   "residual energy", t.number, "reason", t.text)
---- Of run:hdf5.
+--- run:hdf5.
 rows.hdf5 = {
   { "units", t.map(t.text), [[units by quantity or by the name of a column, { length = "mm", force = "N" }, for the
 attribute `unit` of arrays; quantities: angle, area, count, energy, force, force_per_volume, length,

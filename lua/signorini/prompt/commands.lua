@@ -75,7 +75,7 @@ local function command_of(line, is_first)
   if asked then return "?", asked end
 end
 
---- Whether code only lacks its end.
+--- True if code lacks only its end.
 local function is_unfinished(code)
   local statements, message = load(code, "=prompt", "t")
   if statements or not message:find "<eof>$" then return false end

@@ -44,8 +44,7 @@ local function follow(path)
   return value, tables
 end
 
---- Whether an entry of a table is public: methods and fields that only the library uses, of types written in Lua, have
---- no page.
+--- True if an entry of a table is public: it has a page.
 local function offered(entries, name, value, sign)
   local methods = type_of(entries)
   if methods then

@@ -220,7 +220,7 @@ local function row_text(word, value)
   return value == nil and text or ("%s\nvalue: %s"):format(text, show.text(value))
 end
 
---- Whether a value is a function of the library, or a table of them such as sg.shapes.
+--- True for a function of the library, or a table of them such as sg.shapes.
 local function is_of_library(value)
   if value == core.sg or core.names[value] then return true end
   for _, entry in next, sealed.entries(core.sg) do

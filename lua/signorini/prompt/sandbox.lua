@@ -37,7 +37,7 @@ core.require = own.require
 -- What scripts may load: the library, and what lines of the prompt such as %run call.
 local offered = { signorini = true, ["signorini.prompt.commands"] = true }
 
---- That of scripts.
+--- The scripts' require.
 function require(name)
   if offered[name] then return own.require(name) end
   if type(name) == "string" and name:find "^signorini%." then

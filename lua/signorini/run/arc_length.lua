@@ -63,7 +63,7 @@ end
 local probe_arcs = 60
 local least_reach = 0.02 -- as a fraction of the step
 
---- Whether the present state, from which an arc-length increment of a given length led backward, is a turning point: no
+--- True if the present state, from which an arc-length increment of a given length led backward, is a turning point: no
 --- equilibrium close by lies `reach` farther on. Where contact states cycle (stick and slip, open and closed),
 --- increments can also lead backward although there is one.
 local function turns_back(step, length, reach)

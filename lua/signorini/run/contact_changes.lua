@@ -111,7 +111,7 @@ function contact_changes.switched_on(model, stage)
   return found
 end
 
---- Whether a stage begins with a change that releases or adds energy: of the contact's springs, or of bodies that
+--- True if a stage begins with a change that releases or adds energy: of the contact's springs, or of bodies that
 --- friction no longer holds.
 function contact_changes.is_sudden(model, stage)
   return lists.any(lists.sorted_names(stage.contacts), function(name)
@@ -123,7 +123,7 @@ function contact_changes.is_sudden(model, stage)
   end)
 end
 
---- Whether an offset of sg.model presses bodies that no step has moved yet: the path does no work for it.
+--- True if an offset of sg.model presses bodies that no step has moved yet: the path does no work for it.
 function contact_changes.presses_at_once(model)
   return model:energy().work == 0 and lists.any(model:contact_names(), function(name)
     local law = model:contact_law(name)
@@ -153,7 +153,7 @@ local function ramps(stage)
   end)
 end
 
---- Whether a stage changes an offset or an overlap.
+--- True if a stage changes an offset or an overlap.
 function contact_changes.ramps(stage) return #ramps(stage) > 0 end
 
 --- The offsets at a fraction of the stage, in words: "seat.offset = 0.01".

@@ -18,7 +18,7 @@ local fallbacks = {
   { name = "frozen", change = { predictor = "tangent", freeze_active_set = 1e-2 } },
 }
 
---- Whether a fallback converges to the equilibrium on the followed branch, as far as is known.
+--- True if a fallback converges to the equilibrium on the followed branch, as far as is known.
 function controls.keeps_branch(name)
   return lists.any(fallbacks, function(fallback) return fallback.name == name and fallback.early ~= nil end)
 end

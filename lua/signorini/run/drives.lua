@@ -4,7 +4,7 @@ local lists = require "signorini.call.lists"
 
 local drives = {}
 
---- Whether a name is that of a support, driven or not.
+--- True for the name of a support, driven or not.
 function drives.is_support(model, name) return lists.holds(model:support_names(), name) end
 
 --- The components of a target in order: "ux", "uy" and "angle" of a support, "tx", "ty", "pressure", "bx", "by", "px",

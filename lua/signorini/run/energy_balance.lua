@@ -17,7 +17,7 @@ function energy_balance.note(list, model, sudden)
   list[#list + 1] = lists.merged(model:energy(), { sudden = sudden })
 end
 
---- Whether a stage begins with a sudden change: a load that acts from the start of a path, of which this is the first
+--- True if a stage begins with a sudden change: a load that acts from the start of a path, of which this is the first
 --- stage and does not drive it, an offset of sg.model, or constants of contacts.
 function energy_balance.is_sudden(model, stage, is_first)
   local is_loaded = is_first and (#drives.constant_loads(model, { stage }) > 0
@@ -25,12 +25,12 @@ function energy_balance.is_sudden(model, stage, is_first)
   return is_loaded or contact_changes.is_sudden(model, stage)
 end
 
---- Whether a state was not reached along the path: after damped motion, or on another branch.
+--- True if states were not reached along the path: after damped motion, or on another branch.
 local function jumps(histories)
   return #path_controls.departures(histories) > 0 or path_controls.counts(histories).damping ~= nil
 end
 
---- Whether contact has acted: without it, work and stored energy can both be rounding errors, as in a rigid motion.
+--- True if contact has acted: without it, work and stored energy can both be rounding errors, as in a rigid motion.
 local function acts(list)
   return lists.any(list, function(state) return state.contact ~= 0 or state.friction ~= 0 or state.debonding ~= 0 end)
 end

@@ -12,7 +12,7 @@ function layer_moves.count(model) by_model[model] = (by_model[model] or 0) + 1 e
 --- Remembers the present state for a run of the model.
 function layer_moves.begin(run, model) at_run[run] = by_model[model] or 0 end
 
---- Whether layers have moved since the run was made.
+--- True if layers have moved since the run was made.
 function layer_moves.since(run, model) return (by_model[model] or 0) ~= at_run[run] end
 
 return layer_moves

@@ -29,7 +29,7 @@ function path_controls.arc_options(histories)
   return path_controls.counts(histories).damping and "arc_length = true, damping = true" or "arc_length = true"
 end
 
---- Whether a shorter attempt from the same state had failed before: then the rest of the step was solved at once, as
+--- True if a shorter attempt from the same state had failed before: then the rest of the step was solved at once, as
 --- the last resort.
 local function is_leap(attempts, index)
   local attempt = attempts[index]

@@ -20,7 +20,8 @@ local steps = require "signorini.run.steps"
 local Run = require "signorini.run.run_result"
 
 local where = "model:run"
-local wariness = 8 -- attempts without a predictor that failed; 3D block ironing: 846, 743, 706 iterations with 2, 4, 8
+-- Attempts without a predictor that failed; 3D block ironing took 846, 743, 706 iterations with 2, 4, 8.
+local predictor_pause = 8
 local longest_chord = 1.25 -- of an increment, in units of its length along the tangent: at most 37° between the two
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
@@ -94,7 +95,7 @@ function Step:set_targets(to)
   contact_changes.set(self.model, stage, (self.number - 1 + to) / stage.steps)
 end
 
---- The factor of the penalties at the fraction `to` of the step, if they grow along the path:
+--- Sets the factor of the penalties at the fraction `to` of the step, if they grow along the path.
 function Step:set_penalty(to)
   local penalty = self.options.penalty
   if not penalty then return end
@@ -180,7 +181,7 @@ function Step:attempt(to, shorter)
     local now = fallback.early == true or fallback.early == result.reason or last
     if now and fallback ~= plain then result = self:try(fallback.solver, to, fallback.name) end
   end
-  if first ~= result and not plain then run.wary = wariness end
+  if first ~= result and not plain then run.wary = predictor_pause end
   if not result.converged and not steps.is_wanted(result) then return first end
   if result.converged then self.done = to end
   return result
@@ -230,16 +231,16 @@ function Step:solve_arc(length, iterations, diagnoses)
   return result, self.done + result.fraction, saved
 end
 
---- Whether the step changes a target; without that there is no path that arc length could follow.
+--- True if the step changes a target; without that there is no path that arc length could follow.
 function Step:changes_targets() return stage_targets.moves(self.model, self.stage, self.number) end
 
---- Whether the step changes a target, the penalties or an offset.
+--- True if the step changes a target, the penalties or an offset.
 function Step:moves()
   local penalty = self.options.penalty
   return contact_changes.ramps(self.stage) or penalty and self.run.steps < penalty.steps or self:changes_targets()
 end
 
---- Whether there are fallbacks for the rest of a step.
+--- True if there are fallbacks for the rest of a step.
 function Step:has_fallbacks() return #self.options.tries > 0 and not self.options.arc_length end
 
 --- An arc-length increment, accepted unless it passes the end of the step.

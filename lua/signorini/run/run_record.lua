@@ -48,7 +48,7 @@ local state = fields {
     state_findings = maybe(each(fields { subject = text, place = text, text = text, from = count, to = count })) },
 }
 
---- Whether state, rows and histories can be those of a run.
+--- True if state, rows and histories can be those of a run.
 return function(saved)
   if not data(saved) or not state(saved[1]) or not each(each(cell))(saved[2]) or not each(each(attempt))(saved[3]) then
     return false

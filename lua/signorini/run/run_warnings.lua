@@ -15,7 +15,7 @@ local path_controls = require "signorini.run.path_controls"
 
 local run_warnings = {}
 
---- Whether a contact transmitted a force at some row of the run, or does now, between two rows, where a step has
+--- True if a contact transmitted a force at some row of the run, or does now, between two rows, where a step has
 --- failed. Under adhesion this is possible at any distance of the bodies.
 local function ever_acts(run, model, contact)
   local now = model:contact_resultant(contact)
@@ -25,8 +25,7 @@ local function ever_acts(run, model, contact)
   end)
 end
 
---- Whether the bodies of a contact, or of both half passes, overlapped at the end of a stage unseen by it, which
---- state_warnings() report.
+--- True if state_warnings() reports that the bodies of a contact, or of both half passes, overlapped unseen by it.
 local function unseen(run, contact)
   local name = contact:gsub("%.master$", "")
   return lists.any({ "obstacle_inside", "unseen_overlap" }, function(code)
@@ -249,7 +248,7 @@ local function states(run, model)
   return lists.map(run.state_findings, function(finding) return sentence(run, model, finding) end)
 end
 
---- Whether points of a contact with friction stick.
+--- True if points of a contact with friction stick.
 local function sticks(model)
   return lists.any(model:contact_names(), function(contact)
     local now = model:contact_resultant(contact)

@@ -35,7 +35,7 @@ function stage_targets.ahead(model, stage, name, number)
   return values
 end
 
---- Whether step `number` changes a target.
+--- True if step `number` changes a target.
 function stage_targets.moves(model, stage, number)
   for name in pairs(stage.targets) do
     local now = model:target(name)
@@ -46,7 +46,7 @@ function stage_targets.moves(model, stage, number)
   return false
 end
 
---- Whether a stage changes component i at all.
+--- True if a stage changes component i at all.
 local function varies(stage, name, i)
   return stage.paths[name] ~= nil or stage.targets[name][i] ~= stage.starts[name][i]
 end

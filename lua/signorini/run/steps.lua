@@ -5,9 +5,9 @@
 --   step:attempt(to, shorter)  solves for the targets at the fraction `to` of the step; accepts, or rolls back; returns
 --                      the result. `shorter`: a shorter attempt follows a failure
 --   step:attempt_from_start()  solves for the whole step from the state before it; after a failure nothing has changed
---   step:moves()       whether anything that is prescribed changes in the step
---   step:changes_targets() whether a target does
---   step:has_fallbacks() whether there are fallbacks for a failed attempt
+--   step:moves()       true if anything that is prescribed changes in the step
+--   step:changes_targets() true if a target does
+--   step:has_fallbacks() true if there are fallbacks for a failed attempt
 --   step:cut_back()    counts a failed attempt that is repeated with a shorter one
 -- and shorten(step), which halves the length of the next attempts at this step and returns whether that is possible.
 -- Data that a policy keeps from one step to the next is in its table `memory`, as plain data, which checkpoints save.
@@ -27,7 +27,6 @@ function steps.plain() return setmetatable({}, Plain) end
 
 function Plain:take(step) return step:attempt(1) end
 
---- Whether a step can be solved in attempts half as long.
 function Plain:shorten() return false end
 
 -- ── Cutting in half ──────────────────────────────────────────────────────────────────────────────────────────────────
@@ -43,13 +42,13 @@ function steps.halving(options)
                         growth = options.growth }, Halving)
 end
 
---- Whether an attempt was ended by the user.
+--- True if the user ended an attempt.
 function steps.is_asked_for(result) return result.reason == "interrupted" or result.reason == "stopped" end
 
---- Whether an attempt was ended on request and did not fail: then there is no diagnosis and no fallback.
+--- True if an attempt was ended on request and did not fail: then there is no diagnosis and no fallback.
 function steps.is_wanted(result) return result.reason == "cut" or steps.is_asked_for(result) end
 
---- Whether an attempt at targets has failed for which no equilibrium exists, so that only shorter attempts can succeed.
+--- True if an attempt failed at targets for which no equilibrium exists, so that only shorter attempts can succeed.
 function steps.is_hopeless(result)
   return result.diagnosis ~= nil and result.diagnosis.reason == "friction_exhausted"
 end

@@ -16,7 +16,7 @@ function claims.owner(study, entry)
   return ok and owner or nil
 end
 
---- Whether the task of this name got the claim of a case, now or in an earlier start of it. The case may have been done
+--- True if the task of this name got the claim of a case, now or in an earlier start of it. The case may have been done
 --- meanwhile: look after the claim.
 function claims.take(study, entry, name)
   return core.create_claim(file_of(study, entry), name) or claims.owner(study, entry) == name

@@ -55,7 +55,7 @@ local function reach(box)
   return math.max(margin * size, least * box.spacing)
 end
 
---- Whether `inner` boxes are within `boxes` with their margins.
+--- True if `inner` boxes are within `boxes` with their margins.
 function zone.contains(boxes, inner)
   for name, box in pairs(inner) do
     local outer = boxes[name]

@@ -90,7 +90,7 @@ local function write_file(where, name, map)
   on_behalf_of(where, "sg.csv.write", csv.write, name, { columns = heads, rows = rows, comments = { title(map) } })
 end
 
---- Whether the map's file exists. If it belongs to something else, or no folder keeps its cells, this is an error, so
+--- True if the map's file exists. If it belongs to something else, or no folder keeps its cells, this is an error, so
 --- that it is not overwritten.
 local function is_there(where, name, map)
   if not core.exists(name) then return false end

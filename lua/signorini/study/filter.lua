@@ -8,12 +8,12 @@ local values = require "signorini.study.values"
 local any = lists.any
 local filter = {}
 
---- Whether a value matches; a table with a name also matches by its name.
+--- True if a value matches; a table with a name also matches by its name.
 local function is_meant(wanted, value)
   return values.same(wanted, value) or (type(value) == "table" and value.name ~= nil and value.name == wanted)
 end
 
---- Whether a value matches a filter of a column: a value or a list of values.
+--- True if a value matches a filter of a column: a value or a list of values.
 local function allows(wanted, value)
   return is_meant(wanted, value) or type(wanted) == "table" and not wanted.name
     and any(wanted, function(one) return is_meant(one, value) end)

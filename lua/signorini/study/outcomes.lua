@@ -7,7 +7,7 @@ local outcomes = {}
 
 local words = { error = "ended by an error", crashed = "crashed", time = "exceeded the time limit" }
 
---- Whether an outcome is a mistake to be fixed: such cases run again at the next call.
+--- True if an outcome is a mistake to be fixed: such cases run again at the next call.
 function outcomes.is_error(outcome) return outcome == "error" or outcome == "crashed" end
 
 --- The outcome of a case without a result, in one line.

@@ -156,7 +156,7 @@ local function cheapest(search)
   end)
 end
 
---- Whether another discretization is twice as accurate on a level for about the same work: then this one is not tried
+--- True if another discretization is twice as accurate on a level for about the same work: then this one is not tried
 --- again.
 local function dominated(search, candidate, level)
   local case = solved(search, level, candidate)

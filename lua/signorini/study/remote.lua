@@ -31,10 +31,10 @@ end
 local function is_alive(task) return task.alive end
 local function is_unknown(task) return task.unknown end
 
---- Whether a task of a job is alive.
+--- True if a task of a job is alive.
 local function is_running(job, states) return lists.any(states[job.number], is_alive) end
 
---- Whether a task of a job is not known to have ended.
+--- True if a task of a job is not known to have ended.
 local function may_run(job, states) return is_running(job, states) or lists.any(states[job.number], is_unknown) end
 
 --- The jobs of a study that were not known to have ended, and the states of their tasks.
@@ -93,7 +93,7 @@ local function lost(study, entry, tasks, states)
     :format(name, task.state, last ~= "" and ": " or "", last) }
 end
 
---- Whether one of a list of tasks is going to solve a case. A task that cannot be asked keeps the case that it claimed.
+--- True if one of a list of tasks is going to solve a case. A task that cannot be asked keeps the case that it claimed.
 local function is_assigned(study, entry, tasks, states)
   local owner = claimer(study, entry, tasks)
   return lists.any(owner and { owner } or tasks, function(at)

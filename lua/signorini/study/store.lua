@@ -39,7 +39,7 @@ end
 
 local function case_file(study, entry) return ("%s/cases/%s.json"):format(study.folder, entry.id) end
 
---- Whether a folder already holds this study, in this format. If it holds another one, this is an error.
+--- True if a folder already holds this study, in this format. If it holds another one, this is an error.
 local function check_owner(where, study)
   local file = study.folder .. "/study.json"
   local owner = read(file)
@@ -51,7 +51,7 @@ local function check_owner(where, study)
   return owner ~= nil and owner.format == store.format
 end
 
---- Whether all entries of a table have names; an empty list of JSON is also an empty table.
+--- True if all entries of a table have names; an empty list of JSON is also an empty table.
 local function is_named(value)
   if type(value) ~= "table" then return false end
   for name in next, value do
@@ -60,7 +60,7 @@ local function is_named(value)
   return true
 end
 
---- Whether data of JSON are the record of a case.
+--- True if data of JSON are the record of a case.
 local function is_record(record)
   local made, reason = record.made, record.reason
   return is_named(record.case) and is_named(record.results) and type(record.outcome) == "string"

@@ -39,7 +39,7 @@ local function saved(study, entry, now)
   return ok and rows or core.hash(core.read_file(file))
 end
 
---- Whether a checkpoint went on from `before` to `after`. A run that does not resume begins again at each start.
+--- True if a checkpoint went on from `before` to `after`. A run that does not resume begins again at each start.
 local function went_on(before, after)
   if type(before) == "number" and type(after) == "number" then return after > before end
   return after ~= before

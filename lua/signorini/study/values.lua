@@ -15,7 +15,7 @@ local values = {}
 --- The columns of every case besides its parameters and results.
 values.accounts = { "wall", "failed", "outcome", "reason" }
 
---- Whether two values of plain data are equal; tables are compared entry by entry.
+--- True if two values of plain data are equal; tables are compared entry by entry.
 function values.same(a, b)
   if type(a) ~= "table" or type(b) ~= "table" then return a == b end
   for key, value in pairs(a) do

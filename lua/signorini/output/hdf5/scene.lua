@@ -75,7 +75,7 @@ function scene.write(file, model, set_about)
   end
 end
 
---- Whether the file has the bodies of the model, as control points and weights tell.
+--- True if the file has the bodies of the model: their control points and weights.
 function scene.is_in(file, model)
   return not lists.any(model:body_names(), function(name)
     local data, path = core.body_data(model, name), group("bodies", name)

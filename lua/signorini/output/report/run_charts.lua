@@ -22,7 +22,7 @@ end
 
 -- ── Choice ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Whether a column has values other than zero.
+--- True if a column has values other than zero.
 local function is_telling(run, name)
   local values = run.values[name]
   for row = 1, run.rows do

@@ -33,7 +33,7 @@ end
 
 local function name_of(column) return type(column) == "string" and column or "function" end
 
---- Whether the axis of a column is logarithmic: positive numbers that spread far, most of them in the lower part.
+--- True if the axis of a column is logarithmic: positive numbers that spread far, most of them in the lower part.
 local function is_wide(study, name)
   local numbers, numeric = values_of(study, name)
   if not numeric then return false end

@@ -15,7 +15,7 @@ local function bare(text)
   return text, open > 0
 end
 
---- Whether a text ends inside quotes.
+--- True if a text ends inside quotes.
 function place.is_open(text) return select(2, bare(text)) end
 
 local function path_at_end(text) return text:match "([%a_][%w_.:]*)%s*$" end

@@ -60,7 +60,6 @@ local function add_help(lines, page)
   prose.add_code(lines, table.concat(examples, "\n"), "lua")
 end
 
---- Whether a positional argument may be omitted.
 local function may_be_omitted(row)
   if not row[2].last then return not pages.is_needed(row) end
   return not lists.any(pages.rows(row[2].rows), function(one) return type(one) == "table" and pages.is_needed(one) end)

@@ -104,7 +104,7 @@ function objects.model(model)
     map(model:tie_names(), function(name) return tie_text(model, name) end)), "\n")
 end
 
---- Whether a table is a result of model:profile, or has its lists.
+--- True for a result of model:profile, or a table with its lists.
 local function is_profile(value)
   local own = getmetatable(value)
   if own and not (type(own) == "table" and own.__name == "contact profile") then return false end
