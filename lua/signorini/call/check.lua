@@ -1,66 +1,24 @@
--- Checks the arguments of a call against the function's table (signorini.pages) and fills in the defaults. Errors name
--- the function, the argument, its value, the expectation and, where known, a hint.
+-- Checks the arguments of a call against the function's table (signorini.pages) and fills in the defaults.
 
-local check_dependencies = require "signorini.call.dependencies"
 local core = require "signorini.core"
 local describe = require "signorini.call.describe"
 local fits = require "signorini.call.fits"
-local list_shape = require "signorini.call.list_shape"
-local likely = require "signorini.call.likely"
 local lists = require "signorini.call.lists"
-local meant = require("signorini.call.text").meant
 local pages = require "signorini.pages"
+local reject = require "signorini.call.reject"
 local types = require "signorini.call.types"
 
-local check = {}
-
-local most_unknown = 3 -- keys in one message
-local longest_meaning = 60 -- characters of a row's text that is quoted in messages
-
--- ── Messages ─────────────────────────────────────────────────────────────────────────────────────────────────────────
-
-local function meaning(row)
-  return row and row[3] and row[3] ~= "" and utf8.len(row[3]) <= longest_meaning and (" (%s)"):format(row[3]) or ""
-end
-
---- Raises an error about an argument: "sg.f: E must be a positive number (Young's modulus), got …. Hint: …".
-local function reject(where, name, expected, value, cure, row)
-  cure = cure or likely(expected, value)
-  local ending = cure and ". Hint: " .. cure or ""
-  if value == nil then
-    core.fail(("%s: %s%s is missing: it must be %s%s"):format(where, name, meaning(row), expected, ending))
-  end
-  core.fail(("%s: %s must be %s%s, got %s%s"):format(where, name, expected, meaning(row), core.describe(value), ending))
-end
-check.reject = reject
+local check = { reject = reject.value }
 
 --- Raises an error about a value that is not of a type.
-local function mismatch(of, value, where, name, row, cure) reject(where, name, describe.one(of), value, cure, row) end
-
-local function joined(words) return #words > 0 and table.concat(words, ", ") or "none" end
-
---- Raises an error about keys that are not in the rows.
-local function reject_unknown(where, name, value, unknown, rows)
-  table.sort(unknown)
-  local known, hints = pages.keys(rows), rows.hints or {}
-  local all = table.concat(lists.map({ table.unpack(unknown, 1, most_unknown) }, function(key)
-    local hint = hints[key] and ". Hint: " .. hints[key] or meant(key, known)
-    return ("unknown argument '%s' (%s)%s"):format(key, core.describe(value[key]), hint)
-  end), "; ")
-  core.fail(("%s%s: %s%s known: %s"):format(where, name == "" and "" or ": " .. name, all, all:find "%?$" and "" or ";",
-    joined(known)))
-end
-
-local function reject_excess(page, value)
-  local pair = type(value) == "number" and ". Hint: put numbers that belong together into braces, as in {1, 2}" or ""
-  core.fail(("%s: too many arguments: it is called as %s, got %s beyond that%s"):format(page.name, pages.head(page),
-    core.describe(value), pair))
+local function mismatch(of, value, where, name, row, cure)
+  reject.value(where, name, describe.one(of), value, cure, row)
 end
 
 -- ── Tables: read entry by entry ──────────────────────────────────────────────────────────────────────────────────────
 
 local read
-local length, flattened = list_shape.length, list_shape.flattened
+local length = lists.length
 
 local reads = {}
 
@@ -96,7 +54,8 @@ end
 local function read_alone(of, value, whole, where, name, row)
   local ok, cure, expected = (fits[of.kind] or fits.table)(of, value)
   if not ok then
-    reject(where, name, expected or describe.one(whole), value, cure or of ~= whole and list_cure(whole, value), row)
+    local hint = cure or of ~= whole and list_cure(whole, value)
+    reject.value(where, name, expected or describe.one(whole), value, hint, row)
   end
   return value
 end
@@ -123,7 +82,7 @@ function reads.list(of, value, where, name, row)
   local count = length(value, of.fields)
   if of.single and not count then return read_single(of, value, where, name, row) end
   if of.flat and count then
-    value = flattened(value)
+    value = lists.flattened(value)
     count = #value
   end
   local wrong = not count or of.size and count ~= of.size or of.least and count < of.least
@@ -152,7 +111,7 @@ end
 function reads.cells(of, value, where, name, row)
   if type(value) ~= "table" then mismatch(of, value, where, name, row) end
   local key, cell = wrong_cell(value)
-  if key then reject(where, ("%s[%s]"):format(name, key), "a number, a string, true or false", cell) end
+  if key then reject.value(where, ("%s[%s]"):format(name, key), "a number, a string, true or false", cell) end
   return value
 end
 
@@ -199,7 +158,7 @@ end
 function reads.points(of, value, where, name, row)
   local count = length(value)
   if not count then mismatch(of, value, where, name, row, list_cure(of, value)) end
-  if count == 0 then reject(where, name, "a list of at least one point {{x, y}, …}", value, nil, row) end
+  if count == 0 then reject.value(where, name, "a list of at least one point {{x, y}, …}", value, nil, row) end
   local point = type(value[1]) == "table" and rawlen(value[1]) == 3 and types.space_point or types.plane_point
   for i = 1, count do
     if not is_point(point, value[i]) then reads.point(point, value[i], where, ("%s[%d]"):format(name, i)) end
@@ -215,11 +174,11 @@ local function check_keys(rows, value, where, name, count)
   for key, entry in next, value do
     if type(key) ~= "string" and not known[key] then
       core.fail(("%s%s takes named arguments, got %s without a name; known: %s"):format(where,
-        name == "" and "" or ": " .. name, core.describe(entry), joined(pages.keys(rows))))
+        name == "" and "" or ": " .. name, core.describe(entry), reject.known(rows)))
     end
     if not known[key] then unknown[#unknown + 1] = key end
   end
-  if #unknown > 0 then reject_unknown(where, name, value, unknown, rows) end
+  if #unknown > 0 then reject.unknown(where, name, value, unknown, rows) end
 end
 
 --- The type of a row in one call; see types.by.
@@ -234,7 +193,7 @@ check.type_in_call = type_in_call
 local function left_out(row, of, values, where, name)
   local value = row.default
   if row.derived then value = row.derived(values) end
-  if value == nil and pages.is_needed(row) then reject(where, name, describe.one(of), nil, nil, row) end
+  if value == nil and pages.is_needed(row) then reject.value(where, name, describe.one(of), nil, nil, row) end
   if value ~= nil and (row.derived or of.kind == "named" or of.kind == "switch") then
     return read(of, value, where, name, row)
   end
@@ -259,7 +218,7 @@ function read_named(rows, value, where, name, rest, owner, entries)
       end
     end
   end
-  for _, row in ipairs(rows) do check_dependencies(row, value, where, prefix) end
+  for _, row in ipairs(rows) do reject.dependencies(row, value, where, prefix) end
   for key, entry in next, rest and value or {} do
     if whole[key] == nil then whole[key] = read(rest, entry, where, prefix .. tostring(key)) end
   end
@@ -346,7 +305,7 @@ function reads.either(of, value, where, name, row)
       cure = select(2, fits[one.kind](one, value))
     end
   end
-  reject(where, name, finite and describe.one(of) or describe.one(of) .. ", finite", value, cure, row)
+  reject.value(where, name, finite and describe.one(of) or describe.one(of) .. ", finite", value, cure, row)
 end
 
 function read(of, value, where, name, row)
@@ -376,14 +335,14 @@ function check.call(name, owner, ...)
     if type(value) ~= "table" and not (value == nil and page.may_be_empty) then
       local first = pages.keys(page.named)[1]
       core.fail(("%s takes a table of named arguments, got %s. Hint: write %s{ %s }; known: %s"):format(name,
-        core.describe(value), name, first and first .. " = …" or "", joined(pages.keys(page.named))))
+        core.describe(value), name, first and first .. " = …" or "", reject.known(page.named)))
     end
-    if count > 1 then reject_excess(page, (select(2, ...))) end
+    if count > 1 then reject.excess(page, (select(2, ...))) end
     local whole = read_named(pages.rows(page.named), value or {}, name, "", page.rest, owner, page.entries)
     return page.as_given and (value or {}) or whole
   end
   local rows = page.arguments or {}
-  if count > #rows and not page.repeats then reject_excess(page, (select(#rows + 1, ...))) end
+  if count > #rows and not page.repeats then reject.excess(page, (select(#rows + 1, ...))) end
   local given, last = { ... }, math.max(count, #rows)
   for i = 1, last do
     local row = rows[math.min(i, #rows)]

@@ -90,6 +90,29 @@ function lists.merged(...)
   return all
 end
 
+function lists.median(numbers)
+  local sorted = lists.joined(numbers)
+  table.sort(sorted)
+  return (sorted[(#sorted + 1) // 2] + sorted[#sorted // 2 + 1]) / 2
+end
+
+--- The length of a list; nil if the value is not a list. `fields`: rows of the names that it may have, too.
+function lists.length(value, fields)
+  if type(value) ~= "table" then return nil end
+  local count = 0
+  for key in next, value do
+    if not fields or math.type(key) then count = count + 1 end
+  end
+  return count == rawlen(value) and count or nil
+end
+
+--- A list with the entries of the lists in it in their place.
+function lists.flattened(list)
+  local function is_list(entry) return lists.length(entry) ~= nil end
+  if not lists.any(list, is_list) then return list end
+  return lists.flat(lists.map(list, function(entry) return is_list(entry) and entry or { entry } end))
+end
+
 --- The range { low, high } of each coordinate of points.
 function lists.ranges(points)
   return lists.map(points[1], function(_, d)

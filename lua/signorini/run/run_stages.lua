@@ -5,7 +5,6 @@ local check = require "signorini.call.check"
 local contact_changes = require "signorini.run.contact_changes"
 local counted = require("signorini.call.text").counted
 local drives = require "signorini.run.drives"
-local list_shape = require "signorini.call.list_shape"
 local lists = require "signorini.call.lists"
 local pages = require "signorini.pages"
 local t = require "signorini.call.types"
@@ -32,7 +31,7 @@ local function is_finite(value) return type(value) == "number" and value - value
 --- first entry that is not a finite number.
 local function values_of(given, count)
   local values = type(given) == "number" and { given } or given
-  if list_shape.length(values) ~= count then return nil, core.describe(given) end
+  if lists.length(values) ~= count then return nil, core.describe(given) end
   for i, value in ipairs(values) do
     if not is_finite(value) then
       local entry = core.describe(value)

@@ -3,7 +3,6 @@
 local check = require "signorini.call.check"
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
-local list_shape = require "signorini.call.list_shape"
 local lists = require "signorini.call.lists"
 local meant = require("signorini.call.text").meant
 local patch_types = require "signorini.call.patch_types"
@@ -109,7 +108,7 @@ local function add_links(links, parts, values, first, second)
   local function owners(side, into)
     local number = core.owner(side, parts)
     if number then into[#into + 1] = number end
-    if list_shape.length(side) then for _, one in ipairs(side) do owners(one, into) end end
+    if lists.length(side) then for _, one in ipairs(side) do owners(one, into) end end
     return into
   end
   for _, value in pairs(type(values) == "table" and values or {}) do
@@ -234,7 +233,7 @@ local function loads_on_parts(loads)
   if type(loads) ~= "table" then return loads end
   local function parts(on)
     if compound.is(on) then return on.parts end
-    return list_shape.length(on) and lists.map(on, parts) or on
+    return lists.length(on) and lists.map(on, parts) or on
   end
   local expanded = {}
   for name, load in pairs(loads) do

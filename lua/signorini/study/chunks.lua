@@ -1,7 +1,6 @@
 -- Packs the cases of a study into chunks of about equal cost, one per task of a job array.
 
 local lists = require "signorini.call.lists"
-local median = require "signorini.call.median"
 
 local chunks = {}
 
@@ -49,7 +48,7 @@ function chunks.pack(list, seconds, options)
   local costs, known, total = {}, {}, 0
   for _, case in ipairs(list) do known[#known + 1] = seconds(case) end
   for _, case in ipairs(list) do
-    costs[case] = seconds(case) or #known > 0 and median(known) or 1
+    costs[case] = seconds(case) or #known > 0 and lists.median(known) or 1
     total = total + costs[case]
   end
   local count = #known > 0 and count_of(total, options.slots, options.limit) or per_slot * options.slots

@@ -11,7 +11,6 @@ local filter = require "signorini.study.filter"
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local format_table = require "signorini.output.table"
 local lists = require "signorini.call.lists"
-local median = require "signorini.call.median"
 local outcomes = require "signorini.study.outcomes"
 local pictures = require "signorini.study.pictures"
 local types = require "signorini.call.types"
@@ -100,7 +99,7 @@ local function merge(rows, name)
       end
     end
   end
-  for key, list in pairs(numbers) do merged[key] = median(list) end
+  for key, list in pairs(numbers) do merged[key] = lists.median(list) end
   for _, row in ipairs(rows) do
     if row.failed then merged.failed, merged.outcome, merged.reason = true, row.outcome, row.reason end
   end

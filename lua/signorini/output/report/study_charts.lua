@@ -3,7 +3,6 @@
 local core = require "signorini.core"
 local figure = require "signorini.output.report.figure"
 local lists = require "signorini.call.lists"
-local median = require "signorini.call.median"
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local pictures = require "signorini.study.pictures"
 local values = require "signorini.study.values"
@@ -39,7 +38,7 @@ local function is_wide(study, name)
   if not numeric then return false end
   local low, high = math.huge, -math.huge
   for _, number in ipairs(numbers) do low, high = math.min(low, number), math.max(high, number) end
-  return low > 0 and high >= wide * low and median(numbers) < 0.25 * (low + high)
+  return low > 0 and high >= wide * low and lists.median(numbers) < 0.25 * (low + high)
 end
 
 --- The parameters with several values, the one along x first: the first with numbers, or else the first.
