@@ -8,8 +8,8 @@
 -- loading it also has the fields `name` and `text`. may_be_empty: the table may be omitted. repeats: the last row
 -- describes any number of further arguments. unchecked: the function checks its arguments itself. head: the first line,
 -- if it cannot be made from the rows. more: text after the rows. example: code or a list of it. returns: the type of
--- the result, or a list of the types of several results, {} for none; a function that returns a table of its own may
--- have fields instead, their rows. The page of a type, such as "run", has fields: rows of the fields of its objects,
+-- the result, or a list of the types of several results, if any; a function that returns a table of its own may have
+-- fields instead, their rows. The page of a type, such as "run", has fields: rows of the fields of its objects,
 -- and arguments and returns if these can be called. as_given: the function receives the table as it was given, checked,
 -- without defaults. rows: rows that other pages use by the page's name. entries = { noun, type, text }: entries of the
 -- table of named arguments without a name. A row is { key, type, text, default = …, otherwise = "the default in words",
@@ -154,10 +154,10 @@ function pages.shown(page)
   return lists.joined({ { ("<%s>"):format(noun), of, text } }, rows)
 end
 
---- The types of a function's results; nil if its page does not have them.
+--- The types of a function's results.
 function pages.results(page)
-  if not page.returns then return page.fields and { { kind = "named", rows = page.fields, is_result = true } } end
-  return page.returns.kind and { page.returns } or page.returns
+  if page.returns then return page.returns.kind and { page.returns } or page.returns end
+  return page.fields and { { kind = "named", rows = page.fields, is_result = true } } or {}
 end
 
 --- The name of the page of a type, by the name of its objects in messages: "map" of a convergence map.

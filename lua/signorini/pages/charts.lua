@@ -52,8 +52,7 @@ are in the units of the data. In all texts u_y and x_{max} are set as subscripts
   { "sg.heatmap", [[Returns a heat map (colored cells of equal size) as a picture, and writes it to `file` if given:
 numbers with a color bar, or categories with a legend. Subscripts and superscripts are as in sg.chart.]],
     named = heatmap,
-    returns = t.object "picture",
-    example = {
+    returns = t.object "picture", example = {
       [[sg.heatmap{ file = "map.png", x = {"N2", "N4"}, y = {10, 20}, values = { {0.3, 0.1}, {0.2, 0.05} } }]],
       [[sg.heatmap{ file = "map.png", x = {"N2", "N4"}, y = {10, 20}, texts = { {"", 12}, {35, 11} },
   categories = { { name = "converged" }, { name = "diverged" } },

@@ -28,32 +28,27 @@ return {
     example = "sg.nurbs.curve{ degree = 2, knots = {0, 0, 0, 1, 1, 1}, points = {{0, 0}, {1, 2}, {2, 0}} }" },
   { "sg.nurbs.surface", "Returns a tensor-product NURBS surface in 2D or 3D.",
     named = tensor(2),
-    returns = patch,
-    example = [[
+    returns = patch, example = [[
 sg.nurbs.surface{ degrees = {1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}},
                   points = {{0, 0}, {1, 0}, {0, 1}, {1, 1}} }]] },
   { "sg.nurbs.volume", "Returns a tensor-product NURBS volume; points run fastest in xi1, then in xi2.",
     named = tensor(3),
-    returns = patch,
-    example = [[
+    returns = patch, example = [[
 sg.nurbs.volume{ degrees = {1, 1, 1}, knots = {{0, 0, 1, 1}, {0, 0, 1, 1}, {0, 0, 1, 1}},
                  points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
                            {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 2}} }]] },
   { "sg.nurbs.line", "Returns a straight line of degree 1.",
     named = { { "from", t.point, "first end", unit = "length" },
               { "to", t.point_like "from", "other end", unit = "length" } },
-    returns = patch,
-    example = "sg.nurbs.line{ from = {0, 0}, to = {3, 0} }" },
+    returns = patch, example = "sg.nurbs.line{ from = {0, 0}, to = {3, 0} }" },
   { "sg.nurbs.arc", [[Returns an exact circular arc of degree 2, one segment per 90 degrees or part of them;
 counterclockwise if the angle increases. A center in 3D gives an arc parallel to the x-y plane.]],
     named = { radius, { "from", t.number, "first angle", unit = "degrees" },
               { "to", t.number, "last angle", unit = "degrees" }, center },
-    returns = patch,
-    example = "sg.nurbs.arc{ radius = 0.5, from = 180, to = 360 }" },
+    returns = patch, example = "sg.nurbs.arc{ radius = 0.5, from = 180, to = 360 }" },
   { "sg.nurbs.circle", "Returns a full circle of four exact quarter arcs of degree 2.",
     named = { radius, center },
-    returns = patch,
-    example = "sg.nurbs.circle{ radius = 1 }" },
+    returns = patch, example = "sg.nurbs.circle{ radius = 1 }" },
   { "sg.nurbs.ruled", [[Returns the ruled surface between two curves, or the ruled volume between two surfaces, which
 are first brought to common degrees and knots; the new direction is the last one.]],
     named = { { "a", patch, "start" }, { "b", patch, "end" } },
@@ -75,8 +70,7 @@ are first brought to common degrees and knots; the new direction is the last one
               { "angle", t.number, "", default = 360, unit = "degrees" } },
     more = [[With the default axis of a plane patch, x is the radius as in axisymmetric models, and a right-handed patch
 at x > 0 gives a right-handed volume.]],
-    returns = patch,
-    example = {
+    returns = patch, example = {
       "sg.nurbs.revolve{ patch = sg.nurbs.line{ from = {1, 0, 0}, to = {1, 0, 2} }, angle = 180 }",
       "sg.nurbs.revolve{ patch = sg.shapes.rectangle{ width = 1, height = 2, corner = {3, 0} }, angle = 90 }" } },
   { "sg.nurbs.coons", [[Returns a Coons patch: the surface between four boundary curves, or the volume between six
@@ -85,8 +79,7 @@ boundary surfaces, whose corners meet. west and east run along xi2, south and no
               { "south", patch, "where xi2 starts" }, { "north", patch, "where xi2 ends" },
               { "front", patch, "where xi3 starts; for volumes", optional = true },
               { "back", patch, "where xi3 ends; for volumes", optional = true } },
-    returns = patch,
-    example = [[
+    returns = patch, example = [[
 line = sg.nurbs.line
 sg.nurbs.coons{ west = line{ from = {0, 0}, to = {0, 1} }, east = line{ from = {1, 0}, to = {1, 2} },
                 south = line{ from = {0, 0}, to = {1, 0} }, north = line{ from = {0, 1}, to = {1, 2} } }]],
@@ -101,8 +94,7 @@ several patches. The format is detected from the beginning of the file:]],
 The list has the fields `interfaces`, { { "1.east", "2.west" }, … }, and `boundaries`, { name = { "1.north", … } }, as
 far as the file has them; in MFEM's files the name of a boundary is its attribute. Errors in a file are reported with
 file and line.]],
-    returns = patch_types.several,
-    example = [=[
+    returns = patch_types.several, example = [=[
 sg.shapes.half_annulus{ inner = 1, outer = 2 }:write "bracket.xml"
 bracket = sg.nurbs.read("bracket.xml")[1]]=] },
   { "sg.nurbs.write", [[Writes a patch or a list of patches to a file, atomically; knots, weights and control points are
@@ -115,6 +107,5 @@ match point by point) and boundaries.]],
   "mfem":    .mesh, MFEM NURBS mesh v1.0; neighbors must run along their common edges in the same direction. The
              attributes of the sides of one patch are west 1, east 2, south 3, north 4, front 5, back 6; of several the
              numbers of the boundaries by name, other faces the next number]],
-    returns = {},
     example = 'sg.nurbs.write("annulus.txt", sg.shapes.half_annulus{ inner = 1, outer = 2 })' },
 }

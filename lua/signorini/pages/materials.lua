@@ -56,43 +56,37 @@ return {
     "Returns a compressible neo-Hookean material, W = lambda/2 (ln J)^2 + mu/2 (tr C - 3) - mu ln J. " .. in_2d,
     named = constants,
     more = "Source: (3.29) of " .. thesis .. ".",
-    returns = t.object "material",
-    example = "sg.neo_hookean{ E = 1, nu = 0.3 }" },
+    returns = t.object "material", example = "sg.neo_hookean{ E = 1, nu = 0.3 }" },
   { "sg.linear_elastic", [[Returns a linear elastic material (Hooke's law of small strains), sigma = lambda tr(eps) I +
 2 mu eps; contact still follows the deformed surface. ]] .. in_2d,
     named = constants,
     more = "Source: linear elasticity; its use: share/doc/theory.md, Bodies.",
-    returns = t.object "material",
-    example = "sg.linear_elastic{ E = 1, nu = 0.3 }" },
+    returns = t.object "material", example = "sg.linear_elastic{ E = 1, nu = 0.3 }" },
   { "sg.mooney_rivlin",
     "Returns a Mooney-Rivlin material, W = c10 (I1' - 3) + c01 (I2' - 3) + K/4 (J^2 - 1 - 2 ln J). " .. in_2d,
     named = { modulus("c10", "modulus of I1'"), modulus("c01", "modulus of I2'"), bulk },
     more = isochoric .. [[The shear modulus is 2 (c10 + c01).
 Source: M. Mooney, J. Appl. Phys. 11, 1940; R. S. Rivlin, Phil. Trans. R. Soc. A 241, 1948]] .. sources,
-    returns = t.object "material",
-    example = "sg.mooney_rivlin{ c10 = 0.4, c01 = 0.1, K = 50 }" },
+    returns = t.object "material", example = "sg.mooney_rivlin{ c10 = 0.4, c01 = 0.1, K = 50 }" },
   { "sg.yeoh", [[Returns a Yeoh material, W = c10 (I1' - 3) + c20 (I1' - 3)^2 + c30 (I1' - 3)^3 + K/4 (J^2 - 1 - 2 ln
 J), whose stiffness depends on the stretch. ]] .. in_2d,
     named = { modulus("c10", "half of the shear modulus"), modulus("c20", "second modulus, often negative", 0),
               modulus("c30", "third modulus", 0), bulk },
     more = isochoric .. [[Without c20 and c30 it is neo-Hookean.
 Source: O. H. Yeoh, Rubber Chem. Technol. 66, 1993]] .. sources,
-    returns = t.object "material",
-    example = "sg.yeoh{ c10 = 0.5, c20 = -0.01, c30 = 0.001, K = 50 }" },
+    returns = t.object "material", example = "sg.yeoh{ c10 = 0.5, c20 = -0.01, c30 = 0.001, K = 50 }" },
   { "sg.ogden", [[Returns an Ogden material, the sum of mu/alpha (l1'^alpha + l2'^alpha + l3'^alpha - 3) over its terms
 and K/4 (J^2 - 1 - 2 ln J), with the principal stretches l' = J^(-1/3) l. ]] .. in_2d,
     named = ogden,
     more = [[The shear modulus is half of the sum of mu alpha; some programs have 2 mu/alpha^2 in place of mu/alpha.
 Source: R. W. Ogden, Proc. R. Soc. A 326, 1972]] .. sources,
-    returns = t.object "material",
-    example = "sg.ogden{ mu = {0.63, 0.0012, -0.01}, alpha = {1.3, 5, -2}, K = 20 }" },
+    returns = t.object "material", example = "sg.ogden{ mu = {0.63, 0.0012, -0.01}, alpha = {1.3, 5, -2}, K = 20 }" },
   { "sg.saint_venant_kirchhoff", [[Returns a Saint Venant-Kirchhoff material, W = lambda/2 (tr E)^2 + mu tr E^2 with
 Green's strain E: Hooke's law for large rotations and small strains. It softens under compression and is unstable
 there. ]] .. in_2d,
     named = constants,
     more = "Source: P. Wriggers, Nonlinear Finite Element Methods, Springer, 2008.",
-    returns = t.object "material",
-    example = "sg.saint_venant_kirchhoff{ E = 1, nu = 0.3 }" },
+    returns = t.object "material", example = "sg.saint_venant_kirchhoff{ E = 1, nu = 0.3 }" },
   { "sg.hyperelastic", [[Returns an elastic material from its energy per undeformed volume: a function that is called
 once with symbols for the invariants or for the principal stretches, to read its formula. ]] .. in_2d,
     named = law,
@@ -101,8 +95,7 @@ those of the change of shape alone are J^(-2/3) * I1 and J^(-4/3) * I2. A formul
 help "formulas"; ==, < and > of symbols are errors, but == of a symbol and a number is false and a symbol counts as
 true, which Lua does not report: write no if. The energy must have zero stress and positive moduli without strain. A
 run warns where the law becomes unstable (share/doc/theory.md). Checkpoints and studies hold the formula.]],
-    returns = t.object "material",
-    example = { [[
+    returns = t.object "material", example = { [[
 sg.hyperelastic{ energy = function(I1, I2, J)
   return 0.2 * (I1 - 3) - 0.4 * sg.log(J) + 0.5 * sg.log(J)^2
 end }]], [[

@@ -22,9 +22,7 @@ local constants = lists.joined(change, {
 constants.hints, constants.conflict = change.hints, change.conflict
 
 return {
-  title = "Low-level methods: user-defined loops",
-  word = "methods",
-  
+  title = "Low-level methods: user-defined loops", word = "methods",
   names("body", "bodies", '{"die", "slab"}'),
   names("support", "supports", '{"bed", "grip"}'),
   names("load", "loads", "{}"),
@@ -32,26 +30,21 @@ return {
   names("tie", "ties", "{}"),
   { "model:body", "Returns a body of the model.",
     arguments = { { "name", t.name(function(model) return model:body_names() end), "name of a body" } },
-    returns = t.object "body",
-    example = "model:body \"slab\"" },
+    returns = t.object "body", example = "model:body \"slab\"" },
   { "model:driven_names", [[Returns the names of the supports and loads that stages can change: supports that drive or
 rotate, then loads.]],
-    returns = t.list(t.text),
-    example = "model:driven_names()  --> {\"grip\"}" },
+    returns = t.list(t.text), example = "model:driven_names()  --> {\"grip\"}" },
   { "model:driven", [[Returns the components that stages prescribe, in order: {"x", "y"} (in 3D also "z") of a driven
 support or a traction, {"angle"} of a support that rotates (after its driven components), {"pressure"}, {"moment"}.]],
     arguments = { driven },
-    returns = t.list(t.text),
-    example = "model:driven \"grip\"  --> {\"x\", \"y\"}" },
+    returns = t.list(t.text), example = "model:driven \"grip\"  --> {\"x\", \"y\"}" },
   { "model:set_target", "Sets the components of a support or load at the end of the next step.",
     arguments = { driven, { "target", t.numbers(), "one number per driven component",
                             unit = "lengths, degrees, force per area" } },
-    returns = {},
     example = "model:set_target(\"grip\", {0, -0.11})" },
   { "model:target", "Returns the components of a support or load in the last accepted state.",
     arguments = { driven },
-    returns = t.numbers(),
-    example = "model:target \"grip\"" },
+    returns = t.numbers(), example = "model:target \"grip\"" },
   { "model:solve_step", [[Runs Newton's method from the current state (after model:accept and model:rollback: the
 accepted one) to the targets, without accepting the result. Returns { converged, reason, iterations, message, residuals,
 energies, parts }: residuals: norms of f; energies: |f·Δu| of each iteration; parts: fractions of the corrections that a
@@ -59,8 +52,7 @@ line search took; reason: "converged", "iterations" (the limit was reached), "di
 "inverted", "singular", "nan", "line_search", "penetration", "crossed" or "interrupted".]],
     named = rows.step, may_be_empty = true,
     more = "Source of freeze_active_set: V. Agrawal, thesis, IIT Guwahati 2020, 4.5.2.",
-    returns = t.record(table.unpack(outcome)),
-    example = [[
+    returns = t.record(table.unpack(outcome)), example = [[
 model:set_target("grip", {0, -0.11})
 if model:solve_step{}.converged then model:accept() else model:rollback() end]] },
   { "model:iterate", [[Performs one iteration of model:solve_step: evaluates the residual and, unless that ends the
@@ -68,8 +60,7 @@ step, solves and updates the unknowns. The first iteration after model:accept, r
 set_contact or set_penalty_factor starts a step. Returns the result of model:solve_step so far; reason is "iterating"
 until the step ends.]],
     named = "model:solve_step", may_be_empty = true,
-    returns = t.record(table.unpack(outcome)),
-    example = [[
+    returns = t.record(table.unpack(outcome)), example = [[
 model:set_target("grip", {0, -0.12})
 repeat local now = model:iterate{} until now.reason ~= "iterating"]] },
   { "model:solve_arc", [[Solves one arc-length increment: follows the path towards the targets by a given distance from
@@ -77,59 +68,49 @@ the accepted state. The fraction of the targets is an unknown, so that turning p
 root mean square of the displacement over the volume of all bodies, independent of the mesh (a rigid obstacle counts as
 much as all bodies together). The result is not accepted; the targets become those reached. Returns the result of
 model:solve_step and fraction: 0 at the accepted state, 1 at the targets.]], named = rows.arc,
-    returns = t.record("fraction", t.number, table.unpack(outcome)),
-    example = [[
+    returns = t.record("fraction", t.number, table.unpack(outcome)), example = [[
 model:set_target("grip", {0, -0.13})
 local result = model:solve_arc{ length = 0.01 }
 if result.converged then model:accept() else model:rollback() end]] },
   { "model:last_length", [[Returns the root mean square over all bodies of the last accepted step's displacement, a
 scale for `length` of model:solve_arc.]],
-    returns = t.number,
-    example = "model:last_length()" },
+    returns = t.number, example = "model:last_length()" },
   { "model:set_contact", [[Changes constants of a contact for the next step, as stages of model:run do; constants that
 are not given keep their values. Two half passes change together. model:rollback restores the constants of the accepted
 state. model:contact_law returns the present ones.]],
     arguments = { { "name", t.name(function(model) return model:contact_names() end), "a contact" },
                   { "constants", t.named(constants), "those that change" } },
     rows = constants,
-    returns = {},
     example = 'model:set_contact("interface", { penalty = 200 })' },
   { "model:set_penalty_factor", [[Sets the factor by which the penalty parameters of all contacts, as given to sg.model,
 are multiplied, for example to increase penalties along the path. model:rollback restores the factor of the accepted
 state.]],
     arguments = { { "factor", t.positive, "of all penalty parameters" } },
-    returns = {},
     example = "model:set_penalty_factor(0.5)" },
   { "model:penalty_factor", "Returns the factor set by model:set_penalty_factor; initially 1.",
-    returns = t.number,
-    example = "finer:penalty_factor()  --> 1.0" },
+    returns = t.number, example = "finer:penalty_factor()  --> 1.0" },
   { "model:accept", [[Makes the current state the accepted one and updates the slip points. It is an error if the
 current step has not converged, if points have passed through the master of a contact in it, or if targets were changed
 and not solved for.]],
-    returns = {},
     example = [[
 model:rollback()
 model:set_target("grip", {0, -0.1})
 if model:solve_step{}.converged then model:accept() end]] },
   { "model:rollback", [[Returns to the accepted state: displacements, targets, penalties, contact. Call it after a
 failed step.]],
-    returns = {},
     example = "model:rollback()" },
   { "model:snapshot", [[Returns a copy of the accepted state with its contact history, for model:restore. Call it
 between steps.]],
-    returns = t.object "snapshot",
-    example = "before = model:snapshot()" },
+    returns = t.object "snapshot", example = "before = model:snapshot()" },
   { "model:restore", "Returns to a state saved by model:snapshot().",
     arguments = { { "snapshot", t.object "snapshot", "made by model:snapshot()" } },
-    returns = {},
     example = "model:restore(model:snapshot())" },
   { "snapshot", "A saved state of a model, made by model:snapshot, for model:restore." },
   { "model:residual", [[Returns the unbalanced force f_int + f_c - f_ext at the current displacements and the current
 targets' loads: one number for each unknown (see model:unknowns). Prescribed displacements that no iteration has applied
 yet are not included. Of the accepted state it is that of the next step, whose slips start there; results stay those of
 the step that led to the state.]],
-    returns = t.numbers(),
-    example = "#model:residual()" },
+    returns = t.numbers(), example = "#model:residual()" },
   { "model:tangent", [[Returns the consistent tangent, the derivative of model:residual, as triplets { size, rows,
 columns, values }: entry k of the matrix is in row rows[k] and column columns[k], counted from 1; sorted by column, then
 by row.]],
@@ -141,14 +122,12 @@ that share an unknown, the first one; { support, component } for an obstacle tha
     returns = t.list(t.record("body? support?", t.text, "point?", t.count, "component", t.text)),
     example = "model:unknowns()[1].body  --> \"die\"" },
   { "model:displacements", [[Returns the current displacement of each unknown, in the order of model:unknowns.]],
-    returns = t.numbers(),
-    example = "#model:displacements()" },
+    returns = t.numbers(), example = "#model:displacements()" },
   { "model:move", [[Adds a given increment Δu to the unknowns. The first move after model:set_target also sets the
 prescribed displacements to their targets: start a step with a move of zeros. model:accept accepts the state if its
 residual is within the tolerance of model:solve_step{}; model:rollback discards it; model:iterate and model:solve_step
 continue from it.]],
     arguments = { { "du", t.numbers(), "increment of each unknown, in the order of model:residual" } },
-    returns = {},
     example = [[
 local zeros = {}
 for i = 1, #model:residual() do zeros[i] = 0 end
@@ -156,8 +135,7 @@ model:move(zeros)
 model:rollback()]] },
   { "model:unconstrained_bodies", [[Returns the names of the unconstrained bodies: those with rigid-body modes that no
 support prevents; and those of the supports that free obstacles which no spring holds.]],
-    returns = t.list(t.text),
-    example = "model:unconstrained_bodies()" },
+    returns = t.list(t.text), example = "model:unconstrained_bodies()" },
   { "model:diagnose", [[Diagnoses why the last solve_step, iterate or solve_arc failed; call it before model:rollback.
 Returns { reason, message, cure, places, unbalanced }: reason is one of model:solve_step's, "indefinite" or
 "friction_exhausted"; places is a list of { kind, body or contact, element or point, X, x, value, text }, the worst
@@ -177,7 +155,6 @@ bounding-box tree, measured after model:time_search(true).]],
   { "model:time_search", [[Switches the timing of contact search in model:timings on or off. It reads a clock twice per
 projected contact point, about 50 ns.]],
     arguments = { { "wanted", t.flag, "whether to measure; initially false" } },
-    returns = {},
     example = "model:time_search(true)" },
   { "model:solver", [[Returns { linear, unknowns, patterns, factorizations, solutions, iterations, factor_operations,
 factor_memory, memory }: the linear solver in use, the size of its systems, the number of sparse patterns analyzed;

@@ -149,8 +149,7 @@ are directions of view, not names of faces]],
     },
     more = [[In .svg and .pdf, lines and texts are vectors, fields and surfaces are images. Surfaces of solids are
 slightly shaded: those that face the light have the colors of the bar.]],
-    returns = t.object "picture",
-    example = {
+    returns = t.object "picture", example = {
       [[sg.picture{ model = model, field = "uy", file = "die.png" }]],
       [[sg.picture{ model = model, field = "syy", contours = true, mesh = false, file = "levels.png" }]],
       [[sg.picture{ model = model, vectors = "displacement", axes = {"r in mm", "z in mm"}, file = "arrows.png" }]],
@@ -171,8 +170,7 @@ color bar share a range of colors; "own": each has its own range and bar; {low, 
 all]], default = "shared" },
       (paper "1600 x 2000"), scale, transparent, file,
     },
-    returns = t.object "picture",
-    example = {
+    returns = t.object "picture", example = {
       [[local pictures = {}
 model:run(stages, { on_step = function(info)
   if info.step % 2 == 0 then pictures[#pictures + 1] = sg.picture{ model = model, field = "uy" } end
@@ -192,7 +190,6 @@ numbered from 1]] },
       { "size", size, "as in sg.picture", otherwise = "that of the first picture", unit = "pixels" },
       scale, transparent,
     },
-    returns = {},
     example = [[local pictures = {}
 for i, state in ipairs(run:states()) do pictures[i] = sg.picture{ state = state, field = "uy", size = 800 } end
 sg.film{ pictures, file = "press-%02d.png" }]] },
@@ -201,7 +198,6 @@ model. picture:write writes it; sg.sheet and sg.film combine it with others.]],
     example = [[print(sg.picture{ model = model, field = "uy" })]] },
   { "picture:write", "Writes the picture to a file, atomically.",
     arguments = { { "file", t.text, "file name that ends with .png, .svg or .pdf" } },
-    returns = {},
     example = [[sg.picture{ model = model, field = "uy" }:write "die.pdf"]] },
 }
 
@@ -210,23 +206,19 @@ return lists.merged(list, lists.joined(list, {
   { "picture:show", [[Shows the picture in the terminal, in the size of the window. It is an error if the output is not
 a terminal and the picture was made without `file`. At the prompt, a picture without `file` that is the result of a line
 is shown as well. The option --pictures chooses how.]],
-    returns = {},
     example = [[sg.chart{ file = "square.png", x = {1, 2, 3}, { y = {1, 4, 9} } }:show()]] },
   { "model:show", [[Shows the model's current state in the terminal, as sg.picture draws it, and writes it to `file` if
 given. Without a terminal `file` is needed.]],
     named = rows_without(picture, "model state patch states fps names"), head = "model:show{ … }",
     may_be_empty = true, as_given = true,
-    returns = {},
     example = [[model:show{ field = "uy", file = "die.png" }]] },
   { "state:show", "Shows a state stored by a run in the terminal, and writes it to `file` if given: as model:show.",
     named = "model:show", may_be_empty = true, as_given = true,
-    returns = {},
     example = [[run:states()[2]:show{ field = "uy", file = "state.png" }]] },
   { "patch:show", [[Shows a patch in the terminal, as sg.picture draws it, and writes it to `file` if given. Without a
 terminal `file` is needed.]],
     named = rows_without(picture, [[model state patch states fields columns fps field factor label range contours
 bar colormap bodies deformed undeformed vectors obstacles mirror cut]]), head = "patch:show{ … }",
     may_be_empty = true, as_given = true,
-    returns = {},
     example = [[patch:show{ control_points = true, file = "patch.png" }]] },
 }))

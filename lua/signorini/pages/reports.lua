@@ -57,7 +57,6 @@ machine and time of the solution.]],
     more = [[
 Equal studies give equal pages, except for the section on program, machine and time. The script is shown as it is when
 the report is written.]],
-    returns = {},
     example = { [[study:report "study.html"]],
       [[study:report{ file = "errors.html", title = "Errors of both discretizations",
   charts = { { x = "mesh", y = "error", series = "order", log = "y" } } }]] } },
@@ -73,7 +72,6 @@ failure in words.)]],
         "field that colors the stored states; false: states are not drawn",
         otherwise = "von_mises, if no pictures are given" },
     }),
-    returns = {},
     example = { [[run:report "run.html"]],
       [[run:report{ file = "press.html", field = "uy", charts = { { y = {"grip.fx", "grip.fy"}, ylabel = "force" } } }]]
     }
@@ -82,6 +80,5 @@ failure in words.)]],
 heat maps of the results, the table of cells, and the reports of those that failed.]],
     head = 'map:report "x.html" or { file, … }',
     arguments = arguments("the map's name", {}),
-    returns = {},
     example = [[map:report "map.html"]] },
 }

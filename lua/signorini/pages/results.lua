@@ -41,8 +41,7 @@ error_rows.conflict = function(values)
 end
 
 return {
-  title = "Results of a model",
-  word = "results",
+  title = "Results of a model", word = "results",
   { "model:profile", [[Returns lists along the slave face, one entry per contact point: x, y (current), X, Y
 (reference), area (current, on which the traction acts; 0 at an open point; with adhesion the reference area, of bonds
 also where they are open), inside (1 in the contact area, see model:contact_resultant, otherwise 0), pressure, traction
@@ -67,8 +66,7 @@ on the slave. Reading any other field is an error.]],
 contact points of a slave face, on which xi must be]] },
       { "xi", t.worded(t.point, "a list of 2 numbers {xi1, xi2}, in 3D of 3"), "parametric coordinates" },
     },
-    returns = t.number,
-    example = "model:sample(\"slab\", \"uy\", {0.5, 1})" },
+    returns = t.number, example = "model:sample(\"slab\", \"uy\", {0.5, 1})" },
   { "model:energy", [[Returns { stored, contact, friction, work, area_growth, debonding }: strain energy of the bodies,
 and that of springs of supports; energy of penalty springs and bonds, or of adhesion; and, summed over accepted steps
 (trapezoidal rule), dissipation by friction; work of supports, of loads and of changing offsets and overlaps of
@@ -85,13 +83,11 @@ fx, fy, fz, moment.]],
       local names = model:support_names()
       return table.move(model:load_names(), 1, #model:load_names(), #names + 1, names)
     end), "a support or a load" } },
-    returns = force,
-    example = "model:reaction(\"grip\").fy" },
+    returns = force, example = "model:reaction(\"grip\").fy" },
   { "model:free_motion", [[Returns the motions of an obstacle that are unknowns, by name: ux, uy, uz of its translation
 as far as its support frees them, and its angle if that is free. Empty for other supports.]],
     arguments = { { "name", t.name(function(model) return model:support_names() end), "a support" } },
-    returns = t.table(),
-    example = "model:free_motion(\"grip\")" },
+    returns = t.table(), example = "model:free_motion(\"grip\")" },
   { "model:contact_law", [[Returns the constants of a contact: { method, enforcement, per, points, penalty,
 default_penalty, active, offset }, as given to sg.model or by default, in the present state; default_penalty is true
 where the penalty is from material and mesh. With friction also mu, friction_penalty; with overlap = "interference"
@@ -133,15 +129,13 @@ elements of the slave face, which are divided at the borders of the master's ele
 3D), the tied reference area, its fraction of the slave face, and the largest distance of the two faces in the reference
 shape (relative to the elements there).]],
     arguments = { a_tie },
-    returns = t.record("fx fy fz? area part distance", t.number),
-    example = "coated:tie_resultant(\"seam\").fy" },
+    returns = t.record("fx fy fz? area part distance", t.number), example = "coated:tie_resultant(\"seam\").fy" },
   { "sg.profile_error", [[Returns the L2 error sqrt(integral of ((p - p_ref)/N)^2 ds) of a contact profile against a
 reference, and { from, to, points, scale, covered }: the range and the number of points of the integral, N, and the
 fraction of the zone (where either one touches) that the range covers. Ranges that do not overlap are an error.]],
     named = error_rows,
     more = "Source: V. Agrawal, thesis, IIT Guwahati 2020, eq. (7.2), which leaves the points of the integral open.",
-    returns = { t.number, t.record("from to", t.number, "points", t.count, "scale covered", t.number) },
-    example = [[
+    returns = { t.number, t.record("from to", t.number, "points", t.count, "scale covered", t.number) }, example = [[
 sg.profile_error{ profile = model:profile "interface", reference = finer:profile "interface", normalize = "max" }]] },
   { "sg.profile_edges", [[Returns the ends of the contact zone of a profile: { from, to, from_spacing, to_spacing }. An
 edge is where the gap is zero, linear between the last point inside the contact area and the first one outside; the

@@ -224,8 +224,7 @@ load.conflict = function(values, given)
 end
 
 return {
-  title = "Models and load paths",
-  word = "solving",
+  title = "Models and load paths", word = "solving",
   { "sg.model", [[Returns a model: a scene of plane bodies or of solids with its state. All parts are tables with names
 as keys. Plane strain has unit depth; under plane stress forces and energies refer to a plate whose undeformed thickness
 is 1, and pressures of contacts to the current length and the undeformed thickness; in an axisymmetric model x is the
@@ -247,8 +246,7 @@ several patches are named after it: "ball.1", "ball.2", …]] },
         otherwise = '"plane_strain" for plane bodies' },
     },
     more = 'The load path: help "stage".',
-    returns = t.object "model",
-    example = { [[
+    returns = t.object "model", example = { [[
 sg.model{
   bodies   = { die = die, slab = slab },
   supports = { bed  = { on = slab:face "south", fix = "xy" },

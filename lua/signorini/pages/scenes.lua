@@ -23,8 +23,7 @@ local function scene(page)
 end
 
 return {
-  title = "Ready scenes",
-  word = "scenes",
+  title = "Ready scenes", word = "scenes",
   scene { "sg.scenes.ironing", [[Returns a plane model of a half ring above a soft slab, and the path that presses it
 down and drags it along: m, path = sg.scenes.ironing{}; m:run(path).]],
     named = { order "N2-N2.2", refinement(), mu(0.2),

@@ -42,8 +42,7 @@ stages.of.names = function(model) return model:driven_names() end
 local a_step = { "step", t.count, "number of the step; a failed step follows the last row" }
 
 return {
-  title = "Models and load paths",
-  word = "solving",
+  title = "Models and load paths", word = "solving",
   { "model", [[A scene with its accepted and its current state, made by sg.model; print(model) shows its size and its
 parts, their positions and the contacts that touch; tostring(model) shows its size. model:run solves it along a load
 path; help "results" and help "methods" list the other methods.]] },
@@ -53,8 +52,7 @@ distance that are tied, functions of loads whose resultant Gauss points miss by 
 above 3, penalties above 1e8 times the stiffness of an element, fewer contact points per element than the degree of the
 face, weights so different that Gauss points miss a body's volume by 1 %, loads on faces whose area they miss by as
 much, contacts that act twice. run.warnings starts with these.]],
-    returns = t.list(t.text),
-    example = "model:warnings()  --> {}" },
+    returns = t.list(t.text), example = "model:warnings()  --> {}" },
   { "model:run", [[Solves a model along its load path and returns a run. A further run continues from the
 model's state; its steps are counted from 1 again.]],
     arguments = { { "stages", stages, "parts of the load path" },
@@ -90,8 +88,7 @@ slave), .area, .max_pressure, .max_penetration.
 Source: Newton's steps (4.33) to (4.35), freeze_active_set 4.5.2 of V. Agrawal, thesis, IIT Guwahati, 2020;
 augmentation: J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992); arc_length: E. Riks, J. Appl. Mech. 39 (1972), H. B.
 Keller, in Applications of Bifurcation Theory, Academic Press, 1977.]],
-    returns = t.object "run",
-    example = "model:run{ { name = \"press\", steps = 46, grip = {0, -0.23} } }" },
+    returns = t.object "run", example = "model:run{ { name = \"press\", steps = 46, grip = {0, -0.23} } }" },
   { "stage", "A part of the load path: leads in equal steps to the values at its end.",
     head = "model:run{ { name, steps, <support or load> = {…} }, … }: stages, a list",
     named = {
@@ -133,8 +130,7 @@ true,
 the last accepted state (predictor = "tangent", fallback = false, step = { adaptive = false }). Given options replace
 these. Use it to compare with other programs or published iteration counts, and to find where Newton's method fails.]],
     named = "model:run", may_be_empty = true, as_given = true,
-    returns = t.named "model:run",
-    example = "model:run(stages, sg.plain{ newton = { iterations = 50 } })" },
+    returns = t.named "model:run", example = "model:run(stages, sg.plain{ newton = { iterations = 50 } })" },
   { "run", [[The result of model:run; print(run) shows a short table, with fallbacks, cuts and other controls. Methods:
 run:column, run:columns, run:csv, run:hdf5, run:states, run:attempts, run:residuals.]],
     fields = {
@@ -169,15 +165,13 @@ probably have (judged by displacements and released energy); stages whose energy
 work]] },
     } },
   { "run:columns", "Returns the names of all columns, in order.",
-    returns = t.list(t.text),
-    example = "for _, name in ipairs(run:columns()) do print(name) end" },
+    returns = t.list(t.text), example = "for _, name in ipairs(run:columns()) do print(name) end" },
   { "run:column", [[Returns the values of a column, one per converged step, with arc_length = true also for
 increments between steps, so that the last value is column[#column]: "step", its "increments", "iterations" and
 "wall" (s) including failed attempts, "<support>.fx" (reaction), "<support>.ux" (value of a driven component),
 "<contact>.area" and so on; columns that on_step returns are nan where it returned none.]],
     arguments = { { "name", t.name(function(run) return run:columns() end), "a column" } },
-    returns = t.numbers(nil, true),
-    example = "run:column \"grip.fy\"" },
+    returns = t.numbers(nil, true), example = "run:column \"grip.fy\"" },
   { "run:attempts", [[Returns the attempts at a converged or failed step: a list of { from, to, converged, reason,
 iterations, residuals, fallback, restarted }, where from and to are fractions of the step, and restarted tells whether
 the attempt started at the step's start although a part was accepted.]],
@@ -187,15 +181,13 @@ the attempt started at the step's start although a part was accepted.]],
     example = "run:attempts(1)[1].iterations" },
   { "run:residuals", "Returns the residual norms of the iterations of a step's last attempt.",
     arguments = { a_step },
-    returns = t.numbers(nil, true),
-    example = "run:residuals(run.steps)" },
+    returns = t.numbers(nil, true), example = "run:residuals(run.steps)" },
   { "run:states", [[Returns the states that a run has stored, in order, for sg.picture{ states = run:states() }: those
 selected by the option `states` of model:run; by default the start, the end of each stage and the last accepted one.]],
     returns = t.list(t.object "state"),
     example = "sg.picture{ states = run:states(), field = \"uy\", file = \"states.png\" }" },
   { "run:csv", "Writes all columns to a CSV file; a value that on_step did not return is an empty field.",
     arguments = { { "file", t.text, "name of the file" } },
-    returns = {},
     example = "run:csv \"run.csv\"" },
   { "run:hdf5", [[Writes a run to a file of HDF5 for Python (h5py), Julia, MATLAB and other programs: all columns;
 displacements, contact profiles and energies of the states that the run has stored; geometry and basis of the bodies;
@@ -203,7 +195,6 @@ outcome, warnings, script and versions. The option hdf5 of model:run writes the 
 and energies of all steps. Contents: share/doc/results.md.]],
     arguments = { { "file", t.text, "name of the file; an existing one is replaced" },
                   { "options", t.options(rows.hdf5), "" } },
-    returns = {},
     example = { "run:hdf5 \"run.h5\"", "run:hdf5(\"run.h5\", { units = { length = \"mm\", force = \"N\" } })" } },
   { "state", "An entry of run:states().",
     fields = { { "step", t.integer(0), "number of the step; 0 is the start" },
@@ -241,12 +232,10 @@ from the pattern in nested-dissection order]] },
 and a loaded copy give bitwise identical results; for this the model discards factorizations and patterns, so that the
 next step takes slightly longer. It is an error if a step, targets or penalties are not accepted yet.]],
     arguments = { { "path", t.text, "the checkpoint's file" } },
-    returns = {},
     example = "model:save \"pressed.sgn\"" },
   { "sg.load", [[Returns the model that model:save(path), or a run with checkpoints, has saved: bodies, supports, loads,
 contacts, and the accepted state with its contact history. It does not need the script that made it, and its results are
 bitwise identical to those of the saved model.]],
     arguments = { { "path", t.text, "the checkpoint's file" } },
-    returns = t.object "model",
-    example = "model = sg.load \"pressed.sgn\"" },
+    returns = t.object "model", example = "model = sg.load \"pressed.sgn\"" },
 }

@@ -83,8 +83,7 @@ local heatmap_arguments = joined({
 local function of_reports(rows) return filter(rows, function(row) return row ~= file end) end
 
 return {
-  title = "Studies",
-  word = "studies",
+  title = "Studies", word = "studies",
   { "sg.study", [[Returns a study: a function evaluated for many cases, whose results are saved. study:execute{} runs
 each case in a separate process, so variables that the function changes do not affect other cases.]],
     named = {
@@ -112,8 +111,7 @@ if what the result depends on changes. Besides its results each row has wall, th
 returned a result of that name. A case without results has failed = true, outcome ("failed", "error", "crashed", or
 "time" if it exceeded the limit of study:execute) and reason. Methods of the study: study:execute, study:row,
 study:where, study:with, study:table, study:chart and others, help "studies".]],
-    returns = t.object "study",
-    example = [[study = sg.study{ name = "steps", cases = sg.grid{ steps = {5, 10} },
+    returns = t.object "study", example = [[study = sg.study{ name = "steps", cases = sg.grid{ steps = {5, 10} },
   run = function(case)
     local run = press("N2", 1):run{ { name = "press", steps = case.steps, grip = {0, -0.1} } }
     return { force = run:column "grip.fy"[run.steps] }
@@ -123,8 +121,7 @@ sorted by name, and the last one changes fastest; several tables, sg.grid({ orde
 value that is a table is shown by its field `name`, or as 6×2. print shows the cases as a table.]],
     head = "sg.grid{ <parameter> = {…}, … }", repeats = true,
     arguments = { { "parameters", t.map(t.list(t.data, nil, 1), 1), "values by the name of the parameter" } },
-    returns = t.list(t.any),
-    example = [[#sg.grid{ order = {"N2", "N4"}, mesh = {1, 2, 3} }  --> 6]] },
+    returns = t.list(t.any), example = [[#sg.grid{ order = {"N2", "N4"}, mesh = {1, 2, 3} }  --> 6]] },
   { "study", [[The result of sg.study; #study is the number of rows, print(study) shows how many cases are done, and the
 table. Methods that select, group or add return a new study that has rows only.]],
     fields = {
@@ -148,15 +145,12 @@ false: select rows with study:where, or give series.]],
     example = [[study:chart{ x = "mesh", y = "error", series = "order", file = "error.png" }]] },
   { "study:cancel", [[Ends the jobs of Slurm and on hosts that solve cases of this study, and returns their number.
 Finished cases remain.]],
-    returns = t.integer(0),
-    example = "study:cancel()" },
+    returns = t.integer(0), example = "study:cancel()" },
   { "study:column", "Returns a parameter or result as a list over the rows, nan where it is missing.",
     arguments = { { "name", t.column, "parameter or result" } },
-    returns = t.list(t.any),
-    example = [[study:column "force"]] },
+    returns = t.list(t.any), example = [[study:column "force"]] },
   { "study:csv", "Writes the table of study:table to a CSV file, units in comments, long texts in full.",
     arguments = { { "file", t.text, "name of the file" }, { "options", t.options { columns, sort }, "" } },
-    returns = {},
     example = [[study:csv "press.csv"]] },
   { "study:execute", [[Runs the cases that are missing in the study's folder or whose inputs have changed, prints how
 many are reused and how many are to be solved, and returns the study. Each finished case is written to disk at once: if
@@ -172,8 +166,7 @@ runs the script up to this call and solves its cases; the results are the same f
 "ssh:host2" }, or --on ssh:host1,ssh:host2, a process on each host does so until no case is left. The folder, the
 script and the program must have the same names on all machines. Cases that a job is still going to solve are not solved
 by other calls. study:watch() shows their state, study:cancel() ends the jobs.]],
-    returns = t.object "study",
-    example = [[study:execute{ jobs = 2, rerun = "failed" }]] },
+    returns = t.object "study", example = [[study:execute{ jobs = 2, rerun = "failed" }]] },
   { "study:heatmap", [[Draws a number over two parameters x and y, in the order of their values in the cases. More than
 one case in a cell is an error; select cases with study:where.]],
     named = heatmap_arguments, rows = of_reports(heatmap_arguments),
@@ -183,36 +176,30 @@ one case in a cell is an error; select cases with study:where.]],
 medians of their numbers, each over the rows that have it. Use it for results that vary between repetitions, such as
 times: cases = sg.grid{ …, round = {1, 2, 3} }.]],
     arguments = { { "name", parameter, "parameter" } },
-    returns = t.object "study",
-    example = [[study:median "mesh"]] },
+    returns = t.object "study", example = [[study:median "mesh"]] },
   { "study:read", [[Reads the finished cases from the study's folder, without running any, and returns the study. It may
 be called while another process executes the study; inputs are not compared.]],
-    returns = t.object "study",
-    example = "print(study:read())" },
+    returns = t.object "study", example = "print(study:read())" },
   { "study:row", [[Returns the row with these values, a table of parameters and results by name; it is an error if no
 row or several rows match.]],
     head = [[study:row{ <column> = value, … }]],
     arguments = { { "wanted", wanted, "as in study:where" } },
-    returns = t.map(t.any),
-    example = [[study:row{ order = "N2", mesh = 1 }.force]] },
+    returns = t.map(t.any), example = [[study:row{ order = "N2", mesh = 1 }.force]] },
   { "study:table", [[Returns the text of an aligned table, with units. For cases without results, the columns outcome
 (failed, error, crashed or time) and reason are added. Texts of more than 60 characters are shortened; study.rows and
 study:csv contain them in full.]], may_be_empty = true,
     named = { columns, sort, { "formats", t.map(t.text), "patterns of string.format by the name of a column",
                                default = { wall = "%.3g" } } },
-    returns = t.text,
-    example = [[print(study:table{ columns = {"order", "mesh", "error"}, sort = "error" })]] },
+    returns = t.text, example = [[print(study:table{ columns = {"order", "mesh", "error"}, sort = "error" })]] },
   { "study:watch", [[Shows how many cases are waiting, begun by a task or a host, done and failed, until all jobs of the
 study have ended or Ctrl-C is pressed, and returns the study with the cases done so far.]],
-    returns = t.object "study",
-    example = "print(study:watch())" },
+    returns = t.object "study", example = "print(study:watch())" },
   { "study:where", [[Returns the part of a study with these values, as a study that has rows only. A value that no case
 has is an error, except with a function.]],
     head = [[study:where{ <column> = value, … } or study:where(function(row) … end)]],
     arguments = { { "wanted", wanted,
                     "values, or lists of values, by column, or a function of a row that returns true" } },
-    returns = t.object "study",
-    example = [[study:where{ order = "N2", mesh = {1, 2} }]] },
+    returns = t.object "study", example = [[study:where{ order = "N2", mesh = {1, 2} }]] },
   { "study:with", "Returns the study with an additional result, computed from each row.",
     arguments = { { "name", t.text, "name of the result" },
                   { "make", t.of_row(t.any), "function of a row that returns the value, nil where it is unknown" },
@@ -252,11 +239,9 @@ ratio[i] times b's time, nil beyond from … to; why: the reason if no error is 
       { "left_out", t.list(t.any), "{ row, why } of omitted cases" } } },
   { "comparison:front", [[Returns the text of a table of the Pareto front of time and error: the cases that no other
 case beats in both.]],
-    returns = t.text,
-    example = "print(comparison:front())" },
+    returns = t.text, example = "print(comparison:front())" },
   { "comparison:table", "Returns the text of a table of cost ratios: A's time divided by B's at equal errors.",
-    returns = t.text,
-    example = "print(comparison:table())" },
+    returns = t.text, example = "print(comparison:table())" },
   { "sg.cheapest", [[Returns the cheapest row of a study whose error is within a tolerance, and the second cheapest; if
 there is none, nil and a text about the closest case. Failed rows and rows without error or cost are ignored.]],
     arguments = {
@@ -331,8 +316,7 @@ fallback_steps, wall, report, place, results } each]] } } },
   { "map:cell", "Returns the cell at given values of the two parameters; nil if it was not solved.",
     arguments = { { "x", t.either(t.number, t.text), "value of the first parameter" },
                   { "y", t.either(t.number, t.text), "value of the second parameter" } },
-    returns = t.or_nil(t.map(t.any)),
-    example = [[map:cell("N2", 4).outcome]] },
+    returns = t.or_nil(t.map(t.any)), example = [[map:cell("N2", 4).outcome]] },
   { "map:compare", [[Compares another map of the same parameters with this one and returns { recovered, lost, both,
 neither }: recovered and lost are lists of the {x, y} that converged only in the other map or only in this one, both and
 neither are numbers of cells.]],
@@ -341,25 +325,20 @@ neither are numbers of cells.]],
     example = "#map:compare(map).recovered" },
   { "map:csv", "Writes all cells to a CSV file, with the reports of failures.",
     arguments = { { "file", t.text, "name of the file" } },
-    returns = {},
     example = [[map:csv "map.csv"]] },
   { "map:heatmap", "Draws a number of the cells, of the run or a result, as a heat map.",
     named = joined({ { "name", t.text, "such as \"iterations\"" }, file, other, titles },
       of_heatmap("label title range log colormap size",
         { label = "the name", title = "the map's name and the label" })),
-    returns = t.object "picture",
-    example = [[map:heatmap{ name = "iterations", file = "iterations.png" }]] },
+    returns = t.object "picture", example = [[map:heatmap{ name = "iterations", file = "iterations.png" }]] },
   { "map:converged", [[Returns the number of cells that converged to the end of their path, and the number of
 all cells.]],
-    returns = { t.integer(0), t.integer(0) },
-    example = "converged, cells = map:converged()" },
+    returns = { t.integer(0), t.integer(0) }, example = "converged, cells = map:converged()" },
   { "map:picture", "Draws the outcomes as a heat map.",
     named = joined({ file, { "text", t.text, "number shown in the cells: of the run, such as \"reached\", or a result",
                              default = "iterations" }, other, titles },
       of_heatmap("title size", { title = "the map's name" })),
-    returns = t.object "picture",
-    example = [[map:picture{ file = "map.png", text = "reached" }]] },
+    returns = t.object "picture", example = [[map:picture{ file = "map.png", text = "reached" }]] },
   { "map:table", "Returns the text of a table with one row per cell.",
-    returns = t.text,
-    example = "print(map:table())" },
+    returns = t.text, example = "print(map:table())" },
 }

@@ -155,15 +155,6 @@ check.case("every example runs on the scene of the examples, with the stated res
   check.equal(count > 60, true)
 end)
 
-check.case("every page of a function has the types of its results", function()
-  for _, name in ipairs(pages.names()) do
-    if (type(names.value(name)) == "function" or name == "traceback") and not pages.results(pages.find(name)) then
-      error(("%s: its page lacks returns = <type of the result>, or {} if there is none; see lua/signorini/pages.lua")
-        :format(name))
-    end
-  end
-end)
-
 check.case("every function has an example", function()
   local without = { ["model:diagnose"] = true, ["traceback"] = true }
   for _, name in ipairs(pages.names()) do
