@@ -3,13 +3,13 @@
 -- in memory, and each write replaces that on the disk as a whole.
 
 local core = require "signorini.core"
-local layer_moves = require "signorini.run.layer_moves"
+local has_moved_since = require("signorini.run.adapt").has_moved_since
 local lists = require "signorini.call.lists"
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local quantities = require "signorini.output.hdf5.quantities"
 local release = require "signorini.call.release"
 local scene = require "signorini.output.hdf5.scene"
-local stage_names = require "signorini.run.stage_names"
+local stages = require "signorini.run.stages"
 
 local form, schema = "signorini run", 1
 local most_share = 0.02 -- of a run's time for replacing the file on the disk, unless `every` is given
@@ -117,7 +117,7 @@ function Record:append_rows(run)
     self:append({ "/columns/" .. scene.link(name), values, kind = "number", entry = {}, quantity = quantity,
                   text = text, name = name }, first)
   end
-  self:append({ "/rows/stage", stage_names(run, first + 1), kind = "text", entry = {},
+  self:append({ "/rows/stage", stages.names(run, first + 1), kind = "text", entry = {},
                 text = "stage of each row of the columns" }, first)
   if self.written_names ~= #run.names then
     self.written_names = #run.names
@@ -236,7 +236,7 @@ function hdf5.write(run, file, options)
     core.fail(where .. ": a file of HDF5 holds control points once for all steps, and adapt has changed those of this "
       .. "run. Hint: export run:csv or pictures, or run without adapt")
   end
-  if layer_moves.since(run, run.model) then
+  if has_moved_since(run, run.model) then
     core.fail(where .. ": a later run with adapt has changed the control points since. Hint: write the file before "
       .. "that run, or use the option hdf5 of model:run")
   end

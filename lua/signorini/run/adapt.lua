@@ -4,9 +4,18 @@
 -- them. Accepted states, which are stored, saved and shown, are thus always in equilibrium.
 
 local core = require "signorini.core"
-local layer_moves = require "signorini.run.layer_moves"
 local lists = require "signorini.call.lists"
 local on_behalf_of = require "signorini.call.on_behalf_of"
+
+local adapt = {}
+
+-- How often the layers of a model have moved, and how often they had when a run was made.
+local moves, at_run = setmetatable({}, { __mode = "k" }), setmetatable({}, { __mode = "k" })
+
+function adapt.begin(run, model) at_run[run] = moves[model] or 0 end
+
+--- True if layers have moved since the run was made: then the model has other control points than the run's states.
+function adapt.has_moved_since(run, model) return (moves[model] or 0) ~= at_run[run] end
 
 -- ── Elements of a line ───────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -85,7 +94,7 @@ function Adapt:follow(model, run, raised, lines)
   local moved = on_behalf_of("model:run", "core.follow", core.follow, model, raised)
   core.interrupted_run = nil
   if not moved then return end
-  layer_moves.count(model)
+  moves[model] = (moves[model] or 0) + 1
   local elements = {}
   for i, line in ipairs(lines) do elements[name_of(line)] = count_true(raised[i]) end
   run.adaptations[#run.adaptations + 1] = {
@@ -116,10 +125,12 @@ local none = {}
 function none:step() end
 
 --- What the option `adapt` requests: an object with step(). Raises an error if the model's layers cannot follow.
-return function(model, options)
+function adapt.options(model, options)
   local asked = options.adapt
   if not asked then return none end
   on_behalf_of("model:run", "core.check_following", core.check_following, model)
   return setmetatable({ every = asked.every, margin = asked.margin, tolerance = asked.tolerance,
                         verbose = options.verbose }, Adapt)
 end
+
+return adapt

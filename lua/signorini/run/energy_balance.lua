@@ -3,9 +3,9 @@
 -- step; the error is O(Δ) in the step length Δ, or smaller.
 
 local contact_changes = require "signorini.run.contact_changes"
-local drives = require "signorini.run.drives"
 local lists = require "signorini.call.lists"
-local path_controls = require "signorini.run.path_controls"
+local controls = require "signorini.run.controls"
+local stages = require "signorini.run.stages"
 
 local energy_balance = {}
 
@@ -20,14 +20,14 @@ end
 --- True if a stage begins with a sudden change: a load that acts from the start of a path, of which this is the first
 --- stage and does not drive it, an offset of sg.model, or constants of contacts.
 function energy_balance.is_sudden(model, stage, is_first)
-  local is_loaded = is_first and (#drives.constant_loads(model, { stage }) > 0
+  local is_loaded = is_first and (#stages.constant_loads(model, { stage }) > 0
     or contact_changes.presses_at_once(model))
   return is_loaded or contact_changes.is_sudden(model, stage)
 end
 
 --- True if states were not reached along the path: after damped motion, or on another branch.
 local function jumps(histories)
-  return #path_controls.departures(histories) > 0 or path_controls.counts(histories).damping ~= nil
+  return #controls.departures(histories) > 0 or controls.counts(histories).damping ~= nil
 end
 
 --- True if contact has acted: without it, work and stored energy can both be rounding errors, as in a rigid motion.
@@ -84,7 +84,7 @@ function energy_balance.warning(run, list, unbalanced)
     work = work + math.max(math.abs(done), math.abs(stored), dissipated)
     if not a.sudden and last >= first and missing > (worst and worst.missing or 0)
       and not jumps(histories) then
-      worst = { missing = missing, stage = stage, increments = #path_controls.accepted(histories), first = first,
+      worst = { missing = missing, stage = stage, increments = #controls.accepted(histories), first = first,
                 last = last }
     end
     first = last + 1

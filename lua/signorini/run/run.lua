@@ -12,9 +12,8 @@ local jumps = require "signorini.run.jumps"
 local lists = require "signorini.call.lists"
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local progress = require "signorini.run.progress"
-local read_stages = require "signorini.run.run_stages"
 local run_warnings = require "signorini.run.run_warnings"
-local stage_targets = require "signorini.run.stage_targets"
+local stages = require "signorini.run.stages"
 local states = require "signorini.run.states"
 local steps = require "signorini.run.steps"
 local Run = require "signorini.run.run_result"
@@ -63,7 +62,7 @@ local function read_options(model, options, path, total)
     options.solver[key] = options[key]
   end
   options.on, options.checkpoints = controls_on(options), checkpoint(options)
-  options.following = adapt(model, options)
+  options.following = adapt.options(model, options)
   options.policy = options.step.adaptive and steps.halving(options.step) or steps.plain()
   if options.arc_length then options.policy = arc_length.policy(options.policy) end
   options.tries = options.fallback and controls.fallbacks(model, options.solver) or {}
@@ -90,7 +89,7 @@ end
 function Step:set_targets(to)
   local stage = self.stage
   for name in pairs(stage.targets) do
-    self.model:set_target(name, stage_targets.at(stage, name, self.number, to, stage.now[name]))
+    self.model:set_target(name, stages.at(stage, name, self.number, to, stage.now[name]))
   end
   contact_changes.set(self.model, stage, (self.number - 1 + to) / stage.steps)
 end
@@ -205,7 +204,7 @@ end
 --- Prescribes the targets one step ahead of the accepted ones.
 function Step:set_next_targets()
   for name in pairs(self.stage.targets) do
-    self.model:set_target(name, stage_targets.ahead(self.model, self.stage, name, self.number))
+    self.model:set_target(name, stages.ahead(self.model, self.stage, name, self.number))
   end
   contact_changes.set(self.model, self.stage, 1) -- without offsets and overlaps, which arc length cannot follow
 end
@@ -232,7 +231,7 @@ function Step:solve_arc(length, iterations, diagnoses)
 end
 
 --- True if the step changes a target; without that there is no path that arc length could follow.
-function Step:changes_targets() return stage_targets.moves(self.model, self.stage, self.number) end
+function Step:changes_targets() return stages.moves(self.model, self.stage, self.number) end
 
 --- True if the step changes a target, the penalties or an offset.
 function Step:moves()
@@ -275,7 +274,7 @@ end
 --- What drives the path at a fraction of the step, in words: "edge.angle = 69.86".
 function Step:place(part)
   local there = (self.number - 1 + part) / self.stage.steps
-  return table.concat(lists.joined(stage_targets.places(self.model, self.stage, self.number, part),
+  return table.concat(lists.joined(stages.places(self.model, self.stage, self.number, part),
     contact_changes.places(self.stage, there)), ", ")
 end
 
@@ -344,8 +343,8 @@ local function close(run, model, display, early, record)
 end
 
 --- The run of a model along stages; both arguments have been checked against the table of model:run.
-return function(model, stages, options)
-  local path, total = read_stages(model, stages, options)
+return function(model, list, options)
+  local path, total = stages.read(model, list, options)
   options = read_options(model, options, path, total)
   local policy, checkpoints = options.policy, options.checkpoints
   local early = run_warnings.of_path(model, path, options.solver)

@@ -1,20 +1,20 @@
 -- The record of a load path: one row per accepted step, its work, and why the path ended.
 
+local adapt = require "signorini.run.adapt"
 local check = require "signorini.call.check"
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
 local csv = require "signorini.output.csv"
-local drives = require "signorini.run.drives"
+local controls = require "signorini.run.controls"
 local energy_balance = require "signorini.run.energy_balance"
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local jumps = require "signorini.run.jumps"
-local layer_moves = require "signorini.run.layer_moves"
 local lists = require "signorini.call.lists"
 local format_table = require "signorini.output.table"
 local named = require "signorini.call.named"
 local no_column = require("signorini.call.text").no_column
-local path_controls = require "signorini.run.path_controls"
 local run_warnings = require "signorini.run.run_warnings"
+local stages = require "signorini.run.stages"
 local states = require "signorini.run.states"
 local t = require "signorini.call.types"
 
@@ -69,7 +69,7 @@ end
 
 --- The accepted target of a driven support or load.
 local function record_target(run, model, name)
-  record_list(run, add_columns(run, name, drives.components(model, name)), function() return model:target(name) end)
+  record_list(run, add_columns(run, name, stages.components(model, name)), function() return model:target(name) end)
 end
 
 --- The unknown motions of an obstacle.
@@ -119,7 +119,7 @@ function Run.new(model, path)
     jumps = jumps.record(), overlaps = {}, state_findings = {}, examined = 0,
     unexamined = { states = {}, before = {} }, adaptations = {}, contact_zones = {},
   }, Run)
-  layer_moves.begin(run, model)
+  adapt.begin(run, model)
   run.step_column, run.increment_column = add_column(run, "step"), add_column(run, "increments")
   run.iteration_column, run.wall_column = add_column(run, "iterations"), add_column(run, "wall")
   for _, support in ipairs(model:support_names()) do record_force(run, model, support) end
@@ -276,7 +276,7 @@ function Run:record_failure(step, result, turn)
   if turn then
     self.failure = ("%s The path has a turning point at %s; prescribed targets can pass it only by a jump to another "
       .. "branch. Hint: model:run(stages, { %s }) follows the path."):format(self.failure, turn,
-      path_controls.arc_options(self.histories))
+      controls.arc_options(self.histories))
   elseif diagnosis.cure ~= "" then
     self.failure = ("%s Hint: %s."):format(self.failure, diagnosis.cure)
   end
@@ -308,7 +308,7 @@ function Run:finish(model, early)
   end
   spent.rest = math.max(0, rest)
   self.timings, self.recorders, self.before, self.step = spent, nil, nil, nil
-  self.fallbacks = path_controls.counts(self.histories)
+  self.fallbacks = controls.counts(self.histories)
   energy_balance.note(self.energies, model)
   jumps.close(self.jumps)
   self.warnings = run_warnings.of_run(self, model, early)
@@ -383,7 +383,7 @@ function Run:__tostring()
   local spent = self.timings
   text = ("%s\ntime: bulk %.3f s, contact %.3f s, factorization and solve %.3f s, rest %.3f s")
     :format(text, spent.bulk, spent.contact, spent.linear, spent.rest)
-  for _, line in ipairs(lists.joined(failed_attempts(self), path_controls.lines(self), self.warnings)) do
+  for _, line in ipairs(lists.joined(failed_attempts(self), controls.lines(self), self.warnings)) do
     text = text .. "\n" .. line
   end
   if self.reason == "completed" then return text end

@@ -2,16 +2,16 @@
 -- of stages that jump at their start, loose tolerances, contacts without any active point (wrong face, or a body that
 -- misses the other), contacts switched on where bodies overlap, states at the ends of stages, failed projections, half
 -- passes with different forces, unstable equilibria, unstable elastic laws, idle processes of mpirun, and those of the
--- files path_controls.lua, jumps.lua and energy_balance.lua.
+-- files controls.lua, jumps.lua and energy_balance.lua.
 
 local contact_changes = require "signorini.run.contact_changes"
+local controls = require "signorini.run.controls"
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
 local energy_balance = require "signorini.run.energy_balance"
-local drives = require "signorini.run.drives"
 local jumps = require "signorini.run.jumps"
 local lists = require "signorini.call.lists"
-local path_controls = require "signorini.run.path_controls"
+local stages = require "signorini.run.stages"
 
 local run_warnings = {}
 
@@ -117,7 +117,7 @@ local warned = setmetatable({}, { __mode = "k" }) -- models that have been warne
 local function constant_loads(model, path)
   if warned[model] then return nil end
   warned[model] = true
-  local names = lists.map(drives.constant_loads(model, path), function(load) return ("'%s'"):format(load) end)
+  local names = lists.map(stages.constant_loads(model, path), function(load) return ("'%s'"):format(load) end)
   if #names == 0 then return nil end
   return ("no stage changes the load%s %s, which act%s in full from the first step on. Hint: to apply a load in steps, "
     .. "give its value to a stage and 0 to sg.model (of a function: factor = 0)"):format(#names == 1 and "" or "s",
@@ -308,10 +308,10 @@ function run_warnings.of_run(run, model, early)
   texts = lists.joined(texts, states(run, model))
   texts[#texts + 1] = lost_in_rounding(model)
   texts[#texts + 1] = held(run, model) or not run.failed and core.weak_hold(model) or nil
-  texts[#texts + 1] = path_controls.warning(run)
+  texts[#texts + 1] = controls.warning(run)
   texts[#texts + 1] = unstable_law(run)
   texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length,
-    path_controls.arc_options(run.histories))
+    controls.arc_options(run.histories))
   texts[#texts + 1] = energy_balance.warning(run, run.energies, differing)
   return texts
 end

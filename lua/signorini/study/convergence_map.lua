@@ -2,7 +2,7 @@
 -- is a study: each cell is a case, so that a crash or an endless loop is also an outcome.
 
 local core = require "signorini.core"
-local accepted = require("signorini.run.path_controls").accepted
+local accepted = require("signorini.run.controls").accepted
 local check = require "signorini.call.check"
 local counted = require("signorini.call.text").counted
 local csv = require "signorini.output.csv"

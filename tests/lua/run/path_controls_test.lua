@@ -3,7 +3,7 @@
 
 local sg = require "signorini"
 local check = require "check"
-local path_controls = require "signorini.run.path_controls"
+local controls = require "signorini.run.controls"
 local other_warnings = require "other_warnings"
 local ironing = require "ironing"
 local spring = require "spring"
@@ -178,7 +178,7 @@ end)
 
 check.case("steps that needed damping need it by arc length, too", function()
   local function options(fallback)
-    return path_controls.arc_options { { { converged = false }, { converged = true, fallback = fallback } } }
+    return controls.arc_options { { { converged = false }, { converged = true, fallback = fallback } } }
   end
   check.equal({ options "damping", options "line search", options() },
     { "arc_length = true, damping = true", "arc_length = true", "arc_length = true" })

@@ -1,6 +1,7 @@
 -- run:report: the page of a run.
 
 local charts = require "signorini.output.report.run_charts"
+local controls = require "signorini.run.controls"
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
 local duration = require "signorini.output.report.duration"
@@ -11,8 +12,7 @@ local html_table = require "signorini.output.report.table"
 local lists = require "signorini.call.lists"
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local page = require "signorini.output.report.page"
-local path_controls = require "signorini.run.path_controls"
-local stage_names = require "signorini.run.stage_names"
+local stage_names = require("signorini.run.stages").names
 
 local where = "run:report"
 local most_attempts, most_states = 200, 6
@@ -98,7 +98,7 @@ local function failure(run)
 end
 
 local function warnings(run)
-  local texts = lists.joined(run.warnings, path_controls.lines(run))
+  local texts = lists.joined(run.warnings, controls.lines(run))
   return #texts > 0 and html.list(texts) or ""
 end
 

@@ -1,22 +1,49 @@
--- The stages of model:run, checked against the model.
+-- The stages of model:run: their arguments, checked against the model, and the values that they prescribe. These lead
+-- linearly from those at the start of a stage to its targets, or along the values of a function of the stage's fraction
+-- at the end of each step, linearly in between.
 
 local core = require "signorini.core"
 local check = require "signorini.call.check"
 local contact_changes = require "signorini.run.contact_changes"
 local counted = require("signorini.call.text").counted
-local drives = require "signorini.run.drives"
 local lists = require "signorini.call.lists"
 local pages = require "signorini.pages"
 local t = require "signorini.call.types"
 
+local stages = {}
+
 local where = "model:run"
+
+-- ── Supports and loads ───────────────────────────────────────────────────────────────────────────────────────────────
+
+--- True for the name of a support, driven or not.
+function stages.is_support(model, name) return lists.holds(model:support_names(), name) end
+
+--- The components of a target in order: "ux", "uy" and "angle" of a support, "tx", "ty", "pressure", "bx", "by", "px",
+--- "py" or "factor" of a load.
+function stages.components(model, name)
+  local letter = stages.is_support(model, name) and "u" or "t"
+  return lists.map(model:driven(name), function(component)
+    return #component == 1 and letter .. component or component
+  end)
+end
+
+--- The names of nonzero loads that no stage changes.
+function stages.constant_loads(model, path)
+  return lists.filter(model:load_names(), function(load)
+    return lists.any(model:target(load), function(value) return value ~= 0 end)
+      and not lists.any(path, function(stage) return stage.targets[load] end)
+  end)
+end
+
+-- ── Arguments ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The rows of a stage of this model: targets, lists by driven component, after the rows of every stage.
 local function rows_of(model)
   local rows = lists.filter(pages.rows "stage", function(row) return row[1] ~= "contacts" end)
   rows[#rows + 1] = contact_changes.row(model)
   for _, name in ipairs(model:driven_names()) do
-    local components = drives.components(model, name)
+    local components = stages.components(model, name)
     local list = t.numbers(#components)
     list.cure = function() return "one for each driven component" end
     rows[#rows + 1] = { name, #components == 1 and t.either(t.number, list) or list, table.concat(components, ", "),
@@ -69,7 +96,7 @@ end
 
 --- The values of a function at the end of each step.
 local function values_along(model, course, name, label, steps)
-  local components, path = drives.components(model, name), {}
+  local components, path = stages.components(model, name), {}
   for k = 1, steps do
     local values, given = values_of(course(k / steps), #components)
     if not values then
@@ -87,7 +114,7 @@ end
 local function read_stage(model, rows, index, stage, options, now)
   local label = ("stages[%d]"):format(index)
   for key in pairs(stage) do
-    if drives.is_support(model, key) and #model:driven(key) == 0 then
+    if stages.is_support(model, key) and #model:driven(key) == 0 then
       core.fail(("%s: %s: the support '%s' is not driven. Hint: give it drive = \"x\", \"xy\" or the like in sg.model")
         :format(where, label, key))
     end
@@ -119,17 +146,93 @@ end
 
 --- The stages, each { name, steps, targets (by support or load), paths (values of functions at the ends of steps),
 --- contacts (constants by contact), jumps (warnings about functions) }, and their steps in all.
-return function(model, stages, options)
+function stages.read(model, list, options)
   if #model:driven_names() + #model:support_names() + #model:contact_names() == 0 then
     core.fail(where .. ": the model has neither supports nor loads. Hint: name some in sg.model, such as "
       .. "supports = { bed = { on = body:face \"south\", fix = \"xy\" } }")
   end
   local rows, read, total, now = rows_of(model), {}, 0, {}
   for _, name in ipairs(model:driven_names()) do now[name] = model:target(name) end
-  for i, stage in ipairs(stages) do
+  for i, stage in ipairs(list) do
     read[i] = read_stage(model, rows, i, stage, options, now)
     total = total + read[i].steps
   end
   contact_changes.check_fits(model, where, read, options)
   return read, total
 end
+
+-- ── Prescribed values ────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The values between which step `number` leads along a function; nil for targets.
+local function ends(stage, name, number)
+  local path = stage.paths[name]
+  if path then return number == 1 and stage.starts[name] or path[number - 1], path[number] end
+end
+
+--- The values of a support or load at the fraction `part` of step `number`, exact at its end, in the list `into`.
+function stages.at(stage, name, number, part, into)
+  local from, to = ends(stage, name, number)
+  local share = to and part or (number - 1 + part) / stage.steps
+  from, to = from or stage.starts[name], to or stage.targets[name]
+  for i = 1, #to do into[i] = share == 1 and to[i] or from[i] + (to[i] - from[i]) * share end
+  return into
+end
+
+--- The change of component i in step `number`.
+function stages.change(stage, name, number, i)
+  local from, to = ends(stage, name, number)
+  if to then return to[i] - from[i] end
+  return (stage.targets[name][i] - stage.starts[name][i]) / stage.steps
+end
+
+--- The values one step ahead of the accepted ones: from their actual values, not from those at a fraction of the step.
+--- The difference is rounding error, but arc length would multiply it by the fraction of an increment, which may be 10.
+function stages.ahead(model, stage, name, number)
+  local values = model:target(name)
+  for i = 1, #values do values[i] = values[i] + stages.change(stage, name, number, i) end
+  return values
+end
+
+--- True if step `number` changes a target.
+function stages.moves(model, stage, number)
+  for name in pairs(stage.targets) do
+    local now = model:target(name)
+    for i, value in ipairs(stages.ahead(model, stage, name, number)) do
+      if value ~= now[i] then return true end
+    end
+  end
+  return false
+end
+
+--- True if a stage changes component i at all.
+local function varies(stage, name, i)
+  return stage.paths[name] ~= nil or stage.targets[name][i] ~= stage.starts[name][i]
+end
+
+--- The targets that a stage changes, at the fraction `part` of step `number`, in words: "edge.angle = 69.86".
+function stages.places(model, stage, number, part)
+  local texts = {}
+  for name in pairs(stage.targets) do
+    local values = stages.at(stage, name, number, part, {})
+    for i, component in ipairs(stages.components(model, name)) do
+      if varies(stage, name, i) then texts[#texts + 1] = ("%s.%s = %.6g"):format(name, component, values[i]) end
+    end
+  end
+  table.sort(texts)
+  return texts
+end
+
+--- The names of the stages of a run's rows, from row number `first` on.
+function stages.names(run, first)
+  local names, index, last = {}, 1, run.stages[1] and run.stages[1].steps or 0
+  for row = 1, run.rows do
+    while index < #run.stages and math.ceil(run.step_column[row]) > last do
+      index = index + 1
+      last = last + run.stages[index].steps
+    end
+    if row >= first then names[#names + 1] = run.stages[index].name end
+  end
+  return names
+end
+
+return stages
