@@ -35,10 +35,10 @@ sg.work_precision = later "signorini.study.work_precision"
 sg.cheapest = later "signorini.study.cheapest"
 sg.pvd = later "signorini.output.pvd"
 sg.scenes = require "signorini.scene.scenes"
-sg.rigid.level_set = later "signorini.scene.level_set"
+sg.rigid.level_set = later("signorini.scene.formula", "level_set")
 local profile = require "signorini.study.profile"
 sg.profile_error, sg.profile_edges = profile.error, profile.edges
-sg.hyperelastic = later("signorini.scene.hyperelastic", "new")
+sg.hyperelastic = later("signorini.scene.formula", "hyperelastic")
 for _, name in ipairs { "mooney_rivlin", "yeoh", "ogden", "saint_venant_kirchhoff" } do
   sg[name] = later("signorini.scene.elastic_laws", name)
 end

@@ -1,5 +1,5 @@
--- The controls of a run: fallbacks that are tried when a step fails; what its steps were solved with, from its attempts;
--- sg.robust and sg.plain, which return options.
+-- The controls of a run: fallbacks that are tried when a step fails; what its attempts tell about them; sg.robust and
+-- sg.plain, which return options.
 
 local counted = require("signorini.call.text").counted
 local lists = require "signorini.call.lists"

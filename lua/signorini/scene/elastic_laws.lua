@@ -1,7 +1,7 @@
 -- Ready elastic laws as energies.
 
 local sg = require("signorini.core").sg
-local make = require("signorini.scene.hyperelastic").make
+local make = require("signorini.scene.formula").elastic_law
 
 local laws = {}
 

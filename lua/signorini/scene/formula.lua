@@ -1,4 +1,5 @@
--- Formulas of the user: a function is called once with symbols, and returns its formula.
+-- Formulas of the user in elastic laws and level sets: a function is called once with symbols, and its formula is
+-- compiled.
 
 local core = require "signorini.core"
 local check = require "signorini.call.check"
@@ -18,7 +19,7 @@ end
 
 --- The formula that a function of symbols returns; `where`: the function that the user has called, `name`: the argument
 --- that holds the function.
-function formula.of(where, name, f, symbols)
+local function formula_of(where, name, f, symbols)
   local ok, result = pcall(f, table.unpack(symbols))
   if not ok then error(type(result) == "string" and result .. cure(result) or result, 0) end
   if type(result) == "number" then
@@ -32,12 +33,47 @@ function formula.of(where, name, f, symbols)
 end
 
 --- Raises an error unless a function has as many parameters as there are arguments for it; `fewer`: or less.
-function formula.check_parameters(where, name, f, symbols, fewer, hint)
+local function check_parameters(where, name, f, symbols, fewer, hint)
   local about = debug.getinfo(f, "u")
   local takes, has = about.nparams, #symbols
   if about.isvararg or takes == has or (fewer and takes < has) then return end
   core.fail(("%s: %s must take %s, %s, but takes %d. Hint: %s"):format(where, name, counted(has, "argument"),
     table.concat(lists.map(symbols, tostring), ", "), takes, hint))
+end
+
+--- A material from functions; `label`: its name in print(material), `where`: the function that the user has called.
+function formula.elastic_law(where, label, energy, stretches, fibers)
+  fibers = fibers or {}
+  local measure = stretches and "stretches" or "invariants"
+  local name, f = stretches and "stretches" or "energy", stretches or energy
+  local symbols = core.strain_symbols(measure, #fibers)
+  check_parameters(where, name, f, symbols, not stretches and #fibers == 0,
+    stretches and "write function(l1, l2, l3)" or #fibers == 0 and "I4 of a fiber needs fibers = { {x, y} }"
+    or "after I1, I2 and J there is one argument per direction of fibers")
+  return core.hyperelastic { called = where, label = label, measure = measure, fibers = fibers,
+                             energy = formula_of(where, name, f, symbols) }
+end
+
+--- sg.hyperelastic
+function formula.hyperelastic(values)
+  if #(values.fibers or {}) > 0 and values.stretches then
+    core.fail("sg.hyperelastic: fibers are for energies of invariants. Hint: use energy = function(I1, I2, J, I4)")
+  end
+  return formula.elastic_law("sg.hyperelastic", "hyperelastic", values.energy, values.stretches, values.fibers)
+end
+
+--- sg.rigid.level_set
+function formula.level_set(values)
+  local where, names = "sg.rigid.level_set", { "x", "y", "z" }
+  local low, high = table.unpack(values.box)
+  if #low ~= #high then
+    core.fail(("%s: box must have two corners of equal dimension, got %d and %d coordinates"):format(where, #low,
+      #high))
+  end
+  local symbols = core.symbols(table.move(names, 1, #low, 1, {}))
+  check_parameters(where, "f", values.f, symbols, false,
+    ("the corners of box have %d coordinates; write f = function(%s)"):format(#low, table.concat(names, ", ", 1, #low)))
+  return core.level_set{ f = formula_of(where, "f", values.f, symbols), low = low, high = high }
 end
 
 return formula

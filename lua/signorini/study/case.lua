@@ -1,6 +1,11 @@
--- One case of a study, solved in its own process: checks what its function returns.
+-- One case of a study, solved in its own process, and its record: what the process returned, or how it ended, with what
+-- this depends on and where it was made.
 
 local core = require "signorini.core"
+local lists = require "signorini.call.lists"
+local release = require "signorini.call.release"
+
+local case = {}
 
 --- Raises an error that names the result and the case.
 local function reject(entry, what, cure)
@@ -38,7 +43,7 @@ end
 
 --- Solves the case of an entry (see cases.lua) with a file for checkpoints: { results, outcome = "done" or "failed",
 --- reason, wall (s) }.
-return function(run, entry, checkpoint)
+function case.solve(run, entry, checkpoint)
   local copy = core.read_json(core.write_json(entry.case)) -- run may change it
   local began = core.now()
   local results = run(copy, checkpoint)
@@ -50,3 +55,36 @@ return function(run, entry, checkpoint)
   end
   return record
 end
+
+--- The record of a case from the result of its process, or from how this ended.
+function case.record(text, failure, limit)
+  if text then return core.read_json(text) end
+  if failure == "time" then
+    return { outcome = "time", reason = ("not done within %g s"):format(limit), wall = limit, results = {} }
+  end
+  local message = failure:match "^failed: (.*)$"
+  local first = message and message:match "^[^\n]*" or failure
+  if failure:find "signal 9" then first = first .. ": killed from outside, possibly because memory ran out" end
+  return { outcome = message and "error" or "crashed", reason = first, traceback = message, results = {} }
+end
+
+--- Adds the study, the case, its inputs and where it was made; `job`: what names the job, if any.
+function case.sign(record, study, entry, now, at_once, job)
+  record.study, record.case, record.inputs = study.name, entry.case, now
+  record.made = { versions = lists.merged(core.versions, { signorini = release }), host = core.host,
+                  processor = core.processor, time = os.date "!%Y-%m-%dT%H:%M:%SZ", at_once = at_once, job = job }
+  return record
+end
+
+--- The cases of a list of positions that may run in parallel, and those that must run alone.
+function case.split_alone(study, list)
+  local together, alone = {}, {}
+  for _, i in ipairs(list) do
+    local asks = study.sequential
+    if type(asks) == "function" then asks = asks(study.cases[i].case) end
+    table.insert(asks and alone or together, i)
+  end
+  return together, alone
+end
+
+return case

@@ -2,16 +2,14 @@
 -- has other machines solve them (remote.lua).
 
 local core = require "signorini.core"
+local case = require "signorini.study.case"
 local counted = require("signorini.call.text").counted
 local display = require "signorini.study.display"
 local inputs = require "signorini.study.inputs"
 local lists = require "signorini.call.lists"
-local make_record = require "signorini.study.record"
 local missing = require "signorini.study.missing"
 local outcomes = require "signorini.study.outcomes"
 local progress = require "signorini.run.progress"
-local solve_case = require "signorini.study.case"
-local split_alone = require "signorini.study.split_alone"
 local store = require "signorini.study.store"
 
 local where = "study:execute"
@@ -21,9 +19,9 @@ local where = "study:execute"
 local function run_cases(study, list, at_once, now, limit, look, keep)
   return core.jobs(#list, at_once, function(k)
     local entry = study.cases[list[k]]
-    return core.write_json(solve_case(study.run, entry, store.checkpoint(study, entry, now)))
+    return core.write_json(case.solve(study.run, entry, store.checkpoint(study, entry, now)))
   end, function(k, text, failure)
-    keep(list[k], make_record.of(text, failure, limit), at_once)
+    keep(list[k], case.record(text, failure, limit), at_once)
   end, limit, look)
 end
 
@@ -75,10 +73,9 @@ local function run_missing(study, handle, options)
       .. "one case without sg.study"):format(handle.where))
   end
   if #list > 0 then store.take_reserve(handle) end
-  local bar = progress(#list)
-  local look, tell = display(bar, study, #list)
+  local bar, look, tell = display(study, #list)
   local function keep(i, record, at_once)
-    make_record.sign(record, study, study.cases[i], now, at_once)
+    case.sign(record, study, study.cases[i], now, at_once)
     study.records[i], study.unsaved[i] = record, record
     store.write(handle, study.cases[i], record)
     study.unsaved[i] = nil
@@ -89,7 +86,7 @@ local function run_missing(study, handle, options)
     end
     tell(study.cases[i], record)
   end
-  local together, alone = split_alone(study, list)
+  local together, alone = case.split_alone(study, list)
   local whole = run_cases(study, together, options.jobs or core.at_once, now, options.limit, look, keep)
   whole = whole and run_cases(study, alone, 1, now, options.limit, look, keep)
   bar:clear()
@@ -135,7 +132,7 @@ local function method(study, options)
     core.fail(where .. ": this is a part of a study, which has results only. Hint: execute the study from which it was "
       .. "taken")
   end
-  local on = core.on and require("signorini.study.engine").place(core.on) or options.on
+  local on = core.on and require("signorini.study.jobs").place(core.on) or options.on
   local here = core.chunk or on == "local"
   if not here and core.sandbox then
     core.fail(where .. [[: on must be "local" in the sandbox (--sandbox), from which no other machine is reached. ]]

@@ -1,6 +1,16 @@
 -- Jobs of a study that other machines solve: <folder>/jobs/<number> holds job.json (what is to be solved, by which
--- program), scripts, one log per task, and `id`, the engine's numbers of the job (engine.lua), as long as the job is
--- not known to have ended.
+-- program), scripts, one log per task, and `id`, the engine's numbers of the job, as long as the job may be alive.
+--
+-- Engines, which solve the cases of a study elsewhere: Slurm (slurm.lua) and hosts that are reached by ssh (ssh.lua).
+-- Each has these functions:
+--   chunks(where, list, seconds, options)  the chunks of a list of cases, one for each task; see chunks.lua
+--   prepare(job, options)                  writes the job's scripts; returns the command that submits them
+--   submit(where, job)                     submits them; returns the engine's numbers of the job as a text, which
+--                                          becomes job.id, and what it did, in words
+--   tasks(where, job)                      { state, why, alive, unknown } by the tasks' numbers; `unknown`: its machine
+--                                          does not answer; nil and a message if the engine does not answer
+--   cancel(where, job)                     ends the tasks
+--   label(job), task_label(job, number)    their names in messages
 
 local core = require "signorini.core"
 local lists = require "signorini.call.lists"
@@ -89,6 +99,47 @@ function jobs.record(job, study, entry)
   local own = (record.made or {}).job == job.made
   local valid = own or not job.again[entry.id] and not missing.outdated(entry, record, job.inputs, job.limit)
   return valid and record or nil
+end
+
+--- The place named by --on: "slurm", "local", or a list of hosts.
+function jobs.place(text)
+  if not text:find "^ssh:" then return text end
+  local hosts = {}
+  for host in text:gmatch "[^,]+" do hosts[#hosts + 1] = host end
+  return hosts
+end
+
+--- The engine of a job.
+function jobs.engine(job)
+  return type(job.on) == "table" and require "signorini.study.ssh" or require "signorini.study.slurm"
+end
+
+-- ── Claims ───────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+-- Claims of cases on a shared disk: one task solves a case, whatever machines the tasks are on. The claim of a case is
+-- the file cases/<case>.claim, which names its task; the file system lets only one task create it. Tasks remove it when
+-- the case is done. The claim of a task that has died remains until no living task is going to solve the case
+-- (remote.lua), or until the same task starts again.
+
+local function claim_file(study, entry) return ("%s/cases/%s.claim"):format(study.folder, entry.id) end
+
+--- The name of the task that has claimed a case; nil without a claim.
+function jobs.claim_owner(study, entry)
+  local ok, owner = pcall(core.read_file, claim_file(study, entry)) -- it may be released at any time
+  return ok and owner or nil
+end
+
+--- True if the task of this name got the claim of a case, now or in an earlier start of it. The case may have been done
+--- meanwhile: look after the claim.
+function jobs.claim(study, entry, name)
+  return core.create_claim(claim_file(study, entry), name) or jobs.claim_owner(study, entry) == name
+end
+
+function jobs.release_claim(study, entry) os.remove(claim_file(study, entry)) end
+
+--- How many cases are claimed.
+function jobs.count_claims(study)
+  return #lists.filter(core.list_folder(study.folder .. "/cases"), function(name) return name:find "%.claim$" end)
 end
 
 return jobs

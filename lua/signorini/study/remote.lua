@@ -1,12 +1,10 @@
--- Cases that another engine solves (engine.lua): submits jobs, waits for them, tells what became of cases that they did
+-- Cases that another engine solves (jobs.lua): submits jobs, waits for them, tells what became of cases that they did
 -- not solve. Results are the files of the study's folder, as in other executions; engines only tell which tasks are
 -- alive.
 
 local core = require "signorini.core"
-local claims = require "signorini.study.claims"
 local counted = require("signorini.call.text").counted
 local display = require "signorini.study.display"
-local engine = require "signorini.study.engine"
 local inputs = require "signorini.study.inputs"
 local jobs = require "signorini.study.jobs"
 local lists = require "signorini.call.lists"
@@ -21,7 +19,7 @@ local remote = {}
 local function states_of(where, open)
   local states = {}
   for _, job in ipairs(open) do
-    local tasks, failure = engine.of(job).tasks(where, job)
+    local tasks, failure = jobs.engine(job).tasks(where, job)
     if not tasks then return nil, failure end
     states[job.number] = tasks
   end
@@ -71,7 +69,7 @@ end
 
 --- The one of a list of tasks that has claimed a case; nil without a claim of theirs.
 local function claimer(study, entry, tasks)
-  local owner = claims.owner(study, entry)
+  local owner = jobs.claim_owner(study, entry)
   return owner and lists.filter(tasks, function(at) return jobs.task_name(at.job, at.number) == owner end)[1]
 end
 
@@ -79,7 +77,7 @@ end
 --- last line of its log.
 local function lost(study, entry, tasks, states)
   local at = claimer(study, entry, tasks) or tasks[#tasks]
-  local task, name = states[at.job.number][at.number], engine.of(at.job).task_label(at.job, at.number)
+  local task, name = states[at.job.number][at.number], jobs.engine(at.job).task_label(at.job, at.number)
   local file, last = ("%s/task-%d.log"):format(at.job.place, at.number), ""
   if task.unknown then
     return { outcome = "crashed", results = {}, reason = ("%s cannot be asked, it may still solve the case (%s). Hint: "
@@ -112,7 +110,7 @@ function remote.unassigned(where, study, list, now)
     local changed = inputs.difference(job.inputs, now)
     if #changed > 0 then
       core.fail(("%s: a job still solves cases of this study (%s), but %s changed after its submission. Hint: "
-        .. "study:cancel(), or wait for it"):format(where, engine.of(job).label(job), table.concat(changed, ", ")))
+        .. "study:cancel(), or wait for it"):format(where, jobs.engine(job).label(job), table.concat(changed, ", ")))
     end
   end
   local by_case = tasks_by_case(open)
@@ -126,10 +124,10 @@ function remote.unassigned(where, study, list, now)
       progress(0):line(("%s: %s: %s"):format(study.name, entry.text,
         lost(study, entry, by_case[entry.id], states).reason))
     end
-    claims.release(study, entry)
+    jobs.release_claim(study, entry)
   end
   if #rest < #list then
-    local labels = lists.map(running, function(job) return engine.of(job).label(job) end)
+    local labels = lists.map(running, function(job) return jobs.engine(job).label(job) end)
     progress(0):line(("%s: %s with %s"):format(study.name, counted(#list - #rest, "case"), table.concat(labels, "; ")))
   end
   return rest
@@ -151,7 +149,7 @@ function remote.start(where, study, list, now, again, options)
     local record = store.read(study, study.cases[i])
     return record and record.wall
   end
-  local by = engine.of(options)
+  local by = jobs.engine(options)
   local packed = by.chunks(where, list, seconds, options)
   local job = jobs.make(study, { on = options.on, chunks = packed, inputs = now, again = again, limit = options.limit,
                                  cores = options.cores, notice = options.notice, time = options.time })
@@ -250,9 +248,8 @@ end
 --- Waits for a study's jobs, with a progress bar.
 function remote.wait(where, study)
   local todo = #study.cases - #study.rows
-  local bar = progress(todo)
-  local look, tell = display(bar, study, todo)
-  local whole = remote.follow(where, study, function() look(claims.count(study)) end,
+  local bar, look, tell = display(study, todo)
+  local whole = remote.follow(where, study, function() look(jobs.count_claims(study)) end,
     function(i, record) tell(study.cases[i], record) end)
   bar:clear()
   study:gather()

@@ -1,4 +1,4 @@
--- Slurm, an engine (engine.lua), by its commands: sbatch, squeue, scontrol, scancel. None needs its accounting
+-- Slurm, an engine (jobs.lua), by its commands: sbatch, squeue, scontrol, scancel. None needs its accounting
 -- database.
 
 local core = require "signorini.core"

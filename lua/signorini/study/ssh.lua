@@ -1,5 +1,5 @@
 -- Hosts without a scheduler, by ssh: on each a process solves cases of the study until none is left. All processes have
--- all cases; which one solves a case is decided when it begins, by its claim (claims.lua). User names, keys and ports
+-- all cases; which one solves a case is decided when it begins, by its claim (jobs.lua). User names, keys and ports
 -- come from ~/.ssh/config.
 
 local core = require "signorini.core"

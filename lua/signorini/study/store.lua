@@ -40,7 +40,7 @@ end
 local function case_file(study, entry) return ("%s/cases/%s.json"):format(study.folder, entry.id) end
 
 --- True if a folder already holds this study, in this format. If it holds another one, this is an error.
-local function check_owner(where, study)
+function store.check(where, study)
   local file = study.folder .. "/study.json"
   local owner = read(file)
   check_format(where, file, owner)
@@ -107,7 +107,7 @@ function store.open(where, study)
   local ok, message = pcall(function()
     if study.fresh then clear(study.folder) end
     local file = study.folder .. "/study.json"
-    if not check_owner(where, study) then
+    if not store.check(where, study) then
       call(where, "write_file", file, core.write_json { study = study.name, format = store.format })
     end
   end)
@@ -118,13 +118,10 @@ end
 
 --- A handle for one of several processes that write cases at the same time, each into files of its own.
 function store.share(where, study, reserve)
-  check_owner(where, study)
+  store.check(where, study)
   return setmetatable({ saves = true, study = study, where = where, reserve = ("%s/%s"):format(study.folder, reserve) },
     { __index = store })
 end
-
---- Checks the study's name in the folder, for reading only.
-function store.check(where, study) check_owner(where, study) end
 
 --- Reserves the space that the last results will need, before any case runs.
 function store.take_reserve(handle)

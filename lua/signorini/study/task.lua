@@ -3,15 +3,12 @@
 -- are only read: what they hold was there when the job was submitted.
 
 local core = require "signorini.core"
-local claims = require "signorini.study.claims"
+local case = require "signorini.study.case"
 local counted = require("signorini.call.text").counted
 local inputs = require "signorini.study.inputs"
 local jobs = require "signorini.study.jobs"
 local lists = require "signorini.call.lists"
-local make_record = require "signorini.study.record"
 local slurm = require "signorini.study.slurm"
-local solve_case = require "signorini.study.case"
-local split_alone = require "signorini.study.split_alone"
 local store = require "signorini.study.store"
 local release = require "signorini.call.release"
 
@@ -55,22 +52,22 @@ function Task:left()
 end
 
 function Task:write(entry, record, at_once)
-  store.write(self.handle, entry, make_record.sign(record, self.study, entry, self.now, at_once, self.job.made))
+  store.write(self.handle, entry, case.sign(record, self.study, entry, self.now, at_once, self.job.made))
   print(("%s: %s"):format(entry.text, record.reason or record.outcome))
 end
 
 --- In the process of a case: what core.jobs passes to Task:keep.
 function Task:solve_case(entry)
-  if not claims.take(self.study, entry, self.name) then return "claimed" end
+  if not jobs.claim(self.study, entry, self.name) then return "claimed" end
   if jobs.record(self.job, self.study, entry) then return "done" end
-  return core.write_json(solve_case(self.study.run, entry, store.checkpoint(self.study, entry, self.now)))
+  return core.write_json(case.solve(self.study.run, entry, store.checkpoint(self.study, entry, self.now)))
 end
 
 --- Keeps what became of a case that was not stopped.
 function Task:keep(entry, text, failure, at_once)
   if text == "claimed" then return end
-  if text ~= "done" then self:write(entry, make_record.of(text, failure, self.job.limit), at_once) end
-  claims.release(self.study, entry)
+  if text ~= "done" then self:write(entry, case.record(text, failure, self.job.limit), at_once) end
+  jobs.release_claim(self.study, entry)
   if self.handle.full then core.fail(("%s: no space is left for '%s'"):format(where, self.study.folder)) end
 end
 
@@ -98,7 +95,7 @@ function Task:solve(list, at_once)
       local reason = ("not done within the time of a task%s, and %s. Hint: raise time, or save checkpoints and pass "
         .. "resume = true, help \"sg.study\""):format(self.job.time and ", " .. self.job.time or "", what)
       self:write(entries[k], { outcome = "error", reason = reason, results = {}, wall = core.now() }, at_once)
-      claims.release(self.study, entries[k])
+      jobs.release_claim(self.study, entries[k])
     end
   end
 end
@@ -128,7 +125,7 @@ local function run(study, job, number)
     handle = store.share(where, study, ("reserve-%d-%d"):format(job.number, number)) }, Task)
   store.take_reserve(task.handle)
   local ok, message = pcall(function()
-    local together, alone = split_alone(study, task:left())
+    local together, alone = case.split_alone(study, task:left())
     if #together > 0 then task:solve(together, job.cores) end
     if #alone > 0 and not core.notice_given() then task:solve(alone, 1) end
   end)

@@ -1,9 +1,8 @@
 -- study:watch and study:cancel: the jobs of a study.
 
-local claims = require "signorini.study.claims"
 local core = require "signorini.core"
 local format_table = require "signorini.output.table"
-local engine = require "signorini.study.engine"
+local jobs = require "signorini.study.jobs"
 local lists = require "signorini.call.lists"
 local progress = require "signorini.run.progress"
 local remote = require "signorini.study.remote"
@@ -19,7 +18,7 @@ end
 local function state_of(study, states, pending, bar, todo)
   local waiting, failed, done, why = 0, 0, 0, {}
   for _ in pairs(pending) do waiting = waiting + 1 end
-  local begun = math.min(waiting, claims.count(study))
+  local begun = math.min(waiting, jobs.count_claims(study))
   for i in ipairs(study.cases) do
     local record = study.records[i]
     if record and record.outcome == "done" then done = done + 1 elseif record then failed = failed + 1 end
@@ -59,7 +58,7 @@ local function cancel(study)
   local where = "study:cancel"
   check_whole(where, study)
   local open = remote.living(where, study)
-  for _, job in ipairs(open) do engine.of(job).cancel(where, job) end
+  for _, job in ipairs(open) do jobs.engine(job).cancel(where, job) end
   return #open
 end
 

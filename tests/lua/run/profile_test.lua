@@ -187,7 +187,7 @@ check.case("a profile has only its lists, and is read, written and stored as a t
   local show = require "signorini.prompt.show"
   check.equal(show.text(saved), show.text(pr))
   check.holds(show.text(pr), ("contact profile of %d points: "):format(#pr.x))
-  local record = require "signorini.study.case"(function() return pr end, { case = {}, text = "a" })
+  local record = require("signorini.study.case").solve(function() return pr end, { case = {}, text = "a" })
   check.equal({ record.outcome, record.results.state }, { "done", pr.state })
 end)
 
