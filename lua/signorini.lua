@@ -22,7 +22,7 @@ end
 sg.help = later("signorini.prompt.help", "show")
 sg.csv = require "signorini.output.csv"
 sg.json = require "signorini.output.json"
-sg.table = require "signorini.output.table"
+sg.table = require("signorini.output.table").text
 sg.arguments = later "signorini.call.script_arguments"
 sg.files = require "signorini.output.files"
 sg.median = require("signorini.call.lists").median
@@ -84,11 +84,11 @@ methods.guard("data", "by column")
 methods.offer(sg, "sg")
 
 -- Their names cannot be misspelled or overwritten; print(sg) lists them.
-local sealed, text = require "signorini.call.sealed", require("signorini.prompt.show.language").of_table
+local text = require("signorini.prompt.show.language").of_table
 for _, name in ipairs { "shapes", "nurbs", "rigid", "csv", "json", "scenes" } do
-  sealed.seal(sg[name], "sg." .. name, text)
+  named.seal(sg[name], "sg." .. name, text)
 end
-sealed.seal(sg, "sg", text)
+named.seal(sg, "sg", text)
 
 print = core.offered(require "signorini.prompt.print")
 require "signorini.prompt.prompt" -- has a help page too

@@ -1,4 +1,4 @@
--- Tables and objects that raise an error on names they do not have.
+-- Tables and objects that raise an error on names they do not have; sealed ones, such as sg, also on assignments.
 
 local core = require "signorini.core"
 local lists = require "signorini.call.lists"
@@ -42,6 +42,30 @@ function named.strict_type(methods, noun, private)
     named.missing("a " .. noun, name, lists.joined(pages.keys(pages.find(noun).fields), public))
   end })
   return may_be_missing
+end
+
+-- Entries of sealed tables, because Lua reports only assignments to names that a table does not have.
+local hidden = setmetatable({}, { __mode = "k" })
+
+--- The entries of a table, for `next`: sealed or not.
+function named.entries(of) return hidden[of] or of end
+
+--- Seals a table of the library. `path`: its name, "sg.shapes"; `text`: what print shows.
+function named.seal(of, path, text)
+  local entries = {}
+  for key, entry in next, of do entries[key] = entry end
+  for key in next, entries do of[key] = nil end
+  hidden[of] = setmetatable(entries, { __index = function(_, key)
+    core.fail(("there is no %s.%s%s"):format(path, tostring(key), meant(tostring(key), lists.sorted_names(entries))))
+  end })
+  return setmetatable(of, {
+    __index = entries, __tostring = function() return text(entries, path) end,
+    __pairs = function() return next, entries, nil end,
+    __newindex = function(_, key)
+      core.fail(("%s.%s cannot be assigned: %s belongs to the program. Hint: keep your own values in local variables")
+        :format(path, tostring(key), path))
+    end,
+  })
 end
 
 return named

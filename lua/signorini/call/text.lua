@@ -1,4 +1,4 @@
--- Words of messages, and of commands of the shell.
+-- Words of messages and pages, and of commands of the shell.
 
 local core = require "signorini.core"
 
@@ -15,6 +15,20 @@ end
 
 --- A word of a shell command, in quotes.
 function text.quoted(word) return "'" .. tostring(word):gsub("'", [['\'']]) .. "'" end
+
+--- Words in lines of at most `width` characters: `first` precedes the first word, `indent` those of further lines.
+function text.wrapped(words, width, first, indent)
+  local lines, line, is_empty = {}, first, true
+  for _, word in ipairs(words) do
+    local size = utf8.len(word) or #word
+    if not is_empty and (utf8.len(line) or #line) + 1 + size > width then
+      lines[#lines + 1], line, is_empty = line, indent, true
+    end
+    line, is_empty = line .. (is_empty and "" or " ") .. word, false
+  end
+  lines[#lines + 1] = line:match "^(.-)%s*$"
+  return lines
+end
 
 --- The end of a message about an unknown name: "; did you mean 'refine'?", or an empty string.
 function text.meant(name, known)

@@ -7,13 +7,12 @@
 -- which they take it as text; reading removes it.
 
 local check = require "signorini.call.check"
-local check_rows = require "signorini.output.table_rows"
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local lists = require "signorini.call.lists"
 local no_column = require("signorini.call.text").no_column
-local format_table = require "signorini.output.table"
+local tables = require "signorini.output.table"
 
 local csv = {}
 
@@ -74,7 +73,7 @@ end
 --- A function (row, column) → value and the number of rows, for both forms of a table.
 local function cells(data, columns)
   if rawget(data, "rows") then
-    check_rows("sg.csv.write", data.rows, columns)
+    tables.check_rows("sg.csv.write", data.rows, columns)
     return function(i, j) return data.rows[i][j] end, #data.rows
   end
   local count
@@ -143,7 +142,7 @@ end
 --- The comments and the first rows as an aligned table.
 function Data:__tostring()
   local most, lines = 20, lists.map(self.comments, function(comment) return "# " .. comment end)
-  lines[#lines + 1] = format_table { columns = self.columns, rows = { table.unpack(self.rows, 1, most) } }
+  lines[#lines + 1] = tables.text { columns = self.columns, rows = { table.unpack(self.rows, 1, most) } }
   if #self.rows > most then lines[#lines + 1] = ("… %s"):format(counted(#self.rows - most, "more row")) end
   return table.concat(lines, "\n")
 end

@@ -1,8 +1,11 @@
 -- Tables as aligned text.
 
-local check_rows = require "signorini.output.table_rows"
 local check = require "signorini.call.check"
+local core = require "signorini.core"
+local counted = require("signorini.call.text").counted
 local lists = require "signorini.call.lists"
+
+local tables = {}
 
 --- A cell as text: by the column's format, whole numbers unchanged, others with six digits, a dash for nil.
 local function cell_text(value, format)
@@ -17,6 +20,18 @@ local function pad(text, width, right)
   return right and blanks .. text or text .. blanks
 end
 
+--- Raises an error if a row of a table, also of a CSV file, has more cells than there are columns.
+function tables.check_rows(where, rows, columns)
+  for i, row in ipairs(rows) do
+    for key in next, row do
+      if math.type(key) ~= "integer" or key < 1 or key > #columns then
+        core.fail(("%s: rows[%d] has an entry '%s', but there %s %s"):format(where, i, tostring(key),
+          #columns == 1 and "is" or "are", counted(#columns, "column")))
+      end
+    end
+  end
+end
+
 --- Checks that formats are patterns for one number.
 local function check_formats(formats)
   for key, format in pairs(formats) do
@@ -28,10 +43,10 @@ local function check_formats(formats)
   end
 end
 
-return function(options)
+function tables.text(options)
   local columns, formats = options.columns, options.formats or {}
   check_formats(formats)
-  check_rows("sg.table", options.rows, columns)
+  tables.check_rows("sg.table", options.rows, columns)
   local heads = options.units and { columns, options.units } or { columns }
   local lines = lists.map(lists.joined(heads, options.rows), function() return {} end)
   for j, name in ipairs(columns) do
@@ -44,3 +59,5 @@ return function(options)
   end
   return table.concat(lists.map(lines, function(line) return (table.concat(line, "  "):gsub("%s+$", "")) end), "\n")
 end
+
+return tables

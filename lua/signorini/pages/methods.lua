@@ -15,7 +15,7 @@ local function names(part, parts, list)
            returns = t.list(t.text), example = ("model:%s_names()  --> %s"):format(part, list) }
 end
 
-local change = require "signorini.pages.contact_change"
+local change = require("signorini.pages.contact_rows").change
 local constants = lists.joined(change, {
   { "overlap", t.range(0, 1), 'fraction of the initial overlap that remains allowed with overlap = "interference"',
     optional = true } })

@@ -1,6 +1,6 @@
 -- Pages: a scene and its parts.
 
-local cohesive = require "signorini.pages.cohesive"
+local rows = require "signorini.pages.contact_rows"
 local describe = require "signorini.call.describe"
 local lists = require "signorini.call.lists"
 local t = require "signorini.call.types"
@@ -78,7 +78,7 @@ points and for half passes. In 2D it saves little, because contact takes a small
     { "r0", t.positive, "equilibrium distance of the potential", unit = "length" },
   }, "van der Waals forces in place of penalty and friction; the force is zero at the distance 15^(-1/6) r0",
     optional = true },
-  { "cohesive", t.named(cohesive.rows(region)), [[bonds between faces that coincide in the reference shape, which
+  { "cohesive", t.named(rows.cohesive(region)), [[bonds between faces that coincide in the reference shape, which
 break as they open: at each contact point a traction per reference area over the distance from the master's point next
 to it at first, with irreversible damage d. Pressure acts by the penalty; where bonds are damaged, friction acts on the
 fraction d of the area. For method = "gpts", enforcement = "penalty"]], optional = true },
@@ -112,7 +112,7 @@ local function conflict_of_enforcement(method, enforcement)
 end
 
 contact.conflict = function(values)
-  local bonded = values.cohesive and cohesive.conflict(values)
+  local bonded = values.cohesive and rows.conflict_of_cohesive(values)
   if bonded then return bonded end
   if values.adhesion and (values.offset ~= 0 or values.overlap ~= "error") then
     return ("it has both adhesion and %s, but van der Waals forces act at every distance: remove one of the two")

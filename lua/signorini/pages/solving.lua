@@ -1,5 +1,6 @@
 -- Pages: models, load paths and their runs.
 
+local contact_change = require("signorini.pages.contact_rows").change
 local rows = require "signorini.pages.step_rows"
 local t = require "signorini.call.types"
 
@@ -94,7 +95,7 @@ Keller, in Applications of Bifurcation Theory, Academic Press, 1977.]],
     named = {
       { "name", t.text, "name in reports and on_step", otherwise = '"stage 1" and so on' },
       { "steps", t.count, "number of steps" },
-      { "contacts", t.map(t.named(require "signorini.pages.contact_change")), [[constants of contacts that change, by
+      { "contacts", t.map(t.named(contact_change)), [[constants of contacts that change, by
 name: { active, penalty, friction, offset }. They act in full from the first step of the stage, except for offset, which
 changes linearly over the stage; all hold until another stage changes them, also in further runs]], optional = true },
     },

@@ -5,13 +5,13 @@ local core = require "signorini.core"
 local cut = require("signorini.call.text").cut
 local pages = require "signorini.pages"
 local scripts = require "signorini.prompt.help.scripts"
-local sealed = require "signorini.call.sealed"
+local named = require "signorini.call.named"
 local show = require "signorini.prompt.show"
 local lists = require "signorini.call.lists"
 local meant = require("signorini.call.text").meant
 local synonyms = require "signorini.prompt.help.synonyms"
 local texts = require "signorini.prompt.help.texts"
-local wrapped = require "signorini.prompt.show.wrapped"
+local wrapped = require("signorini.call.text").wrapped
 
 local shortest = 3 -- word that ?word searches for
 local width, widest_head = 118, 46 -- characters of a line, and of its left column
@@ -48,7 +48,7 @@ end
 local function table_page(value)
   local names = {}
   local function collect(entries, depth)
-    for _, entry in next, sealed.entries(entries) do
+    for _, entry in next, named.entries(entries) do
       local name = core.names[entry]
       if name then names[name] = true elseif type(entry) == "table" and depth < 2 then collect(entry, depth + 1) end
     end
@@ -223,7 +223,7 @@ end
 --- True for a function of the library, or a table of them such as sg.shapes.
 local function is_of_library(value)
   if value == core.sg or core.names[value] then return true end
-  for _, entry in next, sealed.entries(core.sg) do
+  for _, entry in next, named.entries(core.sg) do
     if entry == value then return true end
   end
   return false

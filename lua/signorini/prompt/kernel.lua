@@ -44,7 +44,7 @@ function kernel.value(...) return formats((...)) end
 local pictures = 0
 local function scaled_svg(bytes, width, height)
   pictures = pictures + 1
-  bytes = require "signorini.output.svg_names"(bytes, ("picture%d-"):format(pictures))
+  bytes = require("signorini.output.report.html").prefixed(bytes, ("picture%d-"):format(pictures))
   local size = ('width="%d" height="%d"'):format(width, height)
   return (bytes:match "<svg.*":gsub('width="%d+px" height="%d+px"', size, 1)) -- converters refuse <?xml … encoding?>
 end

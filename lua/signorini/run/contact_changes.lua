@@ -3,7 +3,7 @@
 
 local core = require "signorini.core"
 local lists = require "signorini.call.lists"
-local rows = require "signorini.pages.contact_change"
+local rows = require("signorini.pages.contact_rows").change
 local t = require "signorini.call.types"
 
 local contact_changes = {}

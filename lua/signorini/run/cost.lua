@@ -1,6 +1,6 @@
 -- model:cost: sizes of a model: unknowns, elements, contact points, matrix entries, memory.
 
-local format_table = require "signorini.output.table"
+local format_table = require("signorini.output.table").text
 local lists = require "signorini.call.lists"
 
 local Cost = {}

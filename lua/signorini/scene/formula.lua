@@ -5,7 +5,7 @@ local core = require "signorini.core"
 local check = require "signorini.call.check"
 local counted = require("signorini.call.text").counted
 local lists = require "signorini.call.lists"
-local sealed = require "signorini.call.sealed"
+local named = require "signorini.call.named"
 
 local formula = {}
 
@@ -13,7 +13,7 @@ local formula = {}
 local function cure(message)
   local name = message:match "'(%w+)' %(number expected, got symbol%)"
   if not name then return "" end
-  if not rawget(sealed.entries(core.sg), name) then return ". Hint: help 'formulas' lists the functions of symbols" end
+  if not rawget(named.entries(core.sg), name) then return ". Hint: help 'formulas' lists the functions of symbols" end
   return (". Hint: use sg.%s, which accepts symbols"):format(name)
 end
 

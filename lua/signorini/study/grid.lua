@@ -3,7 +3,7 @@
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
 local cut = require("signorini.call.text").cut
-local format_table = require "signorini.output.table"
+local format_table = require("signorini.output.table").text
 local lists = require "signorini.call.lists"
 local values = require "signorini.study.values"
 

@@ -1,7 +1,7 @@
 -- study:watch and study:cancel: the jobs of a study.
 
 local core = require "signorini.core"
-local format_table = require "signorini.output.table"
+local format_table = require("signorini.output.table").text
 local jobs = require "signorini.study.jobs"
 local lists = require "signorini.call.lists"
 local progress = require "signorini.run.progress"

@@ -3,7 +3,7 @@
 
 local core = require "signorini.core"
 local cut = require("signorini.call.text").cut
-local format_table = require "signorini.output.table"
+local format_table = require("signorini.output.table").text
 local lists = require "signorini.call.lists"
 local outcomes = require "signorini.study.outcomes"
 local quantity = require "signorini.study.quantity"

@@ -4,7 +4,6 @@ local core = require "signorini.core"
 local describe = require "signorini.call.describe"
 local html = require "signorini.output.report.html"
 local lists = require "signorini.call.lists"
-local svg_names = require "signorini.output.svg_names"
 local on_behalf_of = require "signorini.call.on_behalf_of"
 
 local figure = {}
@@ -53,7 +52,7 @@ end
 --- An SVG document as an element of the page.
 local function inline_svg(svg, prefix, label, marks)
   svg = svg:gsub("^.-(<svg)", "%1", 1):gsub("%s*$", "")
-  svg = svg_names(svg, prefix):gsub("<[^>]->", function(tag)
+  svg = html.prefixed(svg, prefix):gsub("<[^>]->", function(tag)
     return (tag:gsub(' xmlns[:%w]*="[^"]*"', ""):gsub("xlink:href=", "href="))
   end)
   svg = svg:gsub('^<svg[^>]-viewBox="([^"]*)"[^>]*>', function(box)

@@ -1,4 +1,4 @@
--- Texts of users in HTML: escaped, and valid UTF-8.
+-- Texts of users in HTML: escaped, and valid UTF-8; pictures of a page.
 
 local core = require "signorini.core"
 
@@ -67,5 +67,20 @@ end
 
 --- Bytes as the address of a resource within the page.
 function html.data(kind, bytes) return ("data:%s;base64,%s"):format(kind, core.base64(bytes)) end
+
+--- An SVG document whose names (of clip paths, glyphs, images) have a prefix: those of several pictures in one page
+--- would otherwise be equal. Texts are left as they are.
+function html.prefixed(svg, prefix)
+  return (svg:gsub("<[^>]->", function(tag)
+    return (tag:gsub('( id=")', "%1" .. prefix):gsub('(href="#)', "%1" .. prefix):gsub("(url%(#)", "%1" .. prefix))
+  end))
+end
+
+--- Seconds in the unit that readers expect.
+function html.duration(seconds)
+  if seconds < 60 then return ("%.3g s"):format(seconds) end
+  if seconds < 3600 then return ("%d min %02d s"):format(seconds // 60, math.floor(seconds % 60)) end
+  return ("%d h %02d min"):format(seconds // 3600, math.floor(seconds % 3600 / 60))
+end
 
 return html

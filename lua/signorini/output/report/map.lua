@@ -1,6 +1,5 @@
 -- map:report: the page of a convergence map.
 
-local duration = require "signorini.output.report.duration"
 local figure = require "signorini.output.report.figure"
 local html = require "signorini.output.report.html"
 local html_table = require "signorini.output.report.table"
@@ -60,7 +59,7 @@ return function(map, options)
     title = options.title or map.name, text = options.text, records = map.study.records,
     subtitle = ("Convergence map over %s and %s"):format(map.x.name, map.y.name),
     summary = { { "Cells", tostring(all) }, { "Converged", tostring(converged) },
-                { "Not converged", tostring(#map.cells - converged) }, { "Sum of wall times", duration(wall) } },
+                { "Not converged", tostring(#map.cells - converged) }, { "Sum of wall times", html.duration(wall) } },
     sections = {
       { title = "Warnings", html = #warnings > 0 and html.list(warnings) or "" },
       { title = "Maps", figures = #map.cells > 0 and figures(map) or {} },

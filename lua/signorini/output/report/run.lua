@@ -4,7 +4,6 @@ local charts = require "signorini.output.report.run_charts"
 local controls = require "signorini.run.controls"
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
-local duration = require "signorini.output.report.duration"
 local energy_balance = require "signorini.run.energy_balance"
 local figure = require "signorini.output.report.figure"
 local html = require "signorini.output.report.html"
@@ -82,14 +81,14 @@ local function summary(run)
   return {
     { "Outcome", run.reason == "completed" and "completed" or ("ended: %s"):format(run.reason) },
     { "Steps", tostring(run.steps) }, { "Iterations", tostring(run.iterations) },
-    { "Cut-backs", tostring(run.cutbacks) }, { "Wall time", duration(run.wall) },
+    { "Cut-backs", tostring(run.cutbacks) }, { "Wall time", html.duration(run.wall) },
   }
 end
 
 local function times(run)
   local spent = run.timings
-  return html.facts{ { "Bulk", duration(spent.bulk) }, { "Contact", duration(spent.contact) },
-                     { "Factorization and solve", duration(spent.linear) }, { "Rest", duration(spent.rest) } }
+  return html.facts{ { "Bulk", html.duration(spent.bulk) }, { "Contact", html.duration(spent.contact) },
+                     { "Factorization and solve", html.duration(spent.linear) }, { "Rest", html.duration(spent.rest) } }
 end
 
 local function failure(run)

@@ -3,7 +3,6 @@
 local cells = require "signorini.study.cells"
 local charts = require "signorini.output.report.study_charts"
 local counted = require("signorini.call.text").counted
-local duration = require "signorini.output.report.duration"
 local html = require "signorini.output.report.html"
 local html_table = require "signorini.output.report.table"
 local lists = require "signorini.call.lists"
@@ -25,7 +24,7 @@ local function summary(study)
   local facts = { { "Cases", tostring(all) }, { "Solved", tostring(#study.rows - #failed) },
                   { "Failed", tostring(#failed) } }
   if all > #study.rows then facts[#facts + 1] = { "Not done yet", tostring(all - #study.rows) } end
-  facts[#facts + 1] = { "Sum of wall times", duration(wall) }
+  facts[#facts + 1] = { "Sum of wall times", html.duration(wall) }
   return facts
 end
 

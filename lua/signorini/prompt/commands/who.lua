@@ -7,7 +7,7 @@ local lists = require "signorini.call.lists"
 local pages = require "signorini.pages"
 local prompt = require "signorini.prompt.prompt"
 local show = require "signorini.prompt.show"
-local table_text = require "signorini.output.table"
+local table_text = require("signorini.output.table").text
 
 local width = 80 -- of a summary
 

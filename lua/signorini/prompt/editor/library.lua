@@ -9,7 +9,7 @@ local names = require "signorini.prompt.help.names"
 local page_text = require "signorini.prompt.help.page_text"
 local pages = require "signorini.pages"
 local prose = require "signorini.prompt.editor.prose"
-local sealed = require "signorini.call.sealed"
+local named = require "signorini.call.named"
 
 local function add(lines, ...)
   for _, line in ipairs { ... } do lines[#lines + 1] = line end
@@ -194,7 +194,7 @@ return function()
   local files, made, globals = {}, {}, { prompt:format(note) }
   for _, group in ipairs(pages.groups()) do files[group.word .. ".lua"] = subject(group, made) end
   local fields = {}
-  for _, name in ipairs(lists.sorted_names(sealed.entries(core.sg))) do
+  for _, name in ipairs(lists.sorted_names(named.entries(core.sg))) do
     if type(core.sg[name]) == "table" then fields[#fields + 1] = ("---@field %s sg.%s"):format(name, name) end
   end
   files["signorini.lua"] = module:format(note, table.concat(fields, "\n"))

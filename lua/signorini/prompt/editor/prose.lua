@@ -1,6 +1,6 @@
 -- Text of help pages as lines of Markdown in comments that begin with ---, which editors show.
 
-local wrapped = require "signorini.prompt.show.wrapped"
+local wrapped = require("signorini.call.text").wrapped
 
 local width = 120 -- characters of a line
 

@@ -1,7 +1,7 @@
 -- The values of page names such as "sg.csv.read", "model:run" and "run".
 
 local core = require "signorini.core"
-local sealed = require "signorini.call.sealed"
+local named = require "signorini.call.named"
 
 local names = {}
 
@@ -15,7 +15,7 @@ function names.value(name)
   end
   local value = { sg = core.sg, help = core.sg.help }
   for part in name:gmatch "[^.]+" do
-    value = type(value) == "table" and rawget(sealed.entries(value), part)
+    value = type(value) == "table" and rawget(named.entries(value), part)
   end
   return value or nil
 end

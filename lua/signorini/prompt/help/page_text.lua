@@ -3,7 +3,7 @@
 local describe = require "signorini.call.describe"
 local lists = require "signorini.call.lists"
 local pages = require "signorini.pages"
-local wrapped = require "signorini.prompt.show.wrapped"
+local wrapped = require("signorini.call.text").wrapped
 
 local width = 118 -- characters of a line
 local widest_key = 14

@@ -4,8 +4,8 @@
 local core = require "signorini.core"
 local pages = require "signorini.pages"
 local lists = require "signorini.call.lists"
-local sealed = require "signorini.call.sealed"
-local wrapped = require "signorini.prompt.show.wrapped"
+local named = require "signorini.call.named"
+local wrapped = require("signorini.call.text").wrapped
 
 local width = 100 -- characters of a line
 
@@ -35,7 +35,7 @@ function language.of_table(entries, name)
   for _, key in ipairs(lists.sorted_names(entries)) do
     if type(entries[key]) == "function" then functions[#functions + 1] = key end
     if type(entries[key]) == "table" then
-      local names = lists.sorted_names(sealed.entries(entries[key]))
+      local names = lists.sorted_names(named.entries(entries[key]))
       lines[#lines + 1] = ("  %s:\n%s"):format(key, language.row(names, "    "))
     end
   end

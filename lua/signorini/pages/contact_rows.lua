@@ -1,18 +1,44 @@
--- Rows of the bonds of a cohesive contact.
+-- Rows of parts of a contact.
 
 local t = require "signorini.call.types"
 
-local cohesive = {}
+local rows = {}
 
-local function conflict(values)
+--- Why a table of constants without any cannot be meant.
+local function conflict_of_change(_, given)
+  return next(given) == nil and "the table is empty, so that it changes nothing. Hint: name what changes, or remove it"
+    or nil
+end
+
+--- The constants of a contact that a load path changes.
+rows.change = {
+  { "active", t.flag, "whether the contact acts. One that does not has no pressure, friction or history",
+    optional = true },
+  { "penalty", t.positive, "normal penalty", unit = "pressure per length", optional = true },
+  { "friction", t.named {
+    { "mu", t.non_negative, "Coulomb's coefficient of friction", optional = true },
+    { "penalty", t.positive, "tangential penalty", unit = "pressure per length", optional = true },
+    conflict = conflict_of_change,
+  }, [[Coulomb friction, of a contact that has friction in sg.model (there mu = 0 if it is without at first). Where
+friction begins, points stick at their present place]], optional = true },
+  { "offset", t.number, "gap at which the faces touch", unit = "length", optional = true },
+}
+rows.change.conflict = conflict_of_change
+rows.change.hints = {
+  mu = "write friction = { mu = … }", friction_penalty = "write friction = { penalty = … }",
+  method = "a path cannot change it: give it in sg.model", enforcement = "a path cannot change it: give it in sg.model",
+  slave = "a path cannot change it: give it in sg.model", master = "a path cannot change it: give it in sg.model",
+}
+
+local function conflict_of_law(values)
   if values.stiffness and values.law == "exponential" then
     return 'it has stiffness and law = "exponential", whose stiffness e^2 strength^2 / energy follows from the other '
       .. 'constants: remove stiffness, or write law = "bilinear"'
   end
 end
 
---- The rows; `region`: the type of a function of the position.
-function cohesive.rows(region)
+--- The bonds of a cohesive contact; `region`: the type of a function of the position.
+function rows.cohesive(region)
   return {
     { "strength", t.positive, "largest traction", unit = "force per area" },
     { "energy", t.positive, [[energy of separation per area, G, for any mixture of opening and shear. The zone in which
@@ -26,12 +52,12 @@ u = 2 G/strength]], default = "exponential" },
     { "where", region, [[function(X) that returns true where the faces are bonded, to leave out an initial crack;
 elsewhere only contact acts. Points farther from the master than 0.001 of the opening at the largest traction are not
 bonded; print(model) shows how many are]], otherwise = "everywhere" },
-    conflict = conflict,
+    conflict = conflict_of_law,
   }
 end
 
 --- A message for an argument that cohesive contact does not have.
-function cohesive.conflict(values)
+function rows.conflict_of_cohesive(values)
   local function both(what, cure) return ("it has both cohesive and %s: %s"):format(what, cure) end
   if values.adhesion then return both("adhesion", "both hold the faces together, remove one of the two") end
   if values.method ~= "gpts" then
@@ -53,4 +79,4 @@ function cohesive.conflict(values)
   end
 end
 
-return cohesive
+return rows
