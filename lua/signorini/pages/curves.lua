@@ -1,6 +1,5 @@
 -- Pages: NURBS curves, surfaces and volumes, made or read from files.
 
-local core = require "signorini.core"
 local patch_types = require "signorini.call.patch_types"
 local t = require "signorini.call.types"
 

@@ -9,7 +9,6 @@ local thesis = "V. Agrawal, thesis, IIT Guwahati, 2020"
 local axes = t.choice { "x", "y", "z", "xy", "xz", "yz", "xyz" }
 axes.cure = 'name components, as in "xy"; stages of model:run give the values of driven ones'
 local face, obstacle = t.object "face", t.object "obstacle"
-local faces = t.worded(t.flat(face), "a face or a list of faces")
 
 local course = t.callback_of({ { "x", t.number }, { "y", t.number }, { "z", t.number } }, t.any)
 

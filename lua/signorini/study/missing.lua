@@ -1,6 +1,5 @@
 -- Which cases of a study are to be solved: those without a record, or with one that is out of date.
 
-local core = require "signorini.core"
 local inputs = require "signorini.study.inputs"
 local outcomes = require "signorini.study.outcomes"
 local store = require "signorini.study.store"

@@ -1,6 +1,5 @@
 -- %who: the user's variables, one per line.
 
-local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
 local cut = require("signorini.call.text").cut
 local lists = require "signorini.call.lists"
