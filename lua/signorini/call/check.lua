@@ -10,7 +10,6 @@ local types = require "signorini.call.types"
 
 local check = { reject = reject.value }
 
---- Raises an error about a value that is not of a type.
 local function mismatch(of, value, where, name, row, cure)
   reject.value(where, name, describe.one(of), value, cure, row)
 end

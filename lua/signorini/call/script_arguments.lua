@@ -52,7 +52,6 @@ local function kind_of_entries(list)
   return all "text" and "text" or all "integer" and "integer" or all("integer", "number") and "number" or nil
 end
 
---- A value as written on the command line.
 local function text_of(value)
   if type(value) == "boolean" then return value and "yes" or "no" end
   if type(value) == "number" then return core.number_text(value) end
@@ -93,7 +92,6 @@ local function split(name, given)
   return given[1], check.value(types.named "argument", restrictions, where, name)
 end
 
---- The names of the variants, the default first.
 local function variant_names(name, default, variants)
   check.value(types.text, default, where, "the default of " .. name)
   local names = sorted(variants)
@@ -123,14 +121,12 @@ local function check_restrictions(argument)
   end
 end
 
---- The type of an argument's value, or of the entries of its list.
 local function type_of(argument)
   if argument.choices then return types.choice(argument.choices) end
   local low = argument.at_least or argument.kind == "integer" and not argument.above and 1 or nil
   return { kind = argument.kind, low = low, above = argument.above, high = argument.at_most, below = argument.below }
 end
 
---- What an argument must be, in words.
 local function in_words(argument)
   local words = argument.expected or argument.list and describe.several(argument.type)
     or argument.kind == "flag" and "yes or no" or describe.one(argument.type)
@@ -205,7 +201,6 @@ local function page_of(known)
   end)
 end
 
---- Prints all arguments and ends the program.
 local function help(common, chooser, further)
   local script = arg and arg[0] and arg[0] ~= "" and arg[0] or "the script"
   local lines = lists.joined({ ("Arguments of %s, with their defaults:"):format(script) }, page_of(common))
@@ -224,7 +219,6 @@ local function refuse_value(argument, text, part)
     argument.kind == "text" and meant(part, argument.choices or {}) or ""))
 end
 
---- An argument's value: given, or the default.
 local function value_of(argument, text)
   local list, default = {}, argument.default
   if text == nil then return argument.list and lists.joined(default) or default end
@@ -239,7 +233,6 @@ local function value_of(argument, text)
   return list[1]
 end
 
---- Rejects unknown arguments.
 local function check_words(texts, odd, known, chooser, further)
   local scope = chooser and (" with %s=%s"):format(chooser.name, chooser.chosen) or ""
   local function refuse_word(word, hint)

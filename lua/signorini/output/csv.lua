@@ -18,7 +18,6 @@ local csv = {}
 
 -- ── Writing ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The value of an unquoted field.
 local function field_value(text)
   if text == "" then return nil end
   if text == "true" or text == "false" then return text == "true" end
@@ -51,7 +50,6 @@ local function field_text(value, texts, i, name)
   return texts[value]
 end
 
---- The column names of a table; of lists by name without `columns`, all names, sorted.
 local function column_names(data)
   local columns, seen, known = rawget(data, "columns"), {}, { { "columns" }, { "comments" }, { "rows" } }
   if not columns and not rawget(data, "rows") then
@@ -176,7 +174,6 @@ local function read_record(text, at, where)
   end
 end
 
---- The fields of the first record as column names.
 local function head(fields, count, where)
   local seen = {}
   for j = 1, count do

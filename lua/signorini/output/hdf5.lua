@@ -18,7 +18,6 @@ local most_pending = 20 -- entries
 local Record = {}
 Record.__index = Record
 
---- Calls a function on behalf of the public one that the user has called.
 local function call(record, inner, f, ...) return on_behalf_of(record.where, inner, f, ...) end
 
 -- ── What is known before the first step ──────────────────────────────────────────────────────────────────────────────

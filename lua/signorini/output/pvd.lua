@@ -25,7 +25,6 @@ local function write_list(series)
     header .. "  <Collection>\n" .. table.concat(lines) .. "  </Collection>\n</VTKFile>\n", "vtk")
 end
 
---- Reads the list of a file that an earlier process has written.
 local function read_list(series)
   local text = on_behalf_of("sg.pvd", "core.read_file", core.read_file, series.file)
   if text:sub(1, #header) ~= header then

@@ -32,7 +32,6 @@ function tables.check_rows(where, rows, columns)
   end
 end
 
---- Checks that formats are patterns for one number.
 local function check_formats(formats)
   for key, format in pairs(formats) do
     local fits, text = pcall(string.format, format, 1)

@@ -9,7 +9,6 @@ local radius = { "radius", t.positive, "", unit = "length" }
 local center = { "center", t.point, "center of the circle", default = { 0, 0 }, unit = "length" }
 local file = { "file", t.text, "name of the patch file" }
 
---- The rows of a tensor product of so many directions.
 local function tensor(directions)
   return { { "degrees", t.list(patch_types.degree, directions), "polynomial degrees, one per direction" },
            { "knots", t.list(t.numbers(), directions), "open knot vectors, one per direction" }, points, weights }

@@ -35,7 +35,6 @@ local execution = joined({
 }, cluster_rows)
 execution.conflict = cluster_rows.conflict
 
---- Rows of a parameter of a convergence map.
 local function axis(key)
   return { key, t.named { { "name", t.text, "name of the parameter" },
                           { "values", t.list(t.either(t.number, t.text), nil, 1), "its values, each once" } },

@@ -82,7 +82,6 @@ local function is_unfinished(code)
   return load("return " .. code, "=prompt", "t") == nil
 end
 
---- The code of a command with a text.
 local function call(name, ...)
   local arguments = {}
   for i, text in ipairs { ... } do arguments[i] = ("%q"):format(text) end
@@ -103,7 +102,6 @@ local function timed(code)
   return ("%s; %s%s%s.timed()"):format(start, code, after, module)
 end
 
---- The code of a command.
 local function translated(name, text)
   if name == "?" then return call("help", text) end
   if name == "!" then return call("shell", text) end

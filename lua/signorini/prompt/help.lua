@@ -38,7 +38,6 @@ local function script_list(title, found)
   return title .. "\n" .. two_columns(lists.map(found, function(script) return { script.name, script.title } end))
 end
 
---- All scripts, with how to run them.
 local function all_scripts()
   return script_list("Supplied scripts; signorini <name> runs one, signorini <name> help lists its arguments,\n"
     .. "help \"<name>\" describes it:", scripts.all())
@@ -93,13 +92,11 @@ local function synonym_page(word)
   end
 end
 
---- The words of pages, texts and groups.
 local function words()
   local groups = lists.map(pages.groups(), function(group) return group.word end)
   return lists.unique(lists.joined({ "gallery" }, pages.names(), lists.sorted_names(texts), groups))
 end
 
---- All words of the pages.
 local function words_of_pages()
   local found = {}
   for _, name in ipairs(pages.names()) do
@@ -108,7 +105,6 @@ local function words_of_pages()
   return lists.sorted_names(found)
 end
 
---- The answer for an unknown word.
 local function no_page(word)
   local known = lists.joined(words(), lists.map(pages.names(), function(name) return name:match "[^.:]+$" end),
     lists.map(scripts.all(), function(script) return script.name end))
@@ -119,7 +115,6 @@ local function no_page(word)
   return ("There is no page on '%s'%s"):format(word, hint ~= "" and hint or ". help() lists topics.")
 end
 
---- The group of pages of a word such as "patches".
 local function group_page(word)
   for _, group in ipairs(pages.groups()) do
     if group.word == word or group.also == word then

@@ -12,7 +12,6 @@ local resolution, widest = 2, 720
 
 -- ── Values ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The formats of a value by MIME type.
 local function formats(value)
   return { ["text/plain"] = show.text(value), ["text/html"] = require "signorini.prompt.kernel.html"(value) }
 end

@@ -81,7 +81,6 @@ Adapt.__index = Adapt
 --- "slab.north.1", for the data of a run.
 local function name_of(line) return ("%s.%s.%d"):format(line.body, line.face, line.direction) end
 
---- Stored and contact energy.
 local function energy(model)
   local now = model:energy()
   return now.stored + now.contact

@@ -115,7 +115,6 @@ local function each(of)
   end
 end
 
---- A table with these fields.
 local function fields(shapes)
   return function(value)
     if type(value) ~= "table" then return false end
@@ -161,7 +160,6 @@ end
 
 -- ── Resuming ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The format of unpacked data, if they name one.
 local function format_of(saved)
   local state = type(saved) == "table" and saved[1]
   return type(state) == "table" and math.type(state.format) == "integer" and state.format

@@ -50,7 +50,6 @@ local function add_columns(run, name, keys)
   return lists.map(keys, function(key) return add_column(run, name .. "." .. key) end)
 end
 
---- Columns of a list that `read` returns after each step.
 local function record_list(run, columns, read)
   run.recorders[#run.recorders + 1] = function(row)
     local list = read()
@@ -67,12 +66,10 @@ local function record_force(run, model, name)
   record_list(run, add_columns(run, name, keys), function() return model:reaction(name) end)
 end
 
---- The accepted target of a driven support or load.
 local function record_target(run, model, name)
   record_list(run, add_columns(run, name, stages.components(model, name)), function() return model:target(name) end)
 end
 
---- The unknown motions of an obstacle.
 local function record_motion(run, model, name)
   local free = model:free_motion(name)
   local keys = lists.filter({ "ux", "uy", "uz", "angle" }, function(key) return free[key] ~= nil end)
@@ -219,7 +216,6 @@ function Run:record_control(to, place, reason)
   self.controls[#self.controls + 1] = { step = self.steps + 1, to = to, place = place, reason = reason }
 end
 
---- Numbers, joined.
 local function joined(values, format)
   local texts = lists.map(values, function(value) return format:format(value) end)
   return #texts > 0 and table.concat(texts, ", ") or "none"
@@ -245,7 +241,6 @@ local function place_text(place)
     place.contact and "contact" or "body", place.contact or place.body, joined(place.X, "%.6g"), place.text)
 end
 
---- The worst places, as a sentence.
 local function places_text(places)
   local texts = lists.map({ table.unpack(places, 1, 3) }, place_text)
   return #texts > 0 and " Worst places: " .. table.concat(texts, "; ") .. "." or ""

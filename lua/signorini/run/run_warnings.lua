@@ -243,12 +243,10 @@ local function sentence(run, model, finding)
   return ("%s%s: %s"):format(finding.place, from, finding.text)
 end
 
---- Sentences on the states at the ends of stages and of the run.
 local function states(run, model)
   return lists.map(run.state_findings, function(finding) return sentence(run, model, finding) end)
 end
 
---- True if points of a contact with friction stick.
 local function sticks(model)
   return lists.any(model:contact_names(), function(contact)
     local now = model:contact_resultant(contact)

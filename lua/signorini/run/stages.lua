@@ -94,7 +94,6 @@ local function jump(course, now, path, name, stage)
       braces(path[1]))
 end
 
---- The values of a function at the end of each step.
 local function values_along(model, course, name, label, steps)
   local components, path = stages.components(model, name), {}
   for k = 1, steps do
@@ -204,7 +203,6 @@ function stages.moves(model, stage, number)
   return false
 end
 
---- True if a stage changes component i at all.
 local function varies(stage, name, i)
   return stage.paths[name] ~= nil or stage.targets[name][i] ~= stage.starts[name][i]
 end

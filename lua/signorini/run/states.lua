@@ -11,7 +11,6 @@ core.types.state = State
 
 function State:__tostring() return ("state at %s"):format(self.title) end
 
---- The steps of a list as a set.
 local function set_of(where, list, total)
   local set, a_step = {}, t.worded(t.integer(0, total), ("a step from 0 (the start) to %d"):format(total))
   for i, step in ipairs(list) do
@@ -27,7 +26,6 @@ local function spread(count, total)
   return set
 end
 
---- The start and the ends of stages.
 local function ends(path)
   local set, step = { [0] = true }, 0
   for _, stage in ipairs(path) do

@@ -150,7 +150,6 @@ local function pairs_of(patches, parts)
   return found
 end
 
---- The boundaries as lists of faces, which print shows by name.
 local function boundaries_of(patches, parts)
   local result = {}
   for name, texts in pairs(patches.boundaries or {}) do

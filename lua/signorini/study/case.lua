@@ -7,12 +7,10 @@ local release = require "signorini.call.release"
 
 local case = {}
 
---- Raises an error that names the result and the case.
 local function reject(entry, what, cure)
   core.fail(("sg.study: case %s: %s%s"):format(entry.text, what, cure and ". Hint: " .. cure or ""))
 end
 
---- Checks the results; returns whether the case failed, and why.
 local function read_results(entry, results)
   if type(results) ~= "table" then
     reject(entry, ("run returned %s"):format(results == nil and "nothing" or core.describe(results)),

@@ -6,7 +6,6 @@ local quantity = require "signorini.study.quantity"
 
 local where = "sg.cheapest"
 
---- Sorts by one of their numbers, then by the other one, then in the order of the study.
 local function sort(cases, first, second)
   table.sort(cases, function(a, b)
     if a[first] ~= b[first] then return a[first] < b[first] end

@@ -126,7 +126,6 @@ local function cases_of(x, y)
   return setmetatable(grid({ [y.name] = y.values }, { [x.name] = x.values }), { parameters = { x.name, y.name } })
 end
 
---- The map before any cell is solved.
 local function new_map(options)
   local x, y, name = options.x, options.y, options.file
   check_axis("x", x)

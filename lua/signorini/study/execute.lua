@@ -40,7 +40,6 @@ local function tell_errors(study)
     study.records[first].reason))
 end
 
---- Reports the state of an execution that Ctrl-C has stopped.
 local function tell_interrupted(study)
   local done, all = #study.rows, #study.cases
   io.stderr:write(("%s: interrupted: %d of %s %s %s\n"):format(study.name, done, counted(all, "case"),

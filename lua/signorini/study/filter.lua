@@ -55,7 +55,6 @@ function filter.text(wanted)
   return table.concat(parts, ", ")
 end
 
---- A filter as a function of a row.
 local function read(where, study, wanted)
   if type(wanted) == "function" then return wanted end
   for name in pairs(wanted) do values.check_known(where, name, study) end

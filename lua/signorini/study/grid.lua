@@ -9,7 +9,6 @@ local values = require "signorini.study.values"
 
 local most, widest = 20, 40 -- printed cases, and characters of a value
 
---- The number of cases, and the first ones as rows of a table.
 local function shown(cases)
   local names = getmetatable(cases).parameters
   local rows = lists.map({ table.unpack(cases, 1, math.min(most, #cases)) }, function(case)

@@ -23,7 +23,6 @@ local jobs = {}
 
 local function read_job(file) return core.read_json(core.read_file(file)) end
 
---- The numbers of a study's jobs, in their order.
 local function numbers(study)
   local folder = study.folder .. "/jobs"
   local list = lists.map(core.exists(folder) and core.list_folder(folder) or {}, function(name)

@@ -17,7 +17,6 @@ function missing.outdated(entry, record, now, limit)
   if record.outcome == "time" and (not limit or limit > record.wall) then return "the time limit was raised" end
 end
 
---- True if `rerun` selects a row.
 local function is_wanted(again, row)
   if type(again) == "function" then return again(row) end
   return again == true or again == "failed" and row.failed

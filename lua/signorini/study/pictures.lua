@@ -133,7 +133,6 @@ end
 
 -- ── Heat maps ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The distinct values of a parameter in their order, as texts.
 local function read_axis(where, key, study, name)
   check.value(types.choice(study.parameters), name, where, key)
   return { name = name, texts = axis_texts(study.rows, name) }

@@ -149,7 +149,6 @@ local function estimate(search, reference)
   end
 end
 
---- The case of least work whose estimated error is within the tolerance.
 local function cheapest(search)
   return lists.least(search.tries, function(case)
     return case.error and case.error <= search.at_most and case.work

@@ -29,7 +29,6 @@ end
 local function is_alive(task) return task.alive end
 local function is_unknown(task) return task.unknown end
 
---- True if a task of a job is alive.
 local function is_running(job, states) return lists.any(states[job.number], is_alive) end
 
 --- True if a task of a job is not known to have ended.

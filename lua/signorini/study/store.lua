@@ -89,7 +89,6 @@ end
 
 local case_files = { json = "result", sgn = "checkpoint", claim = "claim" }
 
---- Removes the cases from a folder.
 local function clear(folder)
   for _, name in ipairs(core.list_folder(folder .. "/cases")) do
     if case_files[name:match "%.(%a+)$"] then os.remove(("%s/cases/%s"):format(folder, name)) end

@@ -64,7 +64,6 @@ local function make(study)
   return setmetatable(study, Study)
 end
 
---- The name of a study's folder below out/, from the study's name.
 local function folder_name(name)
   local stem = name:gsub("[^%w.=+()-]+", "_")
   if name:find "^%s*$" or stem == "." or stem == ".." then

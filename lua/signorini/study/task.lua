@@ -107,7 +107,6 @@ local function requeue(list)
   core.fail(("%s: Slurm did not requeue the task: %s"):format(where, slurm.requeue()))
 end
 
---- The positions of a chunk's cases in the study.
 local function positions(study, chunk)
   local position = {}
   for i, entry in ipairs(study.cases) do position[entry.id] = i end

@@ -160,7 +160,6 @@ local function read_points(study, read)
   return points, left_out, lists.unique(lists.map(read.mark and points or {}, function(point) return point.mark end))
 end
 
---- One curve per series, in the order of the cases.
 local function make_curves(points)
   local groups = lists.grouped(points, function(point) return point.series end)
   return lists.map(groups, function(group) return { name = group.key, points = sorted(group) } end)

@@ -83,7 +83,6 @@ function figure.of_picture(what, picture, caption)
   return framed("picture", ('<img src="%s" alt="%s">'):format(address, html.escape(html.plain(label))), caption)
 end
 
---- The MIME type of a file by its ending.
 local function kind_of(what, file, kinds, noun)
   local kind = kinds[(file:match "%.(%w+)$" or ""):lower()]
   if kind then return kind end
@@ -92,7 +91,6 @@ local function kind_of(what, file, kinds, noun)
     describe.alternatives(endings), file))
 end
 
---- The bytes of a file, which the argument names.
 local function read(what, file)
   if not core.exists(file) then
     core.fail(("%s: there is no file '%s'. Hint: names of files are relative to the working folder"):format(what, file))

@@ -13,7 +13,6 @@ local where = "map:report"
 
 local accounts = { "reached", "increments", "iterations", "cutbacks", "fallback_steps", "wall" }
 
---- One row per cell, failed ones marked.
 local function cells(map)
   local results = values.result_names(map.cells)
   local rows = lists.map(map.cells, function(cell)
@@ -28,7 +27,6 @@ local function cells(map)
   return html_table{ title = map.name, columns = columns, units = units, rows = rows }
 end
 
---- The maps of outcomes and of results.
 local function figures(map)
   local list = { figure.of_picture(where .. ": map1", pictures.outcomes(map, { text = "iterations", title = "" }),
     "Outcomes, with the number of iterations") }

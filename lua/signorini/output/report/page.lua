@@ -39,7 +39,6 @@ end
 
 local function asset(name) return core.read_file(("%s/report/%s"):format(core.share, name)) end
 
---- A section with content or figures; nil if it has neither.
 local function section_text(section)
   local figures = section.figures and #section.figures > 0
     and ('<div class="figures">\n%s\n</div>'):format(table.concat(section.figures, "\n")) or nil

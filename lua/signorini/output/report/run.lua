@@ -42,7 +42,6 @@ local function steps(run)
   return html_table{ title = "steps", columns = columns, units = units, rows = rows }
 end
 
---- The attempts of the steps that needed more than one.
 local function attempts(run)
   local rows = {}
   for step, list in ipairs(run.histories) do

@@ -28,7 +28,6 @@ local function summary(study)
   return facts
 end
 
---- The parameters with their units and values.
 local function parameters(study)
   if #study.parameters == 0 then return "" end
   local facts = lists.map(study.parameters, function(name)
@@ -42,14 +41,12 @@ local function parameters(study)
   return "<h3>Parameters</h3>\n" .. html.facts(facts) .. "\n"
 end
 
---- The table of all rows, failed ones marked.
 local function case_table(study)
   local columns, units, rows = cells(where, study, {})
   for i, row in ipairs(rows) do row.failed = study.rows[i].failed end
   return html_table{ title = study.name, columns = columns, units = units, rows = rows }
 end
 
---- The failed cases with their reasons in full.
 local function failures(study)
   local failed = failed_rows(study)
   local items = lists.map({ table.unpack(failed, 1, most_failures) }, function(row)

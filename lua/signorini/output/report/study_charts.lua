@@ -24,7 +24,6 @@ local function values_of(study, name)
   return all, #all > 0 and not lists.any(all, function(value) return type(value) ~= "number" end)
 end
 
---- The distinct values of a column, as texts.
 local function texts_of(study, name)
   local rows = lists.filter(study.rows, function(row) return row[name] ~= nil end)
   return lists.unique(lists.map(rows, function(row) return values.text(row[name], true) end))
@@ -88,7 +87,6 @@ end
 
 -- ── Figures ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- The figure of one entry of `charts`; its title is the caption.
 local function figure_of(study, entry, i)
   local what = ("%s: charts[%d]"):format(where, i)
   if core.kind(entry) == "picture" then return figure.of_picture(what, entry) end

@@ -7,7 +7,6 @@ local pages = require "signorini.pages"
 
 local rows = {}
 
---- The alternatives of a type, as a list.
 local function choices(type)
   if type.kind == "switch" then return choices(type.of) end
   return type.kind == "either" and lists.flat(lists.map(type, choices)) or { type }
@@ -51,7 +50,6 @@ function rows.names(name, argument, keys, owner)
   end)
 end
 
---- The strings of a type.
 local function texts_of(type, owner, key)
   if type.kind == "list" then return all({ type.of }, function(one) return texts_of(one, owner, key) end) end
   if type.kind ~= "choice" and type.kind ~= "text" and type.kind ~= "any" then return {} end

@@ -19,7 +19,6 @@ local function enclosed(text)
   return (outside:find("|", 1, true) or is_function) and ("(%s)"):format(text) or text
 end
 
---- A type that is one of several.
 local function union(texts)
   local parts = lists.map(lists.unique(texts), function(text) return text:find "^fun%(" and enclosed(text) or text end)
   return table.concat(parts, "|")

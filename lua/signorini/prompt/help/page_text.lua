@@ -42,7 +42,6 @@ local function rows_inside(type)
   return type.kind == "either" and lists.map(lists.filter(type, rows_inside), rows_inside)[1] or nil
 end
 
---- Type, unit and default of a row.
 local function terms(row)
   local parts = { describe.one(row[2]), row.unit }
   if row.default ~= nil then

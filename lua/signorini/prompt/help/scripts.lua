@@ -6,7 +6,6 @@ local filter = require("signorini.call.lists").filter
 
 local scripts = {}
 
---- The header comment of a script, without its dashes.
 local function header(text)
   local lines = {}
   for line in text:gmatch "([^\n]*)\n" do

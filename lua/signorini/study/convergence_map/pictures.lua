@@ -58,7 +58,6 @@ local function cells_of(maps)
   return lists.flat(lists.map(maps, function(map) return map.cells end))
 end
 
---- Checks the name of a quantity that a picture can show.
 local function check_name(where, argument, maps, name)
   local known = { "iterations", "reached", "increments", "steps", "cutbacks", "fallback_steps", "wall" }
   check.value(types.choice(lists.joined(known, values.result_names(cells_of(maps)))), name, where, argument)
