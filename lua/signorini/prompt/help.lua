@@ -13,6 +13,8 @@ local synonyms = require "signorini.prompt.help.synonyms"
 local texts = require "signorini.prompt.help.texts"
 local wrapped = require("signorini.call.text").wrapped
 
+local help = {}
+
 local shortest = 3 -- word that ?word searches for
 local width, widest_head = 118, 46 -- characters of a line, and of its left column
 
@@ -92,9 +94,12 @@ local function synonym_page(word)
   end
 end
 
-local function words()
+--- The words of pages, texts and groups, sorted.
+function help.words()
   local groups = lists.map(pages.groups(), function(group) return group.word end)
-  return lists.unique(lists.joined({ "gallery" }, pages.names(), lists.sorted_names(texts), groups))
+  local known = lists.unique(lists.joined({ "gallery" }, pages.names(), lists.sorted_names(texts), groups))
+  table.sort(known)
+  return known
 end
 
 local function words_of_pages()
@@ -106,7 +111,7 @@ local function words_of_pages()
 end
 
 local function no_page(word)
-  local known = lists.joined(words(), lists.map(pages.names(), function(name) return name:match "[^.:]+$" end),
+  local known = lists.joined(help.words(), lists.map(pages.names(), function(name) return name:match "[^.:]+$" end),
     lists.map(scripts.all(), function(script) return script.name end))
   table.sort(known)
   local hint = meant(word, known)
@@ -157,15 +162,6 @@ local function value_page(value)
   local page = page_of(value)
   if page then return pages.text(page.name) end
   return type(value) == "table" and table_page(value) or ("There is no help page for a %s."):format(core.kind(value))
-end
-
-local help = {}
-
---- Completions of help ".
-function help.words()
-  local known = words()
-  table.sort(known)
-  return known
 end
 
 --- sg.help.

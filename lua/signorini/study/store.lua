@@ -14,7 +14,7 @@ local store = {}
 store.format = 1
 
 -- When the disk is full this file is removed, which leaves space for the results of the running cases.
-local reserve_name, reserve_size = "reserve", 1 << 20
+local reserve_size = 1 << 20
 
 --- Calls a function of the core; its error becomes one of study:execute at the user's line.
 local function call(where, name, ...) return on_behalf_of(where, "core." .. name, core[name], ...) end
@@ -101,8 +101,7 @@ function store.open(where, study)
   if not study.folder then return { study = study, where = where } end
   call(where, "mkdir", study.folder .. "/cases")
   local lock = call(where, "lock", study.folder .. "/lock")
-  local handle = { saves = true, lock = lock, study = study, where = where,
-                   reserve = study.folder .. "/" .. reserve_name }
+  local handle = { lock = lock, study = study, where = where, reserve = study.folder .. "/reserve" }
   local ok, message = pcall(function()
     if study.fresh then clear(study.folder) end
     local file = study.folder .. "/study.json"
@@ -110,7 +109,7 @@ function store.open(where, study)
       call(where, "write_file", file, core.write_json { study = study.name, format = store.format })
     end
   end)
-  if ok then return setmetatable(handle, { __index = store }) end
+  if ok then return handle end
   lock:release()
   error(message, 0)
 end
@@ -118,13 +117,12 @@ end
 --- A handle for one of several processes that write cases at the same time, each into files of its own.
 function store.share(where, study, reserve)
   store.check(where, study)
-  return setmetatable({ saves = true, study = study, where = where, reserve = ("%s/%s"):format(study.folder, reserve) },
-    { __index = store })
+  return { study = study, where = where, reserve = ("%s/%s"):format(study.folder, reserve) }
 end
 
 --- Reserves the space that the last results will need, before any case runs.
 function store.take_reserve(handle)
-  if not handle.saves then return end
+  if not handle.study.folder then return end
   if not core.is_link(handle.reserve) and (read_text(handle.reserve) or ""):find "[^ ]" then
     core.fail(("%s: '%s' is not a reserve of this study, so it is not replaced. Hint: choose another folder, or remove "
       .. "it"):format(handle.where, handle.reserve))
@@ -135,7 +133,7 @@ end
 
 --- Writes a case's record. If the disk is full, the reserve is released. A checkpoint is of no further use.
 function store.write(handle, entry, record)
-  if not handle.saves then return end
+  if not handle.study.folder then return end
   record.format = store.format
   local file, text = case_file(handle.study, entry), core.write_json(record, "the case's record")
   if not pcall(core.write_file, file, text, true) then
@@ -150,7 +148,6 @@ end
 
 --- Unlocks the folder.
 function store.close(handle)
-  if not handle.saves then return end
   if handle.reserved then os.remove(handle.reserve) end
   if handle.lock then handle.lock:release() end
 end
