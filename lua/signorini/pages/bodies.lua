@@ -63,8 +63,7 @@ pressures need at least 7 across a contact with order N2, 3 with N2-N2.2 (penalt
 contact has fewer]] },
       { "order", order, [[discretization label such as "N2-N2.2", help "orders"]] },
       { "contact", t.one_or_more(patch_types.any_face), [[face that carries the layer, or two opposite ones; required
-for orders with a layer. Any face can be slave or master of a contact]],
-        otherwise = "none" },
+for orders with a layer. Any face can be slave or master of a contact]], otherwise = "none" },
       { "layer", layer, [[where the layer is, with elements that overlap it: parameters along the contact face; in
 space a range per direction, whose strips both have the layer's degree along them; or a function of the undeformed
 position X. With the degree the continuity changes: that of the bulk at the borders]], otherwise = "the whole face" },

@@ -5,8 +5,7 @@ local t = require "signorini.call.types"
 local rows = require "signorini.pages.chart_rows"
 
 local curve = t.worded(t.named(rows.curve), "a curve { y = {…} }", "curves { y = {…} }")
-curve.cures = { ["contact profile"] =
-  "write { x = profile.x, y = profile.pressure }, or with another of its lists" }
+curve.cures = { ["contact profile"] = "write { x = profile.x, y = profile.pressure }, or with another of its lists" }
 
 local name = t.either(t.text, t.number)
 local names = t.worded(t.list(name, nil, 1), "a list of at least one name or number")

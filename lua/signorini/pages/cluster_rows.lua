@@ -6,8 +6,7 @@ local t = require "signorini.call.types"
 local rows = {
   { "on", t.either(t.choice { "local", "slurm" }, t.one_or_more(t.text)), [[where the cases are solved: on
 this machine, by Slurm, or on hosts reached by ssh, { "ssh:host1", "ssh:host2" }; --on of the command line takes
-precedence]],
-    default = "local" },
+precedence]], default = "local" },
   "For Slurm and hosts:",
   { "cores", t.count, "cores of a task or a host, which solves as many cases in parallel", default = 1 },
   { "wait", t.flag, "whether to wait for the jobs; if not, the study has the cases done so far", default = true },

@@ -14,6 +14,13 @@ local function point(key, text)
   return { key, patch_types.vector, text, otherwise = "the origin", unit = "length" }
 end
 
+-- Motions of a patch and of all patches of a list.
+local translation = { { "by", patch_types.vector, "displacement", unit = "length" } }
+local center = point("center", "the fixed point")
+local rotation = { { "angle", t.number, "counterclockwise", unit = "degrees" }, axis, center }
+local scaling = { { "factor", patch_types.factor, "for all coordinates, or one for each in a list" }, center }
+local mirroring = { { "normal", patch_types.vector, "normal of the mirror" }, point("point", "a point on the mirror") }
+
 return {
   title = "Shapes and patches", word = "patches",
   { "patch", [[A NURBS curve, surface or volume, an immutable value: methods that change something return a new patch.
@@ -70,39 +77,35 @@ direction into the first tenth of its length and leaves the second direction uni
   { "patch:weights", "Returns the weights of the control points, in the order of patch:points().",
     returns = t.numbers(), example = "patch:weights()[1]  --> 1.0" },
   { "patch:translate", "Moves the patch by a vector.",
-    arguments = { { "by", patch_types.vector, "displacement", unit = "length" } },
+    arguments = translation,
     returns = a_patch, example = "patch:translate{1, 0}{0, 0}  --> {1.0, 0.0}" },
   { "patch:rotate", "Rotates the patch about a center, in 3D about an axis through it.",
-    named = { { "angle", t.number, "counterclockwise", unit = "degrees" }, axis,
-              point("center", "the fixed point") },
+    named = rotation,
     returns = a_patch, example = "patch:rotate{ angle = 30, center = {1.5, 0.5} }" },
   { "patch:scale", "Scales the patch about a center.",
-    named = { { "factor", patch_types.factor, "for all coordinates, or one for each in a list" },
-              point("center", "the fixed point") },
+    named = scaling,
     returns = a_patch, example = "patch:scale{ factor = {2, 1} }{1, 1}  --> {6.0, 1.0}" },
   { "patch:mirror", [[Returns the mirror image across a line, in 3D across a plane. The parametric direction closest to
 the normal is reversed, so that the image of a body is right-handed again and an obstacle keeps its outside; curves in
 3D keep their direction.]],
-    named = { { "normal", patch_types.vector, "normal of the mirror" },
-              point("point", "a point on the mirror") },
+    named = mirroring,
     returns = a_patch, example = "patch:mirror{ normal = {1, 0} }{0, 0}  --> {-3.0, 0.0}" },
   { "patch_list", [[A list of patches, as sg.shapes.disc, cylinder, ball and torus and sg.nurbs.read return it, with
 the names of its faces: `boundaries`, `interfaces`. sg.body makes a body of all of them. list[1] is a patch.]],
     more = "Methods: translate, rotate, scale, mirror, as of a patch, of all patches; the names of faces are kept." },
   { "patch_list:translate", "Moves all patches by a vector.",
-    arguments = { { "by", patch_types.vector, "displacement", unit = "length" } },
+    arguments = translation,
     returns = patch_types.several, example = "#sg.shapes.disc{ radius = 1 }:translate{1, 0}  --> 5" },
   { "patch_list:rotate", "Rotates all patches about a center, in 3D about an axis through it.",
-    named = { { "angle", t.number, "counterclockwise", unit = "degrees" }, axis, point("center", "the fixed point") },
+    named = rotation,
     returns = patch_types.several,
     example = "sg.shapes.cylinder{ radius = 1, width = 2 }:rotate{ angle = 90, axis = {1, 0, 0} }" },
   { "patch_list:scale", "Scales all patches about a center.",
-    named = { { "factor", patch_types.factor, "for all coordinates, or one for each in a list" },
-              point("center", "the fixed point") },
+    named = scaling,
     returns = patch_types.several, example = "sg.shapes.disc{ radius = 1 }:scale{ factor = {2, 1} }" },
   { "patch_list:mirror", [[Returns the mirror images of all patches, see patch:mirror. `boundaries` and `interfaces`
 name the same faces as before, also where a direction was reversed.]],
-    named = { { "normal", patch_types.vector, "normal of the mirror" }, point("point", "a point on the mirror") },
+    named = mirroring,
     returns = patch_types.several,
     example = "sg.shapes.disc{ radius = 1, center = {2, 0} }:mirror{ normal = {1, 0} }" },
   { "patch:reverse", [[Reverses a parametric direction; the shape is unchanged, the two faces at its ends exchange their

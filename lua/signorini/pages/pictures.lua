@@ -99,8 +99,7 @@ von_mises, pressure (-tr sigma/3), I1 (tr sigma: the first invariant of the stre
 unit) F11 F12 F21 F22 F33; for solids also uz sxz syz F13 … F32; contact_pressure (force per current area, with adhesion
 per reference area) on slave faces, and damage (of bonds, 0 to 1) on those of cohesive contacts, in the plane as a band
 along them. Stresses are evaluated at the points drawn, neither extrapolated nor averaged, so that jumps between
-elements are visible]],
-        otherwise = "gray" },
+elements are visible]], otherwise = "gray" },
       { "factor", t.number, "multiplies the field", default = 1, needs = { "field", "fields" } },
       { "label", t.text, "title of the color bar", otherwise = "the field's name with its factor",
         needs = { "field" }, excludes = { "fields", why = "each of which has its own color bar" } },
@@ -113,14 +112,12 @@ range; or a list of levels]], otherwise = "none", needs = { "field", "fields" } 
       "Parts drawn:",
       of_models { "bodies", t.list(body_name, nil, 1), "names of the bodies", otherwise = "all" },
       of_models { "deformed", t.flag, "current shape; false: reference shape", default = true },
-      of_models { "undeformed", t.flag, "also the reference shape, dashed, in 3D also translucent",
-        default = false },
+      of_models { "undeformed", t.flag, "also the reference shape, dashed, in 3D also translucent", default = false },
       { "mesh", t.flag, "element boundaries", default = true },
       { "control_points", t.flag, "control points and control net", default = false },
       of_models { "vectors", t.choice { "displacement", "traction" }, [[arrows: displacements at points of a grid, or
 tractions (force per current area, mortar: reference area) at the contact points of slave faces, with a scale below the
-picture]],
-        otherwise = "none" },
+picture]], otherwise = "none" },
       of_models { "obstacles", t.flag, "rigid obstacles", default = true },
       of_models { "mirror", t.choice { "x", "y", "z", "xy", "xz", "yz", "xyz" },
         [[adds the mirror image about the plane x = 0, y = 0 or z = 0 (solids), for "xy" about both; of a body that

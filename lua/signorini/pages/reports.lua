@@ -18,8 +18,7 @@ local function arguments(title, own)
   local rows = joined({
     { "file", t.text, "name of the page, which ends with .html" },
     { "title", t.text, "title of the page", otherwise = title },
-    { "text", t.text, "what the reader should know, above all else; empty lines separate paragraphs",
-      optional = true },
+    { "text", t.text, "what the reader should know, above all else; empty lines separate paragraphs", optional = true },
   }, own, {
     { "pictures", captioned({ "picture", t.either(picture, t.text), "a picture, or a file that ends with .png, .jpg, "
       .. ".svg, .gif or .webp" }, "a list of pictures, names of files or tables { picture = …, caption = … }"),

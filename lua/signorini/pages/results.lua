@@ -24,8 +24,7 @@ coordinate]] },
   { "normalize", t.worded(t.either(t.positive, t.choice { "max" }), "a positive number or \"max\""), [[N; "max": the
 largest value of the reference]], default = 1 },
   { "quadrature", t.choice { "profile", "reference", "union" }, [[points of the trapezoidal rule; the other profile is
-interpolated linearly; "union", the points of both, is exact for two polygons]],
-    default = "profile" },
+interpolated linearly; "union", the points of both, is exact for two polygons]], default = "profile" },
   { "zone", t.choice { "either", "both" }, [["either": where one of the two touches, with p = 0 at open points; "both":
 only where both touch, from edge point to edge point. If the contact of one ends earlier than that of the other, "both"
 leaves out the largest differences]], default = "either" },

@@ -38,8 +38,7 @@ points of the slave face (with N2 elements) touch across the contact; 100 E / h 
 penalty over-constrains the face. Mortar contact needs 8 ("reduced": 6) at any penalty. Penetration increases as the
 penalty decreases: model:contact_resultant(name).max_penetration. With enforcement = "augmented" the penalty determines
 the number of augmentations, not the result, and with "multipliers" it only scales the equations; it is then 10 E / h by
-default]],
-    unit = "pressure per length", otherwise = "from material and mesh" },
+default]], unit = "pressure per length", otherwise = "from material and mesh" },
   { "friction", t.named {
     { "mu", t.non_negative, [[Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for a
 contact whose friction begins in a later stage]] },
@@ -281,17 +280,14 @@ center, which moves with its translation]], otherwise = "no rotation" },
 moments, friction and the shape of the obstacle determine]], otherwise = '"driven"' },
       { "spring", t.point, [[stiffness {kx, ky}, in 3D {kx, ky, kz}, of springs that hold the faces, or an obstacle in
 free components, then in all; 0 where there is none. They are free of forces in the reference shape and keep the
-directions of the axes]],
-        unit = "force per length and reference area; of an obstacle per length", optional = true },
+directions of the axes]], unit = "force per length and reference area; of an obstacle per length", optional = true },
       { "shape", course, [[function(x, y), in 3D function(x, y, z), that returns the displacement {ux, uy} of a
 reference position of the faces, of which the driven components follow it, times a factor that stages prescribe; the
 others must be 0. It is called when the model is made, and projected onto the faces (least squares), which reproduces
-fields of their space; a difference above 1 % is a warning]],
-        otherwise = "a displacement for each driven component" },
+fields of their space; a difference above 1 % is a warning]], otherwise = "a displacement for each driven component" },
       { "symmetry", t.flag, [[fixes the normal component on flat faces in a plane of symmetry x, y or z = c, in an
 axisymmetric model on the axis or y = c. Each plane of symmetry halves the scene and its forces; on the axis forces
-remain those of the full circle]],
-        default = false },
+remain those of the full circle]], default = false },
     },
     more = [[model:reaction(name) is the force that it exerts, followed by the moment if it rotates; the columns of a
 run are <name>.fx, .fy, .fz, .moment, and for driven components and those of obstacles that are free <name>.ux …

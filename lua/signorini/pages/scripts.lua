@@ -70,8 +70,7 @@ the file needs.]],
     example = [[files:draw("forces.png", "two steps", function(path)
   return run.steps > 1 and run:csv(path) == nil
 end)]] },
-  { "files:report", "Prints the list of files written; prints nothing if it is empty.",
-    example = "files:report()" },
+  { "files:report", "Prints the list of files written; prints nothing if it is empty.", example = "files:report()" },
   { "sg.mkdir", "Creates a folder and its parents; an existing folder is not an error.",
     arguments = { { "path", t.text, "name of the folder" } },
     example = [[sg.mkdir "out/study"]] },
@@ -94,8 +93,7 @@ formulas, because they begin with = + - or @, are quoted with an apostrophe befo
       file,
       { "data", t.options({
         { "columns", t.list(t.text, nil, 1), "names of the columns", otherwise = "those of the lists, sorted" },
-        { "rows", t.rows, "values; without rows, give lists of equal length by the names of columns",
-          optional = true },
+        { "rows", t.rows, "values; without rows, give lists of equal length by the names of columns", optional = true },
         { "comments", t.list(t.text), "comment lines at the top", optional = true } }, t.cells, "model:profile"),
         "the table, or a contact profile" } },
     example = [[sg.csv.write("a.csv", { columns = {"step", "fx"}, rows = {{1, 0.2}, {2, 0.3}} })]] },

@@ -20,8 +20,7 @@ local function of_heatmap(keys, otherwise) return chart_rows.pick(chart_rows.hea
 
 local at_once = { "jobs", t.count, "cases solved in parallel, with one thread each",
                   otherwise = "the value of --jobs, or the number of processors" }
-local limit = { "limit", t.positive, "time limit of a case", unit = "wall-clock seconds",
-                otherwise = "none" }
+local limit = { "limit", t.positive, "time limit of a case", unit = "wall-clock seconds", otherwise = "none" }
 local only_rows = { "where", t.of_row(t.any), "function of a row that returns true for the rows to use",
                     otherwise = "all" }
 local columns = { "columns", t.list(t.column), "columns in this order", otherwise = "all parameters and results" }

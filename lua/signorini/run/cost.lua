@@ -20,8 +20,7 @@ local function bodies_text(cost)
   local total = { "all", 0, 0, 0, 0, 0, 0 }
   local rows = lists.map(lists.sorted_names(cost.bodies), function(name)
     local body = cost.bodies[name]
-    local row = { name, body.unknowns, body.bulk, body.interface, body.prescribed, body.elements,
-                  body.gauss_points }
+    local row = { name, body.unknowns, body.bulk, body.interface, body.prescribed, body.elements, body.gauss_points }
     for k = 2, #total do total[k] = total[k] + row[k] end
     return row
   end)

@@ -308,8 +308,7 @@ function run_warnings.of_run(run, model, early)
   texts[#texts + 1] = held(run, model) or not run.failed and core.weak_hold(model) or nil
   texts[#texts + 1] = controls.warning(run)
   texts[#texts + 1] = unstable_law(run)
-  texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length,
-    controls.arc_options(run.histories))
+  texts[#texts + 1] = jumps.warning(run.jumps, run.used.arc_length, controls.arc_options(run.histories))
   texts[#texts + 1] = energy_balance.warning(run, run.energies, differing)
   return texts
 end

@@ -30,8 +30,7 @@ local function parameter_names(list, ordered)
         core.fail(("%s: cases[%d] has a value without a name. Hint: write parameter = value"):format(where, i))
       end
       if lists.holds(values.accounts, name) then
-        core.fail(("%s: cases[%d]: a parameter cannot be called '%s', a column of every case")
-          :format(where, i, name))
+        core.fail(("%s: cases[%d]: a parameter cannot be called '%s', a column of every case"):format(where, i, name))
       end
       others[name] = true
     end

@@ -51,8 +51,7 @@ end
 local function solve_cell(functions, x, y)
   local model = functions.scene(x, y)
   if type(model) ~= "userdata" and type(model) ~= "table" then
-    core.fail(("%s: scene must return a model, got %s"):format(where,
-      model and core.describe(model) or "nothing"))
+    core.fail(("%s: scene must return a model, got %s"):format(where, model and core.describe(model) or "nothing"))
   end
   local stages, options = functions.path(model, x, y)
   local run = model:run(stages, options)

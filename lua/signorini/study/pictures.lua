@@ -145,8 +145,7 @@ local function read_cells(where, study, x, y)
   for _, row in ipairs(study.rows) do
     local line, at = cells[values.text(row[y.name], true)], values.text(row[x.name], true)
     if line[at] then
-      ambiguous(where, study, line[at], row,
-        ("%s = %s, %s = %s"):format(x.name, at, y.name, values.text(row[y.name])))
+      ambiguous(where, study, line[at], row, ("%s = %s, %s = %s"):format(x.name, at, y.name, values.text(row[y.name])))
     end
     line[at] = row
   end
