@@ -109,40 +109,39 @@ local function conflict_of_enforcement(method, enforcement)
     quoted(enforcements[method]), enforcement, quoted(lists.filter({ "gpts", "mortar" }, offers)))
 end
 
-contact.conflict = function(values)
-  local bonded = values.cohesive and rows.conflict_of_cohesive(values)
-  if bonded then return bonded end
-  if values.adhesion and (values.offset ~= 0 or values.overlap ~= "error") then
-    return ("it has both adhesion and %s, but van der Waals forces act at every distance: remove one of the two")
-      :format(values.offset ~= 0 and "offset" or 'overlap = "interference"')
+local function conflict_of_adhesion(values)
+  local function both(other, why)
+    return ("it has both adhesion and %s, but %s: remove one of the two"):format(other, why)
+  end
+  if values.offset ~= 0 or values.overlap ~= "error" then
+    return both(values.offset ~= 0 and "offset" or 'overlap = "interference"',
+      "van der Waals forces act at every distance")
   end
   for _, other in ipairs { "penalty", "friction" } do
-    if values.adhesion and values[other] then
-      return ("it has both adhesion and %s, but the van der Waals law is repulsive already: remove one of the two")
-        :format(other)
-    end
+    if values[other] then return both(other, "the van der Waals law is repulsive already") end
   end
-  if values.adhesion and values.method == "mortar" then
-    return 'it has both adhesion and method = "mortar", but van der Waals forces act at contact points: remove one of '
-      .. "the two"
+  if values.method == "mortar" then
+    return both('method = "mortar"', "van der Waals forces act at contact points")
   end
   if values.method == "half_passes" then
-    if values.adhesion then
-      return 'it has both adhesion and method = "half_passes", but half passes are for penalty contact: remove one of '
-        .. "the two"
-    end
-    if require("signorini.pages").kind(values.master) == "obstacle" then
-      return 'method = "half_passes" needs a face of a body as the master, since an obstacle has no contact points: '
-        .. 'use method = "gpts" or "mortar"'
-    end
-    if values.per == "reference" then
-      return 'it has method = "half_passes" and per = "reference", but the reference areas of the two faces are '
-        .. 'stretched differently, so that action and reaction would differ: write per = "current", or omit it'
-    end
+    return both('method = "half_passes"', "half passes are for penalty contact")
   end
-  if values.adhesion and values.enforcement ~= "penalty" then
-    return ('it has both adhesion and enforcement = "%s", but van der Waals forces need no enforcement: remove one of '
-      .. "the two"):format(values.enforcement)
+  if values.enforcement ~= "penalty" then
+    return both(('enforcement = "%s"'):format(values.enforcement), "van der Waals forces need no enforcement")
+  end
+end
+
+contact.conflict = function(values)
+  local wrong = values.cohesive and rows.conflict_of_cohesive(values)
+    or values.adhesion and conflict_of_adhesion(values)
+  if wrong then return wrong end
+  if values.method == "half_passes" and require("signorini.pages").kind(values.master) == "obstacle" then
+    return 'method = "half_passes" needs a face of a body as the master, since an obstacle has no contact points: '
+      .. 'use method = "gpts" or "mortar"'
+  end
+  if values.method == "half_passes" and values.per == "reference" then
+    return 'it has method = "half_passes" and per = "reference", but the reference areas of the two faces are '
+      .. 'stretched differently, so that action and reaction would differ: write per = "current", or omit it'
   end
   local fixed = values.points == "auto" and (values.adhesion and "adhesion" or values.cohesive and "cohesive"
     or values.multipliers and "multipliers" or values.method == "mortar" and 'method = "mortar"')
@@ -152,17 +151,14 @@ contact.conflict = function(values)
   end
   local unknown = conflict_of_enforcement(values.method, values.enforcement)
   if unknown then return unknown end
-  if values.multipliers and values.method ~= "mortar" and values.method ~= "half_passes" then
+  if values.multipliers and values.method == "gpts" then
     return ('multipliers = "%s" is for method = "mortar" or "half_passes": add one of these, or remove multipliers')
       :format(values.multipliers)
   end
-  if values.method == "mortar" and values.per == "current" then
-    return 'it has method = "mortar" and per = "current", but mortar contact acts per reference area: write per = '
-      .. '"reference", or omit it'
-  end
-  if values.adhesion and values.per == "current" then
-    return 'it has adhesion and per = "current", but the van der Waals law is a force per reference area: write per = '
-      .. '"reference", or omit it'
+  if values.per == "current" and (values.method == "mortar" or values.adhesion) then
+    return ('it has %s and per = "current", but %s per reference area: write per = "reference", or omit it'):format(
+      values.adhesion and "adhesion" or 'method = "mortar"',
+      values.adhesion and "the van der Waals law is a force" or "mortar contact acts")
   end
 end
 
