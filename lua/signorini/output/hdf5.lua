@@ -35,12 +35,8 @@ local function origin()
 end
 
 function Record:set_about(path, quantity, text, name)
-  if quantity then
-    self.file:set(path, "quantity", "text", quantity)
-    self.file:set(path, "unit", "text", quantities.unit(self.units, quantity, name))
-  elseif name then
-    self.file:set(path, "unit", "text", quantities.unit(self.units, nil, name))
-  end
+  if quantity then self.file:set(path, "quantity", "text", quantity) end
+  if quantity or name then self.file:set(path, "unit", "text", quantities.unit(self.units, quantity, name)) end
   if text then self.file:set(path, "description", "text", text) end
 end
 

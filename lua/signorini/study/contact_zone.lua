@@ -55,14 +55,18 @@ local function reach(box)
   return math.max(margin * size, least * box.spacing)
 end
 
+--- True if the points from `low` to `high` are within a box with its margin.
+local function covers(box, low, high)
+  for d, least in ipairs(box.low) do
+    if low[d] < least - reach(box) or high[d] > box.high[d] + reach(box) then return false end
+  end
+  return true
+end
+
 --- True if `inner` boxes are within `boxes` with their margins.
 function zone.contains(boxes, inner)
   for name, box in pairs(inner) do
-    local outer = boxes[name]
-    if not outer then return false end
-    for d, low in ipairs(box.low) do
-      if low < outer.low[d] - reach(outer) or box.high[d] > outer.high[d] + reach(outer) then return false end
-    end
+    if not (boxes[name] and covers(boxes[name], box.low, box.high)) then return false end
   end
   return true
 end
@@ -82,14 +86,7 @@ end
 --- The boxes with a margin as `layer` of sg.body takes them, by contact.
 function zone.layers(boxes)
   local layers = {}
-  for name, box in pairs(boxes) do
-    layers[name] = function(X)
-      for d, low in ipairs(box.low) do
-        if X[d] < low - reach(box) or X[d] > box.high[d] + reach(box) then return false end
-      end
-      return true
-    end
-  end
+  for name, box in pairs(boxes) do layers[name] = function(X) return covers(box, X, X) end end
   return layers
 end
 

@@ -49,7 +49,7 @@ end
 
 --- The positions of the rows on the x axis: their numbers or, if a column has other values, the place in the order in
 --- which the values first occur, with the names of these places.
-local function read_places(where, x, rows)
+local function read_places(x, rows)
   local is_odd = type(x.pick) ~= "function" and lists.any(rows, function(row)
     return row[x.pick] ~= nil and type(row[x.pick]) ~= "number"
   end)
@@ -111,7 +111,7 @@ function pictures.chart(study, options)
   local series = options.series and quantity.read(where, "series", study, options.series)
   local rows = lists.filter(study.rows, function(row) return not row.failed end)
   local is_parameter = lists.holds(study.parameters, x.pick)
-  local x_of, names = read_places(where, x, rows)
+  local x_of, names = read_places(x, rows)
   local curves = read_curves(where, study, rows, x_of, y, series, is_parameter and options.line and x.pick or nil)
   if #curves == 0 then
     nothing_to_draw(where, study, ("both %s and %s"):format(x.name, y.name), options.file or "the chart")

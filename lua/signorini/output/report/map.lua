@@ -48,13 +48,12 @@ end
 
 return function(map, options)
   local given, films = page.given_figures(where, options)
-  page.check_file(where, options.file)
   local converged, all = map:converged()
   local wall = 0
   for _, cell in ipairs(map.cells) do wall = wall + (cell.wall or 0) end
   local warnings = origin.warnings(map.study.records)
-  page.write(where, options.file, {
-    title = options.title or map.name, text = options.text, records = map.study.records,
+  page.write(where, options, {
+    title = map.name, records = map.study.records,
     subtitle = ("Convergence map over %s and %s"):format(map.x.name, map.y.name),
     summary = { { "Cells", tostring(all) }, { "Converged", tostring(converged) },
                 { "Not converged", tostring(#map.cells - converged) }, { "Sum of wall times", html.duration(wall) } },

@@ -10,19 +10,12 @@ local origin = require "signorini.output.report.origin"
 
 local page = {}
 
---- Checks the name of the page's file.
-function page.check_file(where, file)
-  if not file:find "[^/]%.html?$" then
-    check.reject(where, "file", "the name of a file that ends with .html", file)
-  end
-end
-
 --- The words of an id or of a file name.
 local function slug(title) return (title:lower():gsub("[^%w]+", "-"):gsub("^-", ""):gsub("-$", "")) end
 
 -- ── Figures of the user ──────────────────────────────────────────────────────────────────────────────────────────────
 
---- The figures of the arguments `pictures` and `films`, as sections.
+--- The figures of the arguments `pictures` and `films`, as sections. Checks the name of the page's file, too.
 function page.given_figures(where, options)
   local pictures = lists.map(options.pictures or {}, function(entry, i)
     local what = ("%s: pictures[%d]"):format(where, i)
@@ -32,6 +25,9 @@ function page.given_figures(where, options)
   local films = lists.map(options.films or {}, function(entry, i)
     return figure.of_film(("%s: films[%d]"):format(where, i), entry.film, entry.caption)
   end)
+  if not options.file:find "[^/]%.html?$" then
+    check.reject(where, "file", "the name of a file that ends with .html", options.file)
+  end
   return { title = "Pictures", figures = pictures }, { title = "Films", figures = films }
 end
 
@@ -74,9 +70,10 @@ local function whole(content)
   return table.concat(parts, "\n")
 end
 
---- Writes the page to a file, whole or not at all.
-function page.write(where, file, content)
-  on_behalf_of(where, "core.write_output", core.write_output, file, whole(content), "html")
+--- Writes the page to a file, whole or not at all. The options of the report are file, title and text.
+function page.write(where, options, content)
+  content.title, content.text = options.title or content.title, options.text
+  on_behalf_of(where, "core.write_output", core.write_output, options.file, whole(content), "html")
 end
 
 return page

@@ -125,11 +125,10 @@ end
 
 return function(run, options)
   local given, films = page.given_figures(where, options)
-  page.check_file(where, options.file)
   table.insert(given.figures, 1, not options.pictures and states(run, options.field) or nil)
   local names = lists.map(run.stages, function(stage) return stage.name end)
-  page.write(where, options.file, {
-    title = options.title or ("Run: %s"):format(table.concat(names, ", ")), text = options.text, summary = summary(run),
+  page.write(where, options, {
+    title = ("Run: %s"):format(table.concat(names, ", ")), summary = summary(run),
     subtitle = ("%s in %s"):format(counted(run.steps, "step"), counted(#run.stages, "stage")),
     sections = {
       { title = "Failure", html = failure(run) },

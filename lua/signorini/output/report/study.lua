@@ -9,6 +9,7 @@ local lists = require "signorini.call.lists"
 local origin = require "signorini.output.report.origin"
 local outcomes = require "signorini.study.outcomes"
 local page = require "signorini.output.report.page"
+local quantity = require "signorini.study.quantity"
 local values = require "signorini.study.values"
 
 local where = "study:report"
@@ -50,10 +51,7 @@ end
 local function failures(study)
   local failed = failed_rows(study)
   local items = lists.map({ table.unpack(failed, 1, most_failures) }, function(row)
-    local case = table.concat(lists.map(study.parameters, function(name)
-      return ("%s = %s"):format(name, values.text(row[name]))
-    end), ", ")
-    return ("%s\n%s: %s"):format(case, row.outcome or "failed", row.reason or "no reason given")
+    return ("%s\n%s: %s"):format(quantity.case(study, row), row.outcome or "failed", row.reason or "no reason given")
   end)
   if #failed > most_failures then items[#items + 1] = ("and %d more, see the table"):format(#failed - most_failures) end
   return #items > 0 and html.list(items) or ""
@@ -72,12 +70,11 @@ end
 
 return function(study, options)
   local given, films = page.given_figures(where, options)
-  page.check_file(where, options.file)
   local open = missing(study)
   if open then io.stderr:write(("signorini: warning: %s: %s. Hint: study:execute() first\n"):format(where, open)) end
   local counts, records = outcomes.counts(study.rows), (study.whole or study).records
-  page.write(where, options.file, {
-    title = options.title or study.name, text = options.text, records = records, summary = summary(study),
+  page.write(where, options, {
+    title = study.name, records = records, summary = summary(study),
     subtitle = ("Study “%s”: %s%s"):format(study.name, counted(study.cases and #study.cases or #study.rows, "case"),
       #counts > 0 and ", " .. table.concat(counts, ", ") or ""),
     asked = parameters(study),
