@@ -163,7 +163,7 @@ check.case("results are keyed by the program's source", function()
   check.equal(first, ("signorini %s\n"):format(core.release()))
   core.write_file(folder .. "/tree/share/report/page.css", "changed")
   check.equal(version(), first)
-  local file = folder .. "/tree/lua/signorini/call/median.lua"
+  local file = folder .. "/tree/lua/signorini/call/lists.lua"
   core.write_file(file, core.read_file(file) .. "-- changed\n")
   check.equal(version() == first, false)
   study "keyed":execute{}
