@@ -1,6 +1,6 @@
 -- The definitions for editors, made from the tables of the functions; the build writes them to its folder
--- generated/library. They are Lua files with annotations, one per subject, which a Lua language server reads to complete and check
--- scripts; the program does not load them.
+-- generated/library. They are Lua files with annotations, one per subject, which a Lua language server reads to
+-- complete and check scripts; the program does not load them.
 
 local annotation = require "signorini.prompt.editor.annotation"
 local core = require "signorini.core"
