@@ -66,7 +66,7 @@ function types.model:profile(contact)
     "lists with one value per contact point, such as profile.pressure[1]")
 end
 for _, kind in ipairs { "model", "state", "patch" } do
-  types[kind].show = function(...) return require("signorini.prompt.display").method(kind)(...) end
+  types[kind].show = function(...) return require("signorini.prompt.display").show_object(kind, ...) end
 end
 function types.picture:show() return require("signorini.prompt.display").show_picture(self) end
 sg.robust = require("signorini.run.controls").robust

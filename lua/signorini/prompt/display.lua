@@ -43,12 +43,10 @@ function display.show_picture(picture)
 end
 
 --- The method `show` of a model, a state or a patch: sg.picture of it, with options, shown.
-function display.method(kind)
+function display.show_object(kind, object, options)
   local name = kind .. ":show"
-  return function(object, options)
-    local picture = on_behalf_of(name, "sg.picture", core.sg.picture, merged(options, { [kind] = object }))
-    show_or_fail(name, picture, ('write %s{ file = "%s.png" }'):format(name, kind))
-  end
+  local picture = on_behalf_of(name, "sg.picture", core.sg.picture, merged(options, { [kind] = object }))
+  show_or_fail(name, picture, ('write %s{ file = "%s.png" }'):format(name, kind))
 end
 
 return display
