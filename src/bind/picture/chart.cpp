@@ -80,12 +80,11 @@ std::vector<view::Name> read_places(const Arguments& a, const char* key) {
 }
 
 view::Inset read_inset(const Arguments& a) {
-  constexpr const char* corners[] = {"north-east", "north-west", "south-east", "south-west"};
   view::Inset inset;
   a.read("xrange", inset.xrange, "yrange", inset.yrange);
   if (a.has("place"))
     inset.place =
-        static_cast<view::Corner>(place_of(a.get<std::string>("place"), {std::begin(corners), std::end(corners)}));
+        choice<view::Corner>(a.get<std::string>("place"), {"north-east", "north-west", "south-east", "south-west"});
   return inset;
 }
 
