@@ -1,6 +1,7 @@
 -- Writes what follows from tables of the program: the definitions for editors, the man page and the completion.
 --   signorini share/cmake/generated.lua <folder>
 
+require "signorini" -- defines all types of objects
 local core = require "signorini.core"
 local folder = arg[1]
 
