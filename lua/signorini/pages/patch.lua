@@ -58,7 +58,7 @@ values instead of lists.]],
               { "degree", patch_types.per_direction(patch_types.degree), "polynomial degrees",
                 otherwise = "the patch's own" },
               { "grading", patch_types.grading, "where elements are concentrated; false: uniform",
-                otherwise = "uniform elements" } },
+                otherwise = "uniform elements", needs = { "elements" } } },
     more = [[grading = { { elements = 0.8, length = 0.1, at = "start" }, false } puts 80 % of the elements of the first
 direction into the first tenth of its length and leaves the second direction uniform.]],
     returns = a_patch, example = "patch:refine{ elements = {8, 3}, degree = {2, 2} }" },

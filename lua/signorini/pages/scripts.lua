@@ -133,10 +133,11 @@ values the last row is returned.]],
   { "sg.vtu", [[Writes a model's current state to a .vtu file for ParaView: every element is a rational Bezier cell with
 the degrees of the element, so shape and displacement are exact, also where rows of different degrees meet.]],
     named = {
-      { "model", t.object "model", "model made by sg.model; needed without `patch`", optional = true },
+      { "model", t.object "model", "model made by sg.model; needed without `patch`", optional = true,
+        excludes = { "patch" } },
       { "file", t.text, "name that ends with .vtu" },
       { "deformed", t.flag, "current shape; false: reference shape, for ParaView's Warp By Vector",
-        otherwise = "true" },
+        otherwise = "true", excludes = { "patch", why = "it is for models" } },
       { "patch", t.one_or_more(t.object "patch"), [[patches instead of a model; cells have the number
 patch]], optional = true },
       cells, subdivisions, conflict = conflict_of_cells },

@@ -220,7 +220,7 @@ comparison; print shows time ratios, the front and omitted cases.]],
         { "at", t.list(t.positive, nil, 1), "errors at which times are compared",
           otherwise = "for each pair of curves the smallest, the middle and the largest one that both reach" },
         { "file", t.text, "name that ends with .png, .svg or .pdf", optional = true },
-        { "files", t.list(t.text), "several such names", optional = true },
+        { "files", t.list(t.text), "several such names", optional = true, excludes = { "file" } },
       }, of_chart("title xlabel ylabel size",
         { title = "the study's name", xlabel = "time and its unit", ylabel = "error and its unit" }))), "" } },
     more = [[

@@ -132,9 +132,6 @@ local function read_marker(study, pick, series)
 end
 
 local function read_options(study, options)
-  if options.file and options.files then
-    core.fail(where .. ": file and files cannot be combined. Hint: leave one of them out")
-  end
   local series = options.series or lists.holds(study.parameters, "order") and "order" or study.parameters[1]
   local read = { time = quantity.read(where, "time", study, options.time),
                  error = quantity.read(where, "error", study, options.error),

@@ -111,11 +111,7 @@ exchange::BezierGrid grid_of(const std::vector<nurbs::Patch>& patches) {
 }
 
 exchange::BezierGrid read_grid(const Arguments& a) {
-  if (a.has("patch")) {
-    for (const char* key : {"model", "deformed"})
-      if (a.has(key)) a.fail(key, " is for models, not for patches: remove one of the two");
-    return grid_of(patches_of(a, "patch"));
-  }
+  if (a.has("patch")) return grid_of(patches_of(a, "patch"));
   if (!a.has("model")) a.refuse("model", "a model");
   const bool deformed = a.get("deformed", true);
   if (const Model<3>* solid = test_object<Model<3>>(a.state(), a.push("model"))) return grid_of(**solid, deformed);

@@ -148,9 +148,6 @@ std::vector<double> knots_at(lua_State* L, int index, const std::vector<Strips>&
 void read_layer(const Arguments& a, const nurbs::Patch& patch, nurbs::Plan& plan) {
   const bool ranges = a.has("layer"), knots = a.has("layer_knots");
   if (!ranges && !knots) return;
-  const char* key = ranges ? "layer" : "layer_knots";
-  if (plan.contact.empty())
-    a.fail(key, " needs a contact face, on which the layer is: give contact, such as contact = \"south\"");
   const bool layered =
       std::any_of(plan.labels.begin(), plan.labels.end(), [](const nurbs::Label& label) { return label.layer; });
   if (ranges && !layered && !knots)

@@ -73,7 +73,7 @@ check.case("wrong arguments of methods", function()
     "grading[2].elements", "1.5")
   check.fails(graded { elements = 0.5, length = 0.1, at = "ende" },
     "grading[2].at must be 'start' or 'end'", "did you mean 'end'?")
-  check.fails(function() p:refine { grading = { false, false } } end, "grading needs elements")
+  check.fails(function() p:refine { grading = { false, false } } end, "grading has no effect without elements")
   check.fails(function() p:translate { 1 } end, "by must be a list of 2 numbers")
   check.fails(function() p:rotate { angle = 90, axis = { 0, 0, 1 } } end,
     "axis is for patches in 3D", "omit axis")
