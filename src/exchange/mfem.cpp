@@ -158,7 +158,7 @@ std::vector<Interface> common_sides(const Vertices& vertices, const FacesOf& fac
   return interfaces;
 }
 
-/// Throws Error if MFEM would take sides for an interface that is none: those of two patches that share all vertices.
+/// Throws Error if MFEM would join sides that are no interface: those of two patches that share all their vertices.
 void check_sides(const FacesOf& faces, const std::vector<OrientedInterface>& interfaces) {
   for (const auto& entry : faces) {
     const std::vector<PatchFace>& own = entry.second;

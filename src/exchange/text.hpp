@@ -32,7 +32,7 @@ public:
   /// after # is skipped.
   TextReader(std::string file, std::string_view text, int line = 1, bool comments = true);
 
-  /// Whether all words were read.
+  /// True if all words were read.
   bool at_end();
   /// The next word, without consuming it; empty at the end.
   std::string_view peek();

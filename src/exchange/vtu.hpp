@@ -44,7 +44,7 @@ std::vector<int> vtk_order(const std::vector<int>& degrees);
 /// The contents of a .vtu file; numbers keep all bits.
 std::string vtu(const BezierGrid& grid);
 
-/// The same with each cell divided into linear ones, as many as `subdivisions` in each direction, with values at their
+/// Divides each cell into linear ones, as many as `subdivisions` in each direction, with values at their
 /// corners, which lie on the exact geometry.
 std::string linear_vtu(const BezierGrid& grid, int subdivisions);
 

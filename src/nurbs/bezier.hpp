@@ -48,7 +48,7 @@ inline void bernstein(int degree, double t, double length, int order, double* ou
   }
 }
 
-/// The same with degree and order known at compile time; `scale` is 1/length.
+/// Variant with degree and order known at compile time; `scale` is 1/length.
 template <int P, int Order> void bernstein(double t, double scale, double* __restrict out) {
   const double s = 1 - t;
   double b[P + 1] = {1};

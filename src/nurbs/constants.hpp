@@ -17,7 +17,7 @@ inline constexpr double computed = 1e-9;
 /// Control points of two patches that are joined coincide within this fraction of the face's size: files of other
 /// programs often have six or seven digits.
 inline constexpr double joinable = 1e-6;
-/// The same where faces cross a layer and cannot be tied: their difference is a strain of this size in one element.
+/// Likewise where faces cross a layer and cannot be tied: their difference is a strain of this size in one element.
 inline constexpr double joinable_layers = 1e-3;
 /// A Jacobian below this fraction of the product of its columns' lengths counts as zero (folded flat).
 inline constexpr double folded_flat = 1e-13;

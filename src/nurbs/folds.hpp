@@ -1,5 +1,5 @@
 #pragma once
-// Whether the map of a patch is one-to-one: its Jacobian must not change its sign, between Gauss points either.
+// Checks that the map of a patch is one-to-one: its Jacobian must not change its sign, between Gauss points either.
 
 #include "nurbs/patch.hpp"
 

@@ -11,7 +11,7 @@ namespace signorini::nurbs {
 
 namespace {
 
-/// Of elements and of length: below it, knots are as close as rounding errors.
+/// Least fraction of elements and of length: below it, knots are as close as rounding errors.
 constexpr double least_share = 1e-9;
 
 /// The piecewise linear map of [0, 1] onto itself with one kink, and its inverse.

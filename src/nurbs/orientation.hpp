@@ -19,7 +19,7 @@ struct Orientation {
     for (std::size_t k = 0; k < 2; ++k) result[to[k]] = flip[k] ? reverse(k, list[k]) : list[k];
     return result;
   }
-  /// Whether normals of the two faces, from their directions in order, are opposite.
+  /// True if normals of the two faces, from their directions in order, are opposite.
   bool mirrors() const { return (to[0] == 1) != (flip[0] != flip[1]); }
 };
 

@@ -41,7 +41,7 @@ private:
 using Patch = TensorProduct<KnotVector>;
 using Row = TensorProduct<Space1D>;
 
-/// The same functions and control points with tabulated spaces.
+/// Tabulates the spaces; functions and control points do not change.
 Row make_row(const Patch& patch);
 
 /// Makes a patch from points (dimension × functions) and weights (all 1 if empty).

@@ -172,7 +172,7 @@ Space1D local_space(const RowDirection& along, const std::vector<bool>& raised, 
   return multi_degree_space(std::move(breaks), degrees, std::move(smoothness));
 }
 
-/// Whether row j of `count` belongs to the layer of contact face f of the plan.
+/// True if row j of `count` belongs to the layer of contact face f of the plan.
 bool in_layer(const Plan& plan, std::size_t f, int j, int count) {
   return (plan.contact[f].at_end ? count - 1 - j : j) < layer_label(plan).rows;
 }

@@ -131,7 +131,7 @@ template <class T, std::size_t N> std::array<T, N> read(ArchiveReader& from, std
   return values;
 }
 
-/// Whether there is a value comes first.
+/// A flag comes first: true if there is a value.
 template <class T> void write(ArchiveWriter& to, const std::optional<T>& value) {
   to.put(value.has_value());
   if (value) to.put(*value);

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a file is still the one that was seen before.
+// Checks if a file is still the one that was seen before.
 
 #include <cstdint>
 #include <optional>

@@ -69,7 +69,7 @@ Fields fields_of(std::string_view line) {
   return fields;
 }
 
-/// Whether a line may be that of the names of a table that has no rows yet: words with commas between them.
+/// True if a line may be that of the names of a table that has no rows yet: words with commas between them.
 bool is_head(std::string_view line) {
   return fields_of(line).count > 1 && std::all_of(line.begin(), line.end(), [](unsigned char c) {
            return std::isalnum(c) || std::string_view("_.-:,\"").find(static_cast<char>(c)) != std::string_view::npos;

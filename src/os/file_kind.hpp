@@ -31,7 +31,7 @@ enum class FileKind {
 /// in one field of each line after it; or a single line of several words, its head.
 FileKind kind_of(std::string_view beginning);
 
-/// Whether an output of a kind may replace a file of this name that begins with these bytes: one of the same kind, or
+/// True if an output of a kind may replace a file of this name that begins with these bytes: one of the same kind, or
 /// any text if the name ends as usual for this kind (.csv, .json). A program text is never replaced by text.
 bool may_replace(const std::string& file, std::string_view beginning, FileKind kind);
 

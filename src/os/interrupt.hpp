@@ -30,7 +30,7 @@ void interrupt();
 bool interrupted();
 /// Called by operations that end early because of Ctrl-C and return a partial result.
 void report_interrupt();
-/// Whether an operation has ended early because of the last Ctrl-C.
+/// True if an operation has ended early because of the last Ctrl-C.
 bool interrupt_reported();
 void clear_interrupt();
 

@@ -16,7 +16,7 @@ namespace signorini {
 
 namespace {
 
-// Of newer headers.
+// Rights that older headers lack.
 constexpr std::uint64_t access_truncate = 1ULL << 14;                         // from version 3 on
 constexpr std::uint64_t access_ioctl = 1ULL << 15;                            // 5
 constexpr std::uint64_t net_bind = 1ULL << 0, net_connect = 1ULL << 1;        // 4

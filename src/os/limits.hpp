@@ -38,7 +38,7 @@ void stop_time_limit();
 
 /// The limit as the user wrote it, "10m".
 const std::string& time_limit();
-/// Whether the flag was set because the time is over that was started last.
+/// True if the flag was set because the time is over that was started last.
 bool out_of_time();
 
 } // namespace signorini

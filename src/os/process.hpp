@@ -6,7 +6,7 @@
 
 namespace signorini {
 
-/// Whether a folder in PATH holds a program of this name.
+/// True if a folder in PATH holds a program of this name.
 bool has_program(const std::string& name);
 
 /// Runs a program found in PATH, waits for it and returns its output, or the last 600 bytes of that. Throws Error with

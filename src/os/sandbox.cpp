@@ -59,7 +59,7 @@ const SeccompModule& seccomp() {
   return *static_cast<const SeccompModule*>(load_module(file, "signorini_sandbox"));
 }
 
-/// Whether a folder is, or contains, a place.
+/// True if a folder is, or contains, a place.
 bool contains(const fs::path& folder, const fs::path& place) {
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
   return end == folder.end();

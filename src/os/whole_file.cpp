@@ -121,7 +121,7 @@ void write_into(const std::string& file, std::string_view bytes) {
   if (!written) cannot_write(file, error);
 }
 
-/// Whether bytes are written into what a name denotes, which is not replaced.
+/// True if bytes are written into what a name denotes, which is not replaced.
 bool is_written_into(const std::string& file) {
   std::error_code ignored;
   return stream_of(file) >= 0 || fs::is_other(file, ignored);

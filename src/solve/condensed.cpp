@@ -75,7 +75,7 @@ public:
 
 private:
   SymmetricPart part_; ///< K₀, with K₀ + C in the block of contact unknowns
-  bool regular_;       ///< whether the interior of K₀ is regular
+  bool regular_;       ///< true if the interior of K₀ is regular
   SolverStatistics statistics_;
 };
 

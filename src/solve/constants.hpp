@@ -10,7 +10,7 @@ namespace signorini::solve {
 /// Least ratio of the smallest to the largest pivot. Below it the matrix is singular up to rounding error, as with the
 /// pivot of an unconstrained rigid-body mode.
 inline constexpr double least_pivot = 1e-14;
-/// The same in single precision, whose rounding errors could hide such a mode: a hundred times these.
+/// Least ratio in single precision, whose rounding errors could hide such a mode: a hundred times these.
 inline constexpr double least_single_pivot = 1e-5;
 /// Largest |a_ij − a_ji| of a symmetric matrix, relative to max|a|: rounding error of long sums, far below any
 /// friction.

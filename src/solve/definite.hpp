@@ -1,5 +1,5 @@
 #pragma once
-// Whether a symmetric matrix is positive definite.
+// Checks if a symmetric matrix is positive definite.
 
 #include "solve/pattern.hpp"
 
@@ -7,7 +7,7 @@
 
 namespace signorini::solve {
 
-/// Whether all pivots of a symmetric matrix are positive, up to rounding errors of the factorization: by CHOLMOD's
+/// True if all pivots of a symmetric matrix are positive, up to rounding errors of the factorization: by CHOLMOD's
 /// LDLᵀ, or LLᵀ where the factors are large, ordered by minimum degree or nested dissection. `values` in the order of
 /// the pattern; only the upper triangle is read.
 bool is_positive_definite(const Pattern& pattern, const std::vector<double>& values);

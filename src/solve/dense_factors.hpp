@@ -17,7 +17,7 @@ template <class Real> bool factor_dense(DenseMatrix<Real>& a, std::vector<int>& 
 template <class Real>
 void solve_dense(const DenseMatrix<Real>& factors, const std::vector<int>& exchanges, Eigen::Ref<VectorX> b);
 
-/// Whether the symmetric part of a square A is positive definite.
+/// True if the symmetric part of a square A is positive definite.
 bool is_positive_definite(DenseMatrix<double> a);
 
 } // namespace signorini::solve

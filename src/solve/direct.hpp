@@ -18,7 +18,7 @@ struct SolverStatistics {
   double memory = 0;      ///< bytes of the factors
   double rank_memory = 0; ///< bytes that the MPI process with the most used; 0: unknown
   int negative = -1;      ///< negative pivots of the last symmetric matrix; −1: unknown
-  /// Whether the pivots of the last matrix are positive, and on its diagonal: a symmetric one is positive definite.
+  /// True if the pivots of the last matrix are positive, and on its diagonal: a symmetric one is positive definite.
   bool definite = false;
 };
 

@@ -29,7 +29,7 @@ public:
   /// Makes the next solution as accurate as the solver can, where it would only be accurate enough for a correction of
   /// Newton's method, whose error the next one removes.
   virtual void solve_fully() {}
-  /// Whether factors at hand show that the symmetric part of other values is positive definite; false if they do not.
+  /// True if factors at hand show that the symmetric part of other values is positive definite; false if they do not.
   virtual bool proves_definite(const double*) const { return false; }
   virtual LinearKind kind() const = 0;
   /// Changes to another pattern of the same unknowns, for example in sliding contact, and keeps what can be reused;
@@ -54,7 +54,7 @@ struct MumpsOptions {
 /// What some solvers need to know of the systems.
 struct SolverOptions {
   const Condensation* condensation = nullptr; ///< for `condensed`
-  bool multipliers = false; ///< whether unknowns are Lagrange multipliers with states: for reused factorizations
+  bool multipliers = false; ///< true if unknowns are Lagrange multipliers with states: for reused factorizations
   MumpsOptions mumps = {};
 };
 
@@ -64,7 +64,7 @@ struct SolverOptions {
 /// so. `automatic` selects `reuse` if reuse is worthwhile, otherwise `klu`. Which is fastest: share/doc/benchmark.md.
 std::unique_ptr<LinearSolver> make_solver(LinearKind kind, const Pattern& pattern, const SolverOptions& options = {});
 
-/// Whether a factorization costs so many solutions that it should be reused: its operations, and the entries that a
+/// True if a factorization costs so many solutions that it should be reused: its operations, and the entries that a
 /// solution reads.
 bool worth_reusing(double operations, double entries);
 

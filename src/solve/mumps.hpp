@@ -19,7 +19,7 @@ std::string mumps_description();
 /// Number of processes that mpirun has started for this run; 0 without mpirun.
 int started_ranks();
 
-/// Whether this process is to run the program, as without mpirun and on rank 0. Other ranks take part in factorizations
+/// True if this process is to run the program, as without mpirun and on rank 0. Other ranks take part in factorizations
 /// until rank 0 has ended, and then return false. Throws Error on rank 0 if the module is missing, or if ranks run
 /// another version of the program; on all if another launcher than Open MPI's has started several processes.
 bool leads_ranks(const std::string& version);

@@ -31,7 +31,7 @@ double predicted_residual(const std::vector<double>& residuals) {
   return last * (last / before) * (last / before);
 }
 
-/// Whether the residual is near its rounding level and no longer decreases: Newton's method would at least halve it.
+/// True if the residual is near its rounding level and no longer decreases: Newton's method would at least halve it.
 bool stagnates(const std::vector<double>& residuals, double floor) {
   const std::size_t n = residuals.size();
   return n >= 3 && residuals[n - 1] <= near_floor * floor && residuals[n - 1] > least_fall * residuals[n - 2] &&

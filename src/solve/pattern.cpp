@@ -17,7 +17,7 @@ struct Membership {
   std::vector<std::size_t> starts, groups;
 };
 
-/// Whether columns j and j − 1 are in the same groups, as those of one node: then their rows are the same.
+/// True if columns j and j − 1 are in the same groups, as those of one node: then their rows are the same.
 bool same_groups(const Membership& member, std::size_t j) {
   const auto at = [&](std::size_t column) {
     return member.groups.begin() + static_cast<std::ptrdiff_t>(member.starts[column]);
@@ -62,7 +62,7 @@ public:
   Coupled(int size, const std::vector<std::vector<int>>& groups)
       : groups_(groups), member_(membership(size, groups)), listed_for_(size, -1) {}
 
-  /// Whether the unknown is in no group.
+  /// True if the unknown is in no group.
   bool alone(int column) const { return member_.starts[column] == member_.starts[column + 1]; }
   const std::vector<int>& list(int column) {
     const std::size_t j = column;

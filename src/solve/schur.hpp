@@ -25,7 +25,7 @@ public:
   virtual const MatrixX& complement() const = 0;
   /// Replaces b by the solution: `middle` replaces b_c − A_ci A_ii⁻¹ b_i by x_c, then x_i = A_ii⁻¹ (b_i − A_ic x_c).
   virtual bool solve(double* b, const std::function<bool(double*)>& middle) = 0;
-  /// Whether a successful factorization shows that A_ii is positive definite.
+  /// True if a successful factorization shows that A_ii is positive definite.
   virtual bool proves_definite() const { return false; }
   /// Pivots of A_ii.
   virtual PivotRange pivots() const = 0;

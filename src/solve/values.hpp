@@ -30,7 +30,7 @@ struct PivotRange {
 class Symmetry {
 public:
   explicit Symmetry(const Pattern& pattern);
-  /// Whether |a_ij − a_ji| ≤ symmetry_tolerance max|a| for all entries.
+  /// True if |a_ij − a_ji| ≤ symmetry_tolerance max|a| for all entries.
   bool holds(const double* values) const;
   /// Kᵀ in the order of the pattern.
   void transpose(const double* values, std::vector<double>& transposed) const;
@@ -42,7 +42,7 @@ private:
 /// K ← K + Kᵀ on a structurally symmetric pattern.
 void add_transpose(const Pattern& pattern, double* values);
 
-/// Whether |a_ij − a_ji| ≤ symmetry_tolerance max|a| for all entries, for one matrix: faster than a Symmetry.
+/// True if |a_ij − a_ji| ≤ symmetry_tolerance max|a| for all entries, for one matrix: faster than a Symmetry.
 bool is_symmetric(const Pattern& pattern, const double* values);
 
 /// ‖b − K x‖ / ‖b‖, zero if b is zero; infinite if x is not finite. `difference` is a work array.

@@ -52,7 +52,7 @@ std::pair<double, int> Graph::exponent_and_base(int node) const {
   return {1, node};
 }
 
-// Of two operands a constant comes first, otherwise the older node.
+// A constant is the first of two operands, otherwise the older node.
 
 int Graph::add(int a, int b) {
   if (is_constant(b) || (!is_constant(a) && b < a)) std::swap(a, b);

@@ -15,7 +15,7 @@ std::vector<int> numbers_of(const std::string& parameters) {
   return numbers;
 }
 
-/// Whether a control sequence, "\033[" with parameters and a final character, is an answer; then reads it.
+/// True if a control sequence, "\033[" with parameters and a final character, is an answer; then reads it.
 bool read_sequence(std::string_view parameters, char last, Answers& answers) {
   const bool is_private = parameters.starts_with('?');
   const std::vector<int> numbers = numbers_of(std::string(parameters.substr(is_private)));

@@ -29,7 +29,7 @@ bool announces_sixel(const Answers& answers) {
   return std::find(attributes.begin(), attributes.end(), 4) != attributes.end();
 }
 
-/// Whether sequences reach the terminal around tmux. Versions before 3.3 lack the option and let all of them pass;
+/// True if sequences reach the terminal around tmux. Versions before 3.3 lack the option and let all of them pass;
 /// version 3.3 writes 0 and 1 for off and on.
 bool passes_through(const Surroundings& at) {
   return in_tmux(at) && !at.outer.empty() && !at.outer.ends_with("|off") && !at.outer.ends_with("|0");

@@ -8,7 +8,7 @@
 
 namespace signorini::terminal {
 
-/// Whether queries can be answered and read: standard input and output are terminals, and this process, not one forked
+/// True if queries can be answered and read: standard input and output are terminals, and this process, not one forked
 /// from it, reads keys there.
 bool can_ask();
 

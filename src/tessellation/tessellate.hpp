@@ -33,7 +33,7 @@ struct Skin {
 /// duplicated, so that fields may be discontinuous there. `field` may be null.
 Skin tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling, bool deformed);
 
-/// The same for the sides of the elements at the surface.
+/// Triangles of the sides of the elements at the surface.
 Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sampling<3>& sampling, bool deformed);
 
 /// A curve or surface in 2D or 3D, finer where windows need it; a curve has only points and a rim of one line. `sign`:

@@ -41,7 +41,7 @@ def wait_until(condition):
     end = time.monotonic() + limit
     while not condition():
         if time.monotonic() > end:
-            raise AssertionError("waited in vain")
+            raise AssertionError("timed out")
         time.sleep(0.05)
 
 

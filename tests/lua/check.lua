@@ -169,7 +169,7 @@ function check.terminal(command, turns, variables, terminal)
     local looks = 0
     while not happened(event) do
       looks = looks + 1
-      if looks == 5000 then error(("turn %d was waited for in vain; the terminal:\n%s"):format(i, shown()), 2) end
+      if looks == 5000 then error(("timed out in turn %d; the terminal:\n%s"):format(i, shown()), 2) end
       os.execute "sleep 0.02"
     end
     since = #text()

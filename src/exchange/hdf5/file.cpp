@@ -202,7 +202,7 @@ private:
 
   static bool is_text(const Hdf5Values& values) { return std::holds_alternative<std::vector<std::string>>(values); }
 
-  /// Whether an object exists, whose groups may be missing.
+  /// True if an object exists, whose groups may be missing.
   bool exists(const std::string& path) const {
     if (path == "/") return true;
     for (std::size_t end = path.find('/', 1); end != path.npos; end = path.find('/', end + 1))

@@ -102,7 +102,7 @@ private:
 scmp_arg_cmp equal(unsigned argument, scmp_datum_t value) {
   return {argument, SCMP_CMP_EQ, value, 0};
 }
-/// Whether the argument has these of the bits in the mask.
+/// True if the argument has these of the bits in the mask.
 scmp_arg_cmp bits(unsigned argument, scmp_datum_t mask, scmp_datum_t value) {
   return {argument, SCMP_CMP_MASKED_EQ, mask, value};
 }
