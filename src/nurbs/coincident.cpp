@@ -49,7 +49,7 @@ std::vector<Functions> lines_along(const Discretization& space, Side side, int k
     return lines;
   }
   for (int j = 0; j < rows; ++j) {
-    const Functions cut = space.row_end(j, space.in_row(side.direction), side.at_end);
+    const Functions cut = row_end(space, j, space.in_row(side.direction), side.at_end);
     if (k != through) {
       lines.push_back(cut);
       continue;
@@ -62,7 +62,7 @@ std::vector<Functions> lines_along(const Discretization& space, Side side, int k
   return lines;
 }
 
-/// Whether two rows have the same shape, possibly with different control points.
+/// True if two rows have the same shape, possibly with different control points.
 bool same_shape(const Row& a, const Row& b, const Positions& positions) {
   const std::vector<double> first = sites(a.direction(0)),
                             second = a.parametric_dimension() > 1 ? sites(a.direction(1)) : std::vector<double>{0};
@@ -92,7 +92,7 @@ void check_layers(const Discretization& space, Side side, const Positions& posit
   const bool one_curve = std::all_of(space.rows().begin(), space.rows().end(), [&](const Row& row) {
     return same_shape(face(row, {a, side.at_end}), lead, positions);
   });
-  if (space.crosses_layer(side) && one_curve && !positions.one_point(space.row_end(0, a, side.at_end)))
+  if (crosses_layer(space, side) && one_curve && !positions.one_point(row_end(space, 0, a, side.at_end)))
     fail("nurbs.body.torn_layer", {{"face", name_of(side)}, {"contact", name_of(space.contact().front())}});
 }
 

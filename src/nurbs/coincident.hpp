@@ -1,5 +1,5 @@
 #pragma once
-// Control points that coincide because of the patch's topology: collapsed edges (poles) and closed seams.
+// Control points that coincide by the patch's topology: collapsed edges (poles) and closed seams [theory 4.6].
 
 #include "nurbs/discretization.hpp"
 

@@ -23,6 +23,28 @@ void check_ends(const Space1D& space) {
           "nurbs.space.ends");
 }
 
+/// The common elements of the parts. Throws Error if these are inconsistent.
+ElementGrid grid_of(int through, const Space1D& stack, const std::vector<Row>& rows) {
+  require(static_cast<int>(rows.size()) == stack.functions(), "nurbs.body.rows",
+          {{"expected", stack.functions()}, {"count", rows.size()}});
+  const Row& first = rows.front();
+  require(first.parametric_dimension() + 1 == first.dimension() && through >= 0 && through < first.dimension(),
+          "nurbs.body.row_dimension");
+  check_ends(stack);
+  for (const Row& row : rows) {
+    bool fits = row.dimension() == first.dimension() && row.parametric_dimension() == first.parametric_dimension();
+    for (int a = 0; fits && a < row.parametric_dimension(); ++a) {
+      fits = row.direction(a).breaks() == first.direction(a).breaks();
+      check_ends(row.direction(a));
+    }
+    require(fits, "nurbs.body.row_elements");
+  }
+  std::vector<std::vector<double>> breaks;
+  for (const Space1D& space : first.directions()) breaks.push_back(space.breaks());
+  breaks.insert(breaks.begin() + through, stack.breaks());
+  return ElementGrid(std::move(breaks));
+}
+
 } // namespace
 
 VectorX ElementBasis::combine(const MatrixX& at_points) const {
@@ -33,21 +55,8 @@ VectorX ElementBasis::combine(const MatrixX& at_points) const {
 }
 
 Discretization::Discretization(int through, Space1D stack, std::vector<Row> rows, std::vector<Side> contact)
-    : through_(through), stack_(std::move(stack)), rows_(std::move(rows)), contact_(std::move(contact)) {
-  require(static_cast<int>(rows_.size()) == stack_.functions(), "nurbs.body.rows",
-          {{"expected", stack_.functions()}, {"count", rows_.size()}});
-  const Row& first = rows_.front();
-  require(first.parametric_dimension() + 1 == first.dimension() && through_ >= 0 && through_ < first.dimension(),
-          "nurbs.body.row_dimension");
-  check_ends(stack_);
-  for (const Row& row : rows_) {
-    bool fits = row.dimension() == first.dimension() && row.parametric_dimension() == first.parametric_dimension();
-    for (int a = 0; fits && a < row.parametric_dimension(); ++a) {
-      fits = row.direction(a).breaks() == first.direction(a).breaks();
-      check_ends(row.direction(a));
-    }
-    require(fits, "nurbs.body.row_elements");
-  }
+    : ElementGrid(grid_of(through, stack, rows)), through_(through), stack_(std::move(stack)), rows_(std::move(rows)),
+      contact_(std::move(contact)) {
   int count = 0; // functions are numbered row by row
   for (const Row& row : rows_) {
     first_.push_back(count);
@@ -62,45 +71,12 @@ MatrixX Discretization::points() const {
   return homogeneous_.topRows(dimension()).array().rowwise() / homogeneous_.bottomRows(1).row(0).array();
 }
 
-int Discretization::elements() const {
-  int product = 1;
-  for (int d = 0; d < parametric_dimension(); ++d) product *= elements(d);
-  return product;
-}
-
-int Discretization::element_index(int e, int d) const {
-  for (int k = 0; k < d; ++k) e /= elements(k);
-  return e % elements(d);
-}
-
-VectorX Discretization::parameter(int e, const VectorX& fractions) const {
-  VectorX xi(fractions.size());
-  for (int d = 0; d < xi.size(); ++d) {
-    const auto [from, to] = interval(e, d);
-    xi(d) = from + (to - from) * fractions(d);
-  }
-  return xi;
-}
-
-int Discretization::element_behind(Side side, int f) const {
-  int before = 1; // elements in the directions below the side's
-  for (int d = 0; d < side.direction; ++d) before *= elements(d);
-  const int layer = side.at_end ? elements(side.direction) - 1 : 0;
-  return f % before + before * (layer + elements(side.direction) * (f / before));
-}
-
 int Discretization::degree(int e, int d) const {
   if (d == through_) return stack_.degree(element_index(e, d));
   int highest = 0;
   for (int j : stack_.functions_on(element_index(e, through_)))
     highest = std::max(highest, rows_[j].direction(in_row(d)).degree(element_index(e, d)));
   return highest;
-}
-
-int Discretization::find_element(const VectorX& xi) const {
-  int e = 0;
-  for (int d = parametric_dimension() - 1; d >= 0; --d) e = e * elements(d) + direction(d).find_element(xi(d));
-  return e;
 }
 
 ElementFunctions Discretization::row_functions(int e, int j) const {
@@ -117,11 +93,6 @@ ElementFunctions Discretization::row_functions(int e, int j) const {
 
 ElementBasis Discretization::basis(int e, const VectorX& xi) const {
   ElementBasis result;
-  basis(e, xi, result);
-  return result;
-}
-
-void Discretization::basis(int e, const VectorX& xi, ElementBasis& result) const {
   const int dimensions = parametric_dimension();
   const int layer = element_index(e, through_);
   const std::span<const int> layer_rows = stack_.functions_on(layer);
@@ -161,19 +132,20 @@ void Discretization::basis(int e, const VectorX& xi, ElementBasis& result) const
     });
   }
 
-  // R_A = w_A N_A / W,  ∂R_A = (∂(w_A N_A) − R_A ∂W) / W
+  // R_A = w_A N_A / W,  ∂R_A = (∂(w_A N_A) − R_A ∂W) / W [theory 4.1]
   const double weight = result.values.sum();
   result.values /= weight;
   for (int d = 0; d < dimensions; ++d)
     result.gradients.row(d) = (rates.col(d) - result.values * rates.col(d).sum()).transpose() / weight;
+  return result;
 }
 
-std::vector<int> Discretization::row_end(int j, int a, bool at_end) const {
-  const Row& row = rows_[j];
+std::vector<int> row_end(const Discretization& space, int j, int a, bool at_end) {
+  const Row& row = space.rows()[j];
   const int n0 = row.direction(0).functions(), end = at_end ? row.direction(a).functions() - 1 : 0;
   std::vector<int> result;
   for (int i = 0; i < row.functions(); ++i)
-    if ((a == 0 ? i % n0 : i / n0) == end) result.push_back(first_[j] + i);
+    if ((a == 0 ? i % n0 : i / n0) == end) result.push_back(space.first_function(j) + i);
   return result;
 }
 
@@ -187,7 +159,7 @@ std::vector<int> Discretization::face_functions(Side side) const {
   // A side along the thickness direction intersects every row at one end of the row's direction a.
   std::vector<std::vector<int>> cuts;
   for (std::size_t j = 0; j < rows_.size(); ++j)
-    cuts.push_back(row_end(static_cast<int>(j), in_row(side.direction), side.at_end));
+    cuts.push_back(row_end(*this, static_cast<int>(j), in_row(side.direction), side.at_end));
   // Parametric order: the lower of the two remaining directions runs fastest.
   const bool through_first = parametric_dimension() == 3 && through_ < 3 - through_ - side.direction;
   const bool tensor = std::all_of(cuts.begin(), cuts.end(), [&](auto& cut) { return cut.size() == cuts[0].size(); });
@@ -200,21 +172,22 @@ std::vector<int> Discretization::face_functions(Side side) const {
   return result;
 }
 
-bool Discretization::crosses_layer(Side side) const {
-  if (parametric_dimension() == 2 || side.direction == through_) return false;
-  const int along = 1 - in_row(side.direction); // of a row, on the side
-  return std::any_of(rows_.begin(), rows_.end(),
-                     [&](const Row& row) { return row.direction(along) != rows_.front().direction(along); });
+bool crosses_layer(const Discretization& space, Side side) {
+  if (space.parametric_dimension() == 2 || side.direction == space.through()) return false;
+  const int along = 1 - space.in_row(side.direction); // of a row, on the side
+  const std::vector<Row>& rows = space.rows();
+  return std::any_of(rows.begin(), rows.end(),
+                     [&](const Row& row) { return row.direction(along) != rows.front().direction(along); });
 }
 
 Row Discretization::face(Side side) const {
   if (side.direction == through_) return rows_[side.at_end ? stack_.functions() - 1 : 0];
-  if (crosses_layer(side))
+  if (crosses_layer(*this, side))
     fail("nurbs.body.face_across_layer", {{"face", name_of(side)}, {"contact", name_of(contact_.front())}});
   const std::vector<int> functions = face_functions(side);
   std::vector<Space1D> directions;
   for (int d = 0; d < parametric_dimension(); ++d)
-    if (d != side.direction) directions.push_back(direction(d));
+    if (d != side.direction) directions.push_back(d == through_ ? stack_ : rows_.front().direction(in_row(d)));
   return {std::move(directions), homogeneous_(Eigen::all, functions)};
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 // The element-wise function space of a body, built from a patch and order labels: a stack of rows of control points.
 
+#include "nurbs/element_grid.hpp"
 #include "nurbs/label.hpp"
 #include "nurbs/refine.hpp"
 #include "nurbs/tensor.hpp"
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -53,9 +53,9 @@ struct ElementBasis {
 ///   x(ξ) = Σ_j N_j(ξᵗ) C_j(ξ along the face) in homogeneous coordinates,
 /// where every row C_j is a NURBS with one parametric dimension less and its own spaces (also of several degrees),
 /// refined exactly from the patch or given. The geometry and the common weight function do not change, so partition of
-/// unity and the exact shape hold for any choice of rows (thesis 5.1, 5.2 generalized from one row to any number). All
+/// unity and the exact shape hold for any choice of rows [theory 4.3]. All
 /// rows share the same elements.
-class Discretization {
+class Discretization : public ElementGrid {
 public:
   Discretization(const Patch& patch, const Plan& plan);
   /// From its parts, as returned by through(), stack(), rows() and contact(), bit by bit. Throws Error if they are
@@ -65,7 +65,6 @@ public:
   /// Null for a discretization without a layer, or from its parts.
   const std::shared_ptr<const Recipe>& recipe() const { return recipe_; }
 
-  int parametric_dimension() const { return rows_.front().parametric_dimension() + 1; }
   int dimension() const { return static_cast<int>(homogeneous_.rows()) - 1; }
   int functions() const { return static_cast<int>(homogeneous_.cols()); }
   /// Weighted control points of all rows, row by row, (dimension+1) × functions.
@@ -82,47 +81,20 @@ public:
   /// Index of row j's first function.
   int first_function(int row) const { return first_[row]; }
 
-  int elements(int d) const { return direction(d).elements(); }
-  int elements() const;
-  /// Index of element e (counted with ξ¹ fastest) in direction d.
-  int element_index(int e, int d) const;
-  /// Whether element e has a face on a side.
-  bool touches(int e, Side side) const {
-    return element_index(e, side.direction) == (side.at_end ? elements(side.direction) - 1 : 0);
-  }
-  /// Number of elements at a side, and the f-th of them, the side's lower direction counting fastest.
-  int elements_on(Side side) const { return elements() / elements(side.direction); }
-  int element_behind(Side side, int f) const;
-  /// Parameter interval of element e in direction d.
-  std::array<double, 2> interval(int e, int d) const { return direction(d).interval(element_index(e, d)); }
-  /// Parameters of the point of element e at these fractions (0 … 1 per direction).
-  VectorX parameter(int e, const VectorX& fractions) const;
   /// Highest degree in direction d of the functions on element e; determines the quadrature.
   int degree(int e, int d) const;
-  /// The element that contains xi. Throws Error if xi is outside the patch.
-  int find_element(const VectorX& xi) const;
   ElementBasis basis(int e, const VectorX& xi) const;
-  /// The same into a value whose memory is reused.
-  void basis(int e, const VectorX& xi, ElementBasis& result) const;
   /// The functions of row j on element e; one in the thickness direction.
   ElementFunctions row_functions(int e, int j) const;
 
   const std::vector<Side>& contact() const { return contact_; }
-  /// Functions of row j at one end of its direction a, in parametric order: one in the plane, a line of them in a
-  /// solid.
-  std::vector<int> row_end(int j, int a, bool at_end) const;
   /// Functions that do not vanish on a side, in the order of the control points of face().
   std::vector<int> face_functions(Side side) const;
-  /// Whether the rows of a layer have different functions on a side of a solid, so that it is not a single NURBS.
-  bool crosses_layer(Side side) const;
-  /// The side as a NURBS; its control points are those of face_functions(). Throws Error for a side of a layered volume
-  /// on which the rows' spaces differ: it is not a tensor product.
+  /// The side as a NURBS; its control points are those of face_functions(). Throws Error if crosses_layer(): it is not
+  /// a tensor product.
   Row face(Side side) const;
 
 private:
-  /// A space with the elements of direction d.
-  const Space1D& direction(int d) const { return d == through_ ? stack_ : rows_.front().direction(in_row(d)); }
-
   int through_;
   Space1D stack_;
   std::vector<Row> rows_;
@@ -131,6 +103,12 @@ private:
   MatrixX homogeneous_;
   std::shared_ptr<const Recipe> recipe_;
 };
+
+/// Functions of row j at one end of its direction a, in parametric order: one in the plane, a line of them in a solid.
+std::vector<int> row_end(const Discretization& space, int j, int a, bool at_end);
+
+/// True if the rows of a layer have different functions on a side of a solid, so that it is not a single NURBS.
+bool crosses_layer(const Discretization& space, Side side);
 
 /// The discretization with its layer in other elements. Throws Error if it has no recipe.
 Discretization with_layer(const Discretization& space, RaisedElements raised);

@@ -97,7 +97,7 @@ std::vector<Derivative> derivatives(const Patch& patch, const VectorX& xi, int n
 }
 
 std::vector<BasisValue> rational_basis(const Patch& patch, const VectorX& xi) {
-  // R_A = w_A N_A / Σ_B w_B N_B   (NURBS Book, eq. 4.12)
+  // R_A = w_A N_A / Σ_B w_B N_B [theory 4.1]
   std::vector<BasisValue> result;
   double sum = 0;
   LocalBasis(patch, xi, 0).each({0, 0, 0}, [&](int function, double value) {

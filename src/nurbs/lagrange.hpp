@@ -1,5 +1,5 @@
 #pragma once
-// C⁰ Lagrange elements of a patch, for comparison: the geometry is interpolated, hence approximate where it is curved.
+// C⁰ Lagrange elements of a patch [theory 4.8]: the geometry is interpolated, hence approximate where it is curved.
 
 #include "nurbs/patch.hpp"
 

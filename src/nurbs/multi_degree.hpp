@@ -6,7 +6,7 @@
 namespace signorini::nurbs {
 
 /// The multi-degree splines that are C^k at interior breakpoint i for k = smoothness[i], and of degree degrees[e] on
-/// element e: non-negative functions of least support that sum to 1, by the integral recurrence
+/// element e: non-negative functions of least support with sum 1, by the integral recurrence [theory 4.4]
 ///   N_i(ξ) = F_i(ξ) − F_{i+1}(ξ),  F_i(ξ) = ∫_{−∞}^ξ M_i / ∫ M_i
 /// from the functions M_i of the space with all degrees and continuities one less (C. V. Beccari, G. Casciola, S.
 /// Morigi, CAGD 58, 2017). Sums of positive terms, differences of values of at most 1: errors do not grow with the

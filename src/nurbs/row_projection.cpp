@@ -18,7 +18,7 @@ VectorX binomials(int n) {
   return result;
 }
 
-/// ∫ B_i^p B_j^q dξ = h C(p,i) C(q,j) / (C(p+q,i+j) (p+q+1)) on an element of length h.
+/// ∫ B_i^p B_j^q dξ = h C(p,i) C(q,j) / (C(p+q,i+j) (p+q+1)) on an element of length h [theory 4.5].
 MatrixX bernstein_products(int p, int q, double length) {
   const VectorX first = binomials(p), second = binomials(q), both = binomials(p + q);
   MatrixX result(p + 1, q + 1);

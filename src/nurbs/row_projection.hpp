@@ -5,7 +5,7 @@
 
 namespace signorini::nurbs {
 
-/// The matrix P, functions of `to` × functions of `from`, of the best approximation
+/// The matrix P, functions of `to` × functions of `from`, of the best approximation [theory 4.5]
 ///   ∫ (Σ_b N_b (P c)_b − Σ_a N_a c_a)² dξ → min,
 /// with the values of c at both ends, which supports prescribe. Exact, up to rounding, where `to` contains `from`;
 /// polynomials that are in both are reproduced. Throws Error unless the elements are the same.

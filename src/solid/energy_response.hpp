@@ -1,7 +1,7 @@
 #pragma once
 // Stress and moduli from an energy of invariants, many points at a time, with the vector width for which the including
 // file is compiled. Everything is local to these files and no inline functions of other files are called, so that the
-// linker cannot select a copy that an older machine is unable to run.
+// linker cannot select a copy that an older machine is unable to run. Formulas: [theory 2.4].
 
 #include "solid/energy_program.hpp"
 #include "solid/kernel_space.hpp"

@@ -12,16 +12,16 @@ namespace {
 /// Calls visit(e, q, F, u) at all Gauss points, with the displacements u of the element's functions.
 template <int D, class Visit>
 void each_deformation(const Body<D>& body, const double* displacement, const Visit& visit) {
-  std::vector<double> local(D * body.most_functions());
+  std::vector<double> local(D * body.tables().most_functions());
   for (int e = 0; e < body.elements(); ++e) {
-    const ElementTable& table = body.element(e);
+    const ElementTable& table = body.tables().element(e);
     const int n = table.functions;
     gather(body, e, displacement, local.data());
     const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::RowMajor>> u(local.data(), D, n);
     for (int q = 0; q < table.points; ++q) {
       // F = I + Σ_A u_A ⊗ ∇R_A
       const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::RowMajor>> gradients(
-          body.gradients_of(e) + q * D * n, D, n);
+          body.tables().gradients_of(e) + q * D * n, D, n);
       visit(e, q, Mat<D>(Mat<D>::Identity() + u.lazyProduct(gradients.transpose())), u);
     }
   }
@@ -31,29 +31,30 @@ void each_deformation(const Body<D>& body, const double* displacement, const Vis
 template <int D, class Displacements> double hoop_stretch(const Body<D>& body, int e, int q, const Displacements& u) {
   if (body.kind() != Kind::axisymmetric) return 1;
   const Eigen::Index n = u.cols();
-  return 1 + u.row(0).dot(Eigen::Map<const Eigen::RowVectorXd>(body.hoops_of(e) + q * n, n));
+  return 1 + u.row(0).dot(Eigen::Map<const Eigen::RowVectorXd>(body.tables().hoops_of(e) + q * n, n));
 }
 
 } // namespace
 
 template <int D> void gather(const Body<D>& body, int e, const double* displacement, double* local) {
-  const auto functions = body.functions_of(e);
+  const auto functions = body.tables().functions_of(e);
   const std::size_t n = functions.size();
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t i = 0; i < D; ++i) local[i * n + a] = displacement[D * functions[a] + static_cast<int>(i)];
 }
 
 template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
-  const std::size_t n = body.most_functions(), all = body.most_functions_of_macro();
-  const std::size_t points = body.most_points();
+  const bool projected = body.volumetric() == Volumetric::projected;
+  const std::size_t n = body.tables().most_functions(), points = body.tables().most_points();
+  const std::size_t all = projected ? body.macros().most_functions() : body.tables().most_functions();
   force.resize(D * all);
   blocks.resize(D * (D + 1) / 2 * all * all + vector_padding);
-  if (body.volumetric() == Volumetric::projected) {
+  if (projected) {
     macro.force.resize(D * n);
     macro.blocks.resize(D * (D + 1) / 2 * n * n + vector_padding);
   }
   local.resize(D * n);
-  const bool moduli = body.elements() > 0 && body.element(0).kernels.respond;
+  const bool moduli = body.elements() > 0 && body.tables().element(0).kernels.respond;
   work.resize(moduli ? moduli_working_size(D, n, points) : working_size(D, n, points));
   factors.resize(2 * points);
 }
@@ -64,7 +65,7 @@ template <int D> std::size_t ElementArrays<D>::memory() const {
 
 template <int D>
 KernelArguments ElementArrays<D>::arguments(const Body<D>& body, int e, double* to_force, double* to_blocks) {
-  KernelArguments arguments = body.arguments(e);
+  KernelArguments arguments = body.tables().arguments(e, body.material());
   arguments.local = local.data();
   arguments.force = to_force;
   arguments.work = work.data();
@@ -76,8 +77,8 @@ KernelArguments ElementArrays<D>::arguments(const Body<D>& body, int e, double* 
 template <int D> std::vector<double> initial_values(const Body<D>& body) {
   const std::vector<double> point = body.material().initial_values();
   std::vector<double> values;
-  values.reserve(body.points() * point.size());
-  for (std::size_t q = 0; q < body.points(); ++q) values.insert(values.end(), point.begin(), point.end());
+  values.reserve(body.tables().points() * point.size());
+  for (std::size_t q = 0; q < body.tables().points(); ++q) values.insert(values.end(), point.begin(), point.end());
   return values;
 }
 
@@ -87,10 +88,10 @@ std::optional<Inversion> internal_force(const Body<D>& body, int m, const double
                                         std::span<double> trial) {
   const std::size_t variables = body.internal_variables();
   if (variables)
-    require(committed.size() == variables * body.points() && trial.size() == committed.size(),
+    require(committed.size() == variables * body.tables().points() && trial.size() == committed.size(),
             "solid.body.internal_variables",
             {{"material", body.material().name()},
-             {"expected", variables * body.points()},
+             {"expected", variables * body.tables().points()},
              {"committed", committed.size()},
              {"trial", trial.size()}});
   if (body.volumetric() == Volumetric::projected)
@@ -99,19 +100,19 @@ std::optional<Inversion> internal_force(const Body<D>& body, int m, const double
   KernelArguments arguments = arrays.arguments(body, m, arrays.force.data(), tangent ? arrays.blocks.data() : nullptr);
   if (variables) {
     arguments.internal_variables = body.internal_variables();
-    arguments.committed = committed.data() + body.element(m).point * variables;
-    arguments.trial = trial.data() + body.element(m).point * variables;
+    arguments.committed = committed.data() + body.tables().element(m).point * variables;
+    arguments.trial = trial.data() + body.tables().element(m).point * variables;
   }
-  const KernelResult result = body.element(m).kernels.element(arguments);
+  const KernelResult result = body.tables().element(m).kernels.element(arguments);
   if (result.point < 0) return std::nullopt;
-  return Inversion{m, body.reference_point(m, result.point), result.jacobian};
+  return Inversion{m, reference_point(body, m, result.point), result.jacobian};
 }
 
 template <int D> std::vector<MeanDeformation<D>> mean_deformations(const Body<D>& body, const double* displacement) {
   std::vector<MeanDeformation<D>> means(body.elements());
   std::vector<double> volumes(means.size(), 0.0);
   each_deformation(body, displacement, [&](int e, int q, const Mat<D>& f, const auto& u) {
-    const double weight = body.weights_of(e)[q];
+    const double weight = body.tables().weights_of(e)[q];
     means[e].gradient += weight * f;
     means[e].hoop += weight * hoop_stretch(body, e, q, u);
     volumes[e] += weight;
@@ -131,7 +132,7 @@ template <int D> double quadratic_energy(const Body<D>& body, const double* disp
   double sum = 0;
   for (int e = 0; e < body.elements(); ++e) {
     internal_force(body, e, displacement, arrays, false);
-    const auto size = static_cast<Eigen::Index>(D * body.functions_of(e).size());
+    const auto size = static_cast<Eigen::Index>(D * body.tables().functions_of(e).size());
     sum +=
         Eigen::Map<const VectorX>(arrays.local.data(), size).dot(Eigen::Map<const VectorX>(arrays.force.data(), size));
   }
@@ -153,9 +154,9 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
     double across = hoop_stretch(body, e, q, u);
     if constexpr (D == 2)
       if (body.kind() == Kind::plane_stress) across = body.material().thickness_stretch(f);
-    const std::size_t point = body.element(e).point + q;
+    const std::size_t point = body.tables().element(e).point + q;
     const bool inverted = !(f.determinant() > 0 && across > 0);
-    sum += body.weights_of(e)[q] *
+    sum += body.tables().weights_of(e)[q] *
            (inverted ? std::numeric_limits<double>::infinity()
                      : body.material().energy(in_space<D>(f, across), committed.subspan(point * variables, variables)));
   });

@@ -40,7 +40,7 @@ constexpr std::size_t working_size(std::size_t components, std::size_t functions
   return components * (functions + vector_padding) * (points + 2) + 2 * vector_padding * points + 2 * vector_padding;
 }
 
-/// The same for the kernels of laws that give stress and moduli at many points at once.
+/// Size of the work array for laws that give stress and moduli at many points at once.
 constexpr std::size_t moduli_working_size(std::size_t components, std::size_t functions, std::size_t points) {
   const std::size_t entries = static_cast<std::size_t>(entries_in(static_cast<int>(components)));
   return (2 * entries + entries * (entries + 1) / 2) * (points + vector_padding) +
@@ -62,6 +62,9 @@ enum class Kind {
   plane_stress, ///< per unit of the undeformed thickness
 };
 
+/// The volume change is that of each point, or projected (projection.hpp).
+enum class Volumetric { pointwise, projected };
+
 /// Computation of the elements of a material.
 struct Kernels {
   Kernel element;
@@ -81,7 +84,7 @@ constexpr const char* instruction_names[] = {"plain", "avx2", "avx512"};
 /// The widest instructions that kernels may use: those of this processor, or of the environment variable
 /// SIGNORINI_KERNEL if it is set.
 Instructions widest_instructions();
-/// The same for a value of the variable; nullptr: not set.
+/// Likewise for a value of the variable; nullptr: not set.
 Instructions widest_instructions(const char* wanted);
 
 /// The neo-Hooke kernels up to the widest instructions, for bodies in D dimensions and elements of n functions; the

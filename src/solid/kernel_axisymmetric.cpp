@@ -34,7 +34,7 @@ void add_tangent(int n, double bracket, double lambda, double mu, double stretch
 //   f_iA = ∫ P_ik ∂R_A/∂X_k + δ_ir P_θθ R_A/R dV,
 // and ∂b = −λ ∂(ln J), ∂(F₂⁻ᵀ) = −F₂⁻ᵀ ∂F₂ᵀ F₂⁻ᵀ give the tangent
 //   ∂P₂ = μ ∂F₂ + b F₂⁻ᵀ ∂F₂ᵀ F₂⁻ᵀ + λ ∂(ln J) F₂⁻ᵀ, ∂P_θθ = (μ + b/s²) ∂s + λ ∂(ln J)/s,
-// whose first term is constant.
+// whose first term is constant [theory 2.7].
 KernelResult axisymmetric_kernel(const KernelArguments& in) {
   const int n = in.functions;
   const double *gradients = in.gradients, *hoop = in.hoop;

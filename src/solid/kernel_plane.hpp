@@ -97,7 +97,7 @@ template <int N> KernelResult run_plane(const KernelArguments& in) {
     in.factors[2 * q + 1] = weight * in.lambda;
   }
   // K^{ij}_{AB} = ∫ μ ∇R_A·∇R_B δ_ij + (μ − λ ln J) g_jA g_iB + λ g_iA g_jB dV,
-  // from ∂P = μ ∂F + (μ − λ ln J) F⁻ᵀ ∂Fᵀ F⁻ᵀ + λ (F⁻ᵀ:∂F) F⁻ᵀ; the first term is constant.
+  // from ∂P = μ ∂F + (μ − λ ln J) F⁻ᵀ ∂Fᵀ F⁻ᵀ + λ (F⁻ᵀ:∂F) F⁻ᵀ; the first term is constant [theory 2.8].
   if (in.blocks) tangent<N>(in.work, in.factors, in.constant, in.points, n, in.blocks);
   return {-1, 1};
 }

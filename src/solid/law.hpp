@@ -40,7 +40,7 @@ concept ElasticResponse = requires(const T& law, const Mat<3>& f) {
   { law.moduli(f) } -> std::same_as<Moduli>;
 };
 
-/// The same with internal variables: `initial_values()` are those of one unstrained point. A step starts from the
+/// A response with internal variables: `initial_values()` are those of one unstrained point. A step starts from the
 /// committed values; `stress` writes the trial values at F, which are committed if the step is accepted, and `moduli`
 /// differentiates `stress` at fixed committed values. The energy is that of the step, ∂W/∂F = P.
 template <class T>

@@ -5,7 +5,7 @@
 
 namespace signorini::solid {
 
-/// W = λ/2 (tr ε)² + μ ε:ε with ε = sym(F − I), P = λ tr ε I + 2μ ε.
+/// W = λ/2 (tr ε)² + μ ε:ε with ε = sym(F − I), P = λ tr ε I + 2μ ε [theory 2.3].
 struct LinearElastic : ElasticConstants {
   static constexpr auto name = "linear elastic";
   static constexpr bool linear = true;

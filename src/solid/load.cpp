@@ -59,7 +59,7 @@ template <int D> VectorX pressure_load(const Body<D>& body, nurbs::Side side) {
 template <int D> VectorX body_load(const Body<D>& body, int component) {
   check_component<D>(component);
   VectorX load = VectorX::Zero(D * body.functions());
-  load(Eigen::seqN(component, body.functions(), D)) = body.volumes();
+  load(Eigen::seqN(component, body.functions(), D)) = body.tables().volumes();
   return load;
 }
 
@@ -116,8 +116,8 @@ template <int D> VectorX distributed_load(const Body<D>& body, const MatrixX& va
   Eigen::Index k = 0;
   for (int e = 0; e < body.elements(); ++e) {
     const ElementQuadrature rule = element_quadrature(body.space(), e);
-    const double* weights = body.weights_of(e);
-    for (int q = 0; q < body.element(e).points; ++q, ++k) {
+    const double* weights = body.tables().weights_of(e);
+    for (int q = 0; q < body.tables().element(e).points; ++q, ++k) {
       const nurbs::ElementBasis basis = body.space().basis(e, rule.points.col(q));
       for (std::size_t a = 0; a < basis.functions.size(); ++a)
         load.template segment<D>(D * basis.functions[a]) +=

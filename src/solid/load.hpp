@@ -43,7 +43,7 @@ VectorX edge_lengths(const Body<3>& body, nurbs::Side first, nurbs::Side second)
 template <int D> MatrixX follower_load(const FacePoints<D>& part, const MatrixX& x);
 
 /// Its derivative ∂f_A/∂x_B, with D rows and columns per function. Not symmetric: its skew part sums to an integral
-/// along the borders of the face.
+/// along the borders of the face [theory 3.5].
 template <int D> MatrixX follower_tangent(const FacePoints<D>& part, const MatrixX& x);
 
 } // namespace signorini::solid

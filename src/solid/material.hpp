@@ -22,7 +22,7 @@ public:
   requires(!std::same_as<T, Material> && Law<T>) Material(T law);
 
   const char* name() const { return name_; }
-  /// Whether stress is linear in displacements: the tangent is constant.
+  /// True if stress is linear in displacements: the tangent is constant.
   bool linear() const { return linear_; }
   const ElasticConstants& constants() const { return constants_; }
   /// Internal variables of an unstrained point; empty for most laws.
@@ -37,7 +37,7 @@ public:
   double energy(const Mat<3>& f, std::span<const double> committed = {}) const;
   /// First Piola–Kirchhoff stress; arguments as for energy().
   Mat<3> stress(const Mat<3>& f, std::span<const double> committed = {}) const;
-  /// The same with the trial values of internal variables.
+  /// Also writes the trial values of internal variables.
   Mat<3> stress(const Mat<3>& f, std::span<const double> committed, std::span<double> trial) const {
     return stress_(law(), f, committed, trial);
   }

@@ -17,7 +17,7 @@ Mat<3> NeoHookean::stress(const Mat<3>& f) const {
 Moduli NeoHookean::moduli(const Mat<3>& f) const {
   const Mat<3> inverse = f.inverse();
   const double bracket = mu - lambda * std::log(f.determinant());
-  // ∂P_ik/∂F_jl = μ δ_ij δ_kl + (μ − λ ln J) F⁻¹_kj F⁻¹_li + λ F⁻¹_ki F⁻¹_lj
+  // ∂P_ik/∂F_jl = μ δ_ij δ_kl + (μ − λ ln J) F⁻¹_kj F⁻¹_li + λ F⁻¹_ki F⁻¹_lj [theory 2.2]
   return moduli_of([&](int i, int k, int j, int l) {
     return mu * (i == j && k == l) + bracket * inverse(k, j) * inverse(l, i) + lambda * inverse(k, i) * inverse(l, j);
   });

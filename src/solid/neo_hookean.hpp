@@ -5,7 +5,7 @@
 
 namespace signorini::solid {
 
-/// W = λ/2 (ln J)² + μ/2 (tr C − 3) − μ ln J (thesis eq. 3.29), P = μ(F − F⁻ᵀ) + λ ln J F⁻ᵀ.
+/// W = λ/2 (ln J)² + μ/2 (tr C − 3) − μ ln J P = μ(F − F⁻ᵀ) + λ ln J F⁻ᵀ [theory 2.2].
 struct NeoHookean : ElasticConstants {
   static constexpr auto name = "neo-Hooke";
   static constexpr bool linear = false;

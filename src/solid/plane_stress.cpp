@@ -27,7 +27,7 @@ double next_stretch(Search& search, double s, double p, double slope) {
   return bracketed ? 0.5 * (search.low + search.high) : p > 0 ? least : most;
 }
 
-/// ∂P_ef −= ∂P_e3 ∂P_f3/∂P_33, so that P₃₃ stays zero.
+/// ∂P_ef −= ∂P_e3 ∂P_f3/∂P_33, so that P₃₃ stays zero [theory 2.7].
 void condense(const PointBlock& block) {
   for (int q = 0; q < block.points; ++q) {
     const auto modulus = [&](int e, int o) -> double& {

@@ -57,8 +57,8 @@ void respond_with_variables(const Body<D>& body, const MacroElement& macro, Poin
                             std::span<const double> committed, std::span<double> trial) {
   const std::size_t variables = body.internal_variables();
   for (int e : macro.elements) {
-    block.points = body.element(e).points;
-    const auto first = [&](int q) { return (body.element(e).point + q) * variables; };
+    block.points = body.tables().element(e).points;
+    const auto first = [&](int q) { return (body.tables().element(e).point + q) * variables; };
     respond_by<D>(
         [&](int q, const Mat<3>& f) {
           return body.material().stress(f, committed.subspan(first(q), variables), trial.subspan(first(q), variables));
@@ -131,11 +131,12 @@ void write_modes(const Body<D>& body, const MacroElement& macro, const typename 
   sum.setZero(D * n, modes);
   Eigen::Index point = 0;
   for (std::size_t cell = 0; cell < macro.elements.size(); ++cell) {
-    const int e = macro.elements[cell], points = body.element(e).points, functions = body.element(e).functions;
+    const int e = macro.elements[cell], points = body.tables().element(e).points,
+              functions = body.tables().element(e).functions;
     arrays.strains.setZero(D * functions, points);
     for (int q = 0; q < points; ++q) {
-      const double* hoops = body.hoops_of(e);
-      const StrainRows<D> rows{functions, body.gradients_of(e) + q * D * functions,
+      const double* hoops = body.tables().hoops_of(e);
+      const StrainRows<D> rows{functions, body.tables().gradients_of(e) + q * D * functions,
                                hoops ? hoops + q * functions : nullptr};
       for (int i = 0; i < D; ++i) {
         double* strains = &arrays.strains(i * functions, q);
@@ -186,13 +187,13 @@ template <int D>
 void add_cell(const Body<D>& body, const MacroElement& macro, std::size_t cell, const GivenResponse& given,
               ElementArrays<D>& arrays, bool tangent) {
   const int e = macro.elements[cell];
-  const std::size_t own = body.element(e).functions, n = macro.functions.size();
+  const std::size_t own = body.tables().element(e).functions, n = macro.functions.size();
   MacroArrays<D>& of_element = arrays.macro;
   std::fill_n(arrays.local.data(), D * own, 0.0); // displacements: given stress and moduli depend on them already
   KernelArguments arguments =
       arrays.arguments(body, e, of_element.force.data(), tangent ? of_element.blocks.data() : nullptr);
   arguments.law = &given;
-  body.element(e).kernels.element(arguments);
+  body.tables().element(e).kernels.element(arguments);
   const std::vector<int>& places = macro.places[cell];
   for (std::size_t i = 0; i < D; ++i)
     for (std::size_t a = 0; a < own; ++a) arrays.force[i * n + places[a]] += of_element.force[i * own + a];
@@ -215,7 +216,7 @@ std::optional<Inversion> projected_force(const Body<D>& body, int m, const doubl
                                          ElementArrays<D>& arrays, bool tangent, std::span<const double> committed,
                                          std::span<double> trial) {
   constexpr int entries = entries_in(D);
-  const MacroElement& macro = body.macro(m);
+  const MacroElement& macro = body.macros().list[m];
   MacroArrays<D>& state = arrays.macro;
   if (const auto inversion = write_deformations(body, m, displacement, state)) return inversion;
   project_deformations(body.linear(), macro, state);
@@ -242,7 +243,7 @@ std::optional<Inversion> projected_force(const Body<D>& body, int m, const doubl
     const GivenResponse given{&state.stress(first, 0), tangent ? &state.moduli(first, 0) : nullptr, state.stress.rows(),
                               entries};
     add_cell(body, macro, cell, given, arrays, tangent);
-    first += body.element(macro.elements[cell]).points;
+    first += body.tables().element(macro.elements[cell]).points;
   }
   if (!tangent) return std::nullopt;
   write_modes(body, macro, state.directions, state, state.direction_modes);
@@ -256,7 +257,7 @@ std::optional<Inversion> projected_force(const Body<D>& body, int m, const doubl
 
 template <int D>
 double projected_energy(const Body<D>& body, int m, const double* displacement, std::span<const double> committed) {
-  const MacroElement& macro = body.macro(m);
+  const MacroElement& macro = body.macros().list[m];
   MacroArrays<D> state;
   if (write_deformations(body, m, displacement, state)) return std::numeric_limits<double>::infinity();
   project_deformations(body.linear(), macro, state);
@@ -266,10 +267,10 @@ double projected_energy(const Body<D>& body, int m, const double* displacement, 
   double sum = 0;
   int point = 0;
   for (int e : macro.elements)
-    for (int q = 0; q < body.element(e).points; ++q, ++point)
+    for (int q = 0; q < body.tables().element(e).points; ++q, ++point)
       sum += macro.weights(point) *
              body.material().energy(deformation_at<D>(block, point),
-                                    committed.subspan((body.element(e).point + q) * variables, variables));
+                                    committed.subspan((body.tables().element(e).point + q) * variables, variables));
   return sum;
 }
 

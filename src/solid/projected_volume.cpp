@@ -15,20 +15,20 @@ double dilation_of(bool linear, const Mat<3>& f) {
 template <int D>
 std::optional<Inversion> write_deformations(const Body<D>& body, int m, const double* displacement,
                                             MacroArrays<D>& arrays) {
-  const MacroElement& macro = body.macro(m);
+  const MacroElement& macro = body.macros().list[m];
   const Eigen::Index points = macro.modes.rows();
   constexpr auto lanes = static_cast<Eigen::Index>(vector_padding);
   arrays.f.resize((points + lanes - 1) / lanes * lanes, entries_in(D));
   arrays.directions.resize(points, entries_in(D));
   arrays.dilation.resize(points);
-  arrays.local.resize(D * body.most_functions());
+  arrays.local.resize(D * body.tables().most_functions());
   Eigen::Index point = 0;
   for (int e : macro.elements) {
-    const int n = body.element(e).functions, own = body.element(e).points;
+    const int n = body.tables().element(e).functions, own = body.tables().element(e).points;
     gather(body, e, displacement, arrays.local.data());
     const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic, Eigen::RowMajor>> u(arrays.local.data(), D, n);
-    arrays.gradients = u.lazyProduct(Eigen::Map<const MatrixX>(body.gradients_of(e), n, D * own));
-    const double* hoops = body.hoops_of(e);
+    arrays.gradients = u.lazyProduct(Eigen::Map<const MatrixX>(body.tables().gradients_of(e), n, D * own));
+    const double* hoops = body.tables().hoops_of(e);
     for (int q = 0; q < own; ++q, ++point) {
       // F = I + Σ_A u_A ⊗ ∇R_A, in a body of revolution r/R = 1 + Σ_A u_rA R_A/R
       const double across = 1 + (hoops ? u.row(0).dot(Eigen::Map<const Eigen::RowVectorXd>(hoops + q * n, n)) : 0);
@@ -37,7 +37,7 @@ std::optional<Inversion> write_deformations(const Body<D>& body, int m, const do
       if (!body.linear()) {
         const double plane = f.template topLeftCorner<D, D>().determinant();
         for (double j : {plane, across})
-          if (!(j > 0)) return Inversion{e, body.reference_point(e, q), j};
+          if (!(j > 0)) return Inversion{e, reference_point(body, e, q), j};
         direction = f.inverse().transpose();
       }
       arrays.dilation(point) = dilation_of(body.linear(), f);
@@ -60,7 +60,7 @@ void project(const MacroElement& macro, const VectorX& values, MacroArrays<D>& a
 
 template <int D>
 const VectorX& ProjectedVolume<D>::coefficients(const Body<D>& body, int m, const double* displacement) {
-  const std::vector<int>& functions = body.macro(m).functions;
+  const std::vector<int>& functions = body.macros().list[m].functions;
   displacement_.clear();
   for (int function : functions)
     displacement_.insert(displacement_.end(), displacement + D * function, displacement + D * (function + 1));
@@ -69,7 +69,7 @@ const VectorX& ProjectedVolume<D>::coefficients(const Body<D>& body, int m, cons
   if (kept.displacement == displacement_) return kept.coefficients;
   kept.displacement = displacement_;
   const bool inverted = write_deformations(body, m, displacement, arrays_).has_value();
-  if (!inverted) project(body.macro(m), arrays_.dilation, arrays_, arrays_.change);
+  if (!inverted) project(body.macros().list[m], arrays_.dilation, arrays_, arrays_.change);
   kept.coefficients = inverted ? VectorX() : arrays_.coefficients;
   return kept.coefficients;
 }
@@ -77,18 +77,19 @@ const VectorX& ProjectedVolume<D>::coefficients(const Body<D>& body, int m, cons
 template <int D>
 double ProjectedVolume<D>::change(const Body<D>& body, int e, const VectorX& xi, const Mat<3>& f,
                                   const double* displacement) {
-  const int m = body.macro_of(e);
+  const int m = body.macros().containing(body.space(), e);
   const VectorX& values = coefficients(body, m, displacement);
-  return values.size() == 0 ? 0 : (body.modes_at(m, xi).dot(values) - dilation_of(body.linear(), f)) / 3;
+  return values.size() == 0 ? 0 : (body.macros().list[m].modes_at(xi).dot(values) - dilation_of(body.linear(), f)) / 3;
 }
 
 template <int D>
 double ProjectedVolume<D>::change_at(const Body<D>& body, int e, int q, const Mat<3>& f, const double* displacement) {
-  const int m = body.macro_of(e);
-  const MacroElement& macro = body.macro(m);
+  const int m = body.macros().containing(body.space(), e);
+  const MacroElement& macro = body.macros().list[m];
   const VectorX& values = coefficients(body, m, displacement);
   Eigen::Index point = q;
-  for (std::size_t cell = 0; macro.elements[cell] != e; ++cell) point += body.element(macro.elements[cell]).points;
+  for (std::size_t cell = 0; macro.elements[cell] != e; ++cell)
+    point += body.tables().element(macro.elements[cell]).points;
   return values.size() == 0 ? 0 : (macro.modes.row(point).dot(values) - dilation_of(body.linear(), f)) / 3;
 }
 

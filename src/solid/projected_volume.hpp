@@ -23,7 +23,7 @@ public:
   /// c = (Pθ − θ)/3 at the parametric point xi of element e, where the deformation gradient in space is f; 0 if the
   /// macro-element is inverted.
   double change(const Body<D>& body, int e, const VectorX& xi, const Mat<3>& f, const double* displacement);
-  /// The same at Gauss point q.
+  /// c at Gauss point q.
   double change_at(const Body<D>& body, int e, int q, const Mat<3>& f, const double* displacement);
 
 private:

@@ -40,9 +40,22 @@ std::vector<double> legendre(int degree, double x) {
   return values;
 }
 
-} // namespace
+/// Products of Legendre polynomials up to its degrees at a parametric point, on the macro-element's box.
+VectorX legendre_products(const MacroElement& macro, const VectorX& xi) {
+  VectorX products = VectorX::Ones(1);
+  for (int d = 0; d < std::ssize(macro.degrees); ++d) {
+    const double from = macro.box(0, d), to = macro.box(1, d);
+    const std::vector<double> values = legendre(macro.degrees[d], (2 * xi(d) - from - to) / (to - from));
+    VectorX next(products.size() * static_cast<Eigen::Index>(values.size()));
+    for (std::size_t k = 0; k < values.size(); ++k)
+      next.segment(static_cast<Eigen::Index>(k) * products.size(), products.size()) = values[k] * products;
+    products = std::move(next);
+  }
+  return products;
+}
 
-MacroElements macro_elements(const nurbs::Discretization& space) {
+/// Macro-elements without functions and modes.
+MacroElements divided(const nurbs::Discretization& space) {
   const int dimensions = space.parametric_dimension();
   MacroElements result;
   const std::vector<int> lowest = lowest_degrees(space);
@@ -53,7 +66,7 @@ MacroElements macro_elements(const nurbs::Discretization& space) {
   }
   result.list.resize(size);
   for (int e = 0; e < space.elements(); ++e) {
-    MacroElement& macro = result.list[macro_containing(result, space, e)];
+    MacroElement& macro = result.list[result.containing(space, e)];
     if (macro.elements.empty()) macro.box = MatrixX::Constant(2, dimensions, space.interval(e, 0)[0]);
     for (int d = 0; d < dimensions; ++d) {
       const auto [from, to] = space.interval(e, d);
@@ -76,18 +89,60 @@ MacroElements macro_elements(const nurbs::Discretization& space) {
   return result;
 }
 
-int macro_containing(const MacroElements& macros, const nurbs::Discretization& space, int e) {
+/// Adds the functions, and the modes at the Gauss points.
+template <int D> void complete(MacroElement& macro, const nurbs::Discretization& space, const GaussTables<D>& tables) {
+  std::vector<double> weights;
+  for (int e : macro.elements) {
+    const auto functions = tables.functions_of(e);
+    macro.functions.insert(macro.functions.end(), functions.begin(), functions.end());
+    weights.insert(weights.end(), tables.weights_of(e), tables.weights_of(e) + tables.element(e).points);
+  }
+  std::sort(macro.functions.begin(), macro.functions.end());
+  macro.functions.erase(std::unique(macro.functions.begin(), macro.functions.end()), macro.functions.end());
+  macro.weights = Eigen::Map<const VectorX>(weights.data(), std::ssize(weights));
+  int modes = 1;
+  for (int degree : macro.degrees) modes *= degree + 1;
+  MatrixX polynomials(std::ssize(weights), modes);
+  Eigen::Index row = 0;
+  for (int e : macro.elements) {
+    std::vector<int>& places = macro.places.emplace_back();
+    for (int function : tables.functions_of(e))
+      places.push_back(static_cast<int>(std::lower_bound(macro.functions.begin(), macro.functions.end(), function) -
+                                        macro.functions.begin()));
+    const ElementQuadrature rule = element_quadrature(space, e);
+    for (Eigen::Index q = 0; q < rule.points.cols(); ++q)
+      polynomials.row(row++) = legendre_products(macro, rule.points.col(q));
+  }
+  // Φ = Π L⁻ᵀ with L Lᵀ = Πᵀ W Π
+  const MatrixX gram = polynomials.transpose() * macro.weights.asDiagonal() * polynomials;
+  macro.combine = dense::solve(dense::cholesky(gram).transpose(), MatrixX::Identity(gram.rows(), gram.cols()));
+  macro.modes = polynomials * macro.combine;
+}
+
+} // namespace
+
+VectorX MacroElement::modes_at(const VectorX& xi) const {
+  return combine.transpose() * legendre_products(*this, xi);
+}
+
+int MacroElements::containing(const nurbs::Discretization& space, int e) const {
   int index = 0, stride = 1;
   for (int d = 0; d < space.parametric_dimension(); ++d) {
-    index += stride * macro_along(space.element_index(e, d), space.elements(d), macros.counts[d]);
-    stride *= macros.counts[d];
+    index += stride * macro_along(space.element_index(e, d), space.elements(d), counts[d]);
+    stride *= counts[d];
   }
   return index;
 }
 
-std::size_t memory(const MacroElements& macros) {
+int MacroElements::most_functions() const {
+  std::size_t most = 0;
+  for (const MacroElement& macro : list) most = std::max(most, macro.functions.size());
+  return static_cast<int>(most);
+}
+
+std::size_t MacroElements::memory() const {
   std::size_t numbers = 0, indices = 0;
-  for (const MacroElement& macro : macros.list) {
+  for (const MacroElement& macro : list) {
     numbers +=
         static_cast<std::size_t>(macro.modes.size() + macro.weights.size() + macro.combine.size() + macro.box.size());
     indices += macro.elements.size() + macro.functions.size() + macro.degrees.size();
@@ -96,24 +151,13 @@ std::size_t memory(const MacroElements& macros) {
   return sizeof(double) * numbers + sizeof(int) * indices;
 }
 
-VectorX legendre_products(const MacroElement& macro, const VectorX& xi) {
-  VectorX products = VectorX::Ones(1);
-  for (int d = 0; d < std::ssize(macro.degrees); ++d) {
-    const double from = macro.box(0, d), to = macro.box(1, d);
-    const std::vector<double> values = legendre(macro.degrees[d], (2 * xi(d) - from - to) / (to - from));
-    VectorX next(products.size() * static_cast<Eigen::Index>(values.size()));
-    for (std::size_t k = 0; k < values.size(); ++k)
-      next.segment(static_cast<Eigen::Index>(k) * products.size(), products.size()) = values[k] * products;
-    products = std::move(next);
-  }
-  return products;
+template <int D> MacroElements macro_elements(const nurbs::Discretization& space, const GaussTables<D>& tables) {
+  MacroElements result = divided(space);
+  for (MacroElement& macro : result.list) complete(macro, space, tables);
+  return result;
 }
 
-void orthonormalize(MacroElement& macro, const MatrixX& polynomials) {
-  // Φ = Π L⁻ᵀ with L Lᵀ = Πᵀ W Π
-  const MatrixX gram = polynomials.transpose() * macro.weights.asDiagonal() * polynomials;
-  macro.combine = dense::solve(dense::cholesky(gram).transpose(), MatrixX::Identity(gram.rows(), gram.cols()));
-  macro.modes = polynomials * macro.combine;
-}
+template MacroElements macro_elements(const nurbs::Discretization&, const GaussTables<2>&);
+template MacroElements macro_elements(const nurbs::Discretization&, const GaussTables<3>&);
 
 } // namespace signorini::solid

@@ -12,11 +12,9 @@
 // F̄ = exp((Pθ − θ)/3) F, at small strains ε̄ = ε + (P tr ε − tr ε)/3 I. The energy is ∫ W(F̄) dV; forces and tangent
 // are its derivatives. Projecting ln J instead of J keeps the volume positive.
 
-#include "base/eigen.hpp"
-#include "nurbs/discretization.hpp"
+#include "solid/gauss_tables.hpp"
 
 #include <cmath>
-#include <vector>
 
 namespace signorini::solid {
 
@@ -25,9 +23,6 @@ inline Mat<3> dilated(bool linear, const Mat<3>& f, double c) {
   if (linear) return f + c * Mat<3>::Identity();
   return std::exp(c) * f;
 }
-
-/// Whether the volume change is that of each point, or projected.
-enum class Volumetric { pointwise, projected };
 
 /// Neighboring elements with one projection.
 struct MacroElement {
@@ -39,27 +34,26 @@ struct MacroElement {
   MatrixX modes;   ///< φ_m at the Gauss points of all elements (rows), orthonormal: Σ_q w φ_m φ_n = δ_mn
   VectorX weights; ///< of these points, see Body::weights_of
   MatrixX combine; ///< Legendre polynomials times this are the modes
+
+  /// The modes at a parametric point.
+  VectorX modes_at(const VectorX& xi) const;
 };
 
-/// The macro-elements of a space, ξ¹ fastest, and their numbers per direction; functions and modes are missing.
-/// In a direction with n elements of degree p there are c = ⌊n/p⌋ of p elements or a few more; c − 1 if c is even and n
-/// odd, which no symmetric division into c parts has. For c = 2 that would be one macro-element, with dense tangents
-/// and too few constraints: these are three, in which those of s < p elements have polynomials of degree s − 1, also
-/// one constraint per element.
+/// In a direction with n elements of degree p there are c = ⌊n/p⌋ macro-elements of p elements or a few more; c − 1 if
+/// c is even and n odd, which no symmetric division into c parts has. For c = 2 that would be one macro-element, with
+/// dense tangents and too few constraints: these are three, in which those of s < p elements have polynomials of degree
+/// s − 1, also one constraint per element.
 struct MacroElements {
-  std::vector<MacroElement> list;
-  std::vector<int> counts;
+  std::vector<MacroElement> list; ///< ξ¹ fastest
+  std::vector<int> counts;        ///< per direction
+
+  /// The one that contains element e.
+  int containing(const nurbs::Discretization& space, int e) const;
+  /// Largest number of functions on one of them.
+  int most_functions() const;
+  /// Bytes of the tables.
+  std::size_t memory() const;
 };
-MacroElements macro_elements(const nurbs::Discretization& space);
-/// The macro-element of element e.
-int macro_containing(const MacroElements& macros, const nurbs::Discretization& space, int e);
-/// Bytes of the tables.
-std::size_t memory(const MacroElements& macros);
-
-/// Products of Legendre polynomials up to its degrees at a parametric point, on the macro-element's box.
-VectorX legendre_products(const MacroElement& macro, const VectorX& xi);
-
-/// Makes the polynomials at the points (rows) orthonormal.
-void orthonormalize(MacroElement& macro, const MatrixX& polynomials);
+template <int D> MacroElements macro_elements(const nurbs::Discretization& space, const GaussTables<D>& tables);
 
 } // namespace signorini::solid

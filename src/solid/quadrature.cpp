@@ -35,7 +35,7 @@ QuadratureRule roots(int n) {
   return rule;
 }
 
-/// The same, computed once for the rules of usual elements.
+/// roots(), computed once for the rules of usual elements.
 const QuadratureRule& known_roots(int n) {
   static const std::vector<QuadratureRule> known = [] {
     std::vector<QuadratureRule> rules(1);

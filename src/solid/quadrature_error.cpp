@@ -26,7 +26,7 @@ double volume(const nurbs::Discretization& space, const MatrixX& points, int e, 
   return sum;
 }
 
-/// Whether dA/dξ differs much within an element.
+/// True if dA/dξ differs much within an element.
 template <int D> bool varies(const Body<D>& body, nurbs::Side face) {
   const MatrixX points = body.space().points();
   for (const FacePoints<D>& part : face_points(body, face, 1)) {

@@ -13,7 +13,7 @@ double weight_ratio(const nurbs::Discretization& space);
 /// find in the reference configuration, relative to the latter.
 double volume_error(const nurbs::Discretization& space);
 
-/// The same of the area of several faces of a body by the points of loads, see face_points(); 0 where dA/dξ differs by
+/// Error of the area of several faces of a body by the points of loads, see face_points(); 0 where dA/dξ differs by
 /// less than a factor of 4 within each element, so that faces of many smooth elements cost little.
 template <int D> double area_error(const Body<D>& body, const std::vector<nurbs::Side>& faces);
 

@@ -11,9 +11,9 @@ namespace {
 /// F at a Gauss point, F̄ if the volume change is projected.
 template <int D>
 Mat<3> deformation_at_point(const Body<D>& body, int e, int q, const double* displacement, ProjectedVolume<D>& volume) {
-  const std::span<const int> functions = body.functions_of(e);
+  const std::span<const int> functions = body.tables().functions_of(e);
   const int n = std::ssize(functions);
-  const double *gradients = body.gradients_of(e) + q * D * n, *hoops = body.hoops_of(e);
+  const double *gradients = body.tables().gradients_of(e) + q * D * n, *hoops = body.tables().hoops_of(e);
   Mat<D> f = Mat<D>::Identity();
   double across = 1;
   for (int a = 0; a < n; ++a) {
@@ -30,7 +30,7 @@ Mat<3> deformation_at_point(const Body<D>& body, int e, int q, const double* dis
 
 } // namespace
 
-// With a_ijkl = ∂P_iJ/∂F_kL F_jJ F_lL and τ = P Fᵀ these moduli are a_ijkl + δ_ik τ_jl, symmetrized in ij and in kl.
+// With a_ijkl = ∂P_iJ/∂F_kL F_jJ F_lL and τ = P Fᵀ these moduli are a_ijkl + δ_ik τ_jl, symmetrized [theory 2.5].
 double least_modulus(const Hyperelastic& law, const Mat<3>& f) {
   const Moduli moduli = law.moduli(f);
   const Mat<3> kirchhoff = law.stress(f) * f.transpose();
@@ -51,13 +51,13 @@ template <int D> std::optional<Instability> unstable_point(const Body<D>& body, 
   std::optional<Instability> worst;
   ProjectedVolume<D> volume;
   for (int e = 0; e < body.elements(); e += stride) {
-    const int q = body.element(e).points / 2;
+    const int q = body.tables().element(e).points / 2;
     const Mat<3> f = deformation_at_point(body, e, q, displacement, volume);
     const double modulus = least_modulus(*law, f);
     if (!(modulus < least)) continue;
     least = modulus;
     const std::vector<double> stretches = stretches_of(f);
-    worst = Instability{Vec<3>(stretches[0], stretches[1], stretches[2]), body.reference_point(e, q)};
+    worst = Instability{Vec<3>(stretches[0], stretches[1], stretches[2]), reference_point(body, e, q)};
   }
   return worst;
 }

@@ -42,9 +42,8 @@ template <int D> auto dyads(const Principal& at) {
 
 /// The moduli in the basis of dyads().
 // ∂P/∂F = Σ_ij W_ij (n_i ⊗ N_i)(n_j ⊗ N_j) + Σ_i≠j g_ij (n_i ⊗ N_j)(n_i ⊗ N_j) + h_ij (n_i ⊗ N_j)(n_j ⊗ N_i), where
-// g_ij + h_ij = (W_i − W_j)/(λ_i − λ_j) and g_ij − h_ij = (W_i + W_j)/(λ_i + λ_j) (R. W. Ogden, Non-linear Elastic
-// Deformations, 1984, section 6.1). For almost equal stretches the first is (W_ii + W_jj)/2 − W_ij up to the square of
-// their difference.
+// g_ij + h_ij = (W_i − W_j)/(λ_i − λ_j) and g_ij − h_ij = (W_i + W_j)/(λ_i + λ_j) [theory 2.4]. For almost equal
+// stretches the first is (W_ii + W_jj)/2 − W_ij up to the square of their difference.
 Moduli principal_moduli(const Vec<3>& stretches, const Slopes& w) {
   constexpr double equal = 1e-5;
   Moduli sum = Moduli::Zero();

@@ -48,7 +48,7 @@ template <int D>
 std::set<int> reach(const Scene<D>& scene, const Unknowns<D>& unknowns, const std::vector<int>& elements) {
   std::set<int> all;
   for (int e : elements)
-    for (int function : scene.bodies[0].body->functions_of(e))
+    for (int function : scene.bodies[0].body->tables().functions_of(e))
       for (int c = 0; c < D; ++c) {
         all.insert(D * function + c);
         if (const int i = unknowns.unknown(D * function + c); i >= 0) all.insert(-1 - i);

@@ -20,7 +20,7 @@ const LinearElastic steel = linear_elastic(2, 0.3);
 double volume(const Body<2>& body) {
   double sum = 0;
   for (int e = 0; e < body.elements(); ++e)
-    for (int q = 0; q < body.element(e).points; ++q) sum += body.weights_of(e)[q];
+    for (int q = 0; q < body.tables().element(e).points; ++q) sum += body.tables().weights_of(e)[q];
   return sum;
 }
 

@@ -129,23 +129,24 @@ double ring_stress_error(int elements) {
 
   double error = 0, size = 0;
   for (int e = 0; e < ring.elements(); ++e) {
-    const auto functions = ring.functions_of(e);
+    const auto functions = ring.tables().functions_of(e);
     const int n = std::ssize(functions);
-    for (int q = 0; q < ring.element(e).points; ++q) {
+    for (int q = 0; q < ring.tables().element(e).points; ++q) {
       Mat<2> f = Mat<2>::Identity();
       for (int i = 0; i < 2; ++i)
         for (int k = 0; k < 2; ++k)
           for (int c = 0; c < n; ++c)
-            f(i, k) += u(2 * functions[static_cast<std::size_t>(c)] + i) * ring.gradients_of(e)[(2 * q + k) * n + c];
-      const Vec<2> x = ring.reference_point(e, q), radial = x.normalized(), hoop(-radial(1), radial(0));
+            f(i, k) +=
+                u(2 * functions[static_cast<std::size_t>(c)] + i) * ring.tables().gradients_of(e)[(2 * q + k) * n + c];
+      const Vec<2> x = reference_point(ring, e, q), radial = x.normalized(), hoop(-radial(1), radial(0));
       const double r2 = x.squaredNorm();
       // ε_r = A − B/r², ε_θ = A + B/r², σ = λ tr ε I + 2 μ ε
       const Mat<2> exact =
           2 * a * material.lambda * Mat<2>::Identity() +
           2 * material.mu * ((a - b / r2) * radial * radial.transpose() + (a + b / r2) * hoop * hoop.transpose());
       const Mat<2> found = Material(material).cauchy_stress(in_space<2>(f)).topLeftCorner<2, 2>();
-      error += ring.weights_of(e)[q] * (found - exact).squaredNorm();
-      size += ring.weights_of(e)[q] * exact.squaredNorm();
+      error += ring.tables().weights_of(e)[q] * (found - exact).squaredNorm();
+      size += ring.tables().weights_of(e)[q] * exact.squaredNorm();
     }
   }
   return std::sqrt(error / size);

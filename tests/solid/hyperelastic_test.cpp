@@ -270,8 +270,8 @@ TEST(Hyperelastic, InversionIsReportedAsByTheKernelsOfNeoHooke) {
 /// Neo-Hooke at unit stiffness on one element, by one kernel.
 template <int D> std::vector<double> run(const Body<D>& body, Kernel kernel, const VectorX& u) {
   ElementArrays<D> arrays(body);
-  KernelArguments arguments = body.arguments(0);
-  const auto functions = body.functions_of(0);
+  KernelArguments arguments = body.tables().arguments(0, body.material());
+  const auto functions = body.tables().functions_of(0);
   const std::size_t n = functions.size();
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t i = 0; i < D; ++i) arrays.local[i * n + a] = u(D * functions[a] + static_cast<int>(i));

@@ -132,7 +132,7 @@ TEST(Internal, PatchTestInThePlane) {
     double area = 0;
     const Body<2> body = make_body<2>(patch, {4, 3}, label, "north", rubber);
     for (int e = 0; e < body.elements(); ++e)
-      for (int q = 0; q < body.element(e).points; ++q) area += body.weights_of(e)[q];
+      for (int q = 0; q < body.tables().element(e).points; ++q) area += body.tables().weights_of(e)[q];
     homogeneous_state<2>(body, f, area);
     homogeneous_state<2>({body.shared_space(), steel}, f, area);
   }

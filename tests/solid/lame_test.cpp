@@ -35,14 +35,14 @@ template <int D> double relative_error(const Body<D>& wall, const VectorX& u, do
   double error = 0, size = 0;
   for (int e = 0; e < wall.elements(); ++e) {
     const ElementQuadrature rule = element_quadrature(wall.space(), e);
-    for (int q = 0; q < wall.element(e).points; ++q) {
+    for (int q = 0; q < wall.tables().element(e).points; ++q) {
       const nurbs::ElementBasis basis = wall.space().basis(e, rule.points.col(q));
       Vec<D> found = Vec<D>::Zero();
       for (std::size_t a = 0; a < basis.functions.size(); ++a)
         found += basis.values(static_cast<int>(a)) * u.segment<D>(D * basis.functions[a]);
-      const Vec<D> x = wall.reference_point(e, q), expected = exact(x.norm()) * x.normalized();
-      error += wall.weights_of(e)[q] * (found - expected).squaredNorm();
-      size += wall.weights_of(e)[q] * expected.squaredNorm();
+      const Vec<D> x = reference_point(wall, e, q), expected = exact(x.norm()) * x.normalized();
+      error += wall.tables().weights_of(e)[q] * (found - expected).squaredNorm();
+      size += wall.tables().weights_of(e)[q] * expected.squaredNorm();
     }
   }
   return std::sqrt(error / size);

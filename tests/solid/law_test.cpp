@@ -160,7 +160,7 @@ template <int D> Mat<D> mean_stress(const Body<D>& body, const VectorX& force) {
   Mat<D> sum = Mat<D>::Zero();
   for (int a = 0; a < body.functions(); ++a) sum += force.segment<D>(D * a) * points.col(a).transpose();
   double volume = 0;
-  for (std::size_t q = 0; q < body.points(); ++q) volume += body.weights_of(0)[q];
+  for (std::size_t q = 0; q < body.tables().points(); ++q) volume += body.tables().weights_of(0)[q];
   return sum / volume;
 }
 
@@ -216,7 +216,7 @@ TEST(Law, UniformStretchOfABodyOfRevolutionHasItsClosedForm) {
 template <int D> void damage_is_consistent(const Body<D>& body) {
   Random random(23);
   std::vector<double> committed = initial_values(body), trial = committed;
-  ASSERT_EQ(committed.size(), body.points());
+  ASSERT_EQ(committed.size(), body.tables().points());
   const VectorX before = random_displacement(random, body, 0.01);
   assemble(body, before, committed, trial);
   committed = trial;

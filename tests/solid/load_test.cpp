@@ -27,7 +27,8 @@ template <int D> double total(const VectorX& load, int component) {
 template <int D> double volume(const Body<D>& body) {
   double sum = 0;
   for (int e = 0; e < body.elements(); ++e)
-    sum = std::accumulate(body.weights_of(e), body.weights_of(e) + body.element(e).points, sum);
+    sum = std::accumulate(body.tables().weights_of(e), body.tables().weights_of(e) + body.tables().element(e).points,
+                          sum);
   return sum;
 }
 

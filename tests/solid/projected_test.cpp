@@ -59,14 +59,14 @@ TEST(Projected, ElementsFormMacroElementsOfAsManyAsTheDegree) {
   EXPECT_EQ(body.macro_elements(1), 2);
   std::size_t elements = 0;
   for (int m = 0; m < body.macro_elements(); ++m) {
-    EXPECT_EQ(body.macro(m).modes.cols(), 2);
-    elements += body.macro(m).elements.size();
-    for (int e : body.macro(m).elements) EXPECT_EQ(body.macro_of(e), m);
+    EXPECT_EQ(body.macros().list[m].modes.cols(), 2);
+    elements += body.macros().list[m].elements.size();
+    for (int e : body.macros().list[m].elements) EXPECT_EQ(body.macros().containing(body.space(), e), m);
   }
   EXPECT_EQ(elements, 14u);
   EXPECT_EQ(body.macro_index(5, 0), 2);
   EXPECT_EQ(body.macro_index(5, 1), 1);
-  EXPECT_EQ(body.most_functions_of_macro(), (3 + 2) * 2);
+  EXPECT_EQ(body.macros().most_functions(), (3 + 2) * 2);
 }
 
 /// The macro-elements of a direction and their polynomials are symmetric about the middle, also where the degree does
@@ -80,7 +80,7 @@ TEST(Projected, MacroElementsAreSymmetricAboutTheMiddle) {
       const int macros = body.macro_elements(0);
       int covered = 0;
       for (int m = 0; m < macros; ++m) {
-        const MacroElement &own = body.macro(m), &mirrored = body.macro(macros - 1 - m);
+        const MacroElement &own = body.macros().list[m], &mirrored = body.macros().list[macros - 1 - m];
         const int elements = std::ssize(own.elements);
         ASSERT_EQ(mirrored.elements.size(), own.elements.size()) << degree << ' ' << count;
         EXPECT_EQ(mirrored.degrees, own.degrees);
@@ -140,7 +140,7 @@ template <int D> void kept_coefficients_follow_the_displacements(const Body<D>& 
   for (int repeat = 0; repeat < 2; ++repeat) {
     const VectorX u = random_displacement(random, body, 0.02);
     for (int e = 0; e < body.elements(); ++e)
-      for (int q : {0, body.element(e).points / 2}) {
+      for (int q : {0, body.tables().element(e).points / 2}) {
         const VectorX xi = element_quadrature(body.space(), e).points.col(q);
         const double change = ProjectedVolume<D>().change(body, e, xi, Mat<3>::Identity(), u.data());
         EXPECT_NE(change, 0);

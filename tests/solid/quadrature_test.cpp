@@ -51,7 +51,8 @@ TEST(Quadrature, WeightsOfABodyAddUpToItsVolume) {
                      neo_hookean(1, 0.3));
   double area = 0;
   for (int e = 0; e < ring.elements(); ++e)
-    area = std::accumulate(ring.weights_of(e), ring.weights_of(e) + ring.element(e).points, area);
+    area = std::accumulate(ring.tables().weights_of(e), ring.tables().weights_of(e) + ring.tables().element(e).points,
+                           area);
   EXPECT_NEAR(area, std::acos(-1.0) / 2 * (0.25 - 0.09), 1e-7);
 }
 

@@ -197,7 +197,7 @@ template <int D> void push_body_cost(lua_State* L, const model::Model<D>& model,
   const solid::Body<D>& body = *model.system.scene.bodies[index].body;
   std::set<int> all, layer;
   int points = 0;
-  for (int e = 0; e < body.elements(); ++e) points += body.element(e).points;
+  for (int e = 0; e < body.elements(); ++e) points += body.tables().element(e).points;
   const auto unknown = [&](int i) { return unknowns.unknown(unknowns.offset(index) + i); };
   int prescribed = 0;
   for (int i = 0; i < D * body.functions(); ++i)

@@ -134,7 +134,7 @@ template <int D> FailurePlace inverted_element(const Model<D>& model) {
   const solid::ElementQuadrature rule = solid::element_quadrature(space, inversion.element);
   VectorX current = inversion.point;
   for (Eigen::Index q = 0; q < rule.points.cols(); ++q)
-    if (named.body->reference_point(inversion.element, static_cast<int>(q)) == inversion.point) {
+    if (solid::reference_point(*named.body, inversion.element, static_cast<int>(q)) == inversion.point) {
       const nurbs::ElementBasis basis = space.basis(inversion.element, rule.points.col(q));
       for (std::size_t a = 0; a < basis.functions.size(); ++a)
         current += basis.values(static_cast<Eigen::Index>(a)) * accepted_displacement(model, body, basis.functions[a]);

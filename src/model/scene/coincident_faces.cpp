@@ -29,7 +29,7 @@ template <int D> struct BoxedFace {
 
 /// That of its longest element, of whose box the diagonal is a bound.
 template <int D> double reach_of(const nurbs::Discretization& space, nurbs::Side side, double diagonal) {
-  if (space.crosses_layer(side)) return most_seam_distance * diagonal;
+  if (crosses_layer(space, side)) return most_seam_distance * diagonal;
   const contact::Surface<D> face(space, side);
   double longest = 0;
   Vec<D> low, high;
@@ -125,7 +125,7 @@ struct Candidate {
 };
 
 template <int D> bool crosses_layer(const BoxedFace<D>& face) {
-  return face.space->crosses_layer(face.face.side);
+  return crosses_layer(*face.space, face.face.side);
 }
 
 template <int D>

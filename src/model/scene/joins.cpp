@@ -16,7 +16,7 @@ template <int D>
 nurbs::FaceMatch match(const Scene<D>& scene, const FaceReference& first, const FaceReference& second) {
   const nurbs::Discretization &one = space_of(scene, first), &other = space_of(scene, second);
   nurbs::FaceMatch found = nurbs::match_faces(one, first.side, other, second.side);
-  if (found.mismatch != nurbs::Mismatch::none && (one.crosses_layer(first.side) || other.crosses_layer(second.side)))
+  if (found.mismatch != nurbs::Mismatch::none && (crosses_layer(one, first.side) || crosses_layer(other, second.side)))
     if (nurbs::FaceMatch near = nurbs::match_faces(one, first.side, other, second.side, nurbs::joinable_layers);
         near.mismatch == nurbs::Mismatch::none)
       return near;
@@ -93,7 +93,7 @@ template <int D> void resolve_joins(Scene<D>& scene) {
       continue;
     }
     for (const FaceReference& face : {join.first, join.second})
-      require(!space_of(scene, face).crosses_layer(face.side), "model.join.layers",
+      require(!crosses_layer(space_of(scene, face), face.side), "model.join.layers",
               {{"join", join.name},
                {"first", face_message(scene, join.first)},
                {"second", face_message(scene, join.second)},

@@ -168,7 +168,7 @@ template <int D> bool is_deformed(const Model<D>& model) {
   double bound = 0;
   for (const NamedBody<D>& named : model.system.scene.bodies)
     bound += 0.5 * named.body->material().constants().youngs_modulus * deformed_strain * deformed_strain *
-             named.body->volumes().sum();
+             named.body->tables().volumes().sum();
   return model.system.assembly.stored_energy(model.accepted.displacement, model.accepted.internal) > bound;
 }
 

@@ -93,7 +93,7 @@ template <int D> void Drives<D>::add_unit_load(const Load& load, int k, Eigen::R
   }
   for (const int index : load.bodies) {
     const solid::Body<D>& body = *scene_.bodies[index].body;
-    const auto count = static_cast<Eigen::Index>(body.points());
+    const auto count = static_cast<Eigen::Index>(body.tables().points());
     add(index, load.values.empty() ? solid::body_load(body, k)
                                    : solid::distributed_load(body, next_values(load, used, D, count)));
   }

@@ -11,8 +11,8 @@ template <int D> VectorX path_weights(const Scene<D>& scene, const Unknowns<D>& 
     const solid::Body<D>& body = *scene.bodies[b].body;
     const int offset = unknowns.offset(static_cast<int>(b));
     for (int a = 0; a < body.functions(); ++a)
-      weights.template segment<D>(offset + D * a).setConstant(body.volumes()(a));
-    volume += body.volumes().sum();
+      weights.template segment<D>(offset + D * a).setConstant(body.tables().volumes()(a));
+    volume += body.tables().volumes().sum();
   }
   weights /= volume;
   for (int k = 0; k < std::ssize(scene.obstacles); ++k) {
