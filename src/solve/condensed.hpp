@@ -1,5 +1,5 @@
 #pragma once
-// Static condensation for a constant matrix plus a changing contact block.
+// Static condensation for a constant matrix plus a changing contact block [theory 10.5].
 
 #include "solve/linear.hpp"
 #include "solve/schur.hpp"

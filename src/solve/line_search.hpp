@@ -1,5 +1,5 @@
 #pragma once
-// Step length along Newton's direction.
+// Step length along Newton's direction [theory 10.8].
 
 #include <functional>
 #include <optional>

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
 #include <unistd.h>
 
 namespace signorini::solve {
@@ -66,25 +65,25 @@ public:
     pattern_ = pattern;
     entries_.size = pattern.size;
     entries_.order = places_in_order(pattern);
-    symmetry_.emplace(pattern);
+    symmetric_ = true;
   }
 
   /// After an unsymmetric matrix all are factored by LU until the pattern changes, so that contacts that alternate
   /// between sticking and slipping do not cause analyses.
   bool factor(const double* values) override {
-    if (symmetry_ && !symmetry_->holds(values)) {
-      symmetry_.reset();
+    if (symmetric_ && !is_symmetric(pattern_, values)) {
+      symmetric_ = false;
       instance_.reset();
     }
     if (!instance_ && !begin()) return false;
     ++statistics_.factorizations;
-    report_ = instance_->factor(symmetry_ ? lower_values(values) : values);
-    const double triangles = symmetry_ ? 2 : 1; // that a solution reads
+    report_ = instance_->factor(symmetric_ ? lower_values(values) : values);
+    const double triangles = symmetric_ ? 2 : 1; // that a solution reads
     statistics_.operations = report_.operations;
     statistics_.entries = triangles * report_.entries;
     statistics_.memory = report_.entries * (settings_.single ? sizeof(float) : sizeof(double));
     statistics_.rank_memory = report_.peak;
-    statistics_.negative = symmetry_ ? report_.negative : -1;
+    statistics_.negative = symmetric_ ? report_.negative : -1;
     statistics_.definite = statistics_.negative == 0;
     return succeeded(report_) && report_.null == 0 && pivots().regular();
   }
@@ -106,12 +105,12 @@ private:
     for (int j = 0; j < pattern_.size; ++j)
       for (int k = pattern_.starts[j]; k < pattern_.starts[j + 1]; ++k) {
         const int i = pattern_.rows[k];
-        if (symmetry_ && i < j) continue;
+        if (symmetric_ && i < j) continue;
         entries_.rows.push_back(i + 1);
         entries_.columns.push_back(j + 1);
-        if (symmetry_) kept_.push_back(k);
+        if (symmetric_) kept_.push_back(k);
       }
-    instance_ = load().make(settings_, symmetry_.has_value());
+    instance_ = load().make(settings_, symmetric_);
     return succeeded(instance_->analyze(entries_));
   }
 
@@ -137,8 +136,8 @@ private:
   MumpsSettings settings_;
   Pattern pattern_;
   MumpsPattern entries_;
-  std::optional<Symmetry> symmetry_; ///< as long as all matrices are symmetric
-  std::vector<int> kept_;            ///< positions of the lower triangle in the pattern
+  bool symmetric_ = true; ///< as long as all matrices are
+  std::vector<int> kept_; ///< positions of the lower triangle in the pattern
   std::vector<double> lower_;
   std::unique_ptr<MumpsInstance> instance_;
   MumpsReport report_;

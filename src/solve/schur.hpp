@@ -8,7 +8,7 @@ namespace signorini::solve {
 
 /// Eliminates the interior unknowns i of a symmetric A and leaves the Schur complement of the border c, which is
 /// ordered last:
-///     S = A_cc − A_ci A_ii⁻¹ A_ic.
+///     S = A_cc − A_ci A_ii⁻¹ A_ic [theory 10.5].
 /// It copies what it needs.
 class SchurSolver {
 public:
@@ -16,8 +16,8 @@ public:
   /// Sets the pattern of the matrices that follow, and the unknowns of the border. Afterwards statistics().operations
   /// may contain an estimate for the factorization.
   virtual void analyze(const Pattern& pattern, const std::vector<int>& border) = 0;
-  /// Factors the matrix with these values, in the order of the pattern. Returns false if A_ii is singular to working
-  /// precision, or has negative eigenvalues that the solver does not support.
+  /// Factors the matrix with these values, in the order of the pattern. Returns false unless A_ii is positive definite
+  /// and regular to working precision.
   virtual bool factor(const double* values) = 0;
   /// The border in the order of the rows of S.
   virtual const std::vector<int>& border() const = 0;
@@ -25,8 +25,6 @@ public:
   virtual const MatrixX& complement() const = 0;
   /// Replaces b by the solution: `middle` replaces b_c − A_ci A_ii⁻¹ b_i by x_c, then x_i = A_ii⁻¹ (b_i − A_ic x_c).
   virtual bool solve(double* b, const std::function<bool(double*)>& middle) = 0;
-  /// True if a successful factorization shows that A_ii is positive definite.
-  virtual bool proves_definite() const { return false; }
   /// Pivots of A_ii.
   virtual PivotRange pivots() const = 0;
   virtual SolverStatistics statistics() const = 0;
@@ -35,10 +33,7 @@ public:
 /// Precision of the factors with which solutions are computed.
 enum class Precision { full, single };
 
-/// Using any direct solver of A_ii: one solution per unknown of the border, and two per system.
-std::unique_ptr<SchurSolver> make_schur(std::unique_ptr<DirectSolver> interior);
-
-/// Using CHOLMOD, which needs a positive definite A_ii: all of L is computed at once, the border's part in dense
+/// Using CHOLMOD: all of L is computed at once, the border's part in dense
 /// blocks. The interior is ordered by minimum degree, or by nested dissection (METIS) if that leaves more than
 /// `dissect_above` operations per entry of L. With single precision, S is as accurate, but solutions have about half of
 /// the digits, as is enough for a preconditioner, and take half of the time.

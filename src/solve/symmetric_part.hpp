@@ -8,15 +8,52 @@
 
 namespace signorini::solve {
 
+/// The block S − K⁰_cc + K_cc of the watched unknowns, see SymmetricPart, and its LU.
+class WatchedBlock {
+public:
+  /// `precision`: of the factors; full precision where single does not show whether the block is singular.
+  explicit WatchedBlock(Precision precision) : precision_(precision) {}
+
+  /// Finds the entries between the watched unknowns, given in the order of the rows of S.
+  void locate(const Pattern& pattern, const std::vector<int>& border);
+  /// Sets S and K⁰_cc.
+  void set_constant(const MatrixX& complement, const double* values);
+  /// Sets and factors K_cc from the current values. Returns false if the block is singular.
+  bool update(const double* values);
+  /// Overwrites b by the solution; call after a successful update().
+  void solve(double* b);
+  bool is_positive_definite(const double* values) const;
+  int size() const { return std::ssize(places_); }
+  /// At the last update().
+  PivotRange pivots() const { return pivots_; }
+
+private:
+  /// Entries of a column of K_cc in consecutive rows.
+  struct Run {
+    int position;            ///< of the first in the pattern
+    int row, column, length; ///< indices in c
+  };
+  template <class Real> void set(const double* values, DenseMatrix<Real>& block) const;
+  template <class Real> bool factor(const double* values);
+
+  Precision precision_;
+  std::vector<int> places_; ///< per row of S: the index in c, which increases with the number of the unknown
+  std::vector<Run> runs_;   ///< the entries between unknowns of c
+  MatrixX constant_;        ///< S − K⁰_cc
+  std::variant<DenseMatrix<double>, DenseMatrix<float>> factors_;
+  std::vector<int> exchanges_; ///< row exchanges in LAPACK's numbering
+  PivotRange pivots_;
+};
+
 /// An approximation of the tangent K as preconditioner: with the watched unknowns c ordered after the others i, the
 /// blocks
 ///     M = [ K⁰_ii  K⁰_ic ]    K⁰ the symmetric part of an earlier tangent,
 ///         [ K⁰_ci  K_cc  ]    K_cc of the current one, possibly unsymmetric.
 /// Opening, closing and slipping contacts change only K_cc, by much; deformation changes K⁰ by little. Elimination of
-/// the interior from M leaves S − K⁰_cc + K_cc with the Schur complement S of K⁰.
+/// the interior from M leaves S − K⁰_cc + K_cc with the Schur complement S of K⁰ [theory 10.5].
 class SymmetricPart {
 public:
-  /// Whether the watched unknowns always form the border, or only if the LU of their block needs fewer operations than
+  /// The watched unknowns form the border always, or only if the LU of their block needs fewer operations than
   /// the factorization that it saves, and the border does not make that much more expensive; otherwise c is empty.
   enum class Border { always, where_cheap };
 
@@ -38,7 +75,7 @@ public:
   bool update(const double* values);
   /// Overwrites b by M⁻¹ b. Call after a successful factor() or update().
   bool solve(double* b);
-  /// Whether the factors of K⁰_ii show that M with K_cc from other values has a positive definite symmetric part.
+  /// True if the factors of K⁰_ii show that M with K_cc from other values has a positive definite symmetric part.
   bool proves_definite(const double* values) const;
   /// Pivots of K⁰_ii, and of the block of c at the last update().
   PivotRange pivots() const;
@@ -46,30 +83,13 @@ public:
   SolverStatistics statistics() const;
 
 private:
-  /// Entries of a column of K_cc in consecutive rows.
-  struct Run {
-    int position;            ///< of the first in the pattern
-    int row, column, length; ///< indices in c
-  };
-
   void analyze(const Pattern& pattern);
-  void locate(const Pattern& pattern);
-  template <class Real> void set_block(const double* values, DenseMatrix<Real>& block) const;
-  template <class Real> bool factor_block(const double* values);
-  int border() const { return std::ssize(solver_->border()); }
 
   std::unique_ptr<SchurSolver> solver_;
   Border policy_;
-  Precision precision_;
   std::vector<int> watched_;
   bool analyzed_ = false;
-  std::vector<int> places_; ///< per row of S: the index in c, which increases with the number of the unknown
-  std::vector<Run> runs_;   ///< the entries between unknowns of c
-  MatrixX constant_;        ///< S − K⁰_cc
-  std::variant<DenseMatrix<double>, DenseMatrix<float>> block_; ///< the factors of S − K⁰_cc + K_cc
-  std::vector<int> exchanges_;                                  ///< row exchanges in LAPACK's numbering
-  PivotRange block_pivots_;
-  VectorX right_; ///< of the block
+  WatchedBlock block_;
 };
 
 } // namespace signorini::solve

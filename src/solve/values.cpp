@@ -23,6 +23,12 @@ void add_transpose(const Pattern& pattern, double* values) {
   });
 }
 
+std::vector<double> symmetrized(const Pattern& pattern, std::vector<double> values) {
+  add_transpose(pattern, values.data());
+  for (double& value : values) value *= 0.5;
+  return values;
+}
+
 bool is_symmetric(const Pattern& pattern, const double* values) {
   double largest = 0, difference = 0;
   visit_transposed(pattern, [&](std::size_t k, std::size_t m) {
@@ -30,24 +36,6 @@ bool is_symmetric(const Pattern& pattern, const double* values) {
     difference = std::max(difference, std::abs(values[k] - values[m]));
   });
   return difference <= symmetry_tolerance * largest;
-}
-
-Symmetry::Symmetry(const Pattern& pattern) : mirror_(pattern.rows.size()) {
-  visit_transposed(pattern, [&](std::size_t k, std::size_t m) { mirror_[k] = static_cast<int>(m); });
-}
-
-bool Symmetry::holds(const double* values) const {
-  double largest = 0, difference = 0;
-  for (std::size_t k = 0; k < mirror_.size(); ++k) {
-    largest = std::max(largest, std::abs(values[k]));
-    difference = std::max(difference, std::abs(values[k] - values[mirror_[k]]));
-  }
-  return difference <= symmetry_tolerance * largest;
-}
-
-void Symmetry::transpose(const double* values, std::vector<double>& transposed) const {
-  transposed.resize(mirror_.size());
-  for (std::size_t k = 0; k < mirror_.size(); ++k) transposed[k] = values[mirror_[k]];
 }
 
 double relative_residual(const Pattern& pattern, const double* values, const double* x, const double* b,

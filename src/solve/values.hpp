@@ -26,23 +26,12 @@ struct PivotRange {
   bool regular(double least_ratio = least_pivot) const { return least > least_ratio * largest; }
 };
 
-/// Compares every entry with its transposed one on a structurally symmetric pattern.
-class Symmetry {
-public:
-  explicit Symmetry(const Pattern& pattern);
-  /// True if |a_ij − a_ji| ≤ symmetry_tolerance max|a| for all entries.
-  bool holds(const double* values) const;
-  /// Kᵀ in the order of the pattern.
-  void transpose(const double* values, std::vector<double>& transposed) const;
-
-private:
-  std::vector<int> mirror_; ///< position of (j, i) for each (i, j)
-};
-
 /// K ← K + Kᵀ on a structurally symmetric pattern.
 void add_transpose(const Pattern& pattern, double* values);
+/// ½(K + Kᵀ)
+std::vector<double> symmetrized(const Pattern& pattern, std::vector<double> values);
 
-/// True if |a_ij − a_ji| ≤ symmetry_tolerance max|a| for all entries, for one matrix: faster than a Symmetry.
+/// True if |a_ij − a_ji| ≤ symmetry_tolerance max|a| for all entries.
 bool is_symmetric(const Pattern& pattern, const double* values);
 
 /// ‖b − K x‖ / ‖b‖, zero if b is zero; infinite if x is not finite. `difference` is a work array.

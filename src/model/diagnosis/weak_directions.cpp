@@ -78,10 +78,7 @@ WeakDirection null_direction(const solve::Pattern& pattern, const std::vector<do
 
 WeakDirection softest_direction(const solve::Pattern& pattern, const std::vector<double>& values, int displacements,
                                 solve::LinearKind solver) {
-  std::vector<double> symmetric;
-  solve::Symmetry(pattern).transpose(values.data(), symmetric);
-  for (std::size_t i = 0; i < symmetric.size(); ++i) symmetric[i] = 0.5 * (symmetric[i] + values[i]);
-  return iterate(solver, pattern, symmetric, displacements, 8, 12, true);
+  return iterate(solver, pattern, solve::symmetrized(pattern, values), displacements, 8, 12, true);
 }
 
 } // namespace signorini::model
