@@ -177,6 +177,26 @@ template <int D> int Surface<D>::neighbor(int element, int alpha, bool at_end) c
   return element + (at_end ? 1 : -1) * (alpha == 0 ? 1 : spaces_.front().elements());
 }
 
+template <int D> typename Surface<D>::OwnElement Surface<D>::own_element(int element) const {
+  OwnElement own{0, {}};
+  for (int a = 0; a < D - 1; ++a) {
+    const int before = beyond_[a][0] > 0, after = beyond_[a][1] > 0;
+    own.index[a] = std::clamp(index(element, a) - before, 0, direction(a).elements() - before - after - 1);
+  }
+  for (std::size_t f = 0; f < places_.size(); ++f) {
+    const auto& [way, elements, first, width] = places_[f];
+    OwnElement found{static_cast<int>(f), {}};
+    bool inside = true;
+    for (int k = 0; k < D - 1; ++k) {
+      const int there = own.index[way.to[k]] - first[way.to[k]];
+      found.index[k] = way.flip[k] ? elements[k] - 1 - there : there;
+      inside = inside && there >= 0 && there < elements[k];
+    }
+    if (inside) return found;
+  }
+  return own;
+}
+
 template class Surface<2>;
 template class Surface<3>;
 

@@ -78,6 +78,13 @@ public:
 
   /// Of several faces, where each lies in the whole.
   const std::vector<FacePlace>& places() const { return places_; }
+  /// The element of a face (0 unless there are several), by direction of that face, at an element of the surface; of an
+  /// extension beyond an open end the face's last element there.
+  struct OwnElement {
+    int face;
+    std::array<int, D - 1> index;
+  };
+  OwnElement own_element(int element) const;
   int elements() const { return std::ssize(elements_); }
   /// Number of functions on an element.
   int functions_on(int element) const { return elements_[element].functions; }

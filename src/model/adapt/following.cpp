@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace signorini::model {
@@ -24,63 +23,6 @@ int contact_index(const Discretization& space, nurbs::Side side) {
   const auto found = std::ranges::find(faces, side);
   return found == faces.end() ? -1 : static_cast<int>(found - faces.begin());
 }
-
-/// An element of a face of a body, by its index along each direction of the face.
-template <int D> struct FaceElement {
-  int face; ///< of the list
-  std::array<int, D - 1> index;
-};
-
-/// Finds the elements of a list of faces among those of their surface, which a master extends beyond its open ends.
-template <int D> class FaceElements {
-public:
-  explicit FaceElements(const contact::Surface<D>& surface) : surface_(surface) {
-    contact::FaceCoordinates<D> middle, rate;
-    const auto mid = [&](int a, int e) {
-      const auto [from, to] = surface.direction(a).interval(e);
-      return 0.5 * (from + to);
-    };
-    for (int a = 0; a < D - 1; ++a) middle(a) = mid(a, surface.direction(a).elements() / 2);
-    for (int a = 0; a < D - 1; ++a) {
-      const int all = surface.direction(a).elements();
-      const auto is_beyond = [&](int e) {
-        contact::FaceCoordinates<D> xi = middle;
-        xi(a) = mid(a, e);
-        return all > 1 && surface.fade(xi, rate) < 1;
-      };
-      before_[a] = is_beyond(0) ? 1 : 0;
-      own_[a] = all - before_[a] - (is_beyond(all - 1) ? 1 : 0);
-    }
-  }
-
-  /// The element that is element `element` of the surface, or its neighbor if that is beyond an end.
-  FaceElement<D> find(int element) const {
-    std::array<int, D - 1> index{};
-    for (int a = 0; a < D - 1; ++a) {
-      const int all = surface_.direction(a).elements();
-      index[a] = std::clamp(element % all - before_[a], 0, own_[a] - 1);
-      element /= all;
-    }
-    if (surface_.places().empty()) return {0, index};
-    int own = index[0];
-    if constexpr (D == 3) own += own_[0] * index[1];
-    for (std::size_t f = 0; f < surface_.places().size(); ++f) {
-      const contact::FacePlace& place = surface_.places()[f];
-      const int first = place.elements[0], count = first * (D == 3 ? place.elements[1] : 1);
-      for (int e = 0; e < count; ++e) {
-        if (place.element(e) != own) continue;
-        index[0] = e % first;
-        if constexpr (D == 3) index[1] = e / first;
-        return {static_cast<int>(f), index};
-      }
-    }
-    return {-1, {}};
-  }
-
-private:
-  const contact::Surface<D>& surface_;
-  std::array<int, D - 1> before_, own_; ///< elements beyond the start, and of the faces
-};
 
 /// The largest values of touching points by element of one body's face.
 template <int D> class Marks {
@@ -164,26 +106,24 @@ template <int D> void mark(const Model<D>& model, std::size_t k, bool measured, 
   const std::vector<char> inside = contact_area(model, k, history).inside;
   const auto* master = std::get_if<Faces>(&contact.master);
   Marks<D> marks(model.system.scene, lines);
-  const FaceElements<D> on_slave(formulation.slave());
-  const auto on_master = master ? std::optional<FaceElements<D>>(*formulation.master().surface()) : std::nullopt;
   double largest = 0;
   for (const auto& result : history.results)
     if (result.area > 0) largest = std::max(largest, result.force.norm() / result.area);
   for (std::size_t i = 0; i < history.results.size(); ++i) {
     const contact::PointResult<D>& result = history.results[i];
     if (!inside[i]) continue;
-    const auto [f, index] = on_slave.find(formulation.points().list[i].element);
+    const auto [f, index] = formulation.slave().own_element(formulation.points().list[i].element);
     double value = 1;
-    if (measured && f >= 0 && contact.slave.size() == 1 && result.area > 0 && largest > 0) {
+    if (measured && contact.slave.size() == 1 && result.area > 0 && largest > 0) {
       const Vec<D> traction = result.force / result.area;
       value =
           (traction - body_traction(model, formulation, contact.slave[f], i, index, contact.points)).norm() / largest;
     }
-    if (f >= 0) marks.add(contact.slave[f], index, value);
+    marks.add(contact.slave[f], index, value);
     const int foot = history.points[i].projection.element;
     if (!master || foot < 0) continue;
-    const auto [g, there] = on_master->find(foot);
-    if (g >= 0) marks.add((*master)[g], there, value);
+    const auto [g, there] = formulation.master().surface()->own_element(foot);
+    marks.add((*master)[g], there, value);
   }
 }
 
