@@ -1,80 +1,19 @@
 #include "model/diagnosis/diagnosis.hpp"
 
-#include "base/error.hpp"
-#include "base/orthonormal.hpp"
 #include "model/checks/scene_warnings.hpp"
 #include "model/constants.hpp"
+#include "model/diagnosis/failure_places.hpp"
 #include "model/diagnosis/sliding.hpp"
-#include "model/diagnosis/unheld_motions.hpp"
 #include "model/diagnosis/weak_directions.hpp"
-#include "model/scene/turning.hpp"
-#include "model/system/rigid_motions.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace signorini::model {
 
 namespace {
 
 using solve::Outcome;
-
-/// Displacement of a control point in the accepted state.
-template <int D> VectorX accepted_displacement(const Model<D>& model, int body, int function) {
-  return model.accepted.displacement.template segment<D>(model.system.unknowns.offset(body) + D * function);
-}
-
-/// A control point of a body.
-template <int D> FailurePlace control_point(const Model<D>& model, int body, int function) {
-  const auto& named = model.system.scene.bodies[body];
-  const VectorX reference = named.body->space().points().col(function);
-  return {"control point",
-          named.name,
-          function,
-          reference,
-          reference + accepted_displacement(model, body, function),
-          0,
-          {}};
-}
-
-/// The control points with the largest shares of a vector of unknowns, at most three, and these shares. Where an
-/// obstacle's motion or a multiplier has nearly all of it, what is left are rounding errors.
-template <int D, class What>
-std::vector<FailurePlace> largest(const Model<D>& model, const VectorX& values, What what) {
-  struct Share {
-    int body, function;
-    double size;
-  };
-  std::vector<Share> shares;
-  const VectorX all = model.system.unknowns.spread(values);
-  for (int b = 0; b < std::ssize(model.system.scene.bodies); ++b)
-    for (int a = 0; a < model.system.scene.bodies[b].body->functions(); ++a)
-      shares.push_back({b, a, all.template segment<D>(model.system.unknowns.offset(b) + D * a).norm()});
-  const std::size_t count = std::min<std::size_t>(3, shares.size());
-  std::partial_sort(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(count), shares.end(),
-                    [](const Share& a, const Share& b) { return a.size > b.size; });
-  std::vector<FailurePlace> spots;
-  for (std::size_t k = 0; k < count && shares[k].size > least_share * values.lpNorm<Eigen::Infinity>(); ++k) {
-    FailurePlace spot = control_point(model, shares[k].body, shares[k].function);
-    spot.value = shares[k].size;
-    spot.what = what(spot.value);
-    spots.push_back(std::move(spot));
-  }
-  return spots;
-}
-
-template <int D>
-FailurePlace contact_point(const Model<D>& model, std::size_t contact, std::size_t i, double gap, Message what) {
-  const contact::ContactPoints<D>& points = model.system.contacts[contact]->points();
-  return {"contact point",
-          model.system.scene.contacts[contact].name,
-          points.list[i].element,
-          points.reference[i],
-          model.accepted.contacts[contact].results[i].position,
-          gap,
-          std::move(what)};
-}
 
 /// Adds contact points, each with a message.
 template <int D, class What>
@@ -93,25 +32,6 @@ void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<P
       {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
 }
 
-/// Adds the points that have passed through the master of the first contact with such points.
-template <int D> void add_crossed(Diagnosis& diagnosis, const Model<D>& model) {
-  for (std::size_t k = 0; k < model.system.contacts.size() && diagnosis.places.empty(); ++k) {
-    const contact::History<D>& history = model.present.contacts[k];
-    const std::vector<int> points = model.system.contacts[k]->crossed(history, model.accepted.contacts[k]);
-    if (points.empty()) continue;
-    const std::vector<double> gaps = model.system.contacts[k]->gaps(history);
-    for (std::size_t n = 0; n < std::min(points.size(), most_places); ++n) {
-      const double gap = gaps[points[n]];
-      diagnosis.places.push_back(
-          contact_point(model, k, points[n], gap, Message("model.place.behind", {{"distance", gap}})));
-    }
-    const FailurePlace& first = diagnosis.places.front();
-    diagnosis.messages.push_back(Message(
-        "model.diagnosis.points",
-        {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
-  }
-}
-
 /// The points of augmented contacts that are not open, those with the largest |gap| first.
 template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
   const auto& contacts = model.present.contacts;
@@ -126,81 +46,9 @@ template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
   return points;
 }
 
-/// The inverted Gauss point of an element.
-template <int D> FailurePlace inverted_element(const Model<D>& model) {
-  const auto& [body, inversion] = *model.inversion;
-  const auto& named = model.system.scene.bodies[body];
-  const nurbs::Discretization& space = named.body->space();
-  const solid::ElementQuadrature rule = solid::element_quadrature(space, inversion.element);
-  VectorX current = inversion.point;
-  for (Eigen::Index q = 0; q < rule.points.cols(); ++q)
-    if (solid::reference_point(*named.body, inversion.element, static_cast<int>(q)) == inversion.point) {
-      const nurbs::ElementBasis basis = space.basis(inversion.element, rule.points.col(q));
-      for (std::size_t a = 0; a < basis.functions.size(); ++a)
-        current += basis.values(static_cast<Eigen::Index>(a)) * accepted_displacement(model, body, basis.functions[a]);
-    }
-  return {"element",
-          named.name,
-          inversion.element,
-          inversion.point,
-          current,
-          inversion.jacobian,
-          Message("model.place.jacobian", {{"jacobian", inversion.jacobian}})};
-}
-
-/// Displacements of a body's control points, one column each, in a direction of all degrees of freedom.
-template <int D>
-Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> moves_of(const Model<D>& model, std::size_t body,
-                                                                    const VectorX& all) {
-  return {all.data() + model.system.unknowns.offset(static_cast<int>(body)), D,
-          model.system.scene.bodies[body].body->functions()};
-}
-
-/// Message about the obstacle that a direction moves; empty if there is none.
-template <int D> Message obstacle_part(const Model<D>& model, const VectorX& all) {
-  const Scene<D>& scene = model.system.scene;
-  const Unknowns<D>& unknowns = model.system.unknowns;
-  const auto message = [&](int obstacle, const std::string& component) {
-    return Message("model.diagnosis.obstacle",
-                   {{"component", component}, {"support", support_of(scene, obstacle, component)}});
-  };
-  for (int k = 0; k < std::ssize(scene.obstacles); ++k)
-    for (int c = 0; c < D; ++c)
-      if (std::abs(all(unknowns.obstacle_offset(k) + c)) > own_part * all.norm()) return message(k, component_name(c));
-  for (const FreeAngle<D>& angle : unknowns.free_angles())
-    if (std::abs(all(angle.dof)) > own_part * all.norm()) return message(angle.obstacle, "angle");
-  return {};
-}
-
-/// Message about the body or obstacle that a direction moves as a rigid body; empty if there is none.
-template <int D> Message rigid_part(const Model<D>& model, const VectorX& direction) {
-  const VectorX all = model.system.unknowns.spread(direction);
-  if (Message obstacle = obstacle_part(model, all); !obstacle.code.empty()) return obstacle;
-  for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
-    const auto& named = model.system.scene.bodies[b];
-    const auto own = moves_of(model, b, all);
-    const Vec<D> mean = own.rowwise().mean();
-    if (own.norm() < own_part * all.norm()) continue;
-    // An axisymmetric body translates as a rigid one along its axis alone.
-    const bool radial =
-        model.system.scene.kind == solid::Kind::axisymmetric && std::abs(mean(0)) > deformed_part * mean.norm();
-    if (Message several = unheld_motions(model, static_cast<int>(b)); !several.code.empty()) return several;
-    if (!radial && (own.colwise() - mean).norm() <= deformed_part * own.norm())
-      return Message("model.diagnosis.moves", {{"body", named.name}, {"direction", Vec<D>(mean / mean.norm())}});
-    // least-squares residual of u = Σ_m a_m m with the rigid-body modes m
-    const std::vector<VectorX> motions = rigid_motions<D>(named.body->space().points(), model.system.scene.kind);
-    MatrixX columns(own.size(), static_cast<Eigen::Index>(motions.size()));
-    for (std::size_t m = 0; m < motions.size(); ++m) columns.col(static_cast<Eigen::Index>(m)) = motions[m];
-    const VectorX flat = Eigen::Map<const VectorX>(own.data(), own.size());
-    if (residual_of(orthonormal(columns), flat).norm() <= deformed_part * flat.norm())
-      return Message("model.diagnosis.turns", {{"body", named.name}});
-  }
-  return {};
-}
-
 template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model, const WeakDirection& weak) {
   if (weak.direction.norm() == 0) return;
-  diagnosis.places = largest(model, weak.direction, [](double part) {
+  diagnosis.places = largest_shares(model, weak.direction, [](double part) {
     return Message("model.place.direction", {{"part", part}});
   });
   Message rigid = rigid_part(model, weak.direction);
@@ -213,58 +61,19 @@ template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model,
 }
 
 /// A remedy by its message code. `control`: the control that it turns on, if any; `when_on`: the code if that is on.
-struct Advice {
+struct Remedy {
   const char *control, *code, *when_on = nullptr;
 };
+using Remedies = std::vector<Remedy>;
 
-constexpr Advice smaller_steps{"step", "model.remedy.step", "model.remedy.step_min"};
-constexpr Advice pseudo_transient{"pseudo_transient", "model.remedy.pseudo_transient"};
-constexpr Advice line_search{"line_search", "model.remedy.line_search"};
+constexpr Remedy smaller_steps{"step", "model.remedy.step", "model.remedy.step_min"};
+constexpr Remedy pseudo_transient{"pseudo_transient", "model.remedy.pseudo_transient"};
+constexpr Remedy line_search{"line_search", "model.remedy.line_search"};
 
-std::vector<Advice> remedies(Outcome outcome) {
-  switch (outcome) {
-  case Outcome::iteration_limit:
-    return {{"", "model.remedy.iterations"}, smaller_steps, {"", "model.remedy.tolerance"}};
-  case Outcome::diverged:
-  case Outcome::not_finite:
-    return {smaller_steps, line_search};
-  case Outcome::cycling:
-    return {smaller_steps,
-            line_search,
-            {"", "model.remedy.points"},
-            {"active_set_changes", "model.remedy.active_set"},
-            pseudo_transient};
-  case Outcome::lost_projection:
-    return {{"", "model.remedy.extend_master"}, {"", "model.remedy.end_path"}};
-  case Outcome::inverted_element:
-    return {smaller_steps, line_search, {"", "model.remedy.mesh"}};
-  case Outcome::singular_tangent:
-    return {{"", "model.remedy.support"}, {"damping", "model.remedy.damping"}};
-  case Outcome::indefinite:
-    return {{"arc_length", "model.remedy.arc_length", "model.remedy.stability"}, pseudo_transient};
-  case Outcome::line_search:
-    return {smaller_steps, {"", "model.remedy.no_line_search"}};
-  case Outcome::crossed:
-    return {smaller_steps, {"", "model.remedy.penalty"}, {"arc_length", "model.remedy.arc_length"}};
-  case Outcome::penetration:
-    return {{"", "model.remedy.penalty"}, {"", "model.remedy.augmented"}};
-  default:
-    return {};
-  }
-}
-
-/// Before the first accepted step there is no path to a limit point, and arc length has no direction.
-std::vector<Advice> first_step_cures() {
-  return {{"", "model.remedy.first_step"},
-          smaller_steps,
-          {"penalty", "model.remedy.penalty_growth"},
-          {"", "model.remedy.no_arc_yet"}};
-}
-
-std::vector<Message> offered(const std::vector<Advice>& list, const ControlsOn& on) {
+std::vector<Message> offered(const Remedies& list, const ControlsOn& on) {
   std::vector<Message> remedies;
-  for (const Advice& advice : list)
-    if (const char* code = on.contains(advice.control) ? advice.when_on : advice.code) remedies.emplace_back(code);
+  for (const Remedy& remedy : list)
+    if (const char* code = on.contains(remedy.control) ? remedy.when_on : remedy.code) remedies.emplace_back(code);
   return remedies;
 }
 
@@ -309,66 +118,192 @@ template <int D> void add_debonding(Diagnosis& diagnosis, const Model<D>& model,
   }
 }
 
+/// A failed step and the controls that are on.
+template <int D> struct Failure {
+  const Model<D>& model;
+  const ControlsOn& on;
+  bool has_tangent() const {
+    return model.system.unknowns.size() > 0 && model.system.assembly.tangent().diagonal_norm > 0;
+  }
+  /// A direction of the last tangent. A tangent that was too large for one process is not factored in one.
+  template <class Search> WeakDirection direction(Search search) const {
+    const bool by_mumps = model.linear.kind() == solve::LinearKind::mumps;
+    const SparseTangent& tangent = model.system.assembly.tangent();
+    return search(tangent.pattern, tangent.values, model.system.unknowns.free_displacements(),
+                  by_mumps ? solve::LinearKind::mumps : solve::LinearKind::umfpack);
+  }
+};
+
+// Detectors add places and reasons. They return remedies in place of those of the outcome, or none.
+
+template <int D> std::vector<Message> find_inversion(Diagnosis& diagnosis, const Failure<D>& failure) {
+  if (failure.model.inversion) diagnosis.places = {inverted_element(failure.model)};
+  return {};
+}
+
+/// The message about the states between which a point alternates.
+template <int D> auto states_of(const Model<D>& model) {
+  return [&](const PointIndex& point) {
+    return Message("model.place.states", {{"states", model.active_set.alternating(point)}});
+  };
+}
+
+template <int D> std::vector<Message> find_cycling(Diagnosis& diagnosis, const Failure<D>& failure) {
+  const Model<D>& model = failure.model;
+  add_points(diagnosis, model, model.active_set.cycling_points(), states_of(model));
+  return {};
+}
+
+template <int D> std::vector<Message> find_lost_points(Diagnosis& diagnosis, const Failure<D>& failure) {
+  const Model<D>& model = failure.model;
+  add_points(diagnosis, model, model.active_set.cycling_past_end(), states_of(model));
+  return {};
+}
+
+/// Finds the points that have passed through the master of the first contact with such points.
+template <int D> std::vector<Message> find_crossed(Diagnosis& diagnosis, const Failure<D>& failure) {
+  const Model<D>& model = failure.model;
+  for (std::size_t k = 0; k < model.system.contacts.size() && diagnosis.places.empty(); ++k) {
+    const contact::History<D>& history = model.present.contacts[k];
+    const std::vector<int> points = model.system.contacts[k]->crossed(history, model.accepted.contacts[k]);
+    if (points.empty()) continue;
+    const std::vector<double> gaps = model.system.contacts[k]->gaps(history);
+    for (std::size_t n = 0; n < std::min(points.size(), most_places); ++n) {
+      const double gap = gaps[points[n]];
+      diagnosis.places.push_back(
+          contact_point(model, k, points[n], gap, Message("model.place.behind", {{"distance", gap}})));
+    }
+    const FailurePlace& first = diagnosis.places.front();
+    diagnosis.messages.push_back(Message(
+        "model.diagnosis.points",
+        {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
+  }
+  return {};
+}
+
+template <int D> std::vector<Message> find_penetration(Diagnosis& diagnosis, const Failure<D>& failure) {
+  const Model<D>& model = failure.model;
+  add_points(diagnosis, model, farthest(model), [&](const PointIndex& point) {
+    return Message("model.place.gap", {{"gap", constraint(model.present.contacts[point.contact], point.point).gap}});
+  });
+  return {};
+}
+
+template <int D> std::vector<Message> find_null_direction(Diagnosis& diagnosis, const Failure<D>& failure) {
+  if (!failure.has_tangent()) return {};
+  const Model<D>& model = failure.model;
+  const WeakDirection weak = failure.direction(null_direction);
+  add_direction(diagnosis, model, weak);
+  if (!obstacle_part(model, model.system.unknowns.spread(weak.direction)).code.empty())
+    return offered({{"", "model.remedy.obstacle"}, {"damping", "model.remedy.damping"}}, failure.on);
+  return weak.direction.norm() > 0 ? remedies_of_sliding(model, weak.direction) : std::vector<Message>();
+}
+
+/// An indefinite tangent is the reason why an iteration stalls.
+template <int D> std::vector<Message> find_negative_direction(Diagnosis& diagnosis, const Failure<D>& failure) {
+  if (!failure.has_tangent()) return {};
+  const Model<D>& model = failure.model;
+  const WeakDirection softest = failure.direction(softest_direction);
+  if (softest.negative ? *softest.negative <= 0 : softest.stiffness >= 0) return {};
+  diagnosis.outcome = Outcome::indefinite;
+  diagnosis.messages.push_back(softest.negative ? Message("model.diagnosis.negative", {{"count", *softest.negative}})
+                                                : Message("model.diagnosis.indefinite"));
+  if (softest.stiffness < 0) add_direction(diagnosis, model, softest);
+  if (auto remedies = remedies_of_sliding(model, softest.direction); !remedies.empty()) return remedies;
+  if (!model.accepted.displacement.isZero(0)) return {};
+  // Before the first accepted step there is no path to a limit point, and arc length has no direction.
+  return offered({{"", "model.remedy.first_step"},
+                  smaller_steps,
+                  {"penalty", "model.remedy.penalty_growth"},
+                  {"", "model.remedy.no_arc_yet"}},
+                 failure.on);
+}
+
+template <int D> struct Reason {
+  Outcome outcome;
+  std::vector<Message> (*detect)(Diagnosis&, const Failure<D>&); ///< null: nothing to detect
+  Remedies remedies;
+  bool debonding; ///< bonds under high traction are counted
+  bool stiffness; ///< penalties are compared with the bodies' stiffness
+};
+
+template <int D> const Reason<D>& reason_of(Outcome outcome) {
+  static const std::vector<Reason<D>> reasons{
+      {Outcome::iteration_limit,
+       find_negative_direction<D>,
+       {{"", "model.remedy.iterations"}, smaller_steps, {"", "model.remedy.tolerance"}},
+       true,
+       true},
+      {Outcome::diverged, find_negative_direction<D>, {smaller_steps, line_search}, true, true},
+      {Outcome::line_search,
+       find_negative_direction<D>,
+       {smaller_steps, {"", "model.remedy.no_line_search"}},
+       true,
+       true},
+      {Outcome::not_finite, nullptr, {smaller_steps, line_search}, false, true},
+      {Outcome::cycling,
+       find_cycling<D>,
+       {smaller_steps,
+        line_search,
+        {"", "model.remedy.points"},
+        {"active_set_changes", "model.remedy.active_set"},
+        pseudo_transient},
+       true,
+       true},
+      {Outcome::inverted_element,
+       find_inversion<D>,
+       {smaller_steps, line_search, {"", "model.remedy.mesh"}},
+       true,
+       true},
+      {Outcome::singular_tangent,
+       find_null_direction<D>,
+       {{"", "model.remedy.support"}, {"damping", "model.remedy.damping"}},
+       false,
+       true},
+      {Outcome::indefinite,
+       nullptr,
+       {{"arc_length", "model.remedy.arc_length", "model.remedy.stability"}, pseudo_transient},
+       false,
+       true},
+      {Outcome::lost_projection,
+       find_lost_points<D>,
+       {{"", "model.remedy.extend_master"}, {"", "model.remedy.end_path"}},
+       false,
+       false},
+      {Outcome::crossed,
+       find_crossed<D>,
+       {smaller_steps, {"", "model.remedy.penalty"}, {"arc_length", "model.remedy.arc_length"}},
+       false,
+       false},
+      {Outcome::penetration,
+       find_penetration<D>,
+       {{"", "model.remedy.penalty"}, {"", "model.remedy.augmented"}},
+       false,
+       false},
+  };
+  static const Reason<D> other{Outcome::converged, nullptr, {}, false, true};
+  const auto found = std::ranges::find(reasons, outcome, &Reason<D>::outcome);
+  return found == reasons.end() ? other : *found;
+}
+
 } // namespace
 
 template <int D> Diagnosis diagnose(const Model<D>& model, const solve::NewtonReport& report, const ControlsOn& on) {
   Diagnosis diagnosis{report.outcome, false, report.messages, {}, {}, {}};
-  const Assembly<D>& assembly = model.system.assembly;
-  const bool has_tangent = model.system.unknowns.size() > 0 && assembly.diagonal_norm() > 0;
-  if (report.outcome == Outcome::inverted_element && model.inversion) diagnosis.places = {inverted_element(model)};
-  const ActiveSet<D>& set = model.active_set;
-  const auto states = [&](const PointIndex& point) {
-    return Message("model.place.states", {{"states", set.alternating(point)}});
-  };
-  if (report.outcome == Outcome::cycling) add_points(diagnosis, model, set.cycling_points(), states);
-  if (report.outcome == Outcome::lost_projection) add_points(diagnosis, model, set.cycling_past_end(), states);
-  if (report.outcome == Outcome::crossed) add_crossed(diagnosis, model);
-  if (report.outcome == Outcome::penetration)
-    add_points(diagnosis, model, farthest(model), [&](const PointIndex& point) {
-      return Message("model.place.gap", {{"gap", constraint(model.present.contacts[point.contact], point.point).gap}});
-    });
-  // A tangent that was too large for one process is not factored in one.
-  const bool by_mumps = model.linear.kind() == solve::LinearKind::mumps;
-  const solve::LinearKind solver = by_mumps ? solve::LinearKind::mumps : solve::LinearKind::umfpack;
-  if (report.outcome == Outcome::singular_tangent && has_tangent) {
-    const WeakDirection weak =
-        null_direction(assembly.pattern(), assembly.values(), model.system.unknowns.free_displacements(), solver);
-    add_direction(diagnosis, model, weak);
-    if (weak.direction.norm() > 0) diagnosis.remedies = cure_of_sliding(model, weak.direction);
-    if (!obstacle_part(model, model.system.unknowns.spread(weak.direction)).code.empty())
-      diagnosis.remedies = offered({{"", "model.remedy.obstacle"}, {"damping", "model.remedy.damping"}}, on);
-  }
-  const bool stalls = report.outcome == Outcome::iteration_limit || report.outcome == Outcome::diverged ||
-                      report.outcome == Outcome::line_search;
-  if (stalls && has_tangent) {
-    const WeakDirection softest =
-        softest_direction(assembly.pattern(), assembly.values(), model.system.unknowns.free_displacements(), solver);
-    if (softest.negative ? *softest.negative > 0 : softest.stiffness < 0) {
-      diagnosis.outcome = Outcome::indefinite;
-      diagnosis.messages.push_back(softest.negative
-                                       ? Message("model.diagnosis.negative", {{"count", *softest.negative}})
-                                       : Message("model.diagnosis.indefinite"));
-      if (softest.stiffness < 0) add_direction(diagnosis, model, softest);
-      diagnosis.remedies = cure_of_sliding(model, softest.direction);
-      if (diagnosis.remedies.empty() && model.accepted.displacement.isZero(0))
-        diagnosis.remedies = offered(first_step_cures(), on);
-    }
-  }
+  const Reason<D>& reason = reason_of<D>(report.outcome);
+  if (reason.detect) diagnosis.remedies = reason.detect(diagnosis, {model, on});
+  if (diagnosis.remedies.empty()) diagnosis.remedies = offered(reason_of<D>(diagnosis.outcome).remedies, on);
   if (model.unbalanced.size() > 0 && model.unbalanced.allFinite() && !report.residuals.empty())
-    diagnosis.unbalanced = largest(model, model.unbalanced, [](double force) {
+    diagnosis.unbalanced = largest_shares(model, model.unbalanced, [](double force) {
       return Message("model.place.force", {{"force", force}});
     });
   if (diagnosis.places.empty()) diagnosis.places = diagnosis.unbalanced;
-  if (diagnosis.remedies.empty()) diagnosis.remedies = offered(remedies(diagnosis.outcome), on);
-  if (stalls || report.outcome == Outcome::cycling || report.outcome == Outcome::inverted_element)
-    add_debonding(diagnosis, model, on);
-  if (report.outcome != Outcome::penetration && report.outcome != Outcome::lost_projection &&
-      report.outcome != Outcome::crossed)
-    add_stiffness(diagnosis, model);
+  if (reason.debonding) add_debonding(diagnosis, model, on);
+  if (reason.stiffness) add_stiffness(diagnosis, model);
   // If friction cannot balance the loads on a body, that is the reason, and no other.
-  if (Message reason = exhausted_friction(model); !reason.code.empty()) {
+  if (Message exhausted = exhausted_friction(model); !exhausted.code.empty()) {
     diagnosis.friction_exhausted = true;
-    diagnosis.messages = {std::move(reason)};
+    diagnosis.messages = {std::move(exhausted)};
     diagnosis.remedies = {Message("model.remedy.exhausted")};
   }
   return diagnosis;

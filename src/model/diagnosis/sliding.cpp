@@ -10,7 +10,7 @@ namespace signorini::model {
 
 namespace {
 
-/// Whether a displacement d of a body is tangential at all touching points of a frictionless contact.
+/// True if a displacement d of a body is tangential at all touching points of a frictionless contact.
 template <int D> bool slides(const Model<D>& model, std::size_t contact, std::size_t body, const Vec<D>& d) {
   const Contact<D>& named = model.system.scene.contacts[contact];
   if (model.system.contacts[contact]->friction(model.present.contacts[contact]) > 0 ||
@@ -38,7 +38,7 @@ template <int D> int only_contact(const Model<D>& model, int body) {
   return found;
 }
 
-/// Whether nothing prevents translations of a body in all directions.
+/// True if nothing prevents translations of a body in all directions.
 template <int D> bool floats(const std::vector<UnconstrainedMotion>& motions, int body) {
   int translations = 0;
   for (const auto& [moved, motion] : motions) {
@@ -64,7 +64,7 @@ std::vector<Vec<D>> touching_normals(const contact::Surface<D>& slave, const con
 
 } // namespace
 
-template <int D> std::vector<Message> cure_of_sliding(const Model<D>& model, const VectorX& direction) {
+template <int D> std::vector<Message> remedies_of_sliding(const Model<D>& model, const VectorX& direction) {
   const VectorX all = model.system.unknowns.spread(direction);
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
     const auto& named = model.system.scene.bodies[b];
@@ -90,7 +90,7 @@ template <int D> Message exhausted_friction(const Model<D>& model) {
     if (k < 0 || !floats<D>(motions, b)) continue;
     const contact::Formulation<D>& contact = *model.system.contacts[k];
     const contact::History<D>& present = model.present.contacts[k];
-    // Those of the state before the step, which is in equilibrium, if it has any
+    // In the state before the step, which is in equilibrium, if points touch there
     std::vector<Vec<D>> normals = touching_normals(contact.slave(), model.accepted.contacts[k]);
     if (normals.empty()) normals = touching_normals(contact.slave(), present);
     if (normals.empty()) continue;
@@ -119,7 +119,7 @@ template <int D> Message exhausted_friction(const Model<D>& model) {
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template std::vector<Message> cure_of_sliding(const Model<D>&, const VectorX&);                                      \
+  template std::vector<Message> remedies_of_sliding(const Model<D>&, const VectorX&);                                  \
   template Message exhausted_friction(const Model<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

@@ -6,7 +6,7 @@
 namespace signorini::model {
 
 /// Remedy for a body that slides along a direction, by unknown, in frictionless contact; empty if there is none.
-template <int D> std::vector<Message> cure_of_sliding(const Model<D>& model, const VectorX& direction);
+template <int D> std::vector<Message> remedies_of_sliding(const Model<D>& model, const VectorX& direction);
 
 /// Says of the first body that one contact alone holds that no friction balances its present loads F; empty if there is
 /// none. The loads press it on with N = F·n, n the mean normal of the touching points, and demand a friction of

@@ -33,13 +33,13 @@ template <int D> Message unheld_motions(const Model<D>& model, int body) {
   points += Eigen::Map<const MatrixX>(model.present.displacement.data() + unknowns.offset(body), D, points.cols());
 
   const int translations = scene.kind == solid::Kind::axisymmetric ? 1 : D;
-  const double least = rounding * assembly.diagonal().cwiseAbs().maxCoeff();
+  const double least = rounding * assembly.tangent().diagonal().cwiseAbs().maxCoeff();
   std::vector<std::string> moves, turns;
   const std::vector<VectorX> motions = rigid_motions<D>(points, scene.kind);
   for (int m = 0; m < std::ssize(motions); ++m) {
     const VectorX motion = by_unknown(unknowns, body, motions[m]);
     if (motion.size() == 0) continue;
-    const double stiffness = motion.dot(VectorX(times(assembly.pattern(), assembly.values(), motion)));
+    const double stiffness = motion.dot(VectorX(times(assembly.tangent().pattern, assembly.tangent().values, motion)));
     if (!(std::abs(stiffness) <= least * motion.squaredNorm())) continue; // also where it is not a number
     if (m < translations)
       moves.push_back(component_name(translations == 1 ? 1 : m));

@@ -56,7 +56,7 @@ template <int D> std::optional<MatrixX> compliance(Model<D>& model, const Matrix
 }
 
 /// The name of what moves most in the motion M c, `m` being M.
-const std::string& mover(const FreeMotions& motions, const MatrixX& m, const VectorX& c) {
+const std::string& most_moved(const FreeMotions& motions, const MatrixX& m, const VectorX& c) {
   const VectorX shares = motions.columns.transpose().lazyProduct(m.lazyProduct(c));
   Eigen::Index largest = 0;
   shares.cwiseAbs().maxCoeff(&largest);
@@ -76,7 +76,7 @@ template <int D> std::optional<Message> weak_hold(Model<D>& model) {
   const FreeMotions motions = free_motions(system);
   const MatrixX m = orthonormal(motions.columns);
   const auto found = compliance(model, m);
-  const VectorX diagonal = system.assembly.diagonal();
+  const VectorX diagonal = system.assembly.tangent().diagonal();
   rollback(model);
   if (!found) return Message("model.warning.unheld", {{"name", motions.names.front()}});
   const MatrixX symmetric = 0.5 * (*found + found->transpose());
@@ -85,7 +85,7 @@ template <int D> std::optional<Message> weak_hold(Model<D>& model) {
   const VectorX direction = m.lazyProduct(weakest);
   const double stiffness = direction.cwiseAbs2().dot(diagonal);
   if (std::max(-minus_most, -least) * rounding * stiffness > 1)
-    return Message("model.warning.unheld", {{"name", mover(motions, m, -minus_most > -least ? weakest : worst)}});
+    return Message("model.warning.unheld", {{"name", most_moved(motions, m, -minus_most > -least ? weakest : worst)}});
   return std::nullopt;
 }
 
