@@ -37,12 +37,15 @@ inline constexpr double deformed_strain = 1e-6;
 /// as few as the elements' forces. Meshes in the plane are below it unless they are flat, in space only small ones.
 inline constexpr double whole_faces = 100;
 
+/// Limit of the known positions of contact blocks in the tangent, as a multiple of the number of blocks.
+inline constexpr std::size_t most_placements = 16;
+
 // ── Unconstrained bodies ─────────────────────────────────────────────────────────────────────────────────────────────
 
 /// Largest motion of a body in contact in one damped iteration, relative to the bodies' extent.
 inline constexpr double small_stride = 1e-3;
-/// The same of an obstacle, which does not deform where it penetrates: a tool sinks by a tenth of the bodies' extent in
-/// ten iterations.
+/// Largest motion of an obstacle, which does not deform where it penetrates: a tool sinks by a tenth of the bodies'
+/// extent in ten iterations.
 inline constexpr double obstacle_stride = 1e-2;
 /// Smallest damping relative to the diagonal: keeps the tangent regular for motions without work, such as frictionless
 /// sliding.
@@ -124,7 +127,7 @@ inline constexpr double across_part = 0.1;
 /// mortar, N2 and N2-N2.2) takes 37, 41, 20 and 25 iterations, 1.0 to 1.3 times the least of any penalty; with 2, 1.2
 /// to 1.4 times as many, with 20 to 200, 0.8 to 1.8 times as many.
 inline constexpr double default_penalty_ratio = 10;
-/// The same of contacts that are enforced by the penalty alone. In Hertz's line and point contact over 5 elements (N2)
+/// ε h/E of contacts that are enforced by the penalty alone. In Hertz's line and point contact over 5 elements (N2)
 /// penetration is 0.4 and 1.0 % of the approach with 30 (forces 0.4 and 1.5 % too small), 1.2 and 2.7 % with 10, 0.1
 /// and 0.3 % with 100, which doubles the width from which peaks are right (scripts/studies/contact_width.lua).
 inline constexpr double default_penalty_alone = 30;

@@ -108,7 +108,7 @@ TEST(Condensed, ContactGrowsBeyondTheContactUnknowns) {
   const auto sink = [&](double depth) {
     for (int i = 1; i < bench.unknowns.obstacle_offset(0); i += 2) u(i) = -depth;
     bench.residual(u);
-    return std::pair(bench.assembly.contact_version(), bench.assembly.contact_unknowns().size());
+    return std::pair(bench.assembly.contact().version(), bench.assembly.contact().unknowns().size());
   };
   const auto none = sink(-0.01);
   EXPECT_EQ(none.second, 0);
@@ -120,7 +120,7 @@ TEST(Condensed, ContactGrowsBeyondTheContactUnknowns) {
   // All unknowns on which contacts act are contact unknowns.
   const MatrixX with = bench.tangent();
   std::vector<char> watched(static_cast<std::size_t>(bench.unknowns.size()), false);
-  for (int i : bench.assembly.contact_unknowns()) watched[static_cast<std::size_t>(i)] = true;
+  for (int i : bench.assembly.contact().unknowns()) watched[static_cast<std::size_t>(i)] = true;
   VectorX nowhere = u;
   for (int i = 1; i < bench.unknowns.obstacle_offset(0); i += 2) nowhere(i) = 1;
   bench.residual(nowhere);
@@ -138,11 +138,11 @@ TEST(Condensed, WholeFacesFromTheStart) {
   Model<2> model(roller(soft, {100}, {24, 16}));
   const Assembly<2>& assembly = model.system.assembly;
   const auto face = static_cast<std::size_t>(2 * model.system.contacts[0]->slave().functions());
-  EXPECT_EQ(assembly.contact_unknowns().size(), face);
-  const int version = assembly.contact_version();
+  EXPECT_EQ(assembly.contact().unknowns().size(), face);
+  const int version = assembly.contact().version();
   step_to(model, 0, 0, -0.15);
   EXPECT_GT(resultant(model.present.contacts[0]).active, 27); // more than three elements
-  EXPECT_EQ(assembly.contact_version(), version);
+  EXPECT_EQ(assembly.contact().version(), version);
   Model<2> other(roller(soft, {100}, {24, 16}));
   StepOptions options;
   options.linear = solve::LinearKind::umfpack;

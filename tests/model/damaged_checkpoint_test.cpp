@@ -1,6 +1,6 @@
 // Checkpoints whose checksum is right, but not their contents: each is an error or a model, never a crash.
 #include "model/files/checkpoint.hpp"
-#include "model/scene/scene_check.hpp"
+#include "model/scene/references.hpp"
 #include "model/scenes.hpp"
 #include "os/archive.hpp"
 #include "os/whole_file.hpp"
@@ -115,7 +115,7 @@ TEST(DamagedCheckpoint, HasNoMoreElementsThanItsStateHasNumbers) {
 TEST(DamagedScene, RefersToPartsThatItHas) {
   const nurbs::Side side = nurbs::side_of("west", 2);
   using Damage = void (*)(Scene<2>&);
-  EXPECT_NO_THROW(check_scene(blocks()));
+  EXPECT_NO_THROW(check_references(blocks()));
   for (const Damage damage : {
            Damage([](Scene<2>& scene) { scene.supports[0].on[0].body = 2; }),
            Damage([](Scene<2>& scene) { scene.supports[0].on[0].functions[0] = 1000; }),
@@ -138,11 +138,11 @@ TEST(DamagedScene, RefersToPartsThatItHas) {
        }) {
     Scene<2> scene = blocks();
     damage(scene);
-    EXPECT_NE(message_of([&] { check_scene(scene); }).find("model.archive."), std::string::npos);
+    EXPECT_NE(message_of([&] { check_references(scene); }).find("model.archive."), std::string::npos);
   }
   Scene<2> tied = blocks();
   tied.ties.push_back({"seam", {3, side}, {0, side}, contact::MultiplierSpace::equal});
-  EXPECT_THROW(check_scene(tied), Error);
+  EXPECT_THROW(check_references(tied), Error);
 }
 
 } // namespace damaged_checkpoint_test

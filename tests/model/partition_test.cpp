@@ -141,7 +141,8 @@ template <int D> std::vector<double> added_up(const Scene<D>& scene, int threads
   const Assembly<D>& assembly = system.assembly;
   std::vector<double> all(state.force.begin(), state.force.end());
   all.insert(all.end(), assembly.product().begin(), assembly.product().end());
-  all.insert(all.end(), assembly.values().begin(), assembly.values().begin() + assembly.pattern().entries());
+  all.insert(all.end(), assembly.tangent().values.begin(),
+             assembly.tangent().values.begin() + assembly.tangent().pattern.entries());
   return all;
 }
 

@@ -44,7 +44,7 @@ template <int D> int compare_starts(Model<D>& model) {
     return smooth_piece(model);
   };
   const std::vector<int> solution = piece();
-  double stiffness = model.system.assembly.diagonal_norm(),
+  double stiffness = model.system.assembly.tangent().diagonal_norm,
          position = model.present.displacement.template lpNorm<Eigen::Infinity>();
   for (std::size_t k = 0; k < model.system.contacts.size(); ++k)
     stiffness = std::max(stiffness, model.system.contacts[k]->stiffness(model.present.contacts[k], 1));

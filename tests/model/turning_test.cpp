@@ -79,11 +79,11 @@ template <int D> VectorX unbalanced(Model<D>& model, const VectorX& u, bool tang
 }
 
 template <int D> MatrixX tangent_of(const Model<D>& model) {
-  const solve::Pattern& pattern = model.system.assembly.pattern();
+  const solve::Pattern& pattern = model.system.assembly.tangent().pattern;
   MatrixX full = MatrixX::Zero(pattern.size, pattern.size);
   for (int j = 0; j < pattern.size; ++j)
     for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k)
-      full(pattern.rows[k], j) = model.system.assembly.values()[k];
+      full(pattern.rows[k], j) = model.system.assembly.tangent().values[k];
   return full;
 }
 

@@ -46,7 +46,7 @@ template <int D> void time_search(const model::Model<D>& model, bool wanted) {
 template <int D> int solver(const model::Model<D>& model, lua_State* L) {
   const solve::SolverStatistics done = model.linear.statistics();
   push_fields(L, "linear", solve::name_of(model.linear.kind()), "unknowns", model.system.unknowns.size(), "patterns",
-              model.system.assembly.pattern_version(), "factorizations", done.factorizations, "solutions",
+              model.system.assembly.tangent().version, "factorizations", done.factorizations, "solutions",
               done.solutions, "iterations", done.iterations, "factor_operations", done.operations, "factor_memory",
               done.memory, "memory", model::memory(model));
   const auto& unknowns = model.system.unknowns;

@@ -141,14 +141,14 @@ template <int D> VectorX residual(model::Model<D>& model) {
 
 template <int D> int tangent(model::Model<D>& model, lua_State* L) {
   residual(model);
-  const solve::Pattern& pattern = model.system.assembly.pattern();
+  const solve::Pattern& pattern = model.system.assembly.tangent().pattern;
   std::vector<int> rows, columns;
   for (int j = 0; j < pattern.size; ++j)
     for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k) {
       rows.push_back(pattern.rows[k] + 1);
       columns.push_back(static_cast<int>(j) + 1);
     }
-  const auto values = model.system.assembly.values().begin();
+  const auto values = model.system.assembly.tangent().values.begin();
   push_fields(L, "size", pattern.size, "rows", rows, "columns", columns, "values",
               std::vector<double>(values, values + pattern.entries()));
   return 1;

@@ -223,7 +223,7 @@ template <int D> double push_factors(lua_State* L, const model::Model<D>& model)
   if (counted) {
     constexpr bool damps = false;
     const auto estimate = solve::estimate_factor(model::first_choice(model::linear_facts(model.system), damps),
-                                                 model.system.assembly.pattern());
+                                                 model.system.assembly.tangent().pattern);
     memory = estimate.memory;
     solver = estimate.kind;
   }
@@ -234,7 +234,7 @@ template <int D> double push_factors(lua_State* L, const model::Model<D>& model)
 template <int D> int cost(const model::Model<D>& model, lua_State* L) {
   const model::Scene<D>& scene = model.system.scene;
   push_fields(L, "unknowns", model.system.unknowns.size(), "obstacles", static_cast<int>(scene.obstacles.size()),
-              "nonzeros", model.system.assembly.pattern().entries());
+              "nonzeros", model.system.assembly.tangent().pattern.entries());
   const double factors = push_factors(L, model), tangent = model.system.assembly.memory();
   double bodies = 0, contacts = 0;
   lua_newtable(L);

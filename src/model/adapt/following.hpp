@@ -11,7 +11,7 @@ struct LayerLine {
   std::size_t face;         ///< index into Discretization::contact()
   int direction;            ///< along that face
   std::vector<bool> raised; ///< the elements that have the layer
-  /// Of each element, 0 if none of its points is in contact, otherwise positive: the largest jump, in any of them,
+  /// By element, 0 if none of its points is in contact, otherwise positive: the largest jump, in any of them,
   /// between the traction of the contact and that of the body's stress on the face, relative to the largest traction
   /// of the contact; at least `touch`.
   std::vector<double> jump;
@@ -25,7 +25,7 @@ template <int D> void mark_contact(const Model<D>& model, bool measured, std::ve
 
 /// Where the layers of all bodies are, as in their plans; of bodies without a layer an empty list.
 template <int D> std::vector<nurbs::RaisedElements> layers(const Model<D>& model);
-/// The same by lines.
+/// The layers by lines.
 template <int D> std::vector<nurbs::RaisedElements> layers(const Model<D>& model, const std::vector<LayerLine>& lines);
 /// The model with its layers there, see with_bodies().
 template <int D>

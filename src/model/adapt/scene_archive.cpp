@@ -1,8 +1,8 @@
 #include "model/adapt/scene_archive.hpp"
 
 #include "contact/method/archive.hpp"
+#include "model/scene/references.hpp"
 #include "model/scene/region.hpp"
-#include "model/scene/scene_check.hpp"
 #include "nurbs/archive.hpp"
 #include "solid/archive.hpp"
 
@@ -170,7 +170,7 @@ template <int D> Scene<D> read_scene(const std::vector<ScenePart>& parts, const 
   }
   fill(scene.ties, counts.ties);
   fill(scene.joins, counts.joins);
-  check_scene(scene);
+  check_references(scene);
   return scene;
 }
 

@@ -35,7 +35,8 @@ template <int D> struct Overlap {
   double width;      ///< of the part that overlaps: diagonal of the box around its points
 };
 
-/// Of all points that act: the mean gap of a multiplier may be open although some of its points are deep in the master.
+/// Among all points that act: the mean gap of a multiplier may be open although some of its points are deep in the
+/// master.
 template <int D> Overlap<D> overlap_of(const contact::Formulation<D>& contact, const contact::History<D>& history) {
   const double shim = std::max(0.0, contact.offset(history)); // on purpose
   const std::vector<double> gaps = contact.gaps(history);
@@ -71,7 +72,7 @@ double closing_strain(const Scene<D>& scene, const Contact<D>& contact, const Fa
   return deepest.depth / compliance / softest;
 }
 
-/// Whether a rigid-body motion that no support prevents can part the faces of a contact at a point with a normal: their
+/// True if a rigid-body motion that no support prevents can part the faces of a contact at a point with a normal: their
 /// overlap then moves a body without strain.
 template <int D> bool can_part(System<D>& system, const Contact<D>& contact, const Vec<D>& normal) {
   const auto parts = [&](const UnconstrainedMotion& free, const Faces& faces) {
@@ -134,7 +135,7 @@ void check_overlap(const Scene<D>& scene, const Contact<D>& contact, const Faces
                                                 : Message("model.clearance.apart")}});
 }
 
-/// Whether a face may lie this deep inside an obstacle. For thin bodies 1 % of the size exceeds the thickness.
+/// True if a face may lie this deep inside an obstacle. For thin bodies 1 % of the size exceeds the thickness.
 template <int D> bool is_shallow(const Scene<D>& scene, const Contact<D>& contact, double depth) {
   if (depth <= 0) return true;
   const double thick = thickness(scene, contact.slave);
@@ -167,7 +168,7 @@ template <int D> Nearest<D> nearest_of(const contact::Formulation<D>& contact, c
 }
 
 /// What may be wrong with an obstacle that contains a body.
-template <int D> Message cure(const contact::Obstacle<D>& obstacle) {
+template <int D> Message remedy_for(const contact::Obstacle<D>& obstacle) {
   if (std::holds_alternative<nurbs::Patch>(obstacle)) return Message("model.clearance.reverse_patch");
   if (std::holds_alternative<contact::Plane<D>>(obstacle)) return Message("model.clearance.reverse_plane");
   if (std::holds_alternative<contact::LevelSet<D>>(obstacle)) return Message("model.clearance.change_sign");
@@ -202,7 +203,7 @@ std::vector<Message> check_clearance(System<D>& system, const std::vector<contac
              {"body", named.name},
              {"depth", deepest.depth},
              {"at", deepest.position},
-             {"hint", cure<D>(obstacle)}});
+             {"hint", remedy_for<D>(obstacle)}});
     // A body that touches a plane of wrong orientation has zero gaps, but its middle lies behind the plane.
     if (const auto* plane = std::get_if<contact::Plane<D>>(&obstacle)) {
       const Vec<D> middle = named.body->space().points().rowwise().mean();
@@ -221,7 +222,7 @@ std::vector<Message> check_clearance(System<D>& system, const std::vector<contac
              {"slave", faces_message(scene, contact.slave)},
              {"at", nearest.position},
              {"distance", std::abs(nearest.gap)},
-             {"hint", cure<D>(obstacle)}});
+             {"hint", remedy_for<D>(obstacle)}});
     warn_of_strain(system, k, deepest, warnings);
   }
   return warnings;

@@ -70,7 +70,7 @@ template <int D> std::string holders(const System<D>& system, const std::vector<
   return names;
 }
 
-/// Whether f does not change in a rotation: ∇f·(a × r) = 0 at all points of its mesh.
+/// True if f does not change in a rotation: ∇f·(a × r) = 0 at all points of its mesh.
 template <int D> bool is_round(const contact::LevelSet<D>& level_set, const Vec<D>& center, const Vec<D>& axis) {
   const auto& points = level_set.compiled->mesh.points;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
@@ -85,7 +85,7 @@ template <int D> bool is_round(const contact::LevelSet<D>& level_set, const Vec<
   return true;
 }
 
-/// Whether an obstacle is round about the axis of its free angle, so that only friction turns it.
+/// True if an obstacle is round about the axis of its free angle, so that only friction turns it.
 template <int D> bool is_round(const Scene<D>& scene, const FreeAngle<D>& angle) {
   const contact::Obstacle<D>& shape = scene.obstacles[angle.obstacle];
   const Vec<D> center = turn_of(scene, angle.obstacle)->turning.center;

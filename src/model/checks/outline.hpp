@@ -21,7 +21,7 @@ template <int D> struct Facet {
   nurbs::Side side;
 };
 
-/// Of a side in lists of all sides.
+/// Index of a side in lists of all sides.
 inline std::size_t number_of(nurbs::Side side) {
   return 2 * side.direction + side.at_end;
 }
@@ -42,9 +42,9 @@ public:
   /// Facets are listed in groups of this number, one after another on the face; one of each is a sufficient sample.
   static constexpr std::size_t stride = D - 1;
 
-  /// Whether x lies in the bounding box.
+  /// True if x lies in the bounding box.
   bool boxes(const Vec<D>& x) const { return (x.array() >= lower_.array() && x.array() <= upper_.array()).all(); }
-  /// Whether the bounding boxes meet.
+  /// True if the bounding boxes meet.
   bool meets(const Outline& other) const {
     return (lower_.array() <= other.upper_.array() && other.lower_.array() <= upper_.array()).all();
   }
@@ -54,8 +54,8 @@ public:
   /// Winding number (2D) or solid angle over 4π (3D) of the outline about x: the number of layers of the body that
   /// cover x, 0 outside.
   double winding(const Vec<D>& x) const;
-  /// The same as the sum of signs of the facets that a ray from x in a fixed direction leaves and enters. Takes less
-  /// time, and is wrong where rounding errors decide whether the ray passes between two facets.
+  /// The winding number, as the sum of signs of the facets that a ray from x in a fixed direction leaves and enters.
+  /// Takes less time, and is wrong where rounding errors decide whether the ray passes between two facets.
   int layers(const Vec<D>& x) const;
 
   struct Nearest {

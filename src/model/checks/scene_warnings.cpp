@@ -44,12 +44,12 @@ template <int D> void warn_of_locking(const Scene<D>& scene, std::vector<Message
     const auto [degree, direction] = lowest_degree<D>(named.body->space());
     const double most = degree > 2 ? locking_higher : locking_quadratic;
     if (nu <= most && (degree > 1 || nu < locking_linear)) continue;
-    const Message cure = degree > 1   ? Message("model.locking.nu", {{"nu", most}})
-                         : nu <= most ? Message("model.locking.degree")
-                                      : Message("model.locking.both", {{"nu", most}});
+    const Message remedy = degree > 1   ? Message("model.locking.nu", {{"nu", most}})
+                           : nu <= most ? Message("model.locking.degree")
+                                        : Message("model.locking.both", {{"nu", most}});
     warnings.push_back(
         Message("model.warning.locking",
-                {{"body", named.name}, {"nu", nu}, {"degree", degree}, {"direction", direction}, {"cure", cure}}));
+                {{"body", named.name}, {"nu", nu}, {"degree", degree}, {"direction", direction}, {"remedy", remedy}}));
   }
 }
 
@@ -191,7 +191,7 @@ template <int D> std::size_t kind_of(const contact::Method<D>& method) {
   return std::holds_alternative<contact::CohesiveLaw>(method) ? 0 : method.index();
 }
 
-/// Whether two contacts act on the same points at the start. Different kinds of laws may do so: adhesion and penalty.
+/// True if two contacts act on the same points at the start. Different kinds of laws may do so: adhesion and penalty.
 /// Half passes act on their slave only.
 template <int D>
 bool act_twice(const Contact<D>& a, const Contact<D>& b, const contact::Formulation<D>& first,

@@ -13,7 +13,7 @@ enum class FaceField { pressure, damage };
 /// "contact_pressure", "damage"; none: another field.
 std::optional<FaceField> face_field(const std::string& name);
 const char* name_of(FaceField field);
-/// Whether a contact has it.
+/// True if a contact has it.
 template <int D> bool has(const Contact<D>& contact, FaceField field) {
   return field == FaceField::pressure || std::holds_alternative<contact::CohesiveLaw>(contact.method);
 }

@@ -63,7 +63,7 @@ template <int D> Vec<D> load_resultant(const Model<D>& model, int load) {
 template <int D> Energies energies(const Model<D>& model) {
   const VectorX& displacement = model.present.displacement;
   Energies sum{model.system.springs.energy(displacement), 0, 0, model.path.work};
-  sum.stored += model.system.assembly.stored_energy(displacement, model.accepted.internal);
+  sum.stored += model.system.energy.of_all(displacement, model.accepted.internal);
   for (const auto& history : model.present.contacts) {
     sum.contact += contact::potential(history);
     sum.friction += history.dissipated;

@@ -80,13 +80,13 @@ template <int D> GaussBox<D> gauss_box(const nurbs::Discretization& space, int e
   return {inside, nearest, outside > 1 ? std::optional(border) : std::nullopt};
 }
 
-/// Whether the columns of ∂X/∂ξ are nonzero (unlike at a pole) but parallel, as at the corners of a disc of four arcs.
+/// True if the columns of ∂X/∂ξ are nonzero (unlike at a pole) but parallel, as at the corners of a disc of four arcs.
 template <int D> bool is_flat_corner(const Mat<D>& jacobian) {
   const auto lengths = jacobian.colwise().norm();
   return lengths.minCoeff() > 1e-6 * lengths.maxCoeff() && std::abs(jacobian.determinant()) < 1e-8 * lengths.prod();
 }
 
-/// Whether an edge or a face of the patch is collapsed to a point or a line there.
+/// True if an edge or a face of the patch is collapsed to a point or a line there.
 template <int D> bool is_pole(const Mat<D>& jacobian) {
   const double size = jacobian.colwise().norm().maxCoeff();
   return !(std::abs(jacobian.determinant()) > 1e-10 * std::pow(size, D));

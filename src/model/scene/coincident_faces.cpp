@@ -27,7 +27,7 @@ template <int D> struct BoxedFace {
   double reach;
 };
 
-/// That of its longest element, of whose box the diagonal is a bound.
+/// Length of its longest element, bounded by the diagonal of its box.
 template <int D> double reach_of(const nurbs::Discretization& space, nurbs::Side side, double diagonal) {
   if (crosses_layer(space, side)) return most_seam_distance * diagonal;
   const contact::Surface<D> face(space, side);
@@ -55,7 +55,7 @@ std::vector<BoxedFace<D>> boxed_faces(const std::vector<std::shared_ptr<const so
   return faces;
 }
 
-/// Whether two faces may be close enough for a tie.
+/// True if two faces may be close enough for a tie.
 template <int D> bool boxes_meet(const BoxedFace<D>& a, const BoxedFace<D>& b) {
   const double tolerance = std::max(a.reach, b.reach);
   return ((a.low - b.high).array() <= tolerance).all() && ((b.low - a.high).array() <= tolerance).all();
@@ -149,7 +149,7 @@ Candidate candidate(const std::vector<BoxedFace<D>>& faces, std::size_t i, std::
   return result;
 }
 
-/// Of faces at a distance only those that are next to each other coincide: there are probes of one that lie on no
+/// Among faces at a distance only those that are next to each other coincide: there are probes of one that lie on no
 /// closer face. Others have a thin body between them.
 template <int D> void leave_out_distant(const std::vector<BoxedFace<D>>& faces, std::vector<Candidate>& candidates) {
   std::vector<std::size_t> order(candidates.size());

@@ -13,7 +13,7 @@ double element_size(const Scene<D>& scene, const Faces& faces, int points, const
 
 /// Small-strain Young's modulus of the face's body.
 template <int D> double youngs_modulus(const Scene<D>& scene, const Faces& faces);
-/// That of the softer body of a contact.
+/// Young's modulus of the softer body of a contact.
 template <int D> double softer_modulus(const Scene<D>& scene, const Contact<D>& contact);
 
 } // namespace signorini::model

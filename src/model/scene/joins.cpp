@@ -38,39 +38,6 @@ Message message_of(const nurbs::FaceMatch& found) {
   }
 }
 
-Faces both(Faces slave, const Faces* master) {
-  if (master) slave.insert(slave.end(), master->begin(), master->end());
-  return slave;
-}
-
-/// Throws Error if a join's matching faces are used otherwise.
-template <int D> void check_join(const Scene<D>& scene, const Join& join) {
-  const Message first = face_message(scene, join.first), second = face_message(scene, join.second);
-  const auto is_joined = [&](const FaceReference& face) { return face == join.first || face == join.second; };
-  const auto message = [&](const FaceReference& face) { return face == join.first ? first : second; };
-  for (const Join& other : scene.joins)
-    for (const FaceReference& face : {other.first, other.second})
-      require(&other == &join || !is_joined(face), "model.join.twice",
-              {{"join", join.name}, {"other", other.name}, {"face", message(face)}});
-  for (const Tie& tie : scene.ties)
-    for (const FaceReference& face : both(tie.slave, &tie.master))
-      require(!is_joined(face), "model.join.tied",
-              {{"join", join.name}, {"tie", tie_message(tie)}, {"face", message(face)}});
-  for (const Contact<D>& contact : scene.contacts) {
-    for (const FaceReference& face : both(contact.slave, std::get_if<Faces>(&contact.master)))
-      require(!is_joined(face), "model.join.in_contact",
-              {{"join", join.name}, {"contact", contact.name}, {"face", message(face)}});
-  }
-  const auto check_surface = [&](const std::vector<FaceReference>& faces, const Message& action) {
-    for (const FaceReference& face : faces)
-      require(!is_joined(face), "model.join.loaded",
-              {{"join", join.name}, {"action", action}, {"face", message(face)}});
-  };
-  for (const Load& load : scene.loads) check_surface(load.on, Message("model.action.load", {{"name", load.name}}));
-  for (const Support<D>& support : scene.supports)
-    check_surface(support.spring_faces, Message("model.action.springs", {{"name", support.name}}));
-}
-
 } // namespace
 
 template <int D> Message difference(const Scene<D>& scene, const FaceReference& first, const FaceReference& second) {
@@ -105,7 +72,6 @@ template <int D> void resolve_joins(Scene<D>& scene) {
                           contact::MultiplierSpace::equal, true});
   }
   scene.joins = std::move(matching);
-  for (const Join& join : scene.joins) check_join(scene, join);
 }
 
 template <int D> void warn_of_joins(const Scene<D>& scene, std::vector<Message>& warnings) {
@@ -132,7 +98,7 @@ template <int D> Groups connected_bodies(const Scene<D>& scene, bool tied) {
   for (const Join& join : scene.joins) connected.unite(join.first.body, join.second.body);
   for (const Tie& tie : scene.ties)
     if (tied || tie.from_join)
-      for (const FaceReference& face : both(tie.slave, &tie.master)) connected.unite(tie.slave.front().body, face.body);
+      for (const FaceReference& face : faces_of(tie)) connected.unite(tie.slave.front().body, face.body);
   return connected;
 }
 

@@ -7,8 +7,8 @@
 namespace signorini::model {
 
 /// Finds the pairs of control points of joins whose faces match, and turns all other joins into ties, with the face
-/// with more elements as slave. Throws Error if a face is joined with itself, or if matching faces overlap, are in
-/// contact or belong to another join or tie.
+/// with more elements as slave. Throws Error if a face is joined with itself, if matching faces overlap, or if others
+/// cross a layer.
 template <int D> void resolve_joins(Scene<D>& scene);
 
 /// Warns of joined faces that are apart or overlap.

@@ -1,4 +1,4 @@
-#include "model/scene/scene_check.hpp"
+#include "model/scene/references.hpp"
 
 #include "base/error.hpp"
 #include "solid/load.hpp"
@@ -98,7 +98,7 @@ template <class... Lists> void check_names(const Lists&... lists) {
 
 } // namespace
 
-template <int D> void check_scene(const Scene<D>& scene) {
+template <int D> void check_references(const Scene<D>& scene) {
   SceneCheck<D> one{scene, {}};
   for (const Support<D>& support : scene.supports) one.part = support.name, one.check(support);
   for (const Load& load : scene.loads) one.part = load.name, one.check(load);
@@ -118,7 +118,7 @@ template <int D> void check_scene(const Scene<D>& scene) {
   check_names(scene.supports, scene.loads, scene.contacts);
 }
 
-template void check_scene(const Scene<2>&);
-template void check_scene(const Scene<3>&);
+template void check_references(const Scene<2>&);
+template void check_references(const Scene<3>&);
 
 } // namespace signorini::model

@@ -7,6 +7,6 @@ namespace signorini::model {
 
 /// Throws Error if a part of the scene of a file refers to a body, a face, a control point or an obstacle that it does
 /// not have, or has lists of a wrong length: the checksum of a file protects against damage alone.
-template <int D> void check_scene(const Scene<D>& scene);
+template <int D> void check_references(const Scene<D>& scene);
 
 } // namespace signorini::model

@@ -10,7 +10,7 @@ template <int D> using RegionPoints = Eigen::Matrix<double, D, Eigen::Dynamic>;
 
 /// Reference positions of the contact points in the region; no columns if it contains all.
 template <int D> RegionPoints<D> points_of_region(const contact::Formulation<D>& formulation);
-/// Those of the bonded points of a cohesive contact; no columns if all are bonded.
+/// Reference positions of the bonded points of a cohesive contact; no columns if all are bonded.
 template <int D> RegionPoints<D> bonded_points(const contact::Formulation<D>& formulation);
 /// The region of the points whose coordinates differ from these by at most `tolerance`; everywhere if there are none.
 template <int D> contact::Region<D> region_of(const RegionPoints<D>& points, double tolerance = 0);

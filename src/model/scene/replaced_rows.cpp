@@ -11,7 +11,7 @@ namespace {
 
 using nurbs::Discretization;
 
-/// Whether the functions of a body's face are those of a row that changes.
+/// True if the functions of a body's face are those of a row that changes.
 template <int D> bool on_row(const Scene<D>& scene, const FaceReference& face, const RowChanges<D>& changes) {
   const Discretization& space = scene.bodies[face.body].body->space();
   return face.side.direction == space.through() &&

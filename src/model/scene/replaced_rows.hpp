@@ -7,7 +7,7 @@ namespace signorini::model {
 
 template <int D> using Bodies = std::vector<std::shared_ptr<const solid::Body<D>>>;
 
-/// Whether the row of a body has other functions, or may have them.
+/// True if the row of a body has other functions, or may have them.
 template <int D> using RowChanges = std::function<bool(int body, int row)>;
 
 /// Throws Error if something in the scene prevents other rows of a body: internal variables of its material; a load

@@ -36,7 +36,7 @@ struct Faces : std::vector<FaceReference> {
   bool meets(const Faces& other) const {
     return std::any_of(begin(), end(), [&](const FaceReference& face) { return other.contains(face); });
   }
-  /// Whether one of the faces belongs to a body.
+  /// True if one of the faces belongs to a body.
   bool on(int body) const {
     return std::any_of(begin(), end(), [&](const FaceReference& face) { return face.body == body; });
   }
@@ -55,7 +55,7 @@ enum class Constraint { free, fixed, driven };
 struct SupportedControlPoints {
   int body;
   std::vector<int> functions;
-  /// Of a support with a shape: the displacement of each of these control points for a factor of 1, D numbers each.
+  /// Displacement of each control point for a factor of 1, D numbers each; empty unless the support has a shape.
   std::vector<double> shape = {};
 };
 
@@ -79,9 +79,10 @@ template <int D> struct Support {
   bool free_angle = false;                 ///< of an obstacle that it rotates
   Vec<D> obstacle_spring = Vec<D>::Zero(); ///< stiffness by component, of springs that hold obstacles
 
-  /// Whether it rotates by a prescribed angle.
+  /// True if it rotates by a prescribed angle.
   bool turns() const { return rotates && !free_angle; }
-  /// Whether its driven components follow a shape times one factor, in place of a displacement for each component.
+  bool acts_on(int obstacle) const { return std::ranges::find(obstacles, obstacle) != obstacles.end(); }
+  /// True if its driven components follow a shape times one factor, in place of a displacement for each component.
   bool shaped() const { return !on.empty() && !on.front().shape.empty(); }
 };
 
@@ -134,6 +135,13 @@ struct Tie {
   bool from_join = false; ///< of the joins, between faces that do not match
 };
 
+/// Faces of slave and master.
+inline Faces faces_of(const Tie& tie) {
+  Faces all = tie.slave;
+  all.insert(all.end(), tie.master.begin(), tie.master.end());
+  return all;
+}
+
 /// Two faces that match point by point and share their unknowns, see nurbs/matching.hpp.
 struct Join {
   std::string name;
@@ -157,7 +165,7 @@ struct ScenePart {
   std::string name, bytes;
 };
 
-/// Whether a face of a body acts in a contact, as slave or master.
+/// True if a face of a body acts in a contact, as slave or master.
 template <int D> bool acts_on(const Contact<D>& contact, int body) {
   const auto* master = std::get_if<Faces>(&contact.master);
   return contact.slave.on(body) || (master && master->on(body));
@@ -180,6 +188,8 @@ template <int D> Message faces_message(const Scene<D>& scene, const Faces& faces
 Message tie_message(const Tie& tie);
 
 /// "x", "y", "z".
-std::string component_name(int component);
+inline std::string component_name(int component) {
+  return std::string(1, static_cast<char>('x' + component));
+}
 
 } // namespace signorini::model

@@ -14,26 +14,6 @@ namespace signorini::model {
 
 namespace {
 
-/// Whether a tie connects a face of one list with a face of the other one.
-bool acts_between(const Tie& tie, const Faces& first, const Faces& second) {
-  return (tie.slave.meets(first) && tie.master.meets(second)) || (tie.slave.meets(second) && tie.master.meets(first));
-}
-
-template <int D> void check_tied_faces(const Scene<D>& scene, const Tie& tie) {
-  const Message slave = faces_message(scene, tie.slave), master = faces_message(scene, tie.master);
-  require(!tie.slave.meets(tie.master), "model.tie.own_face", {{"tie", tie_message(tie)}});
-  for (const Tie& other : scene.ties) {
-    if (&other == &tie) break;
-    require(!acts_between(other, tie.slave, tie.master), "model.tie.twice",
-            {{"tie", tie_message(tie)}, {"other", tie_message(other)}, {"slave", slave}, {"master", master}});
-  }
-  for (const Contact<D>& contact : scene.contacts) {
-    const auto* faces = std::get_if<Faces>(&contact.master);
-    require(!faces || !acts_between(tie, contact.slave, *faces), "model.tie.in_contact",
-            {{"tie", tie_message(tie)}, {"contact", contact.name}, {"slave", slave}, {"master", master}});
-  }
-}
-
 /// In percent, with two digits.
 double rounded_percent(double part) {
   return part < 0.1 ? std::round(1000 * part) / 10 : std::round(100 * part);
@@ -64,7 +44,6 @@ Message tie_message(const Tie& tie) {
 template <int D> contact::Ties<D> make_ties(const Scene<D>& scene) {
   contact::Ties<D> ties;
   for (const Tie& tie : scene.ties) {
-    check_tied_faces(scene, tie);
     const auto surface = [&](const Faces& faces, const char* side) {
       return surface_of(scene, faces, Message("model.tie.faces", {{"tie", tie_message(tie)}, {"side", side}}));
     };

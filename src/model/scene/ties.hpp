@@ -1,12 +1,11 @@
 #pragma once
-// The ties of a scene: construction, checks and warnings.
+// The ties of a scene: construction and warnings.
 
 #include "model/scene/scene.hpp"
 
 namespace signorini::model {
 
-/// Throws Error if a tie's faces are the same, do not coincide or do not face each other, or if they are also tied by
-/// another tie or in contact with each other.
+/// Throws Error if a tie's faces do not coincide or do not face each other.
 template <int D> contact::Ties<D> make_ties(const Scene<D>& scene);
 
 /// Warns about faces that are tied in part only, and about wholly tied faces in contact with others.

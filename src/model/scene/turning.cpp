@@ -1,7 +1,5 @@
 #include "model/scene/turning.hpp"
 
-#include "base/error.hpp"
-
 #include <algorithm>
 #include <type_traits>
 
@@ -39,16 +37,12 @@ template <int D> double arm_of(const Scene<D>& scene, int obstacle, const Vec<D>
   return largest;
 }
 
-template <int D> bool acts_on(const Support<D>& support, int obstacle) {
-  return std::ranges::find(support.obstacles, obstacle) != support.obstacles.end();
-}
-
 } // namespace
 
 template <int D> std::optional<ObstacleTurn<D>> turn_of(const Scene<D>& scene, int obstacle) {
   for (int s = 0; s < std::ssize(scene.supports); ++s) {
     const Support<D>& support = scene.supports[s];
-    if (!support.rotates || !acts_on(support, obstacle)) continue;
+    if (!support.rotates || !support.acts_on(obstacle)) continue;
     const double arm = arm_of(scene, obstacle, support.center, support.axis);
     return ObstacleTurn<D>{s, {support.center, arm}, support.axis, support.free_angle};
   }
@@ -57,10 +51,9 @@ template <int D> std::optional<ObstacleTurn<D>> turn_of(const Scene<D>& scene, i
 
 template <int D> const Support<D>* holder_of(const Scene<D>& scene, int obstacle, int component) {
   const auto names = [&](const Support<D>& support) {
-    return acts_on(support, obstacle) &&
-           (support.constraint[component] != Constraint::free || support.freed[component]);
+    return support.acts_on(obstacle) && (support.constraint[component] != Constraint::free || support.freed[component]);
   };
-  const auto acts = [&](const Support<D>& support) { return acts_on(support, obstacle); };
+  const auto acts = [&](const Support<D>& support) { return support.acts_on(obstacle); };
   auto found = std::ranges::find_if(scene.supports, names);
   if (found == scene.supports.end()) found = std::ranges::find_if(scene.supports, acts);
   return found == scene.supports.end() ? nullptr : &*found;
@@ -68,37 +61,16 @@ template <int D> const Support<D>* holder_of(const Scene<D>& scene, int obstacle
 
 template <int D> const std::string& support_of(const Scene<D>& scene, int obstacle, const std::string& component) {
   const auto frees = [&](const Support<D>& support) {
-    return acts_on(support, obstacle) &&
+    return support.acts_on(obstacle) &&
            (component == "angle" ? support.free_angle : support.freed[component.front() - 'x']);
   };
   return std::ranges::find_if(scene.supports, frees)->name;
 }
 
-template <int D> void check_obstacles(const Scene<D>& scene) {
-  for (int k = 0; k < std::ssize(scene.obstacles); ++k) {
-    const Support<D>* turning = nullptr;
-    for (const Support<D>& support : scene.supports)
-      if (support.rotates && acts_on(support, k)) {
-        if (turning) fail("model.scene.rotated_twice", {{"support", support.name}, {"other", turning->name}});
-        turning = &support;
-      }
-  }
-  for (const Load& load : scene.loads)
-    for (const int k : load.obstacles) {
-      const bool moment = load.kind == LoadKind::moment;
-      const bool acts = std::ranges::any_of(scene.supports, [&](const Support<D>& support) {
-        return acts_on(support, k) &&
-               (moment ? support.free_angle : std::ranges::find(support.freed, true) != support.freed.end());
-      });
-      require(acts, moment ? "model.load.no_angle" : "model.load.no_translation", {{"load", load.name}});
-    }
-}
-
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template std::optional<ObstacleTurn<D>> turn_of(const Scene<D>&, int);                                               \
   template const Support<D>* holder_of(const Scene<D>&, int, int);                                                     \
-  template const std::string& support_of(const Scene<D>&, int, const std::string&);                                    \
-  template void check_obstacles(const Scene<D>&);
+  template const std::string& support_of(const Scene<D>&, int, const std::string&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -27,8 +27,4 @@ template <int D> const Support<D>* holder_of(const Scene<D>& scene, int obstacle
 /// Name of the support that frees a component of an obstacle, or its "angle".
 template <int D> const std::string& support_of(const Scene<D>& scene, int obstacle, const std::string& component);
 
-/// Throws Error if two supports rotate an obstacle, or if a load acts on one that its supports neither free nor let
-/// turn.
-template <int D> void check_obstacles(const Scene<D>& scene);
-
 } // namespace signorini::model

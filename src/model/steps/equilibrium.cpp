@@ -51,7 +51,7 @@ template <int D> void damp(Model<D>& model) {
   System<D>& system = model.system;
   if (!system.has_unconstrained()) return;
   const double small = small_stride * system.extent;
-  const VectorX diagonal = system.assembly.diagonal();
+  const VectorX diagonal = system.assembly.tangent().diagonal();
   VectorX shift = damping(system.scene, system.unknowns, system.unconstrained(), diagonal, model.residual,
                           strides(system.scene, system.contacts, model.present, small));
   damp_obstacles(system.scene, system.unknowns, system.unconstrained_obstacles(), diagonal, model.residual,
@@ -71,8 +71,13 @@ template <int D> bool has_unconstrained(System<D>& system, const Contact<D>& con
 } // namespace
 
 template <int D> Tangent tangent_of(const Assembly<D>& assembly) {
-  return {assembly.values(),          assembly.pattern(),          assembly.pattern_version(),
-          assembly.constant_values(), assembly.contact_unknowns(), assembly.contact_version()};
+  const SparseTangent& tangent = assembly.tangent();
+  return {tangent.values,
+          tangent.pattern,
+          tangent.version,
+          assembly.constant().values(),
+          assembly.contact().unknowns(),
+          assembly.contact().version()};
 }
 
 template <int D> bool factor(Model<D>& model, const StepOptions& options) {
@@ -80,7 +85,7 @@ template <int D> bool factor(Model<D>& model, const StepOptions& options) {
   if (options.damping) damp(model);
   const Assembly<D>& assembly = model.system.assembly;
   // The viscosity of pseudo-transient continuation acts on all unknowns; constant factors of the bodies do not have it.
-  const bool viscous = !assembly.constant_values().empty() && model.step->pseudo_time.damping() > 0;
+  const bool viscous = !assembly.constant().values().empty() && model.step->pseudo_time.damping() > 0;
   const bool chosen = !viscous || options.linear != solve::LinearKind::condensed;
   return model.linear.factor(tangent_of(assembly),
                              {chosen ? options.linear : solve::LinearKind::automatic,
@@ -142,7 +147,7 @@ template <int D> double largest_position(const Model<D>& model) {
 template <int D> double rounding_floor(const Model<D>& model) {
   const System<D>& system = model.system;
   const State<D>& state = model.present;
-  double stiffness = system.assembly.diagonal_norm();
+  double stiffness = system.assembly.tangent().diagonal_norm;
   for (std::size_t k = 0; k < system.contacts.size(); ++k)
     stiffness = std::max(stiffness, system.contacts[k]->stiffness(state.contacts[k], state.penalty_factor));
   double position = largest_position(model);
@@ -169,7 +174,7 @@ template <int D> bool is_deformed(const Model<D>& model) {
   for (const NamedBody<D>& named : model.system.scene.bodies)
     bound += 0.5 * named.body->material().constants().youngs_modulus * deformed_strain * deformed_strain *
              named.body->tables().volumes().sum();
-  return model.system.assembly.stored_energy(model.accepted.displacement, model.accepted.internal) > bound;
+  return model.system.energy.of_all(model.accepted.displacement, model.accepted.internal) > bound;
 }
 
 template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& options, bool damping) {

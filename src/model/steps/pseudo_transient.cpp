@@ -13,7 +13,7 @@ template <int D> bool advance_in_pseudo_time(Model<D>& model, const StepOptions&
   Assembly<D>& assembly = model.system.assembly;
   VectorX& displacement = model.present.displacement;
   if (step.viscosity.size() == 0) {
-    step.viscosity = assembly.diagonal().cwiseAbs();
+    step.viscosity = assembly.tangent().diagonal().cwiseAbs();
     step.origin = displacement;
   }
   const auto way = [&] { return (displacement - step.origin).template lpNorm<Eigen::Infinity>(); };

@@ -54,8 +54,6 @@ Drives<D>::Drives(const Scene<D>& scene, const Unknowns<D>& unknowns) : scene_(s
   };
   for (int s = 0; s < std::ssize(scene.supports); ++s) {
     const Support<D>& support = scene.supports[s];
-    require(D == 2 || !support.rotates || std::abs(support.axis.norm() - 1) < 1e-9, "model.support.axis",
-            {{"support", support.name}});
     add({support.name, s, -1, 0, moved_components(support)});
   }
   for (int l = 0; l < std::ssize(scene.loads); ++l)

@@ -10,7 +10,7 @@ template <int D> class FollowerLoads {
 public:
   FollowerLoads(const Scene<D>& scene, const Unknowns<D>& unknowns, const Drives<D>& drives);
 
-  /// Whether the scene has none.
+  /// True if the scene has none.
   bool empty() const { return parts_.empty(); }
   /// Adds their force on all degrees of freedom, which is linear in the targets.
   void add_force(const VectorX& displacement, const VectorX& targets, VectorX& force) const;
@@ -26,7 +26,7 @@ public:
   /// ∂f/∂u of a part, in the order of its degrees of freedom.
   MatrixX tangent(const Part& part, const VectorX& displacement, const VectorX& targets) const;
 
-  /// Whether each load derives from an energy, so that the tangent of the unknowns is symmetric: the borders of its
+  /// True if each load derives from an energy, so that the tangent of the unknowns is symmetric: the borders of its
   /// faces close, lie on the axis, or are held so that the area swept by their motion lies across them.
   bool conservative() const;
 

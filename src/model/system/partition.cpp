@@ -28,8 +28,8 @@ template <int D> Slabs slabs_across(const solid::Body<D>& body, int direction) {
   return slabs;
 }
 
-/// First slab of each of a number of equal shares, followed by the first slab of its tail; empty if tails would
-/// overlap.
+/// Divides the slabs into equal shares. Returns for each share its first slab and the first slab of its tail; empty if
+/// tails would overlap.
 std::vector<int> cut(const Slabs& slabs, int shares) {
   std::vector<int> starts;
   for (int k = 0; k < shares; ++k) {
@@ -62,15 +62,15 @@ double time_on_two(const Slabs& slabs, std::vector<int> starts) {
   return static_cast<double>(sum) / slabs.count;
 }
 
-/// Per element: whether it has an unknown that several control points share; with one share those of other bodies.
+/// Marks the elements with an unknown of several bodies or, unless `one_share`, of several control points.
 template <int D>
 std::vector<char> on_shared_unknowns(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset,
-                                     bool one_share) {
+                                     const std::vector<char>& of_several, bool one_share) {
   std::vector<int> owner(unknowns.size(), -1);
   std::vector<char> shared(unknowns.size(), false), result(body.macro_elements(), false);
   for (int dof = offset; dof < offset + D * body.functions(); ++dof)
     if (const int i = unknowns.unknown(dof); i >= 0) {
-      shared[i] = unknowns.of_several_bodies(i) || (owner[i] >= 0 && !one_share);
+      shared[i] = (!of_several.empty() && of_several[i]) || (owner[i] >= 0 && !one_share);
       owner[i] = dof;
     }
   for (int e = 0; e < body.macro_elements(); ++e)
@@ -82,7 +82,9 @@ std::vector<char> on_shared_unknowns(const Unknowns<D>& unknowns, const solid::B
 
 } // namespace
 
-template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset) {
+template <int D>
+Partition partition(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset,
+                    const std::vector<char>& of_several) {
   Slabs best{0, body.macro_elements(0), {}};
   std::vector<int> starts{0, best.count};
   double least = 1;
@@ -102,9 +104,9 @@ template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::B
   const std::size_t shares = starts.size() / 2;
   result.heads.resize(shares);
   result.tails.resize(shares);
-  const bool shares_unknowns = shares > 1 || unknowns.any_of_several_bodies();
-  const std::vector<char> in_rest = shares_unknowns ? on_shared_unknowns(unknowns, body, offset, shares == 1)
-                                                    : std::vector<char>(body.macro_elements(), false);
+  const std::vector<char> in_rest = shares > 1 || !of_several.empty()
+                                        ? on_shared_unknowns(unknowns, body, offset, of_several, shares == 1)
+                                        : std::vector<char>(body.macro_elements(), false);
   for (int e = 0; e < body.macro_elements(); ++e) {
     // First slabs of heads and tails alternate in `starts`.
     const int slab = body.macro_index(e, best.direction);
@@ -116,7 +118,24 @@ template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::B
   return result;
 }
 
-template Partition partition<2>(const Unknowns<2>&, const solid::Body<2>&, int);
-template Partition partition<3>(const Unknowns<3>&, const solid::Body<3>&, int);
+template <int D> std::vector<char> of_several_bodies(const Scene<D>& scene, const Unknowns<D>& unknowns) {
+  std::vector<int> owner(unknowns.free_displacements(), -1);
+  std::vector<char> result(owner.size(), false);
+  bool any = false;
+  for (int b = 0; b < std::ssize(scene.bodies); ++b)
+    for (int dof = unknowns.offset(b), end = dof + D * scene.bodies[b].body->functions(); dof < end; ++dof)
+      if (const int i = unknowns.unknown(dof); i >= 0) {
+        if (owner[i] >= 0 && owner[i] != b) result[i] = any = true;
+        owner[i] = b;
+      }
+  return any ? result : std::vector<char>{};
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template Partition partition(const Unknowns<D>&, const solid::Body<D>&, int, const std::vector<char>&);              \
+  template std::vector<char> of_several_bodies(const Scene<D>&, const Unknowns<D>&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
 
 } // namespace signorini::model

@@ -15,7 +15,13 @@ struct Partition {
 };
 
 /// The partition into slabs normal to one parametric direction, with the number and direction that two threads assemble
-/// fastest; one head for bodies with few elements. `offset`: the body's first degree of freedom.
-template <int D> Partition partition(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset);
+/// fastest; one head for bodies with few elements. `offset`: the body's first degree of freedom,
+/// `of_several`: see of_several_bodies().
+template <int D>
+Partition partition(const Unknowns<D>& unknowns, const solid::Body<D>& body, int offset,
+                    const std::vector<char>& of_several = {});
+
+/// Marks the unknowns of several bodies, which are joined or rotate together; empty if there are none.
+template <int D> std::vector<char> of_several_bodies(const Scene<D>& scene, const Unknowns<D>& unknowns);
 
 } // namespace signorini::model

@@ -1,15 +1,12 @@
 #include "model/system/system.hpp"
 
-#include "base/dense.hpp"
-#include "base/error.hpp"
+#include "model/scene/check.hpp"
 #include "model/scene/contact_faces.hpp"
 #include "model/scene/default_penalty.hpp"
-#include "model/scene/joins.hpp"
 #include "model/scene/region.hpp"
 #include "model/scene/ties.hpp"
 #include "model/scene/turning.hpp"
 #include "model/system/path_norm.hpp"
-#include "nurbs/constants.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,50 +15,6 @@
 namespace signorini::model {
 
 namespace {
-
-/// Whether a face collapses to a point, in 3D also to a line: the scatter of its control points has too few directions.
-template <int D> bool is_collapsed(const Scene<D>& scene, const FaceReference& face) {
-  const nurbs::Discretization& space = scene.bodies[face.body].body->space();
-  const MatrixX all = space.points();
-  const std::vector<int> functions = space.face_functions(face.side);
-  MatrixX points(D, functions.size());
-  for (std::size_t i = 0; i < functions.size(); ++i) points.col(static_cast<Eigen::Index>(i)) = all.col(functions[i]);
-  const MatrixX arms = points.colwise() - points.rowwise().mean().eval();
-  const double size = (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
-  const VectorX squares = dense::symmetric_eigenvalues(arms * arms.transpose());
-  return squares(1) <= std::pow(nurbs::same_place * size, 2); // of the D − 1 largest ones the least
-}
-
-/// Throws Error if a list of a contact's faces has one twice or a collapsed one, or if they do not form one surface.
-template <int D> void check_list(const Scene<D>& scene, const Faces& faces, const Message& list) {
-  for (auto face = faces.begin(); face != faces.end(); ++face)
-    require(std::find(faces.begin(), face, *face) == face, "model.contact.face_twice",
-            {{"list", list}, {"face", face_message(scene, *face)}});
-  for (const FaceReference& face : faces)
-    require(!is_collapsed(scene, face), "model.contact.collapsed",
-            {{"list", list}, {"face", face_message(scene, face)}});
-  if (faces.size() > 1) surface_of(scene, faces, list);
-}
-
-template <int D> void check_faces(const Scene<D>& scene, const Contact<D>& contact) {
-  check_list(scene, contact.slave, Message("model.contact.slave", {{"name", contact.name}}));
-  const auto* master = std::get_if<Faces>(&contact.master);
-  if (!master) return;
-  check_list(scene, *master, Message("model.contact.master", {{"name", contact.name}}));
-  for (const FaceReference& face : contact.slave)
-    require(!master->contains(face), "model.scene.own_face", {{"contact", contact.name}});
-}
-
-/// The scene, with default penalties and resolved joins. Throws Error if it has no body, or parts that do not fit.
-template <int D> const Scene<D>& completed(Scene<D>& scene) {
-  require(!scene.bodies.empty(), "model.scene.no_body");
-  for (const auto& named : scene.bodies)
-    require(named.body->kind() == scene.kind, "model.scene.kind", {{"body", named.name}});
-  resolve_joins(scene);
-  for (const Contact<D>& contact : scene.contacts) check_faces(scene, contact);
-  set_default_penalties(scene);
-  return scene;
-}
 
 /// Median of the elements' lengths, of surfaces of their shorter sides, at their middles: of meshes that are graded
 /// towards the contact it is the size there, on which few tiny elements have no effect.
@@ -112,9 +65,10 @@ template <int D> Scene<D> without_regions(Scene<D> scene) {
 
 template <int D>
 System<D>::System(Scene<D> given)
-    : contacts(make_contacts(completed(given))), ties(make_ties(given)), scene(without_regions(std::move(given))),
+    : contacts(make_contacts(complete(given))), ties(make_ties(given)), scene(without_regions(std::move(given))),
       unknowns(scene, contacts, ties), drives(scene, unknowns), followers(scene, unknowns, drives),
-      springs(scene, unknowns), assembly(scene, unknowns, contacts, ties, followers, springs) {
+      springs(scene, unknowns), assembly(scene, unknowns, contacts, ties, followers, springs),
+      energy(scene, unknowns, assembly.bulk().stiffness()) {
   // Other shapes have rounding errors of the points that touch them (near_point.hpp).
   for (const auto& obstacle : scene.obstacles)
     if (const auto* patch = std::get_if<nurbs::Patch>(&obstacle))

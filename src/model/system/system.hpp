@@ -5,12 +5,12 @@
 #include "model/system/damping.hpp"
 #include "model/system/follower_loads.hpp"
 #include "model/system/springs.hpp"
+#include "model/system/stored_energy.hpp"
 
 namespace signorini::model {
 
 template <int D> struct System {
-  /// Throws Error for a scene without bodies, a contact of a face with itself, ties as make_ties(), faces other than
-  /// tensor-product faces, or contradictory supports.
+  /// Throws Error as complete() and make_ties(), and for faces other than tensor-product faces.
   explicit System(Scene<D> given);
   System(const System&) = delete;
   System& operator=(const System&) = delete;
@@ -22,7 +22,8 @@ template <int D> struct System {
   const Drives<D> drives;
   const FollowerLoads<D> followers;
   const Springs<D> springs;
-  Assembly<D> assembly;          ///< with the tangent of the last evaluation with tangent
+  Assembly<D> assembly; ///< with the tangent of the last evaluation with tangent
+  const StoredEnergy<D> energy;
   std::vector<double> stiffness; ///< of the contacts: contact_stiffness()
   double size = 0;               ///< largest coordinate of control points, of bodies and obstacles
   double extent = 0;             ///< largest diameter of a body about its middle, the scale of penetrations
@@ -41,7 +42,7 @@ template <int D> struct System {
   const std::vector<UnconstrainedMotion>& unconstrained();
   /// Unknown motions of obstacles that no spring prevents; computed on first use.
   const std::vector<UnconstrainedObstacle>& unconstrained_obstacles();
-  /// Whether there are any of both.
+  /// True if there are any of both.
   bool has_unconstrained() { return !unconstrained().empty() || !unconstrained_obstacles().empty(); }
   /// See path_norm.hpp; computed on first use.
   const VectorX& path_weights();

@@ -35,7 +35,7 @@ template <int D> TieTerms tie_terms(const Scene<D>& scene, const Unknowns<D>& un
 
 namespace {
 
-/// Whether the prescribed degrees of freedom of a body prevent all its rigid-body modes.
+/// True if the prescribed degrees of freedom of a body prevent all its rigid-body modes.
 template <int D> bool is_held(const Scene<D>& scene, const Unknowns<D>& unknowns, int body) {
   std::vector<int> prescribed;
   for (int i = 0; i < D * scene.bodies[body].body->functions(); ++i)

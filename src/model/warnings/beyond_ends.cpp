@@ -35,10 +35,10 @@ template <int D> void warn_of_ends(const Model<D>& model, std::vector<Message>& 
   }
   if (most <= noticeable_share) return;
   const Contact<D>& contact = model.system.scene.contacts[worst];
-  Message cure;
-  if (std::holds_alternative<Faces>(contact.master)) cure = Message("model.beyond_end.swap");
+  Message remedy;
+  if (std::holds_alternative<Faces>(contact.master)) remedy = Message("model.beyond_end.swap");
   warnings.push_back(
-      Message("model.warning.beyond_end", {{"contact", contact.name}, {"percent", 100 * most}, {"cure", cure}}));
+      Message("model.warning.beyond_end", {{"contact", contact.name}, {"percent", 100 * most}, {"remedy", remedy}}));
 }
 
 template void warn_of_ends(const Model<2>&, std::vector<Message>&);

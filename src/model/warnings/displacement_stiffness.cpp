@@ -66,7 +66,7 @@ public:
   }
 
 private:
-  /// Whether entry k of row i and column j, or the transposed one, is not zero: the pattern stays symmetric.
+  /// True if entry k of row i and column j, or the transposed one, is not zero: the pattern stays symmetric.
   bool acts(int k, int i, int j) const { return i == j || values_[k] != 0 || values_[pattern_.find(j, i)] != 0; }
 
   template <class Visit> void each_entry(int column, const Visit& visit) const {

@@ -31,8 +31,8 @@ std::optional<Points<D>> rigid_part(System<D>& system, const std::vector<int>& g
   MatrixX columns(0, 0);
   for (const int b : group) {
     std::vector<VectorX> motions; // of all bodies of the group in the same order
-    for (const auto& [mover, motion] : system.unconstrained())
-      if (mover == b) motions.push_back(motion);
+    for (const auto& [body, motion] : system.unconstrained())
+      if (body == b) motions.push_back(motion);
     if (motions.empty()) return std::nullopt;
     const auto size = motions.front().size();
     own.conservativeResize(own.size() + size);
@@ -106,7 +106,7 @@ template <int D> Points<D> corners_of(const std::vector<Facet<D>>& facets) {
   return points;
 }
 
-/// Whether points lie in a plane, or on a line in 2D.
+/// True if points lie in a plane, or on a line in 2D.
 template <int D> bool is_flat(const Points<D>& points) {
   constexpr double thin = 1e-12; // squared
   const Points<D> relative = points.colwise() - Vec<D>(points.rowwise().mean());
@@ -114,7 +114,7 @@ template <int D> bool is_flat(const Points<D>& points) {
   return solve::least_eigenpair(spread).value < thin * spread.trace();
 }
 
-/// Whether bodies that move as one touch others and obstacles by round faces only, which turn about their centers or
+/// True if bodies that move as one touch others and obstacles by round faces only, which turn about their centers or
 /// roll on planes.
 template <int D> bool rolls(const Model<D>& model, const std::vector<int>& group, const RigidMotion<D>& motion) {
   constexpr double small = 0.05;
@@ -145,7 +145,7 @@ template <int D> bool rolls(const Model<D>& model, const std::vector<int>& group
   return touches;
 }
 
-/// Whether an obstacle is a ball, a cylinder or a torus.
+/// True if an obstacle is a ball, a cylinder or a torus.
 template <int D> bool is_full(const contact::Obstacle<D>& obstacle) {
   return std::visit(
       [](const auto& shape) {
@@ -155,7 +155,7 @@ template <int D> bool is_full(const contact::Obstacle<D>& obstacle) {
       obstacle);
 }
 
-/// Whether round faces, such as a disc's and not those of a hook, lie on top of a ball or cylinder, off which they
+/// True if round faces, such as a disc's and not those of a hook, lie on top of a ball or cylinder, off which they
 /// roll.
 template <int D> bool lies_on_top(const Scene<D>& scene, const Contact<D>& contact) {
   const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);

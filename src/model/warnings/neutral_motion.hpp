@@ -5,7 +5,7 @@
 
 namespace signorini::model {
 
-/// Whether a direction, by unknown, of negative `stiffness` is a rigid motion of a body that contacts alone hold, and
+/// True if a direction, by unknown, of negative `stiffness` is a rigid motion of a body that contacts alone hold, and
 /// its stiffness an effect of the discretization. The forces F of the contacts change the stiffness of a body of extent
 /// L by F/L; where the contact is one element wide or narrower, contact points that pass through it do so by as much.
 /// Therefore it is one below constants.hpp's part of F/L, and where round faces (arcs, spheres, cylinders along the

@@ -70,7 +70,7 @@ template <int D> void warn_of_springs(const Model<D>& model, int index, std::vec
   for (int b = 0; b < std::ssize(scene.bodies) && !lost; ++b)
     if (is_behind(b))
       strain += std::max( // rounding errors can be negative
-          model.system.assembly.stored_energy(b, model.present.displacement, model.accepted.internal), 0.0);
+          model.system.energy.of_body(b, model.present.displacement, model.accepted.internal), 0.0);
   const double part = sum.normal / (strain + sum.normal), approach = 2 * (strain + sum.normal) / sum.force;
   const bool stuck = law.friction > 0 && law.enforcement != contact::Enforcement::multipliers;
   // A contact that touches at rounding error has a penetration p/ε far below an element's size.
@@ -86,16 +86,16 @@ template <int D> void warn_of_springs(const Model<D>& model, int index, std::vec
   // Springs in series: part/(1 − part) is inversely proportional to the penalty.
   const double series = strain > 0 ? law.normal * (sum.normal / strain) * (1 - small_part) / small_part : 0;
   const double enough = std::max(usual, series);
-  const Message cure = law.enforcement == contact::Enforcement::augmented
-                           ? Message("model.soft.augmented")
-                           : Message("model.soft.penalty", {{"penalty", enough}});
+  const Message remedy = law.enforcement == contact::Enforcement::augmented
+                             ? Message("model.soft.augmented")
+                             : Message("model.soft.penalty", {{"penalty", enough}});
   const bool narrow = is_narrow(model, index);
   const bool soft = penetrates && !(law.normal >= usual && narrow);
   if (soft)
     warnings.push_back(Message("model.warning.penetration", {{"contact", contact.name},
                                                              {"percent", 100 * part},
                                                              {"penetration", 2 * sum.normal / sum.force},
-                                                             {"cure", cure}}));
+                                                             {"remedy", remedy}}));
   if (slips)
     warnings.push_back(
         Message("model.warning.elastic_slip",

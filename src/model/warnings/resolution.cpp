@@ -94,15 +94,15 @@ template <int D> void warn_of_narrow_contacts(const Model<D>& model, std::vector
     if (!narrow) continue;
     // The penalty at which this width would do
     const double part = narrow->width / narrow->least, enough = space->ratio * part * part;
-    Message cure;
+    Message remedy;
     if (space->at_points && enough >= default_penalty_ratio)
-      cure = Message("model.narrow.penalty", {{"penalty", enough * space->stiffness}});
+      remedy = Message("model.narrow.penalty", {{"penalty", enough * space->stiffness}});
     warnings.push_back(Message("model.warning.narrow", {{"contact", model.system.scene.contacts[k].name},
                                                         {"width", narrow->width},
                                                         {"least", std::ceil(narrow->least)},
                                                         {"peak", narrow->peak},
                                                         {"mean", narrow->mean},
-                                                        {"cure", cure}}));
+                                                        {"remedy", remedy}}));
   }
 }
 

@@ -11,7 +11,7 @@ namespace signorini::model {
 /// an element confirms, which needs a smaller width, are exempt.
 template <int D> void warn_of_narrow_contacts(const Model<D>& model, std::vector<Message>& warnings);
 
-/// Whether a contact is such a one.
+/// True for a contact with such a zone.
 template <int D> bool is_narrow(const Model<D>& model, int contact);
 
 } // namespace signorini::model

@@ -40,7 +40,7 @@ template <int D> Mat<D> rotation_of(const Mat<D>& f) {
   return r;
 }
 
-/// Of an inverted element the smallest stretch is negative, so that R is a rotation.
+/// The smallest stretch of an inverted element is negative, so that R is a rotation.
 template <int D> Distortion distortion(const solid::MeanDeformation<D>& mean) {
   // ‖F − I‖ bounds strains, and angles in radians that are small.
   if ((mean.gradient - Mat<D>::Identity()).norm() < 0.5 * most_small_strain) return {0, mean.hoop - 1};

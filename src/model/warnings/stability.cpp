@@ -69,7 +69,7 @@ VectorX most_negative(const Stiffness& k, solve::LinearKind kind) {
   return null_direction(k.pattern, shifted(k, above).values, k.pattern.size, kind).direction;
 }
 
-/// Whether an unsymmetric K has a negative eigenvalue near a direction, by iteration with Rayleigh's quotient.
+/// True if an unsymmetric K has a negative eigenvalue near a direction, by iteration with Rayleigh's quotient.
 bool has_negative_eigenvalue(const Stiffness& k, VectorX u, solve::LinearKind kind) {
   constexpr int most = 6;
   constexpr double exact = 1e-6;
@@ -84,7 +84,7 @@ bool has_negative_eigenvalue(const Stiffness& k, VectorX u, solve::LinearKind ki
   return false;
 }
 
-/// Whether the state lies where a law softens in one direction only: its tangent holds there alone.
+/// True if the state lies where a law softens in one direction only: its tangent holds there alone.
 template <int D> bool is_one_sided(const Model<D>& model) {
   for (const NamedBody<D>& named : model.system.scene.bodies)
     if (named.body->internal_variables() > 0) return true;
@@ -137,7 +137,8 @@ template <int D> void warn_of_instability(Model<D>& model, std::vector<Message>&
   Message why;
   const bool evaluated = evaluate(model, nullptr, true, why) == solve::Outcome::converged;
   if (evaluated && model.linear.proves_definite(tangent_of(system.assembly))) return rollback(model);
-  const Stiffness k = displacement_stiffness(system.assembly.pattern(), system.assembly.values(), displacements);
+  const Stiffness k =
+      displacement_stiffness(system.assembly.tangent().pattern, system.assembly.tangent().values, displacements);
   rollback(model);
   if (!evaluated || std::ranges::all_of(k.values, [](double value) { return value == 0; })) return;
   const bool by_mumps = model.linear.kind() == solve::LinearKind::mumps;

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a state of equilibrium is stable.
+// Stability of a state of equilibrium.
 
 #include "model/steps/model.hpp"
 

@@ -27,7 +27,7 @@ template <int D> double full_radius(const contact::Obstacle<D>& obstacle) {
       obstacle);
 }
 
-/// Whether a face is the slave of a contact with an obstacle.
+/// True if a face is the slave of a contact with an obstacle.
 template <int D> bool declares(const Scene<D>& scene, const FaceReference& face, int obstacle) {
   return std::any_of(scene.contacts.begin(), scene.contacts.end(), [&](const Contact<D>& contact) {
     const auto* master = std::get_if<ObstacleReference>(&contact.master);
@@ -44,7 +44,7 @@ template <int D> std::optional<double> depth_behind(const contact::Master<D>& ma
   return -found.gap;
 }
 
-/// Whether a border of a facet passes through a curve or surface, not around its end.
+/// True if a border of a facet passes through a curve or surface, not around its end.
 template <int D> bool crosses(const contact::Master<D>& master, const Facet<D>& facet) {
   for (std::size_t i = 0; i < (D == 2 ? 1 : D); ++i) {
     const Vec<D>&a = facet.corners[i], &b = facet.corners[(i + 1) % D];
@@ -56,7 +56,7 @@ template <int D> bool crosses(const contact::Master<D>& master, const Facet<D>& 
   return false;
 }
 
-/// Of each side of a body, whether it crosses a curve or surface.
+/// By side of a body: true if it crosses a curve or surface.
 template <int D> Sides<D> crossing_sides(const contact::Master<D>& master, const Outline<D>& outline) {
   const contact::Surface<D>& surface = *master.surface();
   Vec<D> low, high;

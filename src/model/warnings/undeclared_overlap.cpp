@@ -21,7 +21,7 @@ template <int D> double declared_overlap(const contact::Formulation<D>& contact,
   return contact::resultant(history).max_penetration + std::abs(contact.offset(history)) + overlap;
 }
 
-/// Whether a side lies on the axis of revolution, where the other half of the body is behind it.
+/// True if a side lies on the axis of revolution, where the other half of the body is behind it.
 template <int D> bool lies_on_axis(const Outline<D>& outline, nurbs::Side side) {
   double size = 0, radius = 0;
   for (const Facet<D>& facet : outline.facets())
@@ -32,7 +32,7 @@ template <int D> bool lies_on_axis(const Outline<D>& outline, nurbs::Side side) 
   return radius <= outline_rounding * size;
 }
 
-/// Whether faces that satisfy two conditions are those of a contact or a tie.
+/// True if faces that satisfy two conditions are those of a contact or a tie.
 template <int D, class First, class Second>
 bool any_pair(const Scene<D>& scene, const First& first, const Second& second) {
   const auto pairs = [&](const Faces& slave, const Faces& master) {
@@ -65,7 +65,7 @@ template <int D> Sides<D> sides_against(const Scene<D>& scene, int body, int oth
   return against;
 }
 
-/// Whether places of a facet are examined.
+/// True if places of a facet are examined.
 template <int D> bool is_examined(const PresentOutlines<D>& outlines, int body, const Facet<D>& facet) {
   return facet.radius > shortest_piece * outlines[body].thickness() && !facet.normal.isZero(0) &&
          !outlines.within(body, facet.side);

@@ -20,10 +20,10 @@ public:
   const Scene<D>& scene() const { return scene_; }
   int bodies() const { return std::ssize(outlines_); }
   const Outline<D>& operator[](int body) const { return outlines_[body]; }
-  /// Whether a face is joined with another one, closes its own patch or is on the axis of revolution, and so lies
+  /// True if a face is joined with another one, closes its own patch or is on the axis of revolution, and so lies
   /// within a body.
   bool within(int body, nurbs::Side side) const { return within_[body][number_of(side)]; }
-  /// Whether bodies are parts of one: equal, or joined.
+  /// True if bodies are parts of one: equal, or joined.
   bool joined(int first, int second) const { return part(first) == part(second); }
   /// The first of a body and those joined with it.
   int part(int body) const { return parts_[body]; }
