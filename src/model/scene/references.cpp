@@ -58,7 +58,7 @@ template <int D> struct SceneCheck {
     const std::size_t components = load.pressure() || load.kind == LoadKind::moment ? 1 : D;
     if (!load.values.empty()) {
       std::size_t points = 0;
-      for (const int index : load.bodies) points += body(index).points();
+      for (const int index : load.bodies) points += body(index).tables().points();
       for (const FaceReference& one : load.on)
         points += static_cast<std::size_t>(solid::face_point_count(body(one.body), one.side));
       expect(load.values.size() == components * points, "values of a load");
