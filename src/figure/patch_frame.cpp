@@ -22,7 +22,7 @@ Vec<3> place_at(const Patch& patch, const VectorX& fractions) {
   return tessellation::place(patch, parameters(patch, fractions));
 }
 
-/// Whether ξ¹, ξ², ξ³ of a volume are a left-handed system.
+/// True if ξ¹, ξ², ξ³ of a volume are a left-handed system.
 bool left_handed(const Patch& volume) {
   const auto all = nurbs::derivatives(volume, parameters(volume, Vec<3>::Constant(0.5)), 1);
   const Vec<3> first = all[1].value, second = all[2].value, third = all[3].value;

@@ -15,7 +15,7 @@ bool is_chunk(lua_State* L, const std::string& code) {
   return ok;
 }
 
-/// Whether Lua may read a text as the continuation of the line before: a call, or an operation.
+/// True if Lua may read a text as the continuation of the line before: a call, or an operation.
 bool may_continue(const std::string& code) {
   const auto begin = code.find_first_not_of(" \t\n");
   return begin != std::string::npos && std::strchr("({['\"-~", code[begin]) != nullptr;

@@ -10,12 +10,12 @@ namespace signorini::repl {
 
 namespace {
 
-/// Whether a syntax error only means that the chunk continues on the next line.
+/// True if a syntax error only means that the chunk continues on the next line.
 bool unfinished(const std::string& message) {
   return message.ends_with("<eof>");
 }
 
-/// Whether compilation of statements fails at their first word: then an expression was meant.
+/// True if compilation of statements fails at their first word: then an expression was meant.
 bool is_no_statement(const std::string& code, std::string message) {
   const std::string begin = "unexpected symbol near '";
   const auto at = message.find(begin);
@@ -37,7 +37,7 @@ std::string with_result(const std::string& code) {
   return text(code.substr(0, line), "return nil, ", code.substr(line));
 }
 
-/// Whether a line may be a command, which is not valid Lua: it begins with %, ? or !, ends with ?, or is "help
+/// True if a line may be a command, which is not valid Lua: it begins with %, ? or !, ends with ?, or is "help
 /// sg.body".
 bool may_hold_commands(const std::string& code) {
   std::istringstream lines(code);
@@ -49,7 +49,7 @@ bool may_hold_commands(const std::string& code) {
   return false;
 }
 
-/// Whether code runs on its own.
+/// True if code runs on its own.
 bool is_whole(lua_State* L, const std::string& code) {
   const Chunk chunk = load(L, code);
   return chunk != Chunk::unfinished && lua_isfunction(L, 1);

@@ -16,7 +16,7 @@ enum class Chunk { unfinished, statements, expression };
 /// in errors. `name`: of the code in messages.
 Chunk load(lua_State* L, std::string code, const std::string& name = "prompt");
 
-/// The same for a cell of a notebook, whose value is that of an expression at its end.
+/// Likewise a cell of a notebook, whose value is that of an expression at its end.
 Chunk load_cell(lua_State* L, std::string code, const std::string& name);
 
 /// The parts of load(): replaces commands by calls on the same lines, or pushes an error message and returns false; and
@@ -28,7 +28,7 @@ Chunk load_lua(lua_State* L, const std::string& code, const std::string& name);
 /// a syntax error the rest is one. For the history.
 std::vector<std::string> statements(lua_State* L, const std::string& code);
 
-/// Whether a line ends the prompt: exit or quit, also as a call, unless the user has a variable of that name.
+/// True if a line ends the prompt: exit or quit, also as a call, unless the user has a variable of that name.
 bool asks_to_leave(lua_State* L, const std::string& line);
 
 /// Pushes a function from a module of the library.

@@ -40,7 +40,7 @@ struct CommandLine {
   std::string sandbox;                        ///< the folder of --sandbox; empty without
   std::optional<Limit> memory, time;          ///< of --memory and --time
 
-  /// Whether only the prompt is to run.
+  /// True if only the prompt is to run.
   bool prompt_only() const { return code.empty() && script.empty(); }
 };
 

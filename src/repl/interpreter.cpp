@@ -23,7 +23,7 @@ namespace signorini::repl {
 
 namespace {
 
-/// Whether an error is meant for the user of the command, such as a wrong argument
+/// True if an error is meant for the user of the command, such as a wrong argument
 /// (lua/signorini/call/script_arguments.lua).
 bool is_refusal(lua_State* L) {
   const bool found = luaL_getmetafield(L, 1, "without_traceback") != LUA_TNIL;

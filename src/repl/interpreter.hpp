@@ -25,7 +25,7 @@ public:
   bool run_code(const std::string& code, const std::string& name);
   bool run_file(const std::string& file, const std::vector<std::string>& arguments);
 
-  /// Whether a case of a study failed with an error (lua/signorini/study/execute.lua).
+  /// True if a case of a study failed with an error (lua/signorini/study/execute.lua).
   bool lost_cases() const;
 
   /// Calls the function below `arguments` values on the stack: true with all its results on the stack, or false with

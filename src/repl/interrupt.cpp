@@ -17,7 +17,7 @@ namespace {
 void (*raise_flag)(int) = nullptr;
 bool finishes_statements = false, ends_library = false;
 
-/// Whether an event in the user's code only completes a statement: results that a solve or study returned after Ctrl-C
+/// True if an event in the user's code only completes a statement: results that a solve or study returned after Ctrl-C
 /// are being assigned, through returns and metamethods of tables.
 bool finishes_statement(lua_State* L, lua_Debug* frame) {
   if (!finishes_statements || !interrupt_reported() || frame->event == LUA_HOOKLINE) return false;
@@ -26,7 +26,7 @@ bool finishes_statement(lua_State* L, lua_Debug* frame) {
   return std::string_view(frame->namewhat) == "metamethod";
 }
 
-/// Whether the user's code calls a function of C or of the library, such as print.
+/// True if the user's code calls a function of C or of the library, such as print.
 bool user_calls(lua_State* L, const lua_Debug& frame) {
   lua_Debug caller;
   if (frame.event != LUA_HOOKCALL || !lua_getstack(L, 1, &caller)) return false;

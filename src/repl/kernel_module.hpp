@@ -62,7 +62,7 @@ public:
   virtual Completions complete(const std::string& code, int cursor) = 0;
   /// The help page of the name at the cursor, no formats if there is none.
   virtual Display inspect(const std::string& code, int cursor) = 0;
-  /// Whether code could be executed, and the indentation of its next line.
+  /// Tells if code could be executed, and the indentation of its next line.
   virtual std::pair<Completeness, std::string> test(const std::string& code) = 0;
   /// Interrupts the running cell.
   virtual void interrupt() = 0;

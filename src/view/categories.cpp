@@ -28,11 +28,11 @@ double luminance(const Rgb& color) {
 }
 
 /// Color of hatch lines: lighter on dark colors, darker on light ones.
-Rgb line_color(const Rgb& ground) {
-  const bool light = lightness(ground) > 55;
+Rgb line_color(const Rgb& background) {
+  const bool light = lightness(background) > 55;
   Rgb result;
   for (std::size_t c = 0; c < 3; ++c)
-    result[c] = static_cast<std::uint8_t>(light ? 0.5 * ground[c] : ground[c] + 0.55 * (255 - ground[c]));
+    result[c] = static_cast<std::uint8_t>(light ? 0.5 * background[c] : background[c] + 0.55 * (255 - background[c]));
   return result;
 }
 
@@ -53,9 +53,9 @@ double lightness(const Rgb& color) {
   return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
 }
 
-Rgb text_color(const Rgb& ground) {
+Rgb text_color(const Rgb& background) {
   // The contrast ratios (Y₁ + 0.05) / (Y₂ + 0.05) with white and with black are equal at Y = 0.179 (WCAG 2.1, 1.4.3).
-  return luminance(ground) > 0.179 ? black : white;
+  return luminance(background) > 0.179 ? black : white;
 }
 
 void fill_cell(Drawing& drawing, const Box& box, const Look& look, const Style& style) {

@@ -28,7 +28,7 @@ const std::vector<Look>& bad_looks();
 /// CIE L*: 0 for black, 100 for white; perceptually uniform.
 double lightness(const Rgb& color);
 /// Black or white, whichever has the greater contrast with the color.
-Rgb text_color(const Rgb& ground);
+Rgb text_color(const Rgb& background);
 
 void fill_cell(Drawing& drawing, const Box& box, const Look& look, const Style& style);
 

@@ -20,7 +20,7 @@ struct Range {
 Range axis_range(const Range& values, const std::optional<std::array<double, 2>>& given, bool log,
                  const std::string& axis, double margin);
 
-/// Whether both coordinates of the point are finite.
+/// True if both coordinates of the point are finite.
 bool drawn(const Series& s, std::size_t point);
 
 /// The colors of curves, in order, and the neutral one.

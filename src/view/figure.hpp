@@ -45,7 +45,7 @@ Format format_of(const std::string& file);
 /// The kind of a file of a format.
 FileKind kind_of(Format format);
 
-/// The bytes of a file, on white or transparent ground. Lines and texts are vectors in SVG and PDF, with embedded
+/// The bytes of a file, on white or transparent background. Lines and texts are vectors in SVG and PDF, with embedded
 /// fonts; fields and surfaces in space are images. Equal figures give equal bytes. Throws Error when images need an
 /// off-screen OpenGL context and none can be created.
 std::string bytes_of(const Figure& figure, Format format, bool transparent = false);
@@ -80,7 +80,7 @@ const Renderer& renderer();
 const FlatRenderer& flat_renderer();
 
 /// The image beneath the marks of a plate, with scale × scale pixels per pixel of the drawing, on white or transparent
-/// ground. Throws Error when no off-screen context can be created.
+/// background. Throws Error when no off-screen context can be created.
 Pixels image_of(const Plate& plate, int scale, bool transparent);
 
 } // namespace signorini::view

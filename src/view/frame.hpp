@@ -75,7 +75,7 @@ double room_left(const Style& style, const Ticks& ticks, const std::string& labe
 
 /// As many ticks along x as their numbers fit.
 Ticks fitting_ticks(double low, double high, bool log, double pixels, const Style& style);
-/// The same along y, where only the height of numbers counts.
+/// Ticks along y, where only the height of numbers counts.
 Ticks stacked_ticks(double low, double high, bool log, double pixels, const Style& style);
 /// The names within the scale as ticks along x: side by side, smaller or on several lines; upright if they still do not
 /// fit and `most` pixels below the row of numbers suffice. Names that are too long are truncated; upright names and
@@ -83,7 +83,7 @@ Ticks stacked_ticks(double low, double high, bool log, double pixels, const Styl
 /// either.
 Ticks named_ticks(const std::vector<Name>& names, const Scale& scale, double most, const Style& style,
                   bool within_cells = false);
-/// The same along y, names one above the other; `most`: pixels that they may take to the left.
+/// Ticks along y, names one above the other; `most`: pixels that they may take to the left.
 Ticks stacked_names(const std::vector<Name>& names, const Scale& scale, double most, const Style& style);
 
 /// Leftmost and rightmost pixel of numbers or names below the box.

@@ -34,7 +34,7 @@ Legend make_legend(const std::vector<Series>& series, const ChartOptions& option
 std::optional<Legend> legend_within(const std::vector<Series>& series, const ChartOptions& options, const Box& frame,
                                     const Lines& lines, bool always, const Style& style);
 
-/// Of categories; `width`, `height`: maximum, pixels. Long names are wrapped, shrunk, or truncated. Throws Error when
+/// Legend of categories; `width`, `height`: maximum, pixels. Names are wrapped, shrunk, or truncated. Throws Error when
 /// there are too many rows.
 Legend make_legend(const std::vector<Category>& categories, double width, double height, const Style& style);
 

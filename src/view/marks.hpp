@@ -27,7 +27,7 @@ std::vector<PlacedMark> within(std::vector<PlacedMark> marks, const Box& box, bo
 /// become dots.
 void draw_marks(Drawing& drawing, const std::vector<PlacedMark>& marks, const Box& box, const Style& style);
 
-/// A short text on a light ground.
+/// A short text on a light background.
 struct Label {
   Vec<3> at = Vec<3>::Zero(); ///< in model units; z = 0 in the plane
   std::string text;

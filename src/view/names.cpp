@@ -7,7 +7,7 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb ground = {255, 255, 240}, arrow_color = {40, 84, 164};
+constexpr Rgb background = {255, 255, 240}, arrow_color = {40, 84, 164};
 
 struct Paper {
   const Mat<3>& axes;
@@ -25,7 +25,7 @@ void add_text(Drawing& drawing, Vec<2> at, const std::string& string, const Rgb&
   const double size = 0.85 * style.tick_size, half = 0.5 * text_width(string, size) + 0.25 * size, high = 0.62 * size;
   at[0] = std::clamp(at[0], frame[0] + half, std::max(frame[0] + half, frame[1] - half));
   at[1] = std::clamp(at[1], frame[2] + high, std::max(frame[2] + high, frame[3] - high));
-  fill_box(drawing, {at[0] - half, at[0] + half, at[1] - high, at[1] + high}, ground);
+  fill_box(drawing, {at[0] - half, at[0] + half, at[1] - high, at[1] + high}, background);
   drawing.marks.push_back(Text{{at[0], at[1] - 0.34 * size}, string, size, Align::center, color});
 }
 

@@ -76,7 +76,7 @@ struct Bounds {
   bool operator==(const Bounds&) const = default;
 };
 
-/// Of all bodies as drawn.
+/// Bounds of all bodies as drawn.
 Bounds bounds(const Body& body);
 Bounds bounds(const std::vector<Body>& bodies);
 

@@ -13,9 +13,9 @@
 namespace signorini::view {
 namespace {
 
-constexpr Rgb ghost_color = {150, 158, 166}, ghost_rim_color = {95, 95, 95}, rigid_color = {140, 146, 154},
+constexpr Rgb undeformed_fill = {150, 158, 166}, undeformed_rim_color = {95, 95, 95}, rigid_color = {140, 146, 154},
               rigid_rim_color = {120, 120, 120}, undeformed_color = {120, 120, 120};
-constexpr std::uint8_t ghost_opacity = 55, rigid_opacity = 62;
+constexpr std::uint8_t undeformed_opacity = 55, rigid_opacity = 62;
 
 // ── A state in the picture's axes ────────────────────────────────────────────────────────────────────────────────────
 
@@ -25,7 +25,7 @@ struct Line {
 };
 
 /// A translucent surface behind the bodies, with its outline.
-struct Sheer {
+struct TranslucentSurface {
   Surface surface;
   Rgb color;
   std::uint8_t opacity;
@@ -38,9 +38,9 @@ struct Scene {
   bool plane; ///< plane bodies face the eye and are unlit
   std::vector<Surface> bodies;
   std::vector<Line> lines;
-  std::vector<Sheer> veils;
+  std::vector<TranslucentSurface> translucent;
   std::vector<Vec<3>> dots;
-  std::vector<SurfaceLine> ghosts; ///< dashed, drawn last, where they face the eye
+  std::vector<SurfaceLine> undeformed_rims; ///< dashed, drawn last, where they face the eye
   std::vector<Outline> outlines;
   std::vector<PointVector> vectors;
 };
@@ -48,9 +48,9 @@ struct Scene {
 /// Calls change(points, normals) for all parts of a scene except outlines and vectors.
 template <class AnyScene, class Change> void each_part(AnyScene& scene, Change change) {
   for (auto& surface : scene.bodies) change(surface.points, surface.normals);
-  for (auto& veil : scene.veils) change(veil.surface.points, veil.surface.normals);
+  for (auto& pane : scene.translucent) change(pane.surface.points, pane.surface.normals);
   for (auto& line : scene.lines) change(line.line.points, line.line.normals);
-  for (auto& line : scene.ghosts) change(line.points, line.normals);
+  for (auto& line : scene.undeformed_rims) change(line.points, line.normals);
   for (auto& dot : scene.dots) {
     Points none;
     change(dot, none);
@@ -66,9 +66,10 @@ void add_body(Scene& scene, const Body& body, const Style& style) {
   const double mesh = std::max((scene.plane ? 1.7 : 1.6) * u, 0.8), rim = scene.plane ? mesh : 2.4 * u;
   if (body.mesh) add_lines(scene, body.mesh_lines, {mesh_color, mesh, 1.2, !body.open});
   add_lines(scene, body.rim, {mesh_color, rim, 1.5, !body.open});
-  for (const SurfaceLine& line : body.undeformed_rim) scene.ghosts.push_back(line);
+  for (const SurfaceLine& line : body.undeformed_rim) scene.undeformed_rims.push_back(line);
   if (body.undeformed.points.cols() > 0)
-    scene.veils.push_back({body.undeformed, ghost_color, ghost_opacity, true, {ghost_rim_color, 1.8 * u, -2, false}});
+    scene.translucent.push_back(
+        {body.undeformed, undeformed_fill, undeformed_opacity, true, {undeformed_rim_color, 1.8 * u, -2, false}});
   for (const auto& [a, b] : body.net_lines) {
     SurfaceLine line{Points(3, 2), Points::Zero(3, 2)};
     line.points << body.control_points.col(a), body.control_points.col(b);
@@ -82,8 +83,8 @@ void add_body(Scene& scene, const Body& body, const Style& style) {
 
 /// The body with the values beneath its mesh lines.
 Body with_ground(Body body) {
-  const Ground ground(body.skin);
-  for (SurfaceLine& line : body.mesh_lines) line.values = ground.along(line.points);
+  const LineValues values(body.skin);
+  for (SurfaceLine& line : body.mesh_lines) line.values = values.along(line.points);
   return body;
 }
 
@@ -92,7 +93,7 @@ void add_obstacle(Scene& scene, const Rigid& rigid, const Bounds& box, const Pan
   if (panel.cut) surface = cut(surface, *panel.cut, 1e-9 * box.size());
   const Pen pen = {rigid_rim_color, 2 * style.unit, 1, false};
   add_lines(scene, surface.rim, pen);
-  scene.veils.push_back({std::move(surface.surface), rigid_color, rigid_opacity, false, pen});
+  scene.translucent.push_back({std::move(surface.surface), rigid_color, rigid_opacity, false, pen});
 }
 
 /// The content of a panel, rotated to the axes of the picture.
@@ -120,8 +121,8 @@ Scene scene_of(const Panel& panel, bool plane, const Mat<3>& axes, const Style& 
   each_part(scene, [&](auto& points, Points& normals) { points = axes * points, normals = axes * normals; });
   for (Surface& surface : scene.bodies) surface.vectors = axes * surface.vectors;
   for (auto& [at, vector] : scene.vectors) at = axes * at, vector = axes * vector;
-  for (const Sheer& veil : scene.veils)
-    add_lines(scene, zeros(veil.surface, veil.surface.normals.row(2).transpose()), veil.outline);
+  for (const TranslucentSurface& pane : scene.translucent)
+    add_lines(scene, zeros(pane.surface, pane.surface.normals.row(2).transpose()), pane.outline);
   return scene;
 }
 
@@ -220,29 +221,29 @@ double width_of(const Line& line) {
 
 /// A triangle of a translucent surface, to be sorted by depth.
 struct Waiting {
-  const Sheer* veil;
+  const TranslucentSurface* pane;
   Eigen::Vector3i corners;
   double depth; ///< of its center
 };
 
 /// Adds translucent triangles, the farthest first.
-void add_veils(Veil& result, const std::vector<Sheer>& veils) {
+void add_translucent(Translucent& result, const std::vector<TranslucentSurface>& panes) {
   std::vector<Waiting> queue;
-  for (const Sheer& veil : veils) {
-    const Triangles triangles = turned(veil.surface);
+  for (const TranslucentSurface& pane : panes) {
+    const Triangles triangles = turned(pane.surface);
     for (const auto& triangle : triangles.colwise()) {
-      const double facing = veil.surface.normals.row(2)(triangle).sum();
-      if (!veil.facing_only || facing > 0)
-        queue.push_back({&veil, triangle, veil.surface.points.row(2)(triangle).mean()});
+      const double facing = pane.surface.normals.row(2)(triangle).sum();
+      if (!pane.facing_only || facing > 0)
+        queue.push_back({&pane, triangle, pane.surface.points.row(2)(triangle).mean()});
     }
   }
   std::stable_sort(queue.begin(), queue.end(), [](const Waiting& a, const Waiting& b) { return a.depth < b.depth; });
-  for (const auto& [veil, corners, depth] : queue) {
+  for (const auto& [pane, corners, depth] : queue) {
     for (int corner : corners) {
-      result.corners.emplace_back(veil->surface.points.col(corner));
-      result.normals.emplace_back(veil->surface.normals.col(corner));
+      result.corners.emplace_back(pane->surface.points.col(corner));
+      result.normals.emplace_back(pane->surface.normals.col(corner));
     }
-    result.colors.push_back({veil->color[0], veil->color[1], veil->color[2], veil->opacity});
+    result.colors.push_back({pane->color[0], pane->color[1], pane->color[2], pane->opacity});
   }
 }
 
@@ -278,12 +279,12 @@ Relief relief_of(const Scene& scene, const Box& window, const Canvas& canvas) {
     add_dot(relief.ink, dot + 12 * u * Vec<3>::UnitZ(), 6.4 * u, white);
     add_dot(relief.ink, dot + 13 * u * Vec<3>::UnitZ(), 4.8 * u, net_color);
   }
-  add_veils(relief.veil, scene.veils);
+  add_translucent(relief.translucent, scene.translucent);
   return relief;
 }
 
 /// Draws the parts of a line on a surface that face the eye.
-void draw_ghost(Drawing& drawing, const SurfaceLine& line, const Box& box, const Pen& pen, double unit) {
+void draw_dashed(Drawing& drawing, const SurfaceLine& line, const Box& box, const Pen& pen, double unit) {
   std::vector<Vec2> part;
   for (Eigen::Index i = 0; i <= line.points.cols(); ++i) {
     if (i < line.points.cols() && line.normals(2, i) > 0) {
@@ -298,8 +299,8 @@ void draw_ghost(Drawing& drawing, const SurfaceLine& line, const Box& box, const
 /// Draws everything on top of the relief: of plane states all lines.
 void draw_scene(Drawing& drawing, const Scene& scene, const Frame& frame, const Canvas& canvas) {
   const double u = canvas.style.unit;
-  const Pen ghost = scene.plane ? Pen{undeformed_color, 2 * u, 0} : Pen{ghost_rim_color, 2.2 * u, 0};
-  for (const SurfaceLine& line : scene.ghosts) draw_ghost(drawing, line, frame.box, ghost, u);
+  const Pen pen = scene.plane ? Pen{undeformed_color, 2 * u, 0} : Pen{undeformed_rim_color, 2.2 * u, 0};
+  for (const SurfaceLine& line : scene.undeformed_rims) draw_dashed(drawing, line, frame.box, pen, u);
   if (!scene.plane) return;
   for (const Outline& outline : scene.outlines) draw_obstacle(drawing, outline, frame.box, canvas.style);
   draw_lines(scene, canvas, [&](const Points& points, const Points&, const Pen& pen) {

@@ -50,7 +50,7 @@ Plate make_plate(const std::vector<Panel>& panels, const PictureOptions& options
 /// the same frame, colors and arrow scale.
 void align(PictureOptions& options, const std::vector<Panel>& panels);
 
-/// Of the bodies of the panels and their additional vectors.
+/// The longest vector of bodies and of additional vectors.
 double longest_vector(const std::vector<Panel>& panels);
 
 /// Throws Error on arrays of inconsistent sizes or with non-finite entries.

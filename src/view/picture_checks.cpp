@@ -53,14 +53,14 @@ std::array<double, 2> range_of(const Bounds& box, int axis) {
   return {box.low[axis], box.high[axis]};
 }
 
-/// Of all bodies in all states.
+/// Bounds of all bodies in all states.
 Bounds bounds_of(const std::vector<Panel>& panels) {
   Bounds all;
   for (const Panel& panel : panels) all.take(bounds(panel.bodies));
   return all;
 }
 
-/// Of everything that plane states show.
+/// Bounds of everything that plane states show.
 Bounds plane_bounds(const std::vector<Panel>& panels, PictureOptions options) {
   options.crop.reset();
   options.range = {0, 1};

@@ -28,7 +28,7 @@ struct Ink {
 
 /// Lit translucent triangles behind everything else, so that they do not tint field colors; each is blended over those
 /// before it.
-struct Veil {
+struct Translucent {
   std::vector<Vec<3>> corners, normals;            ///< three per triangle
   std::vector<std::array<std::uint8_t, 4>> colors; ///< with opacity, one per triangle
 };
@@ -37,7 +37,7 @@ struct Relief {
   Box window; ///< clip region
   std::vector<Field> fields = {};
   Ink ink = {};
-  Veil veil = {};
+  Translucent translucent = {};
 };
 
 struct Pen {

@@ -5,10 +5,10 @@
 
 namespace signorini::view {
 
-/// Whether a file name is that of a film: it ends with .mp4.
+/// True if a file name is that of a film: it ends with .mp4.
 bool is_film(const std::string& file);
 
-/// Whether a file name denotes a series: a film, or a placeholder for a number, as in "x-%04d.png".
+/// True if a file name denotes a series: a film, or a placeholder for a number, as in "x-%04d.png".
 bool is_series(const std::string& file);
 
 /// PNG for the pictures of a film. Throws Error unless numbered files end with .png, .svg or .pdf.

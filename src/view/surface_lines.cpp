@@ -32,23 +32,23 @@ Rgb color_of(double value, const std::array<double, 2>& range, const std::vector
   return colors[static_cast<std::size_t>(std::lround(std::clamp(t * last, 0.0, last)))];
 }
 
-Rgb tone_on(const Rgb& ground) {
-  return lightness(ground) < darkest ? light_line : mesh_color;
+Rgb tone_on(const Rgb& surface) {
+  return lightness(surface) < darkest ? light_line : mesh_color;
 }
 
-std::size_t Ground::Hash::operator()(const std::array<double, 3>& point) const {
+std::size_t LineValues::Hash::operator()(const std::array<double, 3>& point) const {
   std::uint64_t hash = 0;
   for (double x : point) hash = (hash ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15U, hash ^= hash >> 29;
   return hash;
 }
 
-Ground::Ground(const Surface& surface) {
+LineValues::LineValues(const Surface& surface) {
   values_.reserve(static_cast<std::size_t>(surface.values.size()));
   for (Eigen::Index i = 0; i < surface.values.size(); ++i)
     values_.emplace(key_of(surface.points.col(i)), surface.values[i]);
 }
 
-VectorX Ground::along(const Points& line) const {
+VectorX LineValues::along(const Points& line) const {
   if (values_.empty()) return {};
   VectorX values(line.cols());
   for (Eigen::Index i = 0; i < line.cols(); ++i) {

@@ -14,12 +14,12 @@ std::vector<Vec2> flat(const Points& points);
 Rgb color_of(double value, const std::array<double, 2>& range, const std::vector<Rgb>& colors);
 
 /// Dark or light line color, whichever has more contrast with the surface color.
-Rgb tone_on(const Rgb& ground);
+Rgb tone_on(const Rgb& surface);
 
-/// The surface beneath a line that runs through its points.
-class Ground {
+/// The values of a surface along lines that run through its points.
+class LineValues {
 public:
-  explicit Ground(const Surface& surface);
+  explicit LineValues(const Surface& surface);
   /// One value per point of the line; empty if the surface has none.
   VectorX along(const Points& line) const;
 

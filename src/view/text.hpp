@@ -39,7 +39,7 @@ struct FittedText {
   double size = 0;  ///< of all lines, pixels
   bool cut = false; ///< truncated: ends with "…"
 
-  /// Of the longest line, pixels.
+  /// Width of the longest line, pixels.
   double width() const;
   /// From the first baseline to the last, pixels.
   double depth() const;

@@ -36,7 +36,7 @@ public:
   /// The table at `index`: 1, of methods 2. `path`: name of a nested table in messages ("friction").
   explicit Arguments(lua_State* L, int index = 1, std::string path = "");
 
-  /// Whether there is a value, given or default.
+  /// True if there is a value, given or default.
   bool has(const char* key) const;
   template <class T> T get(const char* key) const {
     T value = to<T>(L_, push(key));

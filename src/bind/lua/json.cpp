@@ -15,7 +15,7 @@ using Json = nlohmann::json; // keys are sorted
 
 constexpr int deepest = 100; // levels of tables: deeper ones are probably cyclic
 
-/// Whether JSON can hold a string as it is; it has UTF-8 alone.
+/// True if JSON can hold a string as it is; it has UTF-8 alone.
 bool is_utf8(const Json& string) {
   try {
     string.dump();

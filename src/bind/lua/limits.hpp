@@ -13,7 +13,7 @@ void note_missing_memory(lua_State* L, const std::string& library);
 /// What is wrong where memory is missing: the limit of --memory or the machine's memory, and what helps.
 std::string missing_memory();
 
-/// The same after the position of the user's line at which Lua's memory was exhausted: the error that Lua raises is a
+/// Likewise after the position of the user's line at which Lua's memory was exhausted: the error that Lua raises is a
 /// fixed text without a position.
 std::string missing_lua_memory();
 

@@ -39,7 +39,7 @@ std::string user_position(lua_State* L);
 void push_require(lua_State* L);
 /// Declares chunks below this folder as part of the standard library.
 void set_library_folder(lua_State* L, const std::string& folder);
-/// Whether a stack frame (after lua_getinfo "S") runs a chunk of the standard library.
+/// True if a stack frame (after lua_getinfo "S") runs a chunk of the standard library.
 bool in_library(lua_State* L, const lua_Debug& frame);
 
 /// The qualified name ("sg.nurbs.arc", "patch:insert") under which the running C function was registered.

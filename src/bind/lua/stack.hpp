@@ -105,7 +105,7 @@ template <class T> T* test_object(lua_State* L, int index) {
   return static_cast<T*>(luaL_testudata(L, index, key_of<T>()));
 }
 
-/// Whether the value has a type of this name, in any dimension.
+/// True if the value has a type of this name, in any dimension.
 bool has_type(lua_State* L, int index, const char* name);
 
 /// Throws: the value has the right type name, but the dimension of other scenes.

@@ -126,7 +126,7 @@ void each_cell(const Arguments& a, const char* key, std::size_t rows, std::size_
 
 constexpr double blank = std::numeric_limits<double>::quiet_NaN();
 
-/// Whether nan or infinity is on top of the stack: a gap, as in charts.
+/// True if nan or infinity is on top of the stack: a gap, as in charts.
 bool is_gap(lua_State* L) {
   return lua_type(L, -1) == LUA_TNUMBER && !std::isfinite(lua_tonumber(L, -1));
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int largest_size = 5000; // OpenGL's limit after supersampling
 
-/// Reads size and ground of a separate picture; default size: `most`.
+/// Reads size and background of a separate picture; default size: `most`.
 void read_paper(const Arguments& a, Picture& picture, const std::array<int, 2>& most) {
   picture.size = most;
   if (a.has("size")) {

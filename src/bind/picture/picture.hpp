@@ -17,7 +17,7 @@ template <> struct Type<Picture> { static constexpr auto name = "picture"; };
 /// Pushes a picture, and writes it if the arguments name a file: called at the end of every function that makes one.
 int push_picture(lua_State* L, Picture picture, const std::string& file);
 
-/// The same for a chart or a heat map, drawn by draw(options) for a size in pixels, with data points or cells at
+/// Likewise a chart or a heat map, drawn by draw(options) for a size in pixels, with data points or cells at
 /// spots(options); reads `size` and `file`.
 template <class Options, class Draw, class Spots>
 int push_flat(lua_State* L, const Arguments& a, Options options, const std::string& description, Draw draw,

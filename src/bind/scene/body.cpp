@@ -279,7 +279,7 @@ void push_faces(lua_State* L, const model::FacePair& pair) {
   }
 }
 
-/// Whether the first argument is a list of plane bodies.
+/// True if the first argument is a list of plane bodies.
 bool are_plane(lua_State* L) {
   luaL_checktype(L, 1, LUA_TTABLE);
   lua_rawgeti(L, 1, 1);
@@ -296,7 +296,7 @@ int coincident_faces(lua_State* L) {
   return 1;
 }
 
-/// Of two lists of bodies the faces that are closest to each other, { 1, "east", 2, "west" }, and their distance.
+/// The closest faces of two lists of bodies, { 1, "east", 2, "west" }, and their distance.
 template <int D> int push_smallest_gap(lua_State* L) {
   const model::FaceGap<D> gap = model::smallest_gap<D>(read_bodies<D>(L, 1), read_bodies<D>(L, 2));
   push_faces(L, gap.faces);

@@ -49,7 +49,7 @@ std::vector<bool> elements_in(const Arguments& a, const std::string& name, const
   return result;
 }
 
-/// Whether the user's function on top of the stack is true at a place.
+/// True if the user's function on top of the stack is true at a place.
 bool is_true_at(const Arguments& a, const VectorX& place) {
   lua_State* L = a.state();
   lua_pushvalue(L, -1);

@@ -22,7 +22,7 @@ xeus::xraw_buffer buffer_of(const zmq::message_t& frame) {
   return {frame.data<const unsigned char>(), frame.size()};
 }
 
-/// Whether a frame is an object of JSON whose named entries, if they are there, are texts.
+/// True if a frame is an object of JSON whose named entries, if they are there, are texts.
 bool is_object(const zmq::message_t& frame, std::initializer_list<const char*> texts = {}) {
   const auto json = nlohmann::json::parse(frame.to_string_view(), nullptr, false);
   return json.is_object() && std::all_of(texts.begin(), texts.end(), [&](const char* name) {

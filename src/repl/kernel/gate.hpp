@@ -27,7 +27,7 @@ public:
 private:
   struct Lane {
     zmq::socket_t outside, inside;
-    bool checked; ///< whether what comes from outside must be a valid request
+    bool checked; ///< true if what comes from outside must be a valid request
   };
 
   void add(zmq::context_t& context, const std::string& port, bool checked, zmq::socket_type outside,

@@ -93,7 +93,7 @@ void draw_image(cairo_t* paper, Pixels pixels, int scale) {
   cairo_surface_finish(image.get()); // file writers take a copy
 }
 
-/// White or transparent ground. Vector formats cannot clear existing content.
+/// White or transparent background. Vector formats cannot clear existing content.
 void clear(cairo_t* paper, bool transparent) {
   cairo_set_operator(paper, transparent ? CAIRO_OPERATOR_CLEAR : CAIRO_OPERATOR_OVER);
   set_color(paper, white);

@@ -25,9 +25,9 @@ vtkSmartPointer<vtkRenderer> renderer_of(const Box& part, const std::array<int, 
                                          bool transparent) {
   const auto& [left, right, bottom, top] = part;
   auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  const double ground = transparent ? 0 : 1; // black, so that colors are premultiplied by alpha
-  renderer->SetBackground(ground, ground, ground);
-  renderer->SetBackgroundAlpha(ground);
+  const double background = transparent ? 0 : 1; // black, so that colors are premultiplied by alpha
+  renderer->SetBackground(background, background, background);
+  renderer->SetBackgroundAlpha(background);
   renderer->SetViewport(left / window[0], bottom / window[1], right / window[0], top / window[1]);
   const double x = 0.5 * (left + right) / larger, y = 0.5 * (bottom + top) / larger;
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkRenderer> renderer_of(const Box& part, const std::array<int, 
   return renderer;
 }
 
-/// Draws the relief of a plate, `larger` times its size, on white or transparent ground; returns red, green, blue,
+/// Draws the relief of a plate, `larger` times its size, on white or transparent background; returns red, green, blue,
 /// alpha per pixel, rows from the bottom up.
 vtkUnsignedCharArray& render(const Plate& plate, int larger, bool transparent) {
   const std::array<int, 2> size = {larger * plate.drawing.size[0], larger * plate.drawing.size[1]};

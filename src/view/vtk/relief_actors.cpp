@@ -110,15 +110,15 @@ void add_field(vtkRenderer& renderer, const Field& field, const Depth& depth) {
   mapper->InterpolateScalarsBeforeMappingOn();
 }
 
-/// Blended in the given order over the ground, behind everything else. Drawn in the pass of opaque surfaces, where
+/// Blended in the given order over the background, behind everything else. Drawn in the pass of opaque surfaces, where
 /// OpenGL blends as well; VTK's passes for translucent surfaces need buffers that take longer than all the drawing.
-void add_veil(vtkRenderer& renderer, const Veil& veil) {
+void add_translucent(vtkRenderer& renderer, const Translucent& triangles) {
   constexpr double farthest = -0.98, nearest = -0.92;
-  Points points = columns(veil.corners);
+  Points points = columns(triangles.corners);
   for (Eigen::Index i = 0; i < points.cols(); ++i)
     points(2, i) =
         farthest + (nearest - farthest) * static_cast<double>(i - i % 3) / static_cast<double>(points.cols());
-  add_actor(renderer, *plain_mesh(points, columns(veil.normals), veil.colors), true);
+  add_actor(renderer, *plain_mesh(points, columns(triangles.normals), triangles.colors), true);
 }
 
 } // namespace
@@ -127,7 +127,8 @@ void add_relief(vtkRenderer& renderer, const Relief& relief) {
   Depth depth;
   for (const Field& field : relief.fields) depth.take(field.points);
   depth.take(columns(relief.ink.corners));
-  if (!relief.veil.colors.empty()) add_veil(renderer, relief.veil); // first, because it is beneath everything else
+  if (!relief.translucent.colors.empty())
+    add_translucent(renderer, relief.translucent); // first, because it is beneath everything else
   for (const Field& field : relief.fields) add_field(renderer, field, depth);
   if (!relief.ink.colors.empty())
     add_actor(renderer, *plain_mesh(depth(columns(relief.ink.corners)), {}, relief.ink.colors), false);
