@@ -60,7 +60,7 @@ public:
     ++statistics_.factorizations;
     return regular_ && part_.update(values) && part_.pivots().regular();
   }
-  bool solve(double* b) override {
+  bool solve(double* b, bool) override {
     ++statistics_.solutions;
     return part_.solve(b);
   }

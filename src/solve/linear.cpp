@@ -39,7 +39,7 @@ public:
   Direct(LinearKind kind, std::unique_ptr<DirectSolver> solver) : kind_(kind), solver_(std::move(solver)) {}
 
   bool factor(const double* values) override { return solver_->factor(values); }
-  bool solve(double* b) override { return solver_->solve(b); }
+  bool solve(double* b, bool) override { return solver_->solve(b); }
   LinearKind kind() const override { return kind_; }
   SolverStatistics statistics() const override { return solver_->statistics(); }
 

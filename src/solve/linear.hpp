@@ -23,12 +23,10 @@ public:
   virtual ~LinearSolver() = default;
   /// Copies new values, in the order of the pattern. Returns false if the matrix is singular to working precision.
   virtual bool factor(const double* values) = 0;
-  /// Overwrites b by K⁻¹ b, to the accuracy that the solver guarantees. Call after a successful factor(), for any
-  /// number of right-hand sides. Returns false if the matrix turns out to be singular to working precision.
-  virtual bool solve(double* b) = 0;
-  /// Makes the next solution as accurate as the solver can, where it would only be accurate enough for a correction of
-  /// Newton's method, whose error the next one removes.
-  virtual void solve_fully() {}
+  /// Overwrites b by K⁻¹ b, for Newton's method: its error is so small that the next correction removes it; `fully`: as
+  /// accurate as the solver can, where that is not so. Call after a successful factor(), for any number of right-hand
+  /// sides. Returns false if the matrix turns out to be singular to working precision.
+  virtual bool solve(double* b, bool fully = false) = 0;
   /// True if factors at hand show that the symmetric part of other values is positive definite; false if they do not.
   virtual bool proves_definite(const double*) const { return false; }
   virtual LinearKind kind() const = 0;

@@ -146,8 +146,7 @@ public:
         renewal_(pattern_), forcing_(loosest), gmres_(pattern.size, most_iterations) {}
 
   bool factor(const double* values) override;
-  bool solve(double* b) override;
-  void solve_fully() override { fully_ = true; }
+  bool solve(double* b, bool fully) override;
   LinearKind kind() const override { return kind_; }
   bool adopt(const Pattern& pattern) override;
   void watch(const std::vector<int>& unknowns) override { preconditioner_.watch(unknowns); }
@@ -163,8 +162,7 @@ private:
   Renewal renewal_;
   Forcing forcing_;
   Gmres gmres_;
-  bool first_ = true;  ///< true if the next right-hand side is the first since factor()
-  bool fully_ = false; ///< true if it is to be solved to the tightest tolerance
+  bool first_ = true; ///< true if the next right-hand side is the first since factor()
   int solutions_ = 0, iterations_ = 0;
 };
 
@@ -191,14 +189,14 @@ bool Reused::renew(bool directly) {
   return true;
 }
 
-bool Reused::solve(double* b) {
+bool Reused::solve(double* b, bool fully) {
   ++solutions_;
   const bool first = std::exchange(first_, false);
   const VectorX right = Eigen::Map<const VectorX>(b, pattern_.size);
   const double norm = right.norm();
   if (norm == 0) return true;
   const double forced = first ? forcing_.next(norm) : tightest_tolerance;
-  const double tolerance = std::exchange(fully_, false) ? tightest_tolerance : forced;
+  const double tolerance = fully ? tightest_tolerance : forced;
   if (first && renewal_.due() && !renew()) return false;
 
   const auto multiply = [this](const double* x, double* y) { matrix_.multiply(x, y); };

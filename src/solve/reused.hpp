@@ -15,10 +15,10 @@ namespace signorini::solve {
 /// if the cost rises steadily. Costs are counted, not measured, so results are bitwise reproducible; a solver that does
 /// not report its operations is assumed to cost as much as the maximum number of GMRES iterations.
 ///
-/// Accuracy: see Forcing for the first right-hand side after factor(), which is assumed to be Newton's; others, and the
-/// next one after solve_fully(), are solved to tightest_tolerance. A matrix that is singular to working precision is
-/// reported if the system with this right-hand side has no solution; otherwise one of its solutions is returned. `kind`
-/// is the name under which the user has selected it.
+/// Accuracy: see Forcing for the first right-hand side after factor(), which is assumed to be Newton's; others, and
+/// those that are to be solved fully, are solved to tightest_tolerance. A matrix that is singular to working precision
+/// is reported if the system with this right-hand side has no solution; otherwise one of its solutions is returned.
+/// `kind` is the name under which the user has selected it.
 std::unique_ptr<LinearSolver> make_reused(const Pattern& pattern, MakeDirect direct,
                                           std::unique_ptr<SymmetricPart> symmetric_part = nullptr,
                                           double loosest = loosest_tolerance, LinearKind kind = LinearKind::reuse);

@@ -6,7 +6,7 @@
 #include "model/diagnosis/weak_directions.hpp"
 #include "model/results/tie_results.hpp"
 #include "model/scene/ties.hpp"
-#include "model/steps/linear_choice.hpp"
+#include "model/steps/linear_solution.hpp"
 #include "model/system/tie_terms.hpp"
 #include "text_of.hpp"
 

@@ -4,7 +4,7 @@
 #include "model/results/profile.hpp"
 #include "model/results/sample.hpp"
 #include "model/results/tie_results.hpp"
-#include "model/steps/linear_choice.hpp"
+#include "model/steps/linear_solution.hpp"
 #include "solve/factor_estimate.hpp"
 
 #include <set>

@@ -4,6 +4,8 @@
 #include "os/interrupt.hpp"
 #include "solve/condensed.hpp"
 
+#include <algorithm>
+
 namespace signorini::model {
 
 namespace {
@@ -17,7 +19,28 @@ solve::SolverStatistics sum(const solve::SolverStatistics& before, const solve::
   return result;
 }
 
+/// Constant factors of the bodies suit a tangent of which only the contacts' part changes; damping changes the rest.
+bool can_condense(const LinearFacts& facts, bool damps) {
+  return !damps && facts.constant_bulk;
+}
+
 } // namespace
+
+template <int D> LinearFacts linear_facts(const System<D>& system) {
+  const Scene<D>& scene = system.scene;
+  const bool linear = std::ranges::all_of(scene.bodies, [](const auto& named) { return named.body->linear(); });
+  const bool potential =
+      std::ranges::all_of(system.contacts, [](const auto& contact) { return contact->has_potential(); });
+  const bool multipliers =
+      std::ranges::any_of(system.contacts, [](const auto& contact) { return contact->extra_unknowns() > 0; });
+  return {linear && system.followers.empty() && !(scene.contacts.empty() && scene.ties.empty()), multipliers,
+          potential && system.followers.conservative()};
+}
+
+solve::LinearKind first_choice(const LinearFacts& facts, bool damps) {
+  if (can_condense(facts, damps)) return solve::LinearKind::condensed;
+  return facts.potential ? solve::LinearKind::reuse : solve::LinearKind::automatic;
+}
 
 solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const LinearRequest& request) {
   const bool open = request.kind == solve::LinearKind::automatic;
@@ -25,9 +48,9 @@ solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const Linear
   require(condense || request.kind != solve::LinearKind::condensed, "model.linear.condensed");
   // A solver with constant factors of the bodies cannot take damping into account, and reused factors of a damped
   // tangent would hide that the one without damping is singular.
-  const bool same = solver_ && asked_ == request.kind && mumps_ == request.mumps &&
+  const bool same = solver_ && last_.kind == request.kind && last_.mumps == request.mumps &&
                     condense == (solver_->kind() == solve::LinearKind::condensed) &&
-                    (damped_ == request.damps || solver_->kind() != solve::LinearKind::reuse);
+                    (last_.damps == request.damps || solver_->kind() != solve::LinearKind::reuse);
   const bool same_contacts = contact_version_ == tangent.contact_version;
   // A solver may survive a growing pattern, but constant factors have other contact unknowns within them.
   const bool fits = same && (!condense || same_contacts) &&
@@ -48,9 +71,7 @@ solve::LinearSolver& LinearSolution::solver(const Tangent& tangent, const Linear
   if (!fits || !same_contacts) solver_->watch(tangent.contact_unknowns);
   pattern_version_ = tangent.pattern_version;
   contact_version_ = tangent.contact_version;
-  asked_ = request.kind;
-  damped_ = request.damps;
-  mumps_ = request.mumps;
+  last_ = request;
   return *solver_;
 }
 
@@ -62,8 +83,7 @@ bool LinearSolution::factor(const Tangent& tangent, const LinearRequest& request
 
 bool LinearSolution::solve(VectorX& b, bool fully) {
   if (b.size() == 0) return true;
-  if (fully) solver_->solve_fully();
-  return solver_->solve(b.data());
+  return solver_->solve(b.data(), fully);
 }
 
 bool LinearSolution::proves_definite(const Tangent& tangent) const {
@@ -75,12 +95,15 @@ void LinearSolution::forget() {
   if (!solver_) return;
   past_ = sum(past_, solver_->statistics());
   past_kind_ = solver_->kind();
-  if (asked_ == solve::LinearKind::automatic && past_kind_ == solve::LinearKind::reuse) beginning_ = past_kind_;
+  if (last_.kind == solve::LinearKind::automatic && past_kind_ == solve::LinearKind::reuse) beginning_ = past_kind_;
   solver_.reset();
 }
 
 solve::SolverStatistics LinearSolution::statistics() const {
   return solver_ ? sum(past_, solver_->statistics()) : past_;
 }
+
+template LinearFacts linear_facts(const System<2>&);
+template LinearFacts linear_facts(const System<3>&);
 
 } // namespace signorini::model

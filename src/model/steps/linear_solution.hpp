@@ -2,12 +2,24 @@
 // The linear solver of a path: chosen for the first tangent, reused as long as it suits the following ones, otherwise
 // replaced.
 
-#include "base/eigen.hpp"
-#include "model/steps/linear_choice.hpp"
+#include "model/system/system.hpp"
+#include "solve/linear.hpp"
 
 #include <memory>
 
 namespace signorini::model {
+
+/// Properties of a scene that decide the automatic choice.
+struct LinearFacts {
+  bool constant_bulk; ///< all bodies are linear elastic, no load follows, and there are contacts or ties: only the
+                      ///< contacts' part changes
+  bool multipliers;   ///< contacts have Lagrange multipliers as unknowns
+  bool potential;     ///< the tangent is symmetric: all contacts and loads have a potential
+};
+template <int D> LinearFacts linear_facts(const System<D>& system);
+
+/// The first solver of a path; `automatic`: see solve::make_solver. `damps`: see LinearRequest.
+solve::LinearKind first_choice(const LinearFacts& facts, bool damps);
 
 /// References to the parts of an assembled tangent (see Assembly).
 struct Tangent {
@@ -21,9 +33,9 @@ struct Tangent {
 
 /// How a tangent is to be factored.
 struct LinearRequest {
-  solve::LinearKind kind; ///< the user's choice
-  bool damps;             ///< whether damping has changed the tangent of bodies
-  const solve::MumpsOptions& mumps;
+  solve::LinearKind kind = solve::LinearKind::automatic; ///< the user's choice
+  bool damps = false;                                    ///< damping has changed the tangent of bodies
+  solve::MumpsOptions mumps = {};
 };
 
 class LinearSolution {
@@ -33,10 +45,10 @@ public:
   /// Factors a tangent, which need not outlive the call. Returns false if it is singular to working precision. Throws
   /// Error if the request is `condensed` but the bodies' part of the tangent changes.
   bool factor(const Tangent& tangent, const LinearRequest& request);
-  /// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular. `fully`: as accurate as the
-  /// solver can, where b is Newton's and an error would not vanish with the next correction.
+  /// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular. `fully`: see
+  /// solve::LinearSolver.
   bool solve(VectorX& b, bool fully = false);
-  /// Whether the present factors show that the symmetric part of a tangent is positive definite; false if they do not.
+  /// True if the present factors show that the symmetric part of a tangent is positive definite.
   bool proves_definite(const Tangent& tangent) const;
   /// Drops the solver, but keeps its statistics and its choice.
   void forget();
@@ -64,9 +76,7 @@ private:
   solve::SolverStatistics past_;                               ///< of the solvers before solver_
   solve::LinearKind past_kind_ = solve::LinearKind::automatic; ///< of the last of these
   solve::LinearKind beginning_ = solve::LinearKind::automatic;
-  solve::LinearKind asked_ = solve::LinearKind::automatic;
-  solve::MumpsOptions mumps_;
-  bool damped_ = false; ///< the last tangent
+  LinearRequest last_; ///< of the last tangent
   int pattern_version_ = 0, contact_version_ = 0;
 };
 
