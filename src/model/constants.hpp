@@ -12,12 +12,12 @@ inline constexpr double gap_rounding = 1e-12;
 /// Largest deviation from a straight path, relative to the step: well above the rounding error of targets that a script
 /// sums up.
 inline constexpr double straight = 1e-6;
-/// Largest difference of the last two steps' rates for the linear predictor, see PathHistory::bend. In ironing and
-/// Hertz contact 0.1 to 0.5 give the same steps; with 1 steps after the first contact of bodies fail.
-inline constexpr double most_bent = 0.3;
+/// Deviation of the last step from its linear extrapolation up to which the next one is used. In ironing and Hertz
+/// contact 0.1 to 0.5 give the same steps; with 1 steps after the first contact of bodies fail.
+inline constexpr double most_linear_error = 0.3;
 /// Deviation of the last step from its quadratic extrapolation up to which the quadratic one is used in any case;
 /// above, only if the linear one deviated more.
-inline constexpr double hardly_curved = 0.1;
+inline constexpr double small_quadratic_error = 0.1;
 /// Stands for both deviations where rates have a jump: above all others, and finite as archives ask.
 inline constexpr double across_kink = 1e300;
 
@@ -30,6 +30,9 @@ inline constexpr double self_balanced = 1e-3;
 /// Mean strain, by its energy, above which the bodies of a run are deformed. A rigid motion by 1e6 times the size of an
 /// element leaves 2e-10, by the rounding of positions.
 inline constexpr double deformed_strain = 1e-6;
+/// Pressure relative to Young's modulus above which a contact acts: above the pressure of gaps of `gap_rounding` under
+/// a stiff penalty, below strains of interest.
+inline constexpr double noticeable_strain = 1e-9;
 
 // ── Linear bodies ────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -53,7 +56,7 @@ inline constexpr double least_damping = 1e-10;
 /// Displacement relative to the model's size, beyond the prescribed ones, that only unconstrained bodies reach.
 inline constexpr double far_away = 1e3;
 /// A body has come into contact when |f·Δu| is below this fraction of its largest value.
-inline constexpr double landed = 1e-2;
+inline constexpr double closed_energy = 1e-2;
 
 // ── Pseudo-transient continuation ────────────────────────────────────────────────────────────────────────────────────
 

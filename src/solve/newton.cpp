@@ -38,16 +38,9 @@ bool stagnates(const std::vector<double>& residuals, double floor) {
          residuals[n - 2] <= near_floor * floor;
 }
 
-bool search(const NewtonSystem& system, LineSearchKind kind, NewtonReport& report) {
-  const double slope = kind == LineSearchKind::energy ? system.slope() : 0;
-  const std::optional<double> part = line_search(kind, system.retreat, report.residuals, slope);
-  if (part) report.parts.push_back(*part);
-  return part.has_value();
-}
-
 } // namespace
 
-bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pending, NewtonReport& report) {
+bool iterate(NewtonProblem& problem, const NewtonOptions& options, bool pending, NewtonReport& report) {
   const auto stop = [&](Outcome outcome, const Message& message) {
     report.outcome = outcome;
     if (!message.code.empty()) report.messages = {message};
@@ -64,56 +57,51 @@ bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pend
   Message why;
   // If quadratic convergence predicts the last iteration, the residual without the tangent is enough to confirm it.
   bool tangent = predicted_residual(report.residuals) > surely_below * report.tolerance;
-  if (const Outcome state = system.assemble(tangent, why); state != Outcome::converged) return stop(state, why);
-  const double residual = system.residual();
+  if (const Outcome state = problem.evaluate(tangent, why); state != Outcome::converged) return stop(state, why);
+  const double residual = problem.residual();
   report.residuals.push_back(residual);
   if (!std::isfinite(residual)) return stop(Outcome::not_finite, Message("solve.newton.not_finite"));
 
   // The rounding level is that of the present tangent: contact that has opened since the last one may have been stiff.
-  const double tolerance = options.tolerance * system.scale();
+  const double tolerance = options.tolerance * problem.scale();
   if (!tangent && residual > tolerance) {
-    if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);
+    if (const Outcome state = problem.evaluate(true, why); state != Outcome::converged) return stop(state, why);
     tangent = true;
   }
-  const double floor = system.floor();
+  const double floor = problem.floor();
   report.tolerance = tolerance + floor;
   const bool small_energy = residual <= floor || report.energies.empty() ||
                             report.energies.back() <= options.tolerance * report.energies.front();
   const bool waiting = pending && report.iterations == 0;
   const bool small = (residual <= report.tolerance && small_energy) || stagnates(report.residuals, floor);
   if (small && !waiting) {
-    const Outcome concluded = system.conclude ? system.conclude(why) : Outcome::converged;
-    if (concluded != Outcome::iterating) return stop(concluded, why);
+    if (const Outcome end = problem.conclude(why); end != Outcome::iterating) return stop(end, why);
     report.begun = report.iterations;
     return true;
   }
   // The first residual is zero if the first solution only moves an obstacle.
   double first = report.residuals.front();
   if (pending && report.iterations > 0) first = std::max(first, report.residuals[1]);
-  if (residual > divergence_growth * (system.scale() + first))
+  if (residual > divergence_growth * (problem.scale() + first))
     return stop(Outcome::diverged, Message("solve.newton.diverged", {{"residual", residual}}));
   if (report.iterations - report.begun >= options.iterations)
     return stop(Outcome::iteration_limit,
                 Message(residual <= near_floor * floor ? "solve.newton.near_rounding" : "solve.newton.no_convergence",
                         {{"iterations", options.iterations}, {"residual", residual}, {"tolerance", report.tolerance}}));
   if (!tangent)
-    if (const Outcome state = system.assemble(true, why); state != Outcome::converged) return stop(state, why);
+    if (const Outcome state = problem.evaluate(true, why); state != Outcome::converged) return stop(state, why);
   if (interrupted()) return stop_by_user();
-  double energy = 0;
-  if (!system.advance(energy)) return stop(Outcome::singular_tangent, Message("solve.newton.singular"));
+  const std::optional<double> slope = problem.advance();
+  if (!slope) return stop(Outcome::singular_tangent, Message("solve.newton.singular"));
   ++report.iterations;
-  report.energies.push_back(energy);
+  report.energies.push_back(std::abs(*slope));
   // The move that applies prescribed displacements must not be shortened.
-  if (options.line_search != LineSearchKind::none && !waiting && !search(system, options.line_search, report))
-    return stop(Outcome::line_search, Message("solve.newton.line_search", {{"residual", residual}}));
+  if (options.line_search == LineSearchKind::none || waiting) return true;
+  const std::optional<double> part = line_search(
+      options.line_search, [&](double s) { return problem.retreat(s); }, report.residuals, *slope);
+  if (!part) return stop(Outcome::line_search, Message("solve.newton.line_search", {{"residual", residual}}));
+  report.parts.push_back(*part);
   return true;
-}
-
-NewtonReport newton(const NewtonSystem& system, const NewtonOptions& options, bool pending) {
-  NewtonReport report;
-  while (iterate(system, options, pending, report)) {
-  }
-  return report;
 }
 
 } // namespace signorini::solve

@@ -1,11 +1,11 @@
 #pragma once
-// Newton's method on callbacks, iteration by iteration: the caller assembles, factors and updates; this module defines
-// the order of operations and the convergence tests.
+// Newton's method, iteration by iteration: a problem evaluates, solves and moves; this module defines the order of
+// operations and the convergence tests.
 
 #include "base/message.hpp"
 #include "solve/line_search.hpp"
 
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,30 +35,32 @@ std::string name_of(Outcome outcome);
 
 struct NewtonOptions {
   double tolerance = 1e-10; ///< of the residual, relative to the forces of the run
-  int iterations = 25;      ///< most linear solves in one step
+  int iterations = 25;      ///< limit of linear solves in one step
   LineSearchKind line_search = LineSearchKind::none;
 };
 
-/// Callbacks of a system of equations.
-struct NewtonSystem {
-  /// Residual and, if `tangent`, tangent at the current state. Returns converged, or the reason why they do not exist
-  /// or continuing is useless (message in `why`).
-  std::function<Outcome(bool tangent, Message& why)> assemble;
-  /// 2-norm of the residual of the free unknowns.
-  std::function<double()> residual;
+/// A system of equations and its state, which Newton's method moves. Functions are in the order of their calls in an
+/// iteration.
+class NewtonProblem {
+public:
+  virtual ~NewtonProblem() = default;
+  /// Evaluates the residual and, if `tangent`, the tangent at the current state. Returns converged, or the reason why
+  /// they do not exist or continuing is useless (message in `why`).
+  virtual Outcome evaluate(bool tangent, Message& why) = 0;
+  /// 2-norm of the residual f of the free unknowns.
+  virtual double residual() const = 0;
   /// The residual tolerance is tolerance·scale() + floor(): scale is the magnitude of the forces in the run so far,
   /// floor the rounding level of the residual.
-  std::function<double()> scale, floor;
-  /// Factors, solves and moves the state by Δu. Returns false if the tangent is singular; sets |f·Δu|.
-  std::function<bool(double& energy)> advance;
-  /// For line search: moves the state to the fraction s of the last Δu, evaluates the residual there, and returns its
-  /// norm and f·Δu; infinite if the state is invalid.
-  std::function<Trial(double part)> retreat = {};
-  /// Signed f·Δu in the state before the last Δu; for line search by energy.
-  std::function<double()> slope = {};
+  virtual double scale() const = 0;
+  virtual double floor() const = 0;
   /// Called when the residual is small enough: ends aids such as frozen contact states, updates multipliers. Returns
   /// converged if nothing was left to do, iterating if the residual has to be tested again, or a reason of failure.
-  std::function<Outcome(Message& why)> conclude = {};
+  virtual Outcome conclude(Message& /*why*/) { return Outcome::converged; }
+  /// Factors, solves, and moves the state by Δu. Returns f·Δu; nothing if the tangent is singular.
+  virtual std::optional<double> advance() = 0;
+  /// For line search: moves the state to a fraction of the last Δu, evaluates the residual there, and returns its norm
+  /// and f·Δu; infinite if the state is invalid.
+  virtual Trial retreat(double /*part*/) { return {}; }
 };
 
 struct NewtonReport {
@@ -72,14 +74,11 @@ struct NewtonReport {
   std::vector<Message> messages; ///< reasons of failure
 };
 
-/// One iteration: evaluates and tests, and unless that ends it, solves and moves. Returns whether to continue; all
-/// state is in `report`. It has converged if the residual is below tolerance·scale + floor and |f·Δu| has fallen below
-/// tolerance times its first value in this step (thesis Algorithm 1, with the absolute value that its sign needs), or
-/// if it stagnates within ten times the floor. `pending`: prescribed displacements are applied by the first solve, so
-/// that a small residual before it is not convergence.
-bool iterate(const NewtonSystem& system, const NewtonOptions& options, bool pending, NewtonReport& report);
-
-/// Iterates to the end.
-NewtonReport newton(const NewtonSystem& system, const NewtonOptions& options, bool pending);
+/// One iteration [theory 10.1]: evaluates and tests, and unless that ends it, solves and moves. Returns whether to
+/// continue; all state is in `report`. It has converged if the residual is below tolerance·scale + floor and |f·Δu| has
+/// fallen below tolerance times its first value in this step (thesis Algorithm 1, with the absolute value that its sign
+/// needs), or if it stagnates within ten times the floor. `pending`: prescribed displacements are applied by the first
+/// solve, so that a small residual before it is not convergence.
+bool iterate(NewtonProblem& problem, const NewtonOptions& options, bool pending, NewtonReport& report);
 
 } // namespace signorini::solve

@@ -61,6 +61,24 @@ struct Strip {
     contacts[0]->commit(present[0], accepted[0], 1);
     accepted = present;
   }
+  void fix(const ActiveSet<2>& set) { controls[0].fixed_states = set.fixed(0); }
+  void begin(ActiveSet<2>& set, const ActiveSetOptions& options) {
+    set.begin(contacts, present, options);
+    fix(set);
+  }
+  void update(ActiveSet<2>& set, const std::vector<double>& energies) {
+    set.update(energies);
+    fix(set);
+  }
+  void record(ActiveSet<2>& set, double residual) {
+    set.record(present, residual, {});
+    fix(set);
+  }
+  bool release_all(ActiveSet<2>& set) {
+    const bool fixed = set.release_all();
+    fix(set);
+    return fixed;
+  }
   int touching() const { return resultant(present[0]).active; }
   bool holds() const { return !controls[0].fixed_states.empty(); }
 };
@@ -72,20 +90,20 @@ TEST(ActiveSet, IsFrozenUntilTheEnergyHasDecreased) {
   strip.touch(1.5);
   ASSERT_EQ(strip.touching(), 9);
   ActiveSet<2> set;
-  set.begin(strip.contacts, strip.present, {0.01, 0}, strip.controls);
+  strip.begin(set, {0.01, 0});
   for (double end : {2.0, 0.5, 3.0}) {
     strip.touch(end);
     EXPECT_EQ(strip.touching(), 9);
   }
-  set.thaw(0.01, strip.controls);
+  strip.update(set, {1, 0.01});
   strip.evaluate();
   EXPECT_EQ(strip.touching(), 9);
-  set.thaw(0.0099, strip.controls);
+  strip.update(set, {1, 0.0099});
   strip.evaluate();
   EXPECT_EQ(strip.touching(), 18);
-  EXPECT_FALSE(set.release(strip.controls));
+  EXPECT_FALSE(strip.release_all(set));
 
-  set.begin(strip.contacts, strip.present, {}, strip.controls);
+  strip.begin(set, {});
   strip.touch(0.5);
   EXPECT_EQ(strip.touching(), 3);
 }
@@ -95,11 +113,11 @@ TEST(ActiveSet, ReleaseEndsTheFreezeWithoutCountingARound) {
   strip.touch(1.5);
   ActiveSet<2> set;
   for (int round = 0; round < 20; ++round) {
-    set.begin(strip.contacts, strip.present, {0.01, 0}, strip.controls);
+    strip.begin(set, {0.01, 0});
     strip.touch(2);
-    EXPECT_TRUE(set.release(strip.controls));
+    EXPECT_TRUE(strip.release_all(set));
     EXPECT_FALSE(set.exhausted());
-    EXPECT_FALSE(set.release(strip.controls));
+    EXPECT_FALSE(strip.release_all(set));
     strip.evaluate();
     EXPECT_EQ(strip.touching(), 12);
     strip.touch(1.5);
@@ -110,11 +128,11 @@ TEST(ActiveSet, FixesPointsThatChangeTooOftenAndFreesThemForSomeRounds) {
   Strip strip(law);
   strip.touch(1.5);
   ActiveSet<2> set;
-  set.begin(strip.contacts, strip.present, {0, 2}, strip.controls);
+  strip.begin(set, {0, 2});
   double residual = 1;
   const auto go = [&](double end) {
     strip.touch(end);
-    set.note(strip.present, residual *= 0.9, strip.controls);
+    strip.record(set, residual *= 0.9);
     return strip.touching();
   };
   EXPECT_EQ(go(1.5), 9);
@@ -125,19 +143,19 @@ TEST(ActiveSet, FixesPointsThatChangeTooOftenAndFreesThemForSomeRounds) {
   EXPECT_TRUE(strip.holds()); // in the state after the last change
   EXPECT_EQ(go(1.5), 12);
   EXPECT_EQ(go(0.5), 6); // the others are free
-  EXPECT_TRUE(set.release(strip.controls));
+  EXPECT_TRUE(strip.release_all(set));
   EXPECT_FALSE(set.exhausted());
   EXPECT_EQ(go(0.5), 3);
   // Six such rounds in one step
-  set.begin(strip.contacts, strip.present, {0, 1}, strip.controls);
+  strip.begin(set, {0, 1});
   for (int round = 1; round <= 6; ++round) {
     for (double end : {1.5, 2.0, 1.5}) go(end);
     ASSERT_TRUE(strip.holds());
     EXPECT_FALSE(set.exhausted());
-    EXPECT_TRUE(set.release(strip.controls));
+    EXPECT_TRUE(strip.release_all(set));
     EXPECT_EQ(set.exhausted(), round == 6) << round;
   }
-  set.begin(strip.contacts, strip.present, {0, 1}, strip.controls);
+  strip.begin(set, {0, 1});
   EXPECT_FALSE(set.exhausted());
 }
 
@@ -145,11 +163,11 @@ TEST(ActiveSet, FixesPointsThatChangeTooOftenAndFreesThemForSomeRounds) {
 std::vector<int> periods(const std::vector<std::pair<double, double>>& path) {
   Strip strip(law);
   ActiveSet<2> set;
-  set.begin(strip.contacts, strip.present, {}, strip.controls);
+  strip.begin(set, {});
   std::vector<int> result;
   for (const auto& [end, residual] : path) {
     strip.touch(end);
-    set.note(strip.present, residual, strip.controls);
+    strip.record(set, residual);
     result.push_back(set.period());
   }
   return result;
@@ -186,10 +204,10 @@ TEST(ActiveSet, DetectsNoOtherSequencesAsCycles) {
 TEST(ActiveSet, ListsCyclingPointsByNumberOfChanges) {
   Strip strip(law);
   ActiveSet<2> set;
-  set.begin(strip.contacts, strip.present, {}, strip.controls);
+  strip.begin(set, {});
   const auto go = [&](double end) {
     strip.touch(end);
-    set.note(strip.present, 1, strip.controls);
+    strip.record(set, 1);
   };
   go(1), go(1.5);
   EXPECT_TRUE(set.cycling_points().empty()); // one change is not cycling
@@ -212,12 +230,12 @@ TEST(ActiveSet, NamesAllStatesThatAlternateInACycle) {
   Strip strip(contact::PenaltyLaw{100, 100, 0.1});
   strip.accept(); // sets slip points to the present foot points
   ActiveSet<2> set;
-  set.begin(strip.contacts, strip.present, {}, strip.controls);
+  strip.begin(set, {});
   const PointIndex first{0, 0};
   const auto go = [&](double x, double y) {
     for (int a = 0; a < strip.strip.functions(); ++a) strip.u.segment<2>(2 * a) << x, y;
     strip.evaluate();
-    set.note(strip.present, 1, strip.controls);
+    strip.record(set, 1);
     return strip.present[0].results[0].state;
   };
   // Period 3: the last two states of a round are equal.
@@ -239,12 +257,12 @@ TEST(ActiveSet, ListsPointsThatCyclePastTheMastersEnd) {
   Strip strip(law, 2);
   ActiveSet<2> set;
   strip.shift(0);
-  set.begin(strip.contacts, strip.present, {}, strip.controls);
+  strip.begin(set, {});
   // The master, 0 … 2, is extended beyond its ends by 0.3 of an element, 0.3.
   for (double x : {0.0, -0.5, 0.0, -0.5}) {
     strip.shift(x);
     EXPECT_EQ(strip.touching(), x == 0 ? 14 : 16);
-    set.note(strip.present, 1, strip.controls);
+    strip.record(set, 1);
   }
   // At the right end the part 2.3 … 2.8 alternates, at the left end 0 … 0.2.
   std::vector<int> points;
@@ -257,12 +275,12 @@ TEST(ActiveSet, ListsPointsThatCyclePastTheMastersEnd) {
 TEST(ActiveSet, IgnoresAdhesion) {
   Strip strip(contact::Adhesion{0.02, 0.05});
   ActiveSet<2> set;
-  set.begin(strip.contacts, strip.present, {0, 1}, strip.controls);
+  strip.begin(set, {0, 1});
   int adhesive = 0;
   for (int k = 0; k < 12; ++k) {
     strip.touch(k % 2 == 0 ? -1 : -4); // near the plane, and beyond the distance of the strongest attraction
     adhesive += strip.touching();
-    set.note(strip.present, 1 + k % 2, strip.controls);
+    strip.record(set, 1 + k % 2);
     EXPECT_EQ(set.period(), 0);
     EXPECT_FALSE(strip.holds());
   }

@@ -60,7 +60,7 @@ TEST(OtherRows, GrowExactly) {
     for (const int support : {bed, grip})
       EXPECT_LT((reaction(model, support) - reaction(*grown, support)).norm(), 1e-12 * model.path.force_scale) << m;
     Message why;
-    evaluate(model, why); // with the slip points of the accepted state
+    evaluate(model, {}, why); // with the slip points of the accepted state
     EXPECT_GT(grown->system.unknowns.size(), model.system.unknowns.size());
     const Energies before = energies(model), after = energies(*grown);
     EXPECT_NEAR(after.stored, before.stored, 1e-4 * before.stored) << m; // more Gauss points

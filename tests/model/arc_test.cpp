@@ -98,9 +98,9 @@ struct Walk {
     const double from = target();
     const VectorX before = model.present.displacement, t = tangent();
     set_target(model, 0, component, from + sense);
-    const solve::NewtonReport report = solve_arc(model, {}, length);
+    const ArcReport report = solve_arc(model, {}, length);
     ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
-    const double fraction = model.step->fraction;
+    const double fraction = report.fraction;
     accept(model);
     last_increment = model.present.displacement - before;
     EXPECT_NEAR(t.dot(weights.cwiseProduct(last_increment)), length, 1e-9 * length);

@@ -40,7 +40,7 @@ template <int D> int compare_starts(Model<D>& model) {
   const VectorX direction = last + last.norm() / whole.norm() * whole;
   Message why;
   const auto piece = [&] {
-    EXPECT_EQ(evaluate(model, why), solve::Outcome::converged) << bare_text(why);
+    EXPECT_EQ(evaluate(model, {}, why), solve::Outcome::converged) << bare_text(why);
     return smooth_piece(model);
   };
   const std::vector<int> solution = piece();

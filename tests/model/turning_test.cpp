@@ -74,7 +74,7 @@ template <int D> std::vector<int> signature(const Model<D>& model) {
 template <int D> VectorX unbalanced(Model<D>& model, const VectorX& u, bool tangent = false) {
   model.present.displacement = u;
   Message why;
-  EXPECT_EQ(evaluate(model, nullptr, tangent, why), solve::Outcome::converged);
+  EXPECT_EQ(evaluate(model, {tangent}, why), solve::Outcome::converged);
   return model.unbalanced;
 }
 
@@ -186,7 +186,7 @@ template <int D> void expect_product(const contact::Obstacle<D>& tool) {
     const VectorX others = u - model.system.drives.displacement(targets);
     model.present.displacement = u;
     Message why;
-    evaluate(model, &rate, true, why);
+    evaluate(model, {true, &rate}, why);
     const VectorX product = model.system.unknowns.gather(model.system.assembly.product());
     const std::vector<int> before = signature(model);
     bool same = true;

@@ -17,37 +17,40 @@ namespace line_search_test {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// f(x) = 0 in several unknowns; states in which f is not finite are invalid.
-struct Problem {
+struct Problem : NewtonProblem {
   std::function<VectorX(const VectorX&)> f;
   std::function<MatrixX(const VectorX&)> slope;
-  VectorX x;
-  VectorX before = {}, move = {};
-  std::vector<double> evaluated = {}; ///< fractions that a search has evaluated
+  VectorX x, before, move;
+  std::vector<double> evaluated; ///< fractions that a search has evaluated
+
+  Problem(std::function<VectorX(const VectorX&)> function, std::function<MatrixX(const VectorX&)> derivative,
+          VectorX start)
+      : f(std::move(function)), slope(std::move(derivative)), x(std::move(start)) {}
 
   NewtonReport solve(LineSearchKind kind, int iterations = 25) {
-    NewtonSystem system;
-    system.assemble = [this](bool, Message& why) {
-      why = Message("test.no_state");
-      return f(x).allFinite() ? Outcome::converged : Outcome::inverted_element;
-    };
-    system.residual = [this] { return f(x).norm(); };
-    system.scale = [] { return 1.0; };
-    system.floor = [] { return 1e-15; };
-    system.advance = [this](double& energy) {
-      before = x;
-      move = -dense::solve(slope(x), f(x));
-      energy = std::abs(f(x).dot(move));
-      x += move;
-      return true;
-    };
-    system.slope = [this] { return f(before).dot(move); };
-    system.retreat = [this](double part) {
-      evaluated.push_back(part);
-      x = before + part * move;
-      const VectorX residual = f(x);
-      return residual.allFinite() ? Trial{residual.norm(), residual.dot(move)} : Trial{infinity, infinity};
-    };
-    return newton(system, {1e-12, iterations, kind}, false);
+    NewtonReport report;
+    while (iterate(*this, {1e-12, iterations, kind}, false, report)) {
+    }
+    return report;
+  }
+  Outcome evaluate(bool, Message& why) override {
+    why = Message("test.no_state");
+    return f(x).allFinite() ? Outcome::converged : Outcome::inverted_element;
+  }
+  double residual() const override { return f(x).norm(); }
+  double scale() const override { return 1; }
+  double floor() const override { return 1e-15; }
+  std::optional<double> advance() override {
+    before = x;
+    move = -dense::solve(slope(x), f(x));
+    x += move;
+    return f(before).dot(move);
+  }
+  Trial retreat(double part) override {
+    evaluated.push_back(part);
+    x = before + part * move;
+    const VectorX residual = f(x);
+    return residual.allFinite() ? Trial{residual.norm(), residual.dot(move)} : Trial{infinity, infinity};
   }
 };
 

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <csignal>
+#include <functional>
 #include <limits>
 
 namespace signorini::solve {
@@ -18,43 +19,52 @@ void press_ctrl_c() {
   std::raise(SIGINT);
 }
 
+NewtonReport newton(NewtonProblem& problem, const NewtonOptions& options, bool pending) {
+  NewtonReport report;
+  while (iterate(problem, options, pending, report)) {
+  }
+  return report;
+}
+
 /// f(x) = 0 in one unknown, with its derivative.
-struct Scalar {
+struct Scalar : NewtonProblem {
   std::function<double(double)> f, slope;
-  double x = 0, scale = 1, floor = 0;
+  double x = 0, forces = 1, rounding = 0;
   int assemblies = 0, tangents = 0, solves = 0;
   double tangent_at = std::numeric_limits<double>::quiet_NaN();
   Outcome outcome = Outcome::converged;
+  std::function<double()> floor_of_tangent;
+  std::function<Outcome(Message&)> end;
+
+  explicit Scalar(std::function<double(double)> function = {}, std::function<double(double)> derivative = {},
+                  double start = 0)
+      : f(std::move(function)), slope(std::move(derivative)), x(start) {}
 
   NewtonReport solve(const NewtonOptions& options = {}, bool pending = false) {
-    return newton(system(), options, pending);
+    return newton(*this, options, pending);
   }
-  NewtonSystem system() {
-    NewtonSystem system;
-    system.assemble = [this](bool tangent, Message& why) {
-      ++assemblies;
-      if (tangent) ++tangents, tangent_at = x;
-      why = Message("test.wanted");
-      return outcome;
-    };
-    system.residual = [this] { return std::abs(f(x)); };
-    system.scale = [this] { return scale; };
-    system.floor = [this] { return floor; };
-    system.advance = [this](double& energy) {
-      ++solves;
-      EXPECT_EQ(tangent_at, x); // a solve never uses an old tangent
-      if (slope(x) == 0) return false;
-      const double step = -f(x) / slope(x);
-      energy = std::abs(f(x) * step);
-      x += step;
-      return true;
-    };
-    return system;
+  Outcome evaluate(bool tangent, Message& why) override {
+    ++assemblies;
+    if (tangent) ++tangents, tangent_at = x;
+    why = Message("test.wanted");
+    return outcome;
+  }
+  double residual() const override { return std::abs(f(x)); }
+  double scale() const override { return forces; }
+  double floor() const override { return floor_of_tangent ? floor_of_tangent() : rounding; }
+  Outcome conclude(Message& why) override { return end ? end(why) : NewtonProblem::conclude(why); }
+  std::optional<double> advance() override {
+    ++solves;
+    EXPECT_EQ(tangent_at, x); // a solve never uses an old tangent
+    if (slope(x) == 0) return std::nullopt;
+    const double step = -f(x) / slope(x), work = f(x) * step;
+    x += step;
+    return work;
   }
 };
 
 Scalar root_of_two() {
-  return {[](double x) { return x * x - 2; }, [](double x) { return 2 * x; }, 1.0};
+  return Scalar([](double x) { return x * x - 2; }, [](double x) { return 2 * x; }, 1.0);
 }
 
 TEST(Newton, ConvergesQuadratically) {
@@ -91,7 +101,7 @@ TEST(Newton, WrongPredictionCostsOneMoreAssembly) {
 
 TEST(Newton, LinearSystemsNeedOneSolve) {
   Scalar problem{[](double x) { return 4 * x - 8; }, [](double) { return 4.0; }};
-  problem.floor = 1e-15;
+  problem.rounding = 1e-15;
   EXPECT_EQ(problem.solve().iterations, 1);
   EXPECT_EQ(problem.x, 2);
 }
@@ -111,30 +121,30 @@ Scalar noisy(double size) {
   problem.x = 1;
   problem.f = [size](double x) { return std::abs(x) < 3 * size ? std::copysign(size, x) : x; };
   problem.slope = [](double) { return 0.9; };
-  problem.scale = 0;
+  problem.forces = 0;
   return problem;
 }
 
 TEST(Newton, ResidualThatStagnatesNearTheRoundingLevelHasConverged) {
   for (const double times : {1.5, 9.0}) {
     Scalar problem = noisy(times * 1e-12);
-    problem.floor = 1e-12;
+    problem.rounding = 1e-12;
     const NewtonReport report = problem.solve({1e-10, 60});
     EXPECT_EQ(report.outcome, Outcome::converged) << times;
-    EXPECT_LE(report.residuals.back(), 10 * problem.floor);
+    EXPECT_LE(report.residuals.back(), 10 * problem.rounding);
   }
   Scalar far = noisy(11e-12);
-  far.floor = 1e-12;
+  far.rounding = 1e-12;
   EXPECT_EQ(far.solve({1e-10, 60}).outcome, Outcome::iteration_limit);
 }
 
 TEST(Newton, ResidualThatStillDecreasesNearTheRoundingLevelIsNotStagnating) {
   // Each iteration leaves a third: 27, 9, 3 and 1 times the floor are visited.
   Scalar problem{[](double x) { return x; }, [](double) { return 1.5; }, 27e-12};
-  problem.floor = 1e-12;
-  problem.scale = 0;
+  problem.rounding = 1e-12;
+  problem.forces = 0;
   EXPECT_EQ(problem.solve({1e-10, 60}).outcome, Outcome::converged);
-  EXPECT_LE(problem.x, 1.001 * problem.floor);
+  EXPECT_LE(problem.x, 1.001 * problem.rounding);
 }
 
 TEST(Newton, TheRoundingLevelIsThatOfThePresentTangent) {
@@ -144,9 +154,8 @@ TEST(Newton, TheRoundingLevelIsThatOfThePresentTangent) {
                  [](double x) { return x < 0.9e-4 ? 0.1
                                        : x < 1    ? 2.0
                                                   : 1 / 0.9999; }, 1.0};
-  NewtonSystem system = problem.system();
-  system.floor = [&problem] { return problem.slope(problem.tangent_at) == 2 ? 1e-5 : 1e-12; };
-  const NewtonReport report = newton(system, {1e-10, 25}, false);
+  problem.floor_of_tangent = [&problem] { return problem.slope(problem.tangent_at) == 2 ? 1e-5 : 1e-12; };
+  const NewtonReport report = problem.solve({1e-10, 25});
   EXPECT_EQ(report.outcome, Outcome::converged);
   EXPECT_LE(report.residuals.back(), 1e-10);
 }
@@ -194,22 +203,20 @@ TEST(Newton, SingularTangentAndErrorsOfAssemblyAreReported) {
 
 /// A residual that happens to be small does not end the iteration while the last move still did work.
 TEST(Newton, EnergyMustDecreaseToo) {
-  int calls = 0;
-  NewtonSystem system;
-  system.assemble = [](bool, Message&) { return Outcome::converged; };
-  system.residual = [&] { return calls == 0 ? 1.0 : 1e-12; };
-  system.scale = [] { return 1.0; };
-  system.floor = [] { return 0.0; };
-  system.advance = [&](double& energy) {
-    energy = ++calls < 3 ? 1.0 : 1e-15;
-    return true;
-  };
-  EXPECT_EQ(newton(system, {}, false).iterations, 3);
+  struct : NewtonProblem {
+    int calls = 0;
+    Outcome evaluate(bool, Message&) override { return Outcome::converged; }
+    double residual() const override { return calls == 0 ? 1.0 : 1e-12; }
+    double scale() const override { return 1; }
+    double floor() const override { return 0; }
+    std::optional<double> advance() override { return ++calls < 3 ? 1.0 : 1e-15; }
+  } problem;
+  EXPECT_EQ(newton(problem, {}, false).iterations, 3);
 }
 
 TEST(Newton, ResidualIsRelativeToTheScale) {
   Scalar problem = root_of_two();
-  problem.scale = 1e6;
+  problem.forces = 1e6;
   const NewtonReport report = problem.solve({1e-10, 25});
   EXPECT_EQ(report.outcome, Outcome::converged);
   EXPECT_LE(report.residuals.back(), 1e-4);
@@ -242,10 +249,9 @@ TEST(Newton, IterationByIterationGivesTheSameResults) {
       const NewtonOptions options{1e-14, limit};
       Scalar whole = root_of_two(), pieces = root_of_two();
       const NewtonReport at_once = whole.solve(options, pending);
-      const NewtonSystem system = pieces.system();
       NewtonReport report;
       int calls = 0;
-      while (iterate(system, options, pending, report)) {
+      while (iterate(pieces, options, pending, report)) {
         EXPECT_EQ(report.outcome, Outcome::iterating);
         EXPECT_EQ(report.iterations, ++calls);
         EXPECT_EQ(report.residuals.size(), static_cast<std::size_t>(calls));
@@ -263,48 +269,46 @@ TEST(Newton, IterationByIterationGivesTheSameResults) {
 
 TEST(Newton, ConcludeIsCalledOnlyOnConvergenceAndMayFail) {
   Scalar problem = root_of_two();
-  NewtonSystem system = problem.system();
   int asked = 0;
-  system.conclude = [&](Message&) {
+  problem.end = [&](Message&) {
     ++asked;
     EXPECT_NEAR(problem.x, std::sqrt(2.0), 1e-7);
     return Outcome::converged;
   };
-  const NewtonReport report = newton(system, {1e-10, 25}, false);
+  const NewtonReport report = problem.solve({1e-10, 25});
   EXPECT_EQ(report.outcome, Outcome::converged);
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(report.begun, 0);
 
-  system.conclude = [](Message& why) {
+  problem.end = [](Message& why) {
     why = Message("test.too_deep");
     return Outcome::penetration;
   };
   problem.x = 1;
-  const NewtonReport failed = newton(system, {1e-10, 25}, false);
+  const NewtonReport failed = problem.solve({1e-10, 25});
   EXPECT_EQ(failed.outcome, Outcome::penetration);
   EXPECT_EQ(text_of(failed.messages), "test.too_deep");
   EXPECT_EQ(failed.residuals, report.residuals);
 
   problem.x = 1;
-  system.conclude = [&](Message&) {
+  problem.end = [&](Message&) {
     ADD_FAILURE() << "called before convergence";
     return Outcome::converged;
   };
-  EXPECT_EQ(newton(system, {1e-10, 2}, false).outcome, Outcome::iteration_limit);
+  EXPECT_EQ(problem.solve({1e-10, 2}).outcome, Outcome::iteration_limit);
 }
 
 /// √2, then √3, then √5 with one limit for each.
 TEST(Newton, IterationLimitRestartsWhenConcludeRequestsMore) {
   double square = 2;
   Scalar problem{[&](double x) { return x * x - square; }, [](double x) { return 2 * x; }, 1.0};
-  NewtonSystem system = problem.system();
   const auto raise = [&](Message&) {
     if (square == 5) return Outcome::converged;
     square = square == 2 ? 3 : 5;
     return Outcome::iterating;
   };
-  system.conclude = raise;
-  const NewtonReport report = newton(system, {1e-12, 6}, false);
+  problem.end = raise;
+  const NewtonReport report = problem.solve({1e-12, 6});
   EXPECT_EQ(report.outcome, Outcome::converged);
   EXPECT_NEAR(problem.x, std::sqrt(5.0), 1e-12);
   EXPECT_GT(report.iterations, 6);
@@ -312,15 +316,15 @@ TEST(Newton, IterationLimitRestartsWhenConcludeRequestsMore) {
   EXPECT_LE(report.iterations - report.begun, 6);
 
   problem.x = 1, square = 2;
-  const NewtonReport limited = newton(system, {1e-12, 4}, false);
+  const NewtonReport limited = problem.solve({1e-12, 4});
   EXPECT_EQ(limited.outcome, Outcome::iteration_limit);
   EXPECT_EQ(limited.iterations - limited.begun, 4);
 
   // An interrupt ends the iteration even if conclude always requests more.
   problem.x = 1;
-  system.conclude = [&](Message&) { return square += 1, Outcome::iterating; };
+  problem.end = [&](Message&) { return square += 1, Outcome::iterating; };
   press_ctrl_c();
-  EXPECT_EQ(newton(system, {1e-12, 6}, false).outcome, Outcome::interrupted);
+  EXPECT_EQ(problem.solve({1e-12, 6}).outcome, Outcome::interrupted);
   clear_interrupt();
 }
 

@@ -1,15 +1,6 @@
 #include "bind/model/iteration_report.hpp"
 
-#include "contact/point/history.hpp"
-
 namespace signorini::bind {
-
-/// What an iteration changes.
-struct IterationMarks {
-  std::size_t residuals = 0, parts = 0;
-  int iterations = 0, augmentations = 0, factorizations = 0, gmres = 0;
-  std::vector<contact::ContactState> states; ///< of all contact points or multipliers
-};
 
 namespace {
 
@@ -50,7 +41,7 @@ void push_iteration(lua_State* L, const model::Model<D>& model, double goal, con
   if (solved && now.gmres > before.gmres) set_field(L, "gmres", now.gmres - before.gmres);
   if (now.parts > before.parts) set_field(L, "part", report.parts.back());
   if (now.augmentations > before.augmentations) set_field(L, "augmentation", now.augmentations);
-  if (solved && step.pseudo_time.damping() > 0) set_field(L, "damping", step.pseudo_time.damping());
+  if (solved && step.pseudo_damping() > 0) set_field(L, "damping", step.pseudo_damping());
 }
 
 /// Calls the function below its one argument; its error, which may be any value, is thrown as a C++ exception, which
@@ -63,25 +54,27 @@ void call_protected(lua_State* L, int results) {
 
 } // namespace
 
-template <int D> std::function<void()> report_iterations(lua_State* L, const model::Model<D>& model, double goal) {
-  return [L, goal, &model, before = marks_of(model)]() mutable {
-    const IterationMarks now = marks_of(model);
-    if (now.residuals < before.residuals || now.iterations < before.iterations) { // a new step has begun
-      before.residuals = before.parts = 0;
-      before.iterations = before.augmentations = 0;
-    }
-    push_require(L);
-    push(L, "signorini.run.verbose");
-    call_protected(L, 1);
-    lua_getfield(L, -1, "iteration");
-    push_iteration(L, model, goal, now, before);
-    call_protected(L, 0);
-    lua_pop(L, 1);
-    before = now;
-  };
+template <int D>
+IterationPrinter<D>::IterationPrinter(const model::Model<D>& model, double goal)
+    : goal_(goal), before_(marks_of(model)) {}
+
+template <int D> void IterationPrinter<D>::print(lua_State* L, const model::Model<D>& model) {
+  const IterationMarks now = marks_of(model);
+  if (now.residuals < before_.residuals || now.iterations < before_.iterations) { // a new step has begun
+    before_.residuals = before_.parts = 0;
+    before_.iterations = before_.augmentations = 0;
+  }
+  push_require(L);
+  push(L, "signorini.run.verbose");
+  call_protected(L, 1);
+  lua_getfield(L, -1, "iteration");
+  push_iteration(L, model, goal_, now, before_);
+  call_protected(L, 0);
+  lua_pop(L, 1);
+  before_ = now;
 }
 
-template std::function<void()> report_iterations(lua_State*, const model::Model<2>&, double);
-template std::function<void()> report_iterations(lua_State*, const model::Model<3>&, double);
+template class IterationPrinter<2>;
+template class IterationPrinter<3>;
 
 } // namespace signorini::bind

@@ -3,12 +3,26 @@
 
 #include "bind/model/model.hpp"
 
-#include <functional>
-
 namespace signorini::bind {
 
-/// A function for StepOptions::after_iteration that prints the last iteration of a model: its residual, the correction,
-/// contact states and what changed since this call or since the iteration before. `goal`: tolerance of the residual.
-template <int D> std::function<void()> report_iterations(lua_State* L, const model::Model<D>& model, double goal);
+/// What an iteration changes.
+struct IterationMarks {
+  std::size_t residuals = 0, parts = 0;
+  int iterations = 0, augmentations = 0, factorizations = 0, gmres = 0;
+  std::vector<contact::ContactState> states; ///< of all contact points or multipliers
+};
+
+template <int D> class IterationPrinter {
+public:
+  /// `goal`: tolerance of the residual.
+  IterationPrinter(const model::Model<D>& model, double goal);
+  /// Prints the last iteration of the model: its residual, the correction, contact states, and what changed since the
+  /// last call, or since construction.
+  void print(lua_State* L, const model::Model<D>& model);
+
+private:
+  double goal_;
+  IterationMarks before_;
+};
 
 } // namespace signorini::bind

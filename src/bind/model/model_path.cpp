@@ -51,7 +51,7 @@ template <int D> std::vector<double> target(const model::Model<D>& model, const 
 }
 
 /// Options that model:solve_arc has as well.
-template <int D> model::StepOptions read_newton(const model::Model<D>& model, const Arguments& a, lua_State* L) {
+model::StepOptions read_newton(const Arguments& a) {
   model::StepOptions options;
   options.newton.tolerance = a.get<double>("tolerance");
   options.newton.iterations = a.get<int>("iterations");
@@ -63,12 +63,11 @@ template <int D> model::StepOptions read_newton(const model::Model<D>& model, co
     options.mumps.settings.folder = how.get("out_of_core", std::string());
     options.mumps.reuse = how.get<bool>("reuse");
   }
-  if (a.get<bool>("verbose")) options.after_iteration = report_iterations(L, model, options.newton.tolerance);
   return options;
 }
 
-template <int D> model::StepOptions read_step_options(const model::Model<D>& model, const Arguments& a, lua_State* L) {
-  model::StepOptions options = read_newton(model, a, L);
+template <int D> model::StepOptions read_step_options(const model::Model<D>& model, const Arguments& a) {
+  model::StepOptions options = read_newton(a);
   options.newton.line_search = solve::line_search_kind(a.get<std::string>("line_search"));
   options.predictor =
       choice<model::Predictor>(a.get<std::string>("predictor"), {"tangent", "constant", "linear", "quadratic"});
@@ -94,17 +93,32 @@ int push_report(lua_State* L, const solve::NewtonReport& report) {
   return 1;
 }
 
+/// Calls `solve` with a function that prints the last iteration, if `verbose`.
+template <int D, class Solve>
+auto printed(const model::Model<D>& model, const Arguments& a, lua_State* L, const Solve& solve) {
+  if (!a.get<bool>("verbose")) return solve(model::AfterIteration());
+  IterationPrinter<D> printer(model, a.get<double>("tolerance"));
+  return solve(model::AfterIteration([&] { printer.print(L, model); }));
+}
+
 template <int D> int solve_step(model::Model<D>& model, const Arguments& a, lua_State* L) {
-  return push_report(L, model::solve_step(model, read_step_options(model, a, L)));
+  return push_report(L, printed(model, a, L, [&](const model::AfterIteration& after) {
+                       return model::solve_step(model, read_step_options(model, a), after);
+                     }));
 }
 
 template <int D> int iterate(model::Model<D>& model, const Arguments& a, lua_State* L) {
-  return push_report(L, model::iterate(model, read_step_options(model, a, L)));
+  return push_report(L, printed(model, a, L, [&](const model::AfterIteration& after) {
+                       return model::iterate(model, read_step_options(model, a), after);
+                     }));
 }
 
 template <int D> int solve_arc(model::Model<D>& model, const Arguments& a, lua_State* L) {
-  push_report(L, model::solve_arc(model, read_newton(model, a, L), a.get<double>("length")));
-  set_field(L, "fraction", model.step->fraction);
+  const model::ArcReport report = printed(model, a, L, [&](const model::AfterIteration& after) {
+    return model::solve_arc(model, read_newton(a), a.get<double>("length"), after);
+  });
+  push_report(L, report);
+  set_field(L, "fraction", report.fraction);
   return 1;
 }
 
@@ -132,7 +146,7 @@ template <int D> void save(model::Model<D>& model, const std::string& file) {
 template <int D> VectorX residual(model::Model<D>& model) {
   const bool accepted = model::settled(model);
   Message why;
-  const solve::Outcome outcome = model::evaluate(model, why);
+  const solve::Outcome outcome = model::evaluate(model, {}, why);
   VectorX unbalanced = model.unbalanced;
   if (accepted) model::rollback(model);
   signorini::require(outcome == solve::Outcome::converged, "model.step.no_residual", {{"why", why}});

@@ -190,12 +190,9 @@ template <int D> std::shared_ptr<Model<D>> with_bodies(const Model<D>& model, co
   settle(other); // accepted positions of contact points, too, are those of the new shape
 
   // Points on Coulomb's cone continue to slip.
-  const contact::Controls onward{.guessed = gap_rounding * largest_position(other), .onward = true};
-  other.controls.assign(other.system.contacts.size(), onward);
+  const InitialContact onward{gap_rounding * largest_position(other), true};
   Message why;
-  const bool inverted = evaluate(other, nullptr, false, why) != solve::Outcome::converged;
-  other.controls.assign(other.system.contacts.size(), {});
-  if (inverted) return nullptr;
+  if (evaluate(other, {.tangent = false, .initial = onward}, why) != solve::Outcome::converged) return nullptr;
   for (contact::History<D>& history : other.present.contacts)
     for (std::size_t a = 0; a < history.multipliers.size(); ++a)
       history.multipliers[a].limit *= history.multiplier_results[a].area;

@@ -38,13 +38,12 @@ template <int D> FreeMotions free_motions(System<D>& system) {
 /// Mᵀ K⁻¹ M of the accepted state; empty if K is singular.
 template <int D> std::optional<MatrixX> compliance(Model<D>& model, const MatrixX& motions) {
   Message why;
-  if (evaluate(model, nullptr, true, why) != solve::Outcome::converged) return std::nullopt;
+  if (evaluate(model, {}, why) != solve::Outcome::converged) return std::nullopt;
   // Another solver than the path's, whose choices depend on what it has solved.
   LinearSolution solution(linear_facts(model.system));
   const bool by_mumps = model.linear.kind() == solve::LinearKind::mumps;
-  const solve::MumpsOptions mumps;
   if (!solution.factor(tangent_of(model.system.assembly),
-                       {by_mumps ? solve::LinearKind::mumps : solve::LinearKind::automatic, true, mumps}))
+                       {by_mumps ? solve::LinearKind::mumps : solve::LinearKind::automatic, true}))
     return std::nullopt;
   MatrixX moved = motions;
   for (Eigen::Index j = 0; j < motions.cols(); ++j) {

@@ -7,6 +7,19 @@ namespace signorini::model {
 
 namespace {
 
+/// Rule of the freeze (thesis 4.5.2) [theory 10.1]: constraints stay open or closed as in the accepted state until
+/// |f·Δu| is below the fraction `freeze` of its first value. A freeze that has ended does not begin again in the same
+/// step.
+bool freezes(const ActiveSetOptions& options, const std::vector<double>& energies) {
+  return options.freeze > 0 && (energies.empty() || energies.back() / energies.front() >= options.freeze);
+}
+
+/// Rule of fixed constraints: those whose state has changed more often than `changes` times in a step keep it until the
+/// others have converged.
+bool changes_too_often(const ActiveSetOptions& options, int changes) {
+  return options.changes > 0 && changes > options.changes;
+}
+
 constexpr unsigned char beyond = 255;
 
 /// State as a code. Adhesive and bonded states count as open, because the traction is continuous in them.
@@ -20,7 +33,7 @@ contact::FixedContactState fixed_state_for(contact::ContactState state) {
   return touches(state) ? contact::FixedContactState::stick : contact::FixedContactState::open;
 }
 
-/// The same state, for the next evaluation.
+/// Keeps the state in the next evaluation.
 contact::FixedContactState held_state(unsigned char code) {
   using contact::ContactState, contact::FixedContactState;
   if (code == beyond) return FixedContactState::free;
@@ -34,50 +47,66 @@ contact::FixedContactState held_state(unsigned char code) {
 
 template <int D>
 void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histories& histories,
-                         const ActiveSetOptions& options, Controls& controls) {
+                         const ActiveSetOptions& options) {
+  *this = {};
   options_ = options;
-  entries_.clear();
-  first_.assign(1, 0);
-  frictional_.clear();
-  solved_.clear();
-  reversed_.clear();
-  frictions_.assign(contacts.size(), {});
-  rounds_ = 0;
-  held_ = false;
-  frozen_ = options.freeze > 0;
+  phase_ = freezes(options, {}) ? Phase::frozen : Phase::free;
+  fixed_.resize(contacts.size());
+  int count = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    first_.push_back(first_.back() + constraints(histories[k]));
-    frictional_.push_back(contacts[k]->friction(histories[k]) > 0);
-    solved_.push_back(contacts[k]->multipliers() > 0 && contacts[k]->extra_unknowns() > 0);
-    controls[k].fixed_states.clear();
-    if (!frozen_) continue;
-    for (int i = 0; i < constraints(histories[k]); ++i)
-      controls[k].fixed_states.push_back(touches(constraint(histories[k], i).state)
-                                             ? contact::FixedContactState::touching
-                                             : contact::FixedContactState::open);
+    contacts_.push_back({count, contacts[k]->friction(histories[k]) > 0,
+                         contacts[k]->multipliers() > 0 && contacts[k]->extra_unknowns() > 0});
+    count += constraints(histories[k]);
+    for (int i = 0; phase_ == Phase::frozen && i < constraints(histories[k]); ++i)
+      fixed_[k].push_back(touches(constraint(histories[k], i).state) ? contact::FixedContactState::touching
+                                                                     : contact::FixedContactState::open);
   }
-  counts_.assign(first_.back(), 0);
+  counts_.assign(count, 0);
 }
 
-template <int D> void ActiveSet<D>::stick_where_reversed(const Histories& histories, Controls& controls) {
+template <int D> void ActiveSet<D>::release() {
+  for (auto& fixed : fixed_) fixed.clear();
+  phase_ = Phase::free;
+}
+
+template <int D> void ActiveSet<D>::update(const std::vector<double>& energies) {
+  if (phase_ == Phase::held || (phase_ == Phase::frozen && !freezes(options_, energies))) release();
+}
+
+template <int D>
+bool ActiveSet<D>::record(const Histories& histories, double residual,
+                          const std::function<double(const PointIndex&)>& violation) {
+  Entry entry{residual, {}};
+  entry.states.reserve(counts_.size());
+  for (const auto& history : histories)
+    for (int i = 0; i < constraints(history); ++i) entry.states.push_back(code(constraint(history, i)));
+  stick_where_reversed(histories);
+  if (phase_ == Phase::free) fix_changing(histories, entry.states);
+  entries_.push_back(std::move(entry));
+  if (entries_.size() > remembered_evaluations) entries_.pop_front();
+  return violation && phase_ == Phase::free && hold(violation);
+}
+
+/// A multiplier whose slip reverses sticks in the next evaluation: Newton's method has passed over a state of stick,
+/// and would return, because the tangent of slip has no stiffness that stops it.
+template <int D> void ActiveSet<D>::stick_where_reversed(const Histories& histories) {
   using contact::ContactState, contact::FixedContactState;
   for (const auto& [index, before] : std::exchange(reversed_, {})) {
-    std::vector<FixedContactState>& fixed = controls[index.contact].fixed_states;
+    std::vector<FixedContactState>& fixed = fixed_[index.contact];
     if (fixed.empty()) continue; // freed meanwhile
     fixed[index.point] = before;
-    if (std::all_of(fixed.begin(), fixed.end(), [](auto state) { return state == FixedContactState::free; }))
-      fixed.clear();
+    if (std::ranges::all_of(fixed, [](auto state) { return state == FixedContactState::free; })) fixed.clear();
   }
   for (std::size_t k = 0; k < histories.size(); ++k) {
     const auto& results = histories[k].multiplier_results;
-    auto& before = frictions_[k];
-    before.resize(results.size(), contact::FaceCoordinates<D>::Zero());
+    auto& frictions = contacts_[k].frictions;
+    frictions.resize(results.size(), contact::FaceCoordinates<D>::Zero());
     for (std::size_t a = 0; a < results.size(); ++a) {
-      const contact::FaceCoordinates<D> last = before[a];
-      before[a].setZero();
-      if (results[a].state == ContactState::slip) before[a] = results[a].components;
-      if (!(before[a].dot(last) < 0)) continue;
-      std::vector<FixedContactState>& fixed = controls[k].fixed_states;
+      const contact::FaceCoordinates<D> last = frictions[a];
+      frictions[a].setZero();
+      if (results[a].state == ContactState::slip) frictions[a] = results[a].components;
+      if (!(frictions[a].dot(last) < 0)) continue;
+      std::vector<FixedContactState>& fixed = fixed_[k];
       fixed.resize(results.size(), FixedContactState::free);
       reversed_.push_back({{static_cast<int>(k), static_cast<int>(a)}, fixed[a]});
       fixed[a] = FixedContactState::stick;
@@ -85,84 +114,58 @@ template <int D> void ActiveSet<D>::stick_where_reversed(const Histories& histor
   }
 }
 
-template <int D> void ActiveSet<D>::note(const Histories& histories, double residual, Controls& controls) {
-  Entry entry{residual, {}};
-  entry.states.reserve(counts_.size());
-  for (const auto& history : histories)
-    for (int i = 0; i < constraints(history); ++i) entry.states.push_back(code(constraint(history, i)));
-  stick_where_reversed(histories, controls);
-  if (!entries_.empty() && options_.changes > 0 && !frozen_) {
-    const std::vector<unsigned char>& before = entries_.back().states;
-    for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += entry.states[i] != before[i];
-    for (std::size_t k = 0; k < histories.size(); ++k) {
-      const int count = constraints(histories[k]);
-      const int* counts = counts_.data() + first_[k];
-      if (std::none_of(counts, counts + count, [&](int changes) { return changes > options_.changes; })) continue;
-      std::vector<contact::FixedContactState>& fixed = controls[k].fixed_states;
-      fixed.assign(count, contact::FixedContactState::free);
-      for (int i = 0; i < count; ++i)
-        if (counts[i] > options_.changes) fixed[i] = fixed_state_for(constraint(histories[k], i).state);
-    }
+template <int D> void ActiveSet<D>::fix_changing(const Histories& histories, const std::vector<unsigned char>& states) {
+  if (entries_.empty()) return;
+  const auto often = [&](int changes) { return changes_too_often(options_, changes); };
+  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += states[i] != entries_.back().states[i];
+  for (std::size_t k = 0; k < histories.size(); ++k) {
+    const int first = contacts_[k].first, count = end(k) - first;
+    if (std::none_of(counts_.begin() + first, counts_.begin() + end(k), often)) continue;
+    fixed_[k].assign(count, contact::FixedContactState::free);
+    for (int i = 0; i < count; ++i)
+      if (often(counts_[first + i])) fixed_[k][i] = fixed_state_for(constraint(histories[k], i).state);
   }
-  entries_.push_back(std::move(entry));
-  if (entries_.size() > remembered_evaluations) entries_.pop_front();
 }
 
-template <int D>
-bool ActiveSet<D>::hold_back(const Histories& histories, const std::function<double(const PointIndex&)>& violation,
-                             Controls& controls) {
-  if (entries_.size() < 2 || frozen_) return false;
+/// Principal pivoting for multipliers that are unknowns (J. J. Júdice, F. M. Pires, Comput. Oper. Res. 21, 1994): all
+/// states change at once until those of an earlier evaluation return; then states are held so that only the one changes
+/// whose conditions are violated most, with those that equal it by symmetry: a choice that neither the direction of the
+/// face nor rounding error affects. With a penalty pressures are continuous in the gaps, and held states lead away from
+/// the solution.
+template <int D> bool ActiveSet<D>::hold(const std::function<double(const PointIndex&)>& violation) {
+  if (entries_.size() < 2) return false;
   const std::vector<unsigned char>& before = entries_[entries_.size() - 2].states;
   std::vector<unsigned char>& now = entries_.back().states;
   std::vector<PointIndex> changed;
-  for (std::size_t k = 0; k < histories.size(); ++k) {
-    if (!solved_[k]) continue;
-    if (!controls[k].fixed_states.empty()) return false;
-    for (int i = first_[k]; i < first_[k + 1]; ++i)
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    if (!contacts_[k].solved) continue;
+    if (!fixed_[k].empty()) return false;
+    for (int i = contacts_[k].first; i < end(k); ++i)
       if (now[i] != before[i] && now[i] != beyond && before[i] != beyond)
-        changed.push_back({static_cast<int>(k), i - first_[k]});
+        changed.push_back({static_cast<int>(k), i - contacts_[k].first});
   }
   if (changed.size() <= 1) return false;
-  // The same states twice are the beginning of a cycle, unless they are those of the accepted state, at the front.
-  const bool again =
-      std::any_of(entries_.begin() + 1, entries_.end() - 1, [&](const Entry& entry) { return entry.states == now; });
-  if (!again) return false;
+  // States that return are the beginning of a cycle, unless they are those of the accepted state, at the front.
+  if (std::none_of(entries_.begin() + 1, entries_.end() - 1, [&](const Entry& one) { return one.states == now; }))
+    return false;
   std::vector<double> violations;
   for (const PointIndex& index : changed) violations.push_back(violation(index));
   const double least = (1 - same_violation) * *std::max_element(violations.begin(), violations.end());
   for (std::size_t c = 0; c < changed.size(); ++c) {
-    const std::size_t i = first_[changed[c].contact] + changed[c].point;
+    const int i = contacts_[changed[c].contact].first + changed[c].point;
     if (violations[c] < least) now[i] = before[i];
   }
-  for (std::size_t k = 0; k < histories.size(); ++k)
-    for (int i = first_[k]; i < first_[k + 1] && solved_[k]; ++i)
-      controls[k].fixed_states.push_back(held_state(now[i]));
-  held_ = true;
+  for (std::size_t k = 0; k < contacts_.size(); ++k)
+    for (int i = contacts_[k].first; i < end(k) && contacts_[k].solved; ++i) fixed_[k].push_back(held_state(now[i]));
+  phase_ = Phase::held;
   return true;
 }
 
-template <int D> bool ActiveSet<D>::let_go(Controls& controls) {
-  if (!held_) return false;
-  for (auto& control : controls) control.fixed_states.clear();
-  held_ = false;
-  return true;
-}
-
-template <int D> void ActiveSet<D>::thaw(double ratio, Controls& controls) {
-  if (!frozen_ || ratio >= options_.freeze) return;
-  frozen_ = false;
-  for (auto& control : controls) control.fixed_states.clear();
-}
-
-template <int D> bool ActiveSet<D>::release(Controls& controls) {
-  bool fixed = false;
-  for (auto& control : controls) {
-    fixed = fixed || !control.fixed_states.empty();
-    control.fixed_states.clear();
-  }
-  std::fill(counts_.begin(), counts_.end(), 0);
-  if (fixed && !frozen_) ++rounds_;
-  frozen_ = false;
+template <int D> bool ActiveSet<D>::release_all() {
+  const bool fixed = std::ranges::any_of(fixed_, [](const auto& one) { return !one.empty(); });
+  if (phase_ != Phase::held) counts_.assign(counts_.size(), 0);
+  if (phase_ == Phase::free && fixed) ++rounds_;
+  release();
   return fixed;
 }
 
@@ -180,38 +183,34 @@ template <int D> int ActiveSet<D>::period() const {
   return 0;
 }
 
-/// Number of changes of each point's state in the last evaluations; `past_end`: only changes to or from beyond the
-/// master's end.
-template <int D> std::vector<int> ActiveSet<D>::changes(bool past_end) const {
-  std::vector<int> sums(counts_.size(), 0);
+/// Points with at least two changes of state in the last evaluations; `past_end`: only changes to or from beyond the
+/// master's end count.
+template <int D> std::vector<PointIndex> ActiveSet<D>::changing_points(bool past_end) const {
+  std::vector<int> changes(counts_.size(), 0), order;
   for (std::size_t k = entries_.size() - std::min(entries_.size(), recent_evaluations) + 1; k < entries_.size(); ++k)
-    for (std::size_t i = 0; i < sums.size(); ++i) {
+    for (std::size_t i = 0; i < changes.size(); ++i) {
       const unsigned char now = entries_[k].states[i], before = entries_[k - 1].states[i];
-      sums[i] += now != before && (!past_end || now == beyond || before == beyond);
+      changes[i] += now != before && (!past_end || now == beyond || before == beyond);
     }
-  return sums;
-}
-
-template <int D> std::vector<PointIndex> ActiveSet<D>::points_with(const std::vector<int>& changes, int least) const {
-  std::vector<int> order;
-  for (std::size_t i = 0; i < changes.size(); ++i)
-    if (changes[i] >= least) order.push_back(static_cast<int>(i));
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return changes[a] > changes[b]; });
+  for (int i = 0; i < std::ssize(changes); ++i)
+    if (changes[i] >= 2) order.push_back(i);
+  std::ranges::stable_sort(order, [&](int a, int b) { return changes[a] > changes[b]; });
   std::vector<PointIndex> points;
-  for (int i : order) {
-    const auto contact = std::upper_bound(first_.begin(), first_.end(), i) - first_.begin() - 1;
-    points.push_back({static_cast<int>(contact), i - first_[contact]});
+  for (const int i : order) {
+    const auto after = std::ranges::upper_bound(contacts_, i, {}, &ContactEntry::first);
+    points.push_back({static_cast<int>(after - contacts_.begin()) - 1, i - std::prev(after)->first});
   }
   return points;
 }
 
-template <int D> std::vector<PointIndex> ActiveSet<D>::cycling_points() const {
-  return points_with(changes(false), 2);
+/// Index after a contact's last constraint.
+template <int D> int ActiveSet<D>::end(std::size_t contact) const {
+  return contact + 1 < contacts_.size() ? contacts_[contact + 1].first : static_cast<int>(counts_.size());
 }
 
 template <int D> std::string ActiveSet<D>::alternating(const PointIndex& index) const {
-  const std::size_t i = first_[index.contact] + index.point;
-  const bool frictional = frictional_[index.contact];
+  const std::size_t i = contacts_[index.contact].first + index.point;
+  const bool frictional = contacts_[index.contact].frictional;
   const auto name = [&](unsigned char code) -> std::string {
     if (code == beyond) return "beyond";
     const auto state = static_cast<contact::ContactState>(code);
@@ -227,10 +226,6 @@ template <int D> std::string ActiveSet<D>::alternating(const PointIndex& index) 
     names = names.empty() ? name(code) : name(code) + " / " + names;
   }
   return names;
-}
-
-template <int D> std::vector<PointIndex> ActiveSet<D>::cycling_past_end() const {
-  return points_with(changes(true), 2);
 }
 
 template class ActiveSet<2>;

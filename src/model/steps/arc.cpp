@@ -6,13 +6,6 @@
 
 namespace signorini::model {
 
-/// Data of an arc-length increment.
-struct Arc {
-  VectorX direction; ///< of the targets, up to λ = 1
-  double length;
-  VectorX tangent = {}; ///< t times the weights of the inner product, from the predictor
-};
-
 namespace {
 
 /// Sets prescribed displacements and loads to the values at `targets`.
@@ -23,66 +16,81 @@ template <int D> void move_targets(Model<D>& model, const VectorX& targets) {
   model.present.targets = targets;
 }
 
-template <int D> bool advance(Model<D>& model, const StepOptions& options, Arc& arc, double& energy) {
+template <int D> class ArcStep final : public StepProblem<D> {
+public:
+  ArcStep(Model<D>& of, const StepOptions& with, double length)
+      : StepProblem<D>(of, with), direction_(of.targets - of.accepted.targets), length_(length) {}
+
+  solve::Outcome evaluate(bool tangent, Message& why) override {
+    const VectorX rate = model.system.drives.rate(model.present.targets, direction_);
+    return model::evaluate(model, {tangent, tangent ? &rate : nullptr}, why);
+  }
+  std::optional<double> advance() override;
+  /// λ: 0 at the accepted state, 1 at the targets.
+  double fraction() const { return fraction_; }
+
+private:
+  using StepProblem<D>::model;
+
+  const VectorX direction_; ///< of the targets, up to λ = 1
+  const double length_;
+  VectorX tangent_; ///< t times the weights of the inner product, from the predictor
+  double fraction_ = 0;
+};
+
+template <int D> std::optional<double> ArcStep<D>::advance() {
   ScopedTimer timer(model.timings.linear);
   System<D>& system = model.system;
   const Unknowns<D>& unknowns = system.unknowns;
   State<D>& present = model.present;
-  if (unknowns.size() == 0 || !factor(model, options)) return false;
-  // K δ₁ = −f,  K δ₂ = −∂f/∂λ with ∂f/∂λ = K_p ∂u_p/∂λ − ∂f_ext/∂λ
+  if (unknowns.size() == 0 || !this->factor()) return std::nullopt;
+  // [theory 10.6] K δ₁ = −f,  K δ₂ = −∂f/∂λ with ∂f/∂λ = K_p ∂u_p/∂λ − ∂f_ext/∂λ
   const VectorX force = -model.unbalanced;
-  VectorX load_rate = system.drives.force(arc.direction);
-  system.followers.add_force(present.displacement, arc.direction, load_rate);
+  VectorX load_rate = system.drives.force(direction_);
+  system.followers.add_force(present.displacement, direction_, load_rate);
   const VectorX change = -unknowns.gather(system.assembly.product() - load_rate);
   VectorX first = force, second = change;
-  if (!solve_for(model, first) || !solve_for(model, second)) return false;
-  if (!first.allFinite() || !second.allFinite()) return false;
+  if (!this->solve(first) || !this->solve(second)) return std::nullopt;
   const VectorX step = unknowns.spread(first), free_rate = unknowns.spread(second);
-  const VectorX rate = free_rate + system.drives.rate(present.targets, arc.direction);
+  const VectorX rate = free_rate + system.drives.rate(present.targets, direction_);
   double lambda;
-  if (arc.tangent.size() == 0) {
+  if (tangent_.size() == 0) {
     // Predictor: along the curve's tangent, in the sense of the last step
     const VectorX weighted = system.path_weights().cwiseProduct(rate);
     const double speed = std::sqrt(rate.dot(weighted));
     const bool back = weighted.dot(model.path.increment) < 0;
-    lambda = (back ? -1 : 1) * arc.length / speed;
-    arc.tangent = weighted / (back ? -speed : speed);
+    lambda = (back ? -1 : 1) * length_ / speed;
+    tangent_ = weighted / (back ? -speed : speed);
   } else {
-    // t·(u + δ₁ + δλ (δ₂ + ∂u_p/∂λ) − u₀) = length, t with the weights of the inner product
-    lambda = (arc.length - arc.tangent.dot(present.displacement - model.accepted.displacement + step)) /
-             arc.tangent.dot(rate);
+    // [theory 10.6] t·(u + δ₁ + δλ (δ₂ + ∂u_p/∂λ) − u₀) = length, t with the weights of the inner product
+    lambda = (length_ - tangent_.dot(present.displacement - model.accepted.displacement + step)) / tangent_.dot(rate);
   }
-  if (!std::isfinite(lambda)) return false;
-  energy = std::abs((force + lambda * change).dot(first + lambda * second));
+  if (!std::isfinite(lambda)) return std::nullopt;
   present.displacement += step + lambda * free_rate;
-  model.step->fraction += lambda;
-  move_targets<D>(model, model.accepted.targets + model.step->fraction * arc.direction);
-  return true;
+  fraction_ += lambda;
+  move_targets<D>(model, model.accepted.targets + fraction_ * direction_);
+  return -(force + lambda * change).dot(first + lambda * second);
 }
 
 } // namespace
 
-template <int D> solve::NewtonReport solve_arc(Model<D>& model, const StepOptions& options, double length) {
-  Arc arc{model.targets - model.accepted.targets, length};
-  require((arc.direction.array() != 0).any(), "model.arc.no_path");
+template <int D>
+ArcReport solve_arc(Model<D>& model, const StepOptions& options, double length, const AfterIteration& after) {
+  require(model.targets != model.accepted.targets, "model.arc.no_path");
   require(length > 0, "model.arc.length", {{"length", length}});
   for (std::size_t k = 0; k < model.system.contacts.size(); ++k)
     require(!model.system.contacts[k]->augmented(), "model.arc.augmented",
             {{"contact", model.system.scene.contacts[k].name}});
-  begin_contacts(model, {}, false);
+  begin_contacts(model, {});
   model.step = Step{{}, true};
-  VectorX rate;
-  const auto assemble = [&](bool wanted, Message& why) {
-    rate = model.system.drives.rate(model.present.targets, arc.direction);
-    return evaluate(model, wanted ? &rate : nullptr, wanted, why);
-  };
-  const auto step = [&](double& energy) { return advance(model, options, arc, energy); };
-  const solve::NewtonSystem system = newton_system<D>(model, assemble, step);
-  while (solve::iterate(system, options.newton, true, model.step->report))
-    if (options.after_iteration) options.after_iteration();
-  if (options.after_iteration) options.after_iteration();
+  ArcStep<D> problem(model, options, length);
+  bool goes_on = true;
+  while (goes_on) {
+    goes_on = solve::iterate(problem, options.newton, true, model.step->report);
+    if (after) after();
+  }
   model.targets = model.present.targets;
-  return model.step->report;
+  return {model.step->report, problem.fraction()};
 }
 
 template <int D> double last_length(Model<D>& model) {
@@ -90,7 +98,7 @@ template <int D> double last_length(Model<D>& model) {
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template solve::NewtonReport solve_arc(Model<D>&, const StepOptions&, double);                                       \
+  template ArcReport solve_arc(Model<D>&, const StepOptions&, double, const AfterIteration&);                          \
   template double last_length(Model<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

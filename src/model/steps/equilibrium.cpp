@@ -12,14 +12,33 @@
 
 namespace signorini::model {
 
-template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, Message& why) {
+namespace {
+
+/// Rules for the contacts in an evaluation of the present state; `guess`: it is the first guess of a step.
+template <int D>
+std::vector<contact::Controls> controls_of(const Model<D>& model, const InitialContact& initial, bool guess) {
+  const contact::Controls all{.guessed = initial.tolerance, .onward = initial.onward};
+  std::vector<contact::Controls> controls(model.system.contacts.size(), all);
+  for (std::size_t k = 0; k < controls.size() && model.step; ++k) {
+    controls[k].fixed_states = model.active_set.fixed(static_cast<int>(k));
+    controls[k].landing = model.step->closing && model.step->closing->contacts[k];
+    controls[k].foresees = guess && !controls[k].landing;
+  }
+  return controls;
+}
+
+} // namespace
+
+template <int D> solve::Outcome evaluate(Model<D>& model, const EvaluationOptions& wanted, Message& why) {
+  if (!model.step) set_loads(model, model.targets);
   follow_angles(model.system.unknowns, model.present.displacement);
-  // The first state of a step away from the accepted one is its guess, except for contacts that damping closes.
-  const bool guess = model.step && !model.step->foreseen && model.present.displacement != model.accepted.displacement;
-  for (auto& control : model.controls) control.foresees = guess && !control.landing;
-  if (guess) model.step->foreseen = true;
-  const auto inverted = model.system.assembly.assemble({model.present, model.accepted, model.controls, model.acting},
-                                                       direction, tangent, model.timings);
+  // The first state of a step away from the accepted one is its guess.
+  const bool guess =
+      model.step && !model.step->guess_evaluated && model.present.displacement != model.accepted.displacement;
+  if (guess) model.step->guess_evaluated = true;
+  const std::vector<contact::Controls> controls = controls_of(model, wanted.initial, guess);
+  const auto inverted = model.system.assembly.assemble({model.present, model.accepted, controls, model.acting},
+                                                       wanted.direction, wanted.tangent, model.timings);
   take_residual(model);
   if (!inverted) return solve::Outcome::converged;
   model.inversion = inverted;
@@ -59,15 +78,6 @@ template <int D> void damp(Model<D>& model) {
   system.assembly.add_diagonal(shift);
 }
 
-/// Whether an unconstrained body or obstacle takes part in a contact.
-template <int D> bool has_unconstrained(System<D>& system, const Contact<D>& contact) {
-  const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);
-  const auto acts = [&](const UnconstrainedMotion& motion) { return acts_on(contact, motion.body); };
-  const auto is_master = [&](const UnconstrainedObstacle& motion) { return motion.obstacle == obstacle->obstacle; };
-  return std::ranges::any_of(system.unconstrained(), acts) ||
-         (obstacle && std::ranges::any_of(system.unconstrained_obstacles(), is_master));
-}
-
 } // namespace
 
 template <int D> Tangent tangent_of(const Assembly<D>& assembly) {
@@ -80,21 +90,21 @@ template <int D> Tangent tangent_of(const Assembly<D>& assembly) {
           assembly.contact().version()};
 }
 
-template <int D> bool factor(Model<D>& model, const StepOptions& options) {
+template <int D> bool StepProblem<D>::factor(bool viscous) {
   ScopedTimer timer(model.timings.factorization);
   if (options.damping) damp(model);
   const Assembly<D>& assembly = model.system.assembly;
-  // The viscosity of pseudo-transient continuation acts on all unknowns; constant factors of the bodies do not have it.
-  const bool viscous = !assembly.constant().values().empty() && model.step->pseudo_time.damping() > 0;
-  const bool chosen = !viscous || options.linear != solve::LinearKind::condensed;
+  // Constant factors of the bodies do not have a viscosity, which acts on all unknowns.
+  const bool changed = viscous && !assembly.constant().values().empty();
+  const bool replaced = changed && options.linear == solve::LinearKind::condensed;
   return model.linear.factor(tangent_of(assembly),
-                             {chosen ? options.linear : solve::LinearKind::automatic,
-                              viscous || (options.damping && model.system.has_unconstrained()), options.mumps});
+                             {replaced ? solve::LinearKind::automatic : options.linear,
+                              changed || (options.damping && model.system.has_unconstrained()), options.mumps});
 }
 
-template <int D> bool solve_for(Model<D>& model, VectorX& b, bool fully) {
+template <int D> bool StepProblem<D>::solve(VectorX& b, bool fully) {
   ScopedTimer timer(model.timings.solution);
-  return model.linear.solve(b, fully);
+  return model.linear.solve(b, fully) && b.allFinite();
 }
 
 template <int D> solve::Outcome check_crossing(Model<D>& model, Message& why) {
@@ -106,19 +116,6 @@ template <int D> solve::Outcome check_crossing(Model<D>& model, Message& why) {
       return solve::Outcome::crossed;
     }
   return solve::Outcome::converged;
-}
-
-template <int D>
-solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(bool, Message&)> assemble,
-                                  std::function<bool(double&)> advance) {
-  solve::NewtonSystem system;
-  system.assemble = std::move(assemble);
-  system.advance = std::move(advance);
-  system.residual = [&] { return model.unbalanced.norm(); };
-  system.scale = [&] { return force_norm(model); };
-  system.floor = [&] { return rounding_floor(model); };
-  system.conclude = [&](Message& why) { return check_crossing(model, why); };
-  return system;
 }
 
 template <int D> double contact_norm(const Model<D>& model) {
@@ -140,10 +137,10 @@ template <int D> double largest_position(const Model<D>& model) {
   return model.system.size + displacement.template lpNorm<Eigen::Infinity>();
 }
 
-/// ε |K| (|X| + |u|), in 3D four times as much, because a row sums about ten times as many products. Errors of rows are
-/// independent, hence |K| is the 2-norm of the diagonal. Gaps are differences of positions with errors of ε (|X| +
-/// |u|), which contact multiplies by its stiffness. Unconstrained bodies go farther than `far_away`: |u| is limited,
-/// because otherwise their loads, too, would be rounding errors.
+/// [theory 10.2] ε |K| (|X| + |u|), in 3D four times as much, because a row sums about ten times as many products.
+/// Errors of rows are independent, hence |K| is the 2-norm of the diagonal. Gaps are differences of positions with
+/// errors of ε (|X| + |u|), which contact multiplies by its stiffness. Unconstrained bodies go farther than `far_away`:
+/// |u| is limited, because otherwise their loads, too, would be rounding errors.
 template <int D> double rounding_floor(const Model<D>& model) {
   const System<D>& system = model.system;
   const State<D>& state = model.present;
@@ -157,7 +154,6 @@ template <int D> double rounding_floor(const Model<D>& model) {
 }
 
 template <int D> bool contact_acts(const Model<D>& model, double rounding) {
-  constexpr double noticeable = 1e-9; // strain
   double softest = std::numeric_limits<double>::infinity(), force = 0, pressure = 0;
   for (const NamedBody<D>& named : model.system.scene.bodies)
     softest = std::min(softest, named.body->material().constants().youngs_modulus);
@@ -166,7 +162,7 @@ template <int D> bool contact_acts(const Model<D>& model, double rounding) {
       force += std::abs(point.pressure) * point.area;
       pressure = std::max(pressure, std::abs(point.pressure));
     }
-  return force > rounding || pressure > noticeable * softest;
+  return force > rounding || pressure > noticeable_strain * softest;
 }
 
 template <int D> bool is_deformed(const Model<D>& model) {
@@ -177,53 +173,28 @@ template <int D> bool is_deformed(const Model<D>& model) {
   return model.system.energy.of_all(model.accepted.displacement, model.accepted.internal) > bound;
 }
 
-template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& options, bool damping) {
-  System<D>& system = model.system;
-  model.controls.assign(system.contacts.size(), {});
+template <int D> void begin_contacts(Model<D>& model, const ActiveSetOptions& options) {
   // With another penalty factor a step goes on from its last state, and with the touches that it has foreseen.
-  const bool begins = model.present.displacement == model.accepted.displacement;
-  for (std::size_t k = 0; k < system.contacts.size() && begins; ++k)
-    forget_touches(model.present.contacts[k], model.accepted.contacts[k]);
-  model.active_set.begin(system.contacts, model.present.contacts, options, model.controls);
-  bool any = false;
-  for (std::size_t k = 0; k < system.contacts.size() && damping; ++k) {
-    const Contact<D>& contact = system.scene.contacts[k];
-    const bool falls = system.contacts[k]->active(model.present.contacts[k]) &&
-                       resultant(model.present.contacts[k]).active == 0 && has_unconstrained(system, contact);
-    model.controls[k].landing = falls;
-    any = any || falls;
-  }
-  return any;
-}
-
-template <int D> void judge_lead(Model<D>& model) {
-  Message why;
-  const solve::Outcome outcome = evaluate(model, nullptr, true, why);
-  require(outcome == solve::Outcome::converged, "model.step.no_residual", {{"why", why}});
-  const double tolerance = solve::NewtonOptions{}.tolerance * force_norm(model) + rounding_floor(model);
-  require(model.unbalanced.norm() <= tolerance, "model.step.unbalanced",
-          {{"residual", model.unbalanced.norm()}, {"tolerance", tolerance}});
-  model.step->report.outcome = check_crossing(model, why);
+  if (model.present.displacement == model.accepted.displacement)
+    for (std::size_t k = 0; k < model.present.contacts.size(); ++k)
+      forget_touches(model.present.contacts[k], model.accepted.contacts[k]);
+  model.active_set.begin(model.system.contacts, model.present.contacts, options);
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template solve::Outcome evaluate(Model<D>&, const VectorX*, bool, Message&);                                         \
+  template class StepProblem<D>;                                                                                       \
+  template solve::Outcome evaluate(Model<D>&, const EvaluationOptions&, Message&);                                     \
   template void set_loads(Model<D>&, const VectorX&);                                                                  \
   template void take_residual(Model<D>&);                                                                              \
   template Tangent tangent_of(const Assembly<D>&);                                                                     \
-  template bool factor(Model<D>&, const StepOptions&);                                                                 \
-  template bool solve_for(Model<D>&, VectorX&, bool);                                                                  \
-  template solve::Outcome check_crossing(Model<D>&, Message&);                                                         \
-  template solve::NewtonSystem newton_system(Model<D>&, std::function<solve::Outcome(bool, Message&)>,                 \
-                                             std::function<bool(double&)>);                                            \
   template double contact_norm(const Model<D>&);                                                                       \
   template double force_norm(const Model<D>&);                                                                         \
   template double largest_position(const Model<D>&);                                                                   \
   template double rounding_floor(const Model<D>&);                                                                     \
   template bool contact_acts(const Model<D>&, double);                                                                 \
   template bool is_deformed(const Model<D>&);                                                                          \
-  template bool begin_contacts(Model<D>&, const ActiveSetOptions&, bool);                                              \
-  template void judge_lead(Model<D>&);
+  template solve::Outcome check_crossing(Model<D>&, Message&);                                                         \
+  template void begin_contacts(Model<D>&, const ActiveSetOptions&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

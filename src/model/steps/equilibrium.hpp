@@ -6,10 +6,23 @@
 
 namespace signorini::model {
 
-/// Evaluates the residual, and on request the tangent, of the present state; Assembly::product() becomes the full
-/// tangent times `direction` (all degrees of freedom, may be null). Returns `converged`, or on failure the outcome and
-/// its reason `why`.
-template <int D> solve::Outcome evaluate(Model<D>& model, const VectorX* direction, bool tangent, Message& why);
+/// Initial contact tolerance [theory 10.3], where otherwise rounding error would decide the states of constraints; see
+/// contact::Controls::guessed and onward.
+struct InitialContact {
+  double tolerance = 0;
+  bool onward = false;
+};
+
+struct EvaluationOptions {
+  bool tangent = true; ///< besides the residual
+  /// Assembly::product() becomes the full tangent times it, by degree of freedom.
+  const VectorX* direction = nullptr;
+  InitialContact initial = {};
+};
+};
+
+/// Evaluates the present state. Returns `converged`, or on failure the outcome and its reason `why`.
+template <int D> solve::Outcome evaluate(Model<D>& model, const EvaluationOptions& wanted, Message& why);
 /// Sets the targets at which the loads act.
 template <int D> void set_loads(Model<D>& model, const VectorX& targets);
 /// Computes the residual from the present state's force and displacement.
@@ -17,19 +30,6 @@ template <int D> void take_residual(Model<D>& model);
 
 /// The assembled tangent, for a linear solver.
 template <int D> Tangent tangent_of(const Assembly<D>& assembly);
-/// Factors the tangent, with damping if options.damping; returns false if it is singular.
-template <int D> bool factor(Model<D>& model, const StepOptions& options);
-/// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular. `fully`: see LinearSolution.
-template <int D> bool solve_for(Model<D>& model, VectorX& b, bool fully = false);
-
-/// `crossed` if points of a contact have passed through the master since the accepted state, with the contact's name in
-/// `why`, otherwise `converged`. Such an equilibrium is not on the path: contact was not detected where it acts.
-template <int D> solve::Outcome check_crossing(Model<D>& model, Message& why);
-
-/// The interface that Newton's loop needs, with given functions `assemble` and `advance`.
-template <int D>
-solve::NewtonSystem newton_system(Model<D>& model, std::function<solve::Outcome(bool, Message&)> assemble,
-                                  std::function<bool(double&)> advance);
 
 /// Norm of the contact forces at the points of the present state.
 template <int D> double contact_norm(const Model<D>& model);
@@ -40,17 +40,37 @@ template <int D> double force_norm(const Model<D>& model);
 template <int D> double largest_position(const Model<D>& model);
 /// Estimated rounding error of the residual.
 template <int D> double rounding_floor(const Model<D>& model);
-/// Whether a contact presses or pulls: with forces above their rounding error, or with pressures that strain a body by
-/// more than 1e-9. Faces that only touch have neither.
+/// True if a contact presses or pulls: with forces above their rounding error, or with pressures that strain a body by
+/// more than `noticeable_strain`. Faces that only touch have neither.
 template <int D> bool contact_acts(const Model<D>& model, double rounding);
-/// Whether the bodies are deformed, beyond the rounding error of a rigid motion, in the accepted state.
+/// True if the bodies are deformed, beyond the rounding error of a rigid motion, in the accepted state.
 template <int D> bool is_deformed(const Model<D>& model);
 
-/// Starts the active set of a step. With damping, sets Controls::landing of open contacts of unconstrained bodies;
-/// returns whether there are any.
-template <int D> bool begin_contacts(Model<D>& model, const ActiveSetOptions& options, bool damping);
+/// `crossed` if points of a contact have passed through the master since the accepted state, with the contact's name in
+/// `why`, otherwise `converged`. Such an equilibrium is not on the path: contact was not detected where it acts.
+template <int D> solve::Outcome check_crossing(Model<D>& model, Message& why);
 
-/// Marks a step of move_by() as converged if the residual is below the default tolerance, otherwise throws Error.
-template <int D> void judge_lead(Model<D>& model);
+/// Starts the active set of a step.
+template <int D> void begin_contacts(Model<D>& model, const ActiveSetOptions& options);
+
+/// A step as a problem for Newton's method, to which steppers add evaluation and moves.
+template <int D> struct StepProblem : solve::NewtonProblem {
+  StepProblem(Model<D>& of, const StepOptions& with) : model(of), options(with) {}
+
+  double residual() const override { return model.unbalanced.norm(); }
+  double scale() const override { return force_norm(model); }
+  double floor() const override { return rounding_floor(model); }
+  solve::Outcome conclude(Message& why) override { return check_crossing(model, why); }
+
+  /// Factors the tangent, with damping if options.damping; returns false if it is singular. `viscous`: the damping of
+  /// pseudo-transient continuation has been added to it.
+  bool factor(bool viscous = false);
+  /// Overwrites b by K⁻¹ b; requires factor(). Returns false if the tangent is singular or the result not finite.
+  /// `fully`: see solve::LinearSolver.
+  bool solve(VectorX& b, bool fully = false);
+
+  Model<D>& model;
+  const StepOptions& options;
+};
 
 } // namespace signorini::model

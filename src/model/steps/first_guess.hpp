@@ -1,20 +1,19 @@
 #pragma once
 // The first guess of a step at new targets, extrapolated from the last accepted steps.
 
-#include "model/steps/model.hpp"
+#include "model/steps/equilibrium.hpp"
 
 namespace signorini::model {
 
 /// Moves the present state, which is the accepted one, to a predictor's guess with the prescribed displacements changed
 /// by `prescribed`. Returns false without a change for the tangent predictor, and where an extrapolation must not be
 /// used: the path turns, or the last step deviated too much from its own extrapolation.
-template <int D> bool guess_first(Model<D>& model, Predictor predictor, const VectorX& prescribed);
+template <int D> bool apply_predictor(Model<D>& model, Predictor predictor, const VectorX& prescribed);
 
 /// Records an accepted step, `increment` from the accepted state to the present one, for the guesses of the next ones.
-template <int D> void note_increment(Model<D>& model, const VectorX& increment);
+template <int D> void record_increment(Model<D>& model, const VectorX& increment);
 
-/// Sets the contact tolerance for the first guess of a step to other targets, where otherwise rounding error would
-/// decide the states of points; `wanted` = false removes it.
-template <int D> void expect_guess(Model<D>& model, bool wanted);
+/// Tolerance of initial contact in the first guess of a step to other targets.
+template <int D> InitialContact initial_contact(const Model<D>& model);
 
 } // namespace signorini::model

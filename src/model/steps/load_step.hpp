@@ -6,18 +6,17 @@
 namespace signorini::model {
 
 /// Solves for the current targets by Newton's method, starting from the present state, which is the accepted one unless
-/// a step was abandoned without a roll-back. Does not accept.
-template <int D> solve::NewtonReport solve_step(Model<D>& model, const StepOptions& options);
+/// a step was abandoned without a roll-back. Calls `after` after each iteration, if given. Does not accept.
+template <int D>
+solve::NewtonReport solve_step(Model<D>& model, const StepOptions& options, const AfterIteration& after = {});
 /// One iteration of solve_step(); the first one after accept(), rollback(), new targets or a new penalty factor begins
 /// a step. Returns the report so far; once its outcome is not `iterating`, further calls do nothing.
-template <int D> const solve::NewtonReport& iterate(Model<D>& model, const StepOptions& options);
+template <int D>
+const solve::NewtonReport& iterate(Model<D>& model, const StepOptions& options, const AfterIteration& after = {});
 
 /// Adds a given change to the unknowns; the first move of a step also sets the prescribed displacements to their
 /// targets. solve_step() and iterate() continue from there, and accept() checks equilibrium. Throws Error unless there
 /// is one finite value per unknown.
 template <int D> void move_by(Model<D>& model, const VectorX& change);
-/// Evaluates residual, tangent and contacts at the present state. Returns `converged`, or on failure the outcome and
-/// its reason `why`.
-template <int D> solve::Outcome evaluate(Model<D>& model, Message& why);
 
 } // namespace signorini::model

@@ -22,13 +22,13 @@ template <int D>
 Model<D>::Model(Scene<D> scene, NotStarted)
     : system(std::move(scene)), accepted(system.start()), present(accepted),
       targets(accepted.targets), path{accepted.displacement, targets, accepted.displacement, targets}, acting(targets),
-      dead(system.drives.force(targets)), external(dead), controls(system.contacts.size()),
-      linear(linear_facts(system)), projected_volumes(system.scene.bodies.size()) {}
+      dead(system.drives.force(targets)), external(dead), linear(linear_facts(system)),
+      projected_volumes(system.scene.bodies.size()) {}
 
 template <int D> Model<D>::Model(Scene<D> scene) : Model(std::move(scene), NotStarted{}) {
   // Friction at points that close later starts from their foot points in the initial state.
   Message why;
-  evaluate(*this, nullptr, false, why);
+  evaluate(*this, {.tangent = false}, why);
   system.commit(present, accepted);
   accepted = present;
   scene_warnings = check_clearance(system, accepted.contacts);
@@ -64,14 +64,6 @@ template <int D> void set_contact(Model<D>& model, int contact, const contact::C
   model.step.reset();
 }
 
-template <int D> std::optional<double> straight_ratio(const Model<D>& model, const VectorX& targets) {
-  const VectorX step = targets - model.accepted.targets, last = model.accepted.targets - model.path.previous_targets;
-  if (!(last.squaredNorm() > 0)) return std::nullopt;
-  const double ratio = step.dot(last) / last.squaredNorm();
-  if ((step - ratio * last).norm() > straight * step.norm()) return std::nullopt;
-  return ratio;
-}
-
 template <int D> bool settled(const Model<D>& model) {
   const State<D>&accepted = model.accepted, &present = model.present;
   const auto same_law = [](const auto& a, const auto& b) { return a.changes == b.changes; };
@@ -90,12 +82,23 @@ template <int D> VectorX balanced_force(const Model<D>& model) {
   return force;
 }
 
+/// Marks a step of move_by() as converged if the residual is below the default tolerance, otherwise throws Error.
+template <int D> void check_equilibrium(Model<D>& model) {
+  Message why;
+  const solve::Outcome outcome = evaluate(model, {}, why);
+  require(outcome == solve::Outcome::converged, "model.step.no_residual", {{"why", why}});
+  const double tolerance = solve::NewtonOptions{}.tolerance * force_norm(model) + rounding_floor(model);
+  require(model.unbalanced.norm() <= tolerance, "model.step.unbalanced",
+          {{"residual", model.unbalanced.norm()}, {"tolerance", tolerance}});
+  model.step->report.outcome = check_crossing(model, why);
+}
+
 template <int D> void accept(Model<D>& model) {
   if (!model.step) {
     require(settled(model), "model.accept.unsolved");
     return;
   }
-  if (model.step->lead && model.step->report.outcome == solve::Outcome::iterating) judge_lead(model);
+  if (model.step->moved_by_user && model.step->report.outcome == solve::Outcome::iterating) check_equilibrium(model);
   const solve::Outcome outcome = model.step->report.outcome;
   require(outcome != solve::Outcome::iterating, "model.accept.iterating");
   require(outcome == solve::Outcome::converged, "model.accept.failed", {{"reason", solve::name_of(outcome)}});
@@ -105,7 +108,7 @@ template <int D> void accept(Model<D>& model) {
   model.system.commit(present, accepted);
   const auto displacements = model.system.unknowns.displacements();
   const VectorX increment = present.displacement - accepted.displacement;
-  note_increment(model, increment);
+  record_increment(model, increment);
   path.work += 0.5 * (balanced_force(model) + present.force.head(displacements)).dot(increment.head(displacements));
   present.targets = model.targets;
   accepted = present;
@@ -121,7 +124,6 @@ template <int D> void rollback(Model<D>& model) {
   for (auto& history : model.accepted.contacts) look_again(history); // the penalty factor may have changed
   model.present = model.accepted;
   model.targets = model.accepted.targets;
-  model.controls.assign(model.system.contacts.size(), {});
   set_loads(model, model.targets);
   // Reactions and contact results are those of the accepted state, bitwise.
   take_residual(model);
@@ -153,7 +155,6 @@ template <int D> void settle(Model<D>& model) {
   template double accepted_target(const Model<D>&, int, int);                                                          \
   template void set_penalty_factor(Model<D>&, double);                                                                 \
   template void set_contact(Model<D>&, int, const contact::Changes&);                                                  \
-  template std::optional<double> straight_ratio(const Model<D>&, const VectorX&);                                      \
   template bool settled(const Model<D>&);                                                                              \
   template void accept(Model<D>&);                                                                                     \
   template void rollback(Model<D>&);                                                                                   \

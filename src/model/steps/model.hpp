@@ -22,7 +22,7 @@ struct NotStarted {};
 /// length). Before a step and after a roll-back the present state equals the accepted one.
 template <int D> struct Model {
   explicit Model(Scene<D> scene);
-  /// Without an evaluation and warnings.
+  /// Constructs without evaluating the initial state or issuing warnings.
   Model(Scene<D> scene, NotStarted);
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
@@ -38,12 +38,11 @@ template <int D> struct Model {
   VectorX unbalanced;       ///< the residual by unknown, which Newton's method reduces to zero
   std::optional<Step> step; ///< the current step; none in the accepted state
   ActiveSet<D> active_set;
-  std::vector<contact::Controls> controls; ///< of the contacts in the current step
   /// The last inverted element since the last roll-back.
   std::optional<BodyInversion> inversion;
   LinearSolution linear;
-  /// Whether the last step's last tangent was that of its equilibrium, up to a small correction, and had positive
-  /// pivots only: the accepted state is stable.
+  /// The last step's last tangent was that of its equilibrium, up to a small correction, and had positive pivots only:
+  /// the accepted state is stable.
   bool definite = false;
   Timings timings;
   /// By body, for the stress at points; what they keep does not affect results.
@@ -69,7 +68,7 @@ template <int D> void set_contact(Model<D>& model, int contact, const contact::C
 template <int D> void accept(Model<D>& model);
 /// Restores the accepted state, including its targets.
 template <int D> void rollback(Model<D>& model);
-/// Whether present state, targets, penalties and constants of contacts are the accepted ones and there is no current
+/// True if present state, targets, penalties and constants of contacts are the accepted ones and there is no current
 /// step.
 template <int D> bool settled(const Model<D>& model);
 
@@ -87,9 +86,5 @@ template <int D> void restore(Model<D>& model, const Snapshot<D>& snapshot);
 /// projections. Afterwards the model gives bitwise the same results as any model of the same scene that is restored to
 /// this state and settled. No step may be pending.
 template <int D> void settle(Model<D>& model);
-
-/// The step from the accepted targets to `targets` as a multiple of the last accepted step; empty if the path is not
-/// straight.
-template <int D> std::optional<double> straight_ratio(const Model<D>& model, const VectorX& targets);
 
 } // namespace signorini::model

@@ -1,29 +1,39 @@
 #pragma once
-// State of the current step.
+// State of the current step between its iterations.
 
 #include "base/eigen.hpp"
 #include "solve/newton.hpp"
 #include "solve/pseudo_time.hpp"
 
+#include <optional>
+
 namespace signorini::model {
+
+/// Contacts of unconstrained bodies that are open at the start of a step, see contact::Controls::landing.
+struct ClosingContacts {
+  std::vector<char> contacts; ///< by contact, true if it is one of them
+  double largest_energy = 0;  ///< |f·Δu|, since any contact has closed
+};
+
+/// State of pseudo-transient continuation.
+struct PseudoTransient {
+  VectorX viscosity; ///< D, by unknown
+  VectorX origin;    ///< displacement at its start
+  solve::PseudoTime time = {};
+};
 
 struct Step {
   VectorX increment = {}; ///< of prescribed displacements, to be applied with the first solution
-  bool pending = false;   ///< whether `increment` is nonzero
+  bool pending = false;   ///< `increment` was not zero when the step began
   solve::NewtonReport report = {};
-  bool moved = true;     ///< the state has changed since the active set recorded it
-  bool lead = false;     ///< the last change of the state was by move_by()
-  bool foreseen = false; ///< a state away from the accepted one was the guess, see contact::Controls::foresees
-  bool landing = false;  ///< unconstrained bodies are coming into contact, see contact::Controls
-  double impact = 0;     ///< largest |f·Δu| since their first contact
+  bool moved_by_user = false;   ///< the last change of the state was by move_by()
+  bool guess_evaluated = false; ///< a state away from the accepted one was the guess: contact::Controls::foresees
+  bool definite = false;        ///< see Model
   int augmentations = 0;
-  VectorX before = {}, move = {}; ///< for line search: the state before the last move, and the move
-  double slope = 0;               ///< f·Δu in that state
-  bool definite = false;          ///< see Model
-  solve::PseudoTime pseudo_time = {};
-  VectorX viscosity = {}; ///< D of pseudo-transient continuation, by unknown
-  VectorX origin = {};    ///< displacement at its start
-  double fraction = 0;    ///< λ of an arc-length increment: 0 at the accepted state, 1 at the targets
+  std::optional<ClosingContacts> closing = {}; ///< until unconstrained bodies are in contact
+  std::optional<PseudoTransient> pseudo_transient = {};
+
+  double pseudo_damping() const { return pseudo_transient ? pseudo_transient->time.damping() : 0; }
 };
 
 } // namespace signorini::model

@@ -14,8 +14,8 @@ enum class Predictor {
   constant, ///< the accepted state with prescribed displacements imposed
   linear,   ///< extrapolation of the last step with prescribed displacements imposed, if the path is straight and the
             ///< last two steps have similar rates; otherwise as `tangent`
-  quadratic ///< the same of the last two steps, where the last step was close to that; otherwise as `linear`, but as
-            ///< `tangent` where the path turns back
+  quadratic ///< extrapolation of the last two steps, where the last step was close to its own; otherwise as `linear`,
+            ///< but as `tangent` where the path turns back
 };
 
 /// Treatment of points whose state (open, stick, slip) changes repeatedly (set cycling).
@@ -45,7 +45,9 @@ struct StepOptions {
   /// Pseudo-transient continuation (solve/pseudo_time.hpp), with up to 40 times newton.iterations moves; not combined
   /// with line search.
   bool pseudo_transient = false;
-  std::function<void()> after_iteration = {}; ///< called after each iteration, if given: to report it
 };
+
+/// Called after each iteration of a step, to report it.
+using AfterIteration = std::function<void()>;
 
 } // namespace signorini::model

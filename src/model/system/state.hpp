@@ -21,10 +21,11 @@ struct PathHistory {
   VectorX previous_targets; ///< before that step
   VectorX before;           ///< displacement of the step before the last one
   VectorX targets_before;   ///< before that step
-  double bend = 1;          ///< relative difference of the last two steps' rates; 1 without two comparable steps
-  double curved = 1;        ///< the same of the last step and the parabola through the three states before it
-  double force_scale = 0;   ///< largest norm of the forces of supports and loads in the accepted states
-  double work = 0;          ///< of supports and loads in all accepted steps, by the trapezoidal rule
+  /// Relative deviations of the last step from its extrapolations: the step before it in proportion, and the parabola
+  /// through the three states before it; 1 without one.
+  double linear_error = 1, quadratic_error = 1;
+  double force_scale = 0; ///< largest norm of the forces of supports and loads in the accepted states
+  double work = 0;        ///< of supports and loads in all accepted steps, by the trapezoidal rule
 };
 
 } // namespace signorini::model

@@ -133,9 +133,9 @@ template <int D> void warn_of_instability(Model<D>& model, std::vector<Message>&
   if (displacements == 0 || model.definite || (constant && !system.has_unconstrained()) || is_one_sided(model)) return;
   // With a loose tolerance the state is not an equilibrium.
   if (model.unbalanced.size() > 0 && model.unbalanced.norm() > loose_balance * force_norm(model)) return;
-  for (contact::Controls& control : model.controls) control = {.guessed = gap_rounding * largest_position(model)};
   Message why;
-  const bool evaluated = evaluate(model, nullptr, true, why) == solve::Outcome::converged;
+  const bool evaluated =
+      evaluate(model, {.initial = {gap_rounding * largest_position(model)}}, why) == solve::Outcome::converged;
   if (evaluated && model.linear.proves_definite(tangent_of(system.assembly))) return rollback(model);
   const Stiffness k =
       displacement_stiffness(system.assembly.tangent().pattern, system.assembly.tangent().values, displacements);
