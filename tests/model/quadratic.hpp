@@ -3,6 +3,7 @@
 
 #include "model/results/results.hpp"
 #include "model/steps/arc.hpp"
+#include "model/steps/equilibrium.hpp"
 #include "model/steps/load_step.hpp"
 #include "text_of.hpp"
 

@@ -19,7 +19,6 @@ struct EvaluationOptions {
   const VectorX* direction = nullptr;
   InitialContact initial = {};
 };
-};
 
 /// Evaluates the present state. Returns `converged`, or on failure the outcome and its reason `why`.
 template <int D> solve::Outcome evaluate(Model<D>& model, const EvaluationOptions& wanted, Message& why);
