@@ -126,6 +126,9 @@ function types.record(...)
   return { kind = "named", rows = rows, is_result = true }
 end
 
+--- A table with these fields among others.
+function types.with_fields(...) return merged(types.record(...), { rest = types.any }) end
+
 --- A result, or an entry of a table that a script fills, that may be nil.
 function types.or_nil(of) return merged(of, { may_be_nil = true }) end
 

@@ -2,11 +2,13 @@
 -- state of the run: the path, the position on it, the memory of the step policy, and the record of the run. A resumed
 -- run ends with bitwise identical results.
 
+local check = require "signorini.call.check"
 local on_behalf_of = require "signorini.call.on_behalf_of"
 local core = require "signorini.core"
 local counted = require("signorini.call.text").counted
 local describe = require "signorini.call.describe"
 local lists = require "signorini.call.lists"
+local types = require "signorini.call.types"
 
 local where = "model:run"
 
@@ -97,65 +99,34 @@ end
 
 -- ── Shape of the saved record ────────────────────────────────────────────────────────────────────────────────────────
 
-local function is(kind) return function(value) return type(value) == kind end end
-local number, text, flag, data = is "number", is "string", is "boolean", is "table"
-local function count(value) return math.type(value) == "integer" and value >= 0 end
-local function cell(value) return value == false or type(value) == "number" end
-local function maybe(of) return function(value) return value == nil or of(value) end end
-local function either(one, other) return function(value) return one(value) or other(value) end end
-
---- A table whose entries are all of one shape.
-local function each(of)
-  return function(value)
-    if type(value) ~= "table" then return false end
-    for _, entry in next, value do
-      if not of(entry) then return false end
-    end
-    return true
-  end
-end
-
-local function fields(shapes)
-  return function(value)
-    if type(value) ~= "table" then return false end
-    for key, of in next, shapes do
-      if not of(value[key]) then return false end
-    end
-    return true
-  end
-end
-
-local attempt = fields { from = number, to = number, converged = flag, reason = text, iterations = count,
-                         residuals = each(number), fallback = maybe(text) }
-local stage = fields { name = text, steps = count, iterations = count, cutbacks = count, wall = number }
-
-local state = fields {
-  path = each(fields { name = text, steps = count, targets = data }), place = fields { stage = count, number = count },
-  starts = each(data), fits = each(data), memory = each(either(number, flag)), names = each(text), spent = each(number),
-  format = maybe(count),
-  record = fields {
-    rows = count, steps = count, iterations = count, cutbacks = count, fallback_steps = count, wary = count,
-    wall = number, stages = each(stage), energies = each(each(either(number, flag))),
-    jumps = fields { energy = maybe(each(number)), found = each(data), steps = each(each(number)) },
-    unstable_law = either(flag, data), used = maybe(data), warnings = each(text),
-    adaptations = each(data), contact_zones = data, controls = data, fallbacks = data, overlaps = data,
-    places = data, unsettled = data,
-    state_findings = maybe(each(fields { subject = text, place = text, text = text, from = count, to = count })) },
-}
+local number, count, data = { kind = "number", gaps = true }, types.integer(0), types.table()
+local list_of, record = types.list, types.with_fields
+local flag_or_number = types.either(types.flag, number)
+local stage = record("name", types.text, "steps iterations cutbacks", count, "wall", number)
+local attempt = record("from to", number, "converged", types.flag, "reason", types.text, "iterations", count,
+  "residuals", list_of(number), "fallback?", types.text)
+local shape = types.tuple({ record("path", list_of(record("name", types.text, "steps", count, "targets", data)),
+  "place", record("stage number", count), "starts fits", types.map(data), "memory", types.map(flag_or_number),
+  "names", list_of(types.text), "spent", types.map(number), "format?", count, "record", record(
+    "rows steps iterations cutbacks fallback_steps wary", count, "wall", number, "stages", list_of(stage),
+    "energies", list_of(types.map(flag_or_number)),
+    "jumps", record("energy?", types.map(number), "found", list_of(data), "steps", list_of(types.map(number))),
+    "unstable_law", types.either(types.flag, data), "used?", data, "warnings", list_of(types.text),
+    "adaptations", list_of(data), "contact_zones controls fallbacks overlaps places unsettled", data,
+    "state_findings?", list_of(record("subject place text", types.text, "from to", count)))),
+  list_of(data), list_of(list_of(attempt)) }, 3)
 
 --- True if unpacked data, state, rows and histories, can be those of a run. The checksum of a file protects against
 --- damage alone.
 local function is_record(saved)
-  if not data(saved) or not state(saved[1]) or not each(each(cell))(saved[2]) or not each(each(attempt))(saved[3]) then
-    return false
-  end
-  local record, place, path = saved[1].record, saved[1].place, saved[1].path
+  if not pcall(check.value, shape, saved, where, "checkpoint") then return false end
+  local run, place, path = saved[1].record, saved[1].place, saved[1].path
   for _, row in ipairs(saved[2]) do
-    if #row ~= #saved[1].names then return false end
+    local wrong = lists.any(row, function(cell) return cell and type(cell) ~= "number" end)
+    if wrong or #row ~= #saved[1].names then return false end
   end
-  local begun = record.rows > 0
-  return path[place.stage] ~= nil and place.number <= path[place.stage].steps and record.rows == #saved[2]
-    and #saved[3] >= record.steps and (not begun or #record.stages == place.stage)
+  return path[place.stage] ~= nil and place.number <= path[place.stage].steps and run.rows == #saved[2]
+    and #saved[3] >= run.steps and (run.rows == 0 or #run.stages == place.stage)
 end
 
 -- ── Resuming ─────────────────────────────────────────────────────────────────────────────────────────────────────────

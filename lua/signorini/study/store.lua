@@ -3,9 +3,11 @@
 -- failure, find only complete results.
 
 local on_behalf_of = require "signorini.call.on_behalf_of"
+local check = require "signorini.call.check"
 local core = require "signorini.core"
 local outcomes = require "signorini.study.outcomes"
 local release = require "signorini.call.release"
+local types = require "signorini.call.types"
 
 local store = {}
 
@@ -51,29 +53,16 @@ function store.check(where, study)
   return owner ~= nil and owner.format == store.format
 end
 
---- True if all entries of a table have names; an empty list of JSON is also an empty table.
-local function is_named(value)
-  if type(value) ~= "table" then return false end
-  for name in next, value do
-    if type(name) ~= "string" then return false end
-  end
-  return true
-end
-
---- True if data of JSON are the record of a case.
-local function is_record(record)
-  local made, reason = record.made, record.reason
-  return is_named(record.case) and is_named(record.results) and type(record.outcome) == "string"
-    and (record.inputs == nil or is_named(record.inputs)) and (made == nil or is_named(made))
-    and (reason == nil or type(reason) == "string") and (record.wall == nil or type(record.wall) == "number")
-end
+local data = types.map(types.any)
+local shape = types.with_fields("case results", data, "outcome", types.text, "inputs? made?", data, "reason?",
+  types.text, "wall?", { kind = "number", gaps = true })
 
 --- The record of a case, or nil; and whether its file exists but cannot be read.
 function store.read(study, entry)
   if not study.folder then return nil end
   local record, damaged = read(case_file(study, entry))
   check_format("sg.study", case_file(study, entry), record)
-  if record and is_record(record) then return record, false end
+  if record and pcall(check.value, shape, record, "sg.study", "record") then return record, false end
   return nil, damaged or record ~= nil
 end
 
