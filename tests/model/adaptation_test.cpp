@@ -4,6 +4,7 @@
 
 #include "model/files/checkpoint.hpp"
 #include "model/scenes.hpp"
+#include "model/steps/equilibrium.hpp"
 #include "nurbs/shapes.hpp"
 #include "text_of.hpp"
 

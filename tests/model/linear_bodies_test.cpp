@@ -120,7 +120,7 @@ template <int D> void expect_forces_of_elements(const Scene<D>& scene, const std
     double energy = 0;
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
       energy += solid::stored_energy(*scene.bodies[b].body, u.data() + bench.unknowns.offset(static_cast<int>(b)));
-    EXPECT_NEAR(bench.system.energy.of_all(u, bench.accepted.internal), energy, 1e-11 * energy) << what;
+    EXPECT_NEAR(bench.system.assembly.bulk().stored_energy(u, bench.accepted.internal), energy, 1e-11 * energy) << what;
     EXPECT_TRUE(compare(bench, u)) << what << " " << state;
   }
 }

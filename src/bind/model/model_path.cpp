@@ -7,6 +7,7 @@
 #include "model/files/checkpoint.hpp"
 #include "model/scene/turning.hpp"
 #include "model/steps/arc.hpp"
+#include "model/steps/equilibrium.hpp"
 #include "model/steps/load_step.hpp"
 
 #include <algorithm>

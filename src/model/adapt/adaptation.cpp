@@ -28,9 +28,7 @@ template <int D> std::shared_ptr<const Origin<D>> origin_of(const Model<D>& mode
 template <int D>
 std::optional<contact::FaceMultipliers<D>> multipliers_of(const Contact<D>& contact,
                                                           const contact::Formulation<D>& formulation) {
-  std::optional<contact::MultiplierSpace> kind;
-  if (const auto* mortar = std::get_if<contact::MortarLaw>(&contact.method)) kind = mortar->multipliers;
-  if (const auto* half = std::get_if<contact::HalfPass>(&contact.method)) kind = half->multipliers;
+  const auto kind = multiplier_space(contact);
   if (!kind) return {};
   return contact::FaceMultipliers<D>(formulation.slave(), *kind);
 }

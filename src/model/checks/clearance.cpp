@@ -118,7 +118,7 @@ void warn_of_strain(System<D>& system, std::size_t k, const Overlap<D>& deepest,
 template <int D>
 void check_overlap(const Scene<D>& scene, const Contact<D>& contact, const Faces& master, const Overlap<D>& deepest) {
   const double depth = deepest.depth, behind = thickness(scene, master);
-  const double part = depth / std::min(thickness(scene, contact.slave), behind);
+  const double part = depth / thinner_body(scene, contact);
   const double most = contact.start.interference ? whole_depth : mistaken_overlap;
   if (part <= most) return;
   // If the slave lies behind the master's body, the opposite face was probably meant.
@@ -172,13 +172,7 @@ template <int D> Message remedy_for(const contact::Obstacle<D>& obstacle) {
   if (std::holds_alternative<nurbs::Patch>(obstacle)) return Message("model.clearance.reverse_patch");
   if (std::holds_alternative<contact::Plane<D>>(obstacle)) return Message("model.clearance.reverse_plane");
   if (std::holds_alternative<contact::LevelSet<D>>(obstacle)) return Message("model.clearance.change_sign");
-  const bool hollow = std::visit(
-      [](const auto& shape) {
-        if constexpr (requires { shape.hollow; }) return shape.hollow;
-        return false;
-      },
-      obstacle);
-  return Message(hollow ? "model.clearance.full" : "model.clearance.hollow");
+  return Message(full_radius<D>(obstacle) == 0 ? "model.clearance.full" : "model.clearance.hollow");
 }
 
 } // namespace

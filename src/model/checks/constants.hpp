@@ -37,9 +37,9 @@ inline constexpr double loose_balance = 1e-3;
 inline constexpr double meant_strain = 1e-3;
 
 /// Mean distance of points from the master in mortar contact whose mean gaps are closed, relative to the approach,
-/// above which a warning is given. Of scenes that tests/measure/robustness.lua generates, forces at prescribed motions are 5
-/// to 50 % off with 0.15 to 0.5 (four times as many elements), below 3 % with 0.06 to 0.1, where faces are pressed
-/// flat.
+/// above which a warning is given. Of scenes that tests/measure/robustness.lua generates, forces at prescribed motions
+/// are 5 to 50 % off with 0.15 to 0.5 (four times as many elements), below 3 % with 0.06 to 0.1, where faces are
+/// pressed flat.
 inline constexpr double uneven_part = 0.1;
 
 /// Displacement along the normal, in a rigid-body mode with a largest component of 1, that parts faces; by less they

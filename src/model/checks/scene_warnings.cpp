@@ -63,9 +63,7 @@ void warn_of_friction(const std::string& name, double mu, std::vector<Message>& 
 
 template <int D>
 void warn_of_offset(const Scene<D>& scene, const Contact<D>& contact, double offset, std::vector<Message>& warnings) {
-  double thinner = thickness(scene, contact.slave);
-  if (const auto* face = std::get_if<Faces>(&contact.master)) thinner = std::min(thinner, thickness(scene, *face));
-  const double part = std::abs(offset) / thinner;
+  const double part = std::abs(offset) / thinner_body(scene, contact);
   if (part > large_offset)
     warnings.push_back(Message("model.warning.offset",
                                {{"contact", contact.name}, {"offset", offset}, {"percent", std::round(100 * part)}}));
@@ -144,8 +142,7 @@ void warn_of_coarse_bonds(const Scene<D>& scene, const Contact<D>& contact, std:
   if (!law) return;
   const double strength = law->cohesion.strength, energy = law->cohesion.energy;
   const double softer = softer_modulus(scene, contact);
-  double thinner = thickness(scene, contact.slave);
-  if (const auto* face = std::get_if<Faces>(&contact.master)) thinner = std::min(thinner, thickness(scene, *face));
+  const double thinner = thinner_body(scene, contact);
   const double thick = softer * energy / (strength * strength);
   const double zone = std::min(thick, std::pow(thick, 0.25) * std::pow(thinner, 0.75));
   const double size = element_size(scene, contact.slave, 2), least = zone_elements * size;

@@ -69,6 +69,19 @@ using Remedies = std::vector<Remedy>;
 constexpr Remedy smaller_steps{"step", "model.remedy.step", "model.remedy.step_min"};
 constexpr Remedy pseudo_transient{"pseudo_transient", "model.remedy.pseudo_transient"};
 constexpr Remedy line_search{"line_search", "model.remedy.line_search"};
+constexpr Remedy no_line_search{"", "model.remedy.no_line_search"};
+constexpr Remedy more_iterations{"", "model.remedy.iterations"}, tolerance{"", "model.remedy.tolerance"};
+constexpr Remedy more_points{"", "model.remedy.points"}, finer_mesh{"", "model.remedy.mesh"};
+constexpr Remedy active_set{"active_set_changes", "model.remedy.active_set"};
+constexpr Remedy supported{"", "model.remedy.support"}, freed_obstacle{"", "model.remedy.obstacle"};
+constexpr Remedy damped{"damping", "model.remedy.damping"};
+constexpr Remedy limit_point{"arc_length", "model.remedy.arc_length", "model.remedy.stability"};
+constexpr Remedy arc_length{"arc_length", "model.remedy.arc_length"};
+constexpr Remedy extended_master{"", "model.remedy.extend_master"}, end_of_path{"", "model.remedy.end_path"};
+constexpr Remedy penalty{"", "model.remedy.penalty"}, augmented{"", "model.remedy.augmented"};
+/// Before the first accepted step there is no path to a limit point, and arc length has no direction.
+constexpr Remedy first_step{"", "model.remedy.first_step"}, no_arc_yet{"", "model.remedy.no_arc_yet"};
+constexpr Remedy penalty_growth{"penalty", "model.remedy.penalty_growth"};
 
 std::vector<Message> offered(const Remedies& list, const ControlsOn& on) {
   std::vector<Message> remedies;
@@ -195,28 +208,23 @@ template <int D> std::vector<Message> find_null_direction(Diagnosis& diagnosis, 
   const WeakDirection weak = failure.direction(null_direction);
   add_direction(diagnosis, model, weak);
   if (!obstacle_part(model, model.system.unknowns.spread(weak.direction)).code.empty())
-    return offered({{"", "model.remedy.obstacle"}, {"damping", "model.remedy.damping"}}, failure.on);
+    return offered({freed_obstacle, damped}, failure.on);
   return weak.direction.norm() > 0 ? remedies_of_sliding(model, weak.direction) : std::vector<Message>();
 }
 
 /// An indefinite tangent is the reason why an iteration stalls.
-template <int D> std::vector<Message> find_negative_direction(Diagnosis& diagnosis, const Failure<D>& failure) {
+template <int D> std::vector<Message> find_negative(Diagnosis& diagnosis, const Failure<D>& failure) {
   if (!failure.has_tangent()) return {};
   const Model<D>& model = failure.model;
   const WeakDirection softest = failure.direction(softest_direction);
-  if (softest.negative ? *softest.negative <= 0 : softest.stiffness >= 0) return {};
+  if (!(softest.negative ? *softest.negative > 0 : softest.stiffness < 0)) return {};
   diagnosis.outcome = Outcome::indefinite;
   diagnosis.messages.push_back(softest.negative ? Message("model.diagnosis.negative", {{"count", *softest.negative}})
                                                 : Message("model.diagnosis.indefinite"));
   if (softest.stiffness < 0) add_direction(diagnosis, model, softest);
   if (auto remedies = remedies_of_sliding(model, softest.direction); !remedies.empty()) return remedies;
   if (!model.accepted.displacement.isZero(0)) return {};
-  // Before the first accepted step there is no path to a limit point, and arc length has no direction.
-  return offered({{"", "model.remedy.first_step"},
-                  smaller_steps,
-                  {"penalty", "model.remedy.penalty_growth"},
-                  {"", "model.remedy.no_arc_yet"}},
-                 failure.on);
+  return offered({first_step, smaller_steps, penalty_growth, no_arc_yet}, failure.on);
 }
 
 template <int D> struct Reason {
@@ -228,62 +236,26 @@ template <int D> struct Reason {
 };
 
 template <int D> const Reason<D>& reason_of(Outcome outcome) {
-  static const std::vector<Reason<D>> reasons{
-      {Outcome::iteration_limit,
-       find_negative_direction<D>,
-       {{"", "model.remedy.iterations"}, smaller_steps, {"", "model.remedy.tolerance"}},
-       true,
-       true},
-      {Outcome::diverged, find_negative_direction<D>, {smaller_steps, line_search}, true, true},
-      {Outcome::line_search,
-       find_negative_direction<D>,
-       {smaller_steps, {"", "model.remedy.no_line_search"}},
-       true,
-       true},
-      {Outcome::not_finite, nullptr, {smaller_steps, line_search}, false, true},
+  static const Reason<D> reasons[] = {
+      {Outcome::iteration_limit, find_negative<D>, {more_iterations, smaller_steps, tolerance}, true, true},
+      {Outcome::diverged, find_negative<D>, {smaller_steps, line_search}, true, true},
+      {Outcome::line_search, find_negative<D>, {smaller_steps, no_line_search}, true, true},
       {Outcome::cycling,
        find_cycling<D>,
-       {smaller_steps,
-        line_search,
-        {"", "model.remedy.points"},
-        {"active_set_changes", "model.remedy.active_set"},
-        pseudo_transient},
+       {smaller_steps, line_search, more_points, active_set, pseudo_transient},
        true,
        true},
-      {Outcome::inverted_element,
-       find_inversion<D>,
-       {smaller_steps, line_search, {"", "model.remedy.mesh"}},
-       true,
-       true},
-      {Outcome::singular_tangent,
-       find_null_direction<D>,
-       {{"", "model.remedy.support"}, {"damping", "model.remedy.damping"}},
-       false,
-       true},
-      {Outcome::indefinite,
-       nullptr,
-       {{"arc_length", "model.remedy.arc_length", "model.remedy.stability"}, pseudo_transient},
-       false,
-       true},
-      {Outcome::lost_projection,
-       find_lost_points<D>,
-       {{"", "model.remedy.extend_master"}, {"", "model.remedy.end_path"}},
-       false,
-       false},
-      {Outcome::crossed,
-       find_crossed<D>,
-       {smaller_steps, {"", "model.remedy.penalty"}, {"arc_length", "model.remedy.arc_length"}},
-       false,
-       false},
-      {Outcome::penetration,
-       find_penetration<D>,
-       {{"", "model.remedy.penalty"}, {"", "model.remedy.augmented"}},
-       false,
-       false},
+      {Outcome::inverted_element, find_inversion<D>, {smaller_steps, line_search, finer_mesh}, true, true},
+      {Outcome::singular_tangent, find_null_direction<D>, {supported, damped}, false, true},
+      {Outcome::indefinite, nullptr, {limit_point, pseudo_transient}, false, true},
+      {Outcome::not_finite, nullptr, {smaller_steps, line_search}, false, true},
+      {Outcome::lost_projection, find_lost_points<D>, {extended_master, end_of_path}, false, false},
+      {Outcome::crossed, find_crossed<D>, {smaller_steps, penalty, arc_length}, false, false},
+      {Outcome::penetration, find_penetration<D>, {penalty, augmented}, false, false},
   };
   static const Reason<D> other{Outcome::converged, nullptr, {}, false, true};
   const auto found = std::ranges::find(reasons, outcome, &Reason<D>::outcome);
-  return found == reasons.end() ? other : *found;
+  return found == std::end(reasons) ? other : *found;
 }
 
 } // namespace

@@ -31,14 +31,6 @@ template <int D> FailurePlace control_point(const Model<D>& model, int body, int
           {}};
 }
 
-/// Displacements of a body's control points, one column each, in a direction of all degrees of freedom.
-template <int D>
-Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> moves_of(const Model<D>& model, std::size_t body,
-                                                                    const VectorX& all) {
-  return {all.data() + model.system.unknowns.offset(static_cast<int>(body)), D,
-          model.system.scene.bodies[body].body->functions()};
-}
-
 } // namespace
 
 template <int D>
@@ -119,7 +111,7 @@ template <int D> Message rigid_part(const Model<D>& model, const VectorX& direct
   if (Message obstacle = obstacle_part(model, all); !obstacle.code.empty()) return obstacle;
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
     const auto& named = model.system.scene.bodies[b];
-    const auto own = moves_of(model, b, all);
+    const auto own = model.system.unknowns.of_body(static_cast<int>(b), all);
     const Vec<D> mean = own.rowwise().mean();
     if (own.norm() < own_part * all.norm()) continue;
     // An axisymmetric body translates as a rigid one along its axis alone.

@@ -68,8 +68,7 @@ template <int D> std::vector<Message> remedies_of_sliding(const Model<D>& model,
   const VectorX all = model.system.unknowns.spread(direction);
   for (std::size_t b = 0; b < model.system.scene.bodies.size(); ++b) {
     const auto& named = model.system.scene.bodies[b];
-    const Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> own(
-        all.data() + model.system.unknowns.offset(static_cast<int>(b)), D, named.body->functions());
+    const auto own = model.system.unknowns.of_body(static_cast<int>(b), all);
     const Vec<D> mean = own.rowwise().mean();
     if (mean.norm() * std::sqrt(static_cast<double>(own.cols())) < own_part * all.norm()) continue;
     for (std::size_t k = 0; k < model.system.scene.contacts.size(); ++k)

@@ -30,7 +30,7 @@ template <int D> Message unheld_motions(const Model<D>& model, int body) {
   const Unknowns<D>& unknowns = model.system.unknowns;
   const Assembly<D>& assembly = model.system.assembly;
   MatrixX points = scene.bodies[body].body->space().points();
-  points += Eigen::Map<const MatrixX>(model.present.displacement.data() + unknowns.offset(body), D, points.cols());
+  points += unknowns.of_body(body, model.present.displacement);
 
   const int translations = scene.kind == solid::Kind::axisymmetric ? 1 : D;
   const double least = rounding * assembly.tangent().diagonal().cwiseAbs().maxCoeff();

@@ -10,8 +10,7 @@ namespace signorini::model {
 
 template <int D>
 Eigen::Map<const Eigen::Matrix<double, D, Eigen::Dynamic>> body_displacement(const Model<D>& model, int body) {
-  return {model.present.displacement.data() + model.system.unknowns.offset(body), D,
-          model.system.scene.bodies[body].body->functions()};
+  return model.system.unknowns.of_body(body, model.present.displacement);
 }
 
 template <int D> Vec<D> reaction(const Model<D>& model, int index) {
@@ -63,7 +62,7 @@ template <int D> Vec<D> load_resultant(const Model<D>& model, int load) {
 template <int D> Energies energies(const Model<D>& model) {
   const VectorX& displacement = model.present.displacement;
   Energies sum{model.system.springs.energy(displacement), 0, 0, model.path.work};
-  sum.stored += model.system.energy.of_all(displacement, model.accepted.internal);
+  sum.stored += model.system.assembly.bulk().stored_energy(displacement, model.accepted.internal);
   for (const auto& history : model.present.contacts) {
     sum.contact += contact::potential(history);
     sum.friction += history.dissipated;

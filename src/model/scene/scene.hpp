@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -169,6 +170,23 @@ struct ScenePart {
 template <int D> bool acts_on(const Contact<D>& contact, int body) {
   const auto* master = std::get_if<Faces>(&contact.master);
   return contact.slave.on(body) || (master && master->on(body));
+}
+
+/// Functions of a contact's multipliers; none without.
+template <int D> std::optional<contact::MultiplierSpace> multiplier_space(const Contact<D>& contact) {
+  if (const auto* mortar = std::get_if<contact::MortarLaw>(&contact.method)) return mortar->multipliers;
+  if (const auto* half = std::get_if<contact::HalfPass>(&contact.method)) return half->multipliers;
+  return {};
+}
+
+/// Radius of a ball, a cylinder or a torus; 0 if it is hollow, and of other shapes.
+template <int D> double full_radius(const contact::Obstacle<D>& obstacle) {
+  return std::visit(
+      [](const auto& shape) {
+        if constexpr (requires { shape.hollow; }) return shape.hollow ? 0 : shape.radius;
+        return 0.0;
+      },
+      obstacle);
 }
 
 /// A face and its body, for messages.

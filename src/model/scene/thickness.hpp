@@ -20,6 +20,13 @@ template <int D> double thickness(const Scene<D>& scene, const Faces& faces) {
   return least;
 }
 
+/// Thickness of the thinner body of a contact.
+template <int D> double thinner_body(const Scene<D>& scene, const Contact<D>& contact) {
+  const double slave = thickness(scene, contact.slave);
+  const auto* master = std::get_if<Faces>(&contact.master);
+  return master ? std::min(slave, thickness(scene, *master)) : slave;
+}
+
 /// E/h behind a face, h the thickness of the elements there.
 template <int D> double element_stiffness(const Scene<D>& scene, const FaceReference& face) {
   const solid::Body<D>& body = *scene.bodies[face.body].body;

@@ -99,7 +99,7 @@ void multiply(const Functions& functions, int offset, const double* block, const
 
 template <int D>
 BulkAssembly<D>::BulkAssembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const TieTerms& ties)
-    : scene_(scene), unknowns_(unknowns) {
+    : scene_(scene), unknowns_(unknowns), energies_(scene.bodies.size()) {
   const auto& bodies = scene.bodies;
   const bool linear = std::ranges::all_of(bodies, [](const auto& named) { return named.body->linear(); });
   if (linear) stiffness_ = stiffness_of(scene);
@@ -242,6 +242,31 @@ template <int D> void BulkAssembly<D>::add_element(int e, const Evaluation<D>& e
   if (evaluation.tangent)
     scatter<D>(n, whole, positions_.data() + first_position, blocks, evaluation.matrix.values.data());
   if (multiplies) multiply<D>(functions, offset, blocks, *evaluation.direction, evaluation.product);
+}
+
+template <int D>
+double BulkAssembly<D>::stored_energy(int index, const VectorX& displacement,
+                                      const std::vector<std::vector<double>>& internal) const {
+  const solid::Body<D>& body = *scene_.bodies[index].body;
+  const Eigen::Map<const VectorX> own(displacement.data() + unknowns_.offset(index), D * body.functions());
+  if (stiffness_.empty()) {
+    KnownEnergy& known = energies_[index];
+    if (known.displacement.size() != own.size() || known.displacement != own || known.internal != internal[index])
+      known = {own, internal[index], solid::stored_energy(body, own.data(), internal[index])};
+    return known.energy;
+  }
+  // ½ u·K u
+  VectorX force = VectorX::Zero(own.size());
+  stiffness_[index].multiply(own.data(), force.data());
+  return 0.5 * force.dot(own);
+}
+
+template <int D>
+double BulkAssembly<D>::stored_energy(const VectorX& displacement,
+                                      const std::vector<std::vector<double>>& internal) const {
+  double sum = 0;
+  for (int b = 0; b < std::ssize(scene_.bodies); ++b) sum += stored_energy(b, displacement, internal);
+  return sum;
 }
 
 template <int D> double BulkAssembly<D>::memory() const {

@@ -23,7 +23,7 @@ public:
     int target;            ///< of the pressure
   };
   const std::vector<Part>& parts() const { return parts_; }
-  /// ∂f/∂u of a part, in the order of its degrees of freedom.
+  /// ∂f/∂u of a part, in the order of its degrees of freedom [theory 3.5].
   MatrixX tangent(const Part& part, const VectorX& displacement, const VectorX& targets) const;
 
   /// True if each load derives from an energy, so that the tangent of the unknowns is symmetric: the borders of its

@@ -6,7 +6,8 @@
 namespace signorini::model {
 
 /// The unknown of a free angle θ is the arc s = L θ at the arm L of contact::Turning, and its row of the residual a
-/// moment divided by L, so that lengths and forces of all unknowns compare. The markers follow it,
+/// moment divided by L, so that lengths and forces of all unknowns compare. The markers follow it
+/// [theory 6.2],
 ///     u_i = L (R(s/L) − I) e_i.
 ///
 /// Sets the displacements of the markers.

@@ -14,7 +14,7 @@ public:
   struct Part {
     int support;           ///< index into Scene::supports
     std::vector<int> dofs; ///< degrees of freedom of this component
-    MatrixX stiffness;     ///< k ∫ N_A N_B dA; of an obstacle k
+    MatrixX stiffness;     ///< k ∫ N_A N_B dA [theory 3.3]; of an obstacle k
   };
   const std::vector<Part>& parts() const { return parts_; }
 

@@ -67,8 +67,7 @@ template <int D>
 System<D>::System(Scene<D> given)
     : contacts(make_contacts(complete(given))), ties(make_ties(given)), scene(without_regions(std::move(given))),
       unknowns(scene, contacts, ties), drives(scene, unknowns), followers(scene, unknowns, drives),
-      springs(scene, unknowns), assembly(scene, unknowns, contacts, ties, followers, springs),
-      energy(scene, unknowns, assembly.bulk().stiffness()) {
+      springs(scene, unknowns), assembly(scene, unknowns, contacts, ties, followers, springs) {
   // Other shapes have rounding errors of the points that touch them (near_point.hpp).
   for (const auto& obstacle : scene.obstacles)
     if (const auto* patch = std::get_if<nurbs::Patch>(&obstacle))

@@ -5,7 +5,6 @@
 #include "model/system/damping.hpp"
 #include "model/system/follower_loads.hpp"
 #include "model/system/springs.hpp"
-#include "model/system/stored_energy.hpp"
 
 namespace signorini::model {
 
@@ -22,8 +21,7 @@ template <int D> struct System {
   const Drives<D> drives;
   const FollowerLoads<D> followers;
   const Springs<D> springs;
-  Assembly<D> assembly; ///< with the tangent of the last evaluation with tangent
-  const StoredEnergy<D> energy;
+  Assembly<D> assembly;          ///< with the tangent of the last evaluation with tangent
   std::vector<double> stiffness; ///< of the contacts: contact_stiffness()
   double size = 0;               ///< largest coordinate of control points, of bodies and obstacles
   double extent = 0;             ///< largest diameter of a body about its middle, the scale of penetrations

@@ -6,7 +6,8 @@
 
 namespace signorini::model {
 
-/// The terms of all ties, by degree of freedom. The unknowns are lengths χ = λ/s, and rows of the residual forces:
+/// The terms of all ties, by degree of freedom. The unknowns are lengths χ = λ/s, and rows of the residual forces
+/// [theory 9.1]:
 ///     f_s −= s Cᵀ χ,   f_m += s C̄ᵀ χ,   f_χ = s (C̄ u_m − C u_s),
 /// with C, C̄ = ∫ M_A R dA and the stiffness s = 10 E/h of the softer body, on which results do not depend.
 struct TieTerms {

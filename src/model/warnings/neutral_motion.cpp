@@ -145,21 +145,11 @@ template <int D> bool rolls(const Model<D>& model, const std::vector<int>& group
   return touches;
 }
 
-/// True if an obstacle is a ball, a cylinder or a torus.
-template <int D> bool is_full(const contact::Obstacle<D>& obstacle) {
-  return std::visit(
-      [](const auto& shape) {
-        if constexpr (requires { shape.hollow; }) return !shape.hollow;
-        return false;
-      },
-      obstacle);
-}
-
 /// True if round faces, such as a disc's and not those of a hook, lie on top of a ball or cylinder, off which they
 /// roll.
 template <int D> bool lies_on_top(const Scene<D>& scene, const Contact<D>& contact) {
   const auto* obstacle = std::get_if<ObstacleReference>(&contact.master);
-  if (!obstacle || !is_full<D>(scene.obstacles[obstacle->obstacle])) return false;
+  if (!obstacle || full_radius<D>(scene.obstacles[obstacle->obstacle]) == 0) return false;
   const std::vector<Facet<D>> facets = facets_on(scene, contact.slave);
   const auto center = center_of(corners_of(facets));
   if (!center) return false;

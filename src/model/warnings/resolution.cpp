@@ -25,9 +25,7 @@ template <int D> std::optional<PressureSpace> pressure_space(const Model<D>& mod
   const Contact<D>& contact = model.system.scene.contacts[index];
   if (!contact::penalty_law(contact.method) || std::holds_alternative<contact::CohesiveLaw>(contact.method))
     return std::nullopt;
-  std::optional<contact::MultiplierSpace> multipliers;
-  if (const auto* mortar = std::get_if<contact::MortarLaw>(&contact.method)) multipliers = mortar->multipliers;
-  if (const auto* half = std::get_if<contact::HalfPass>(&contact.method)) multipliers = half->multipliers;
+  const auto multipliers = multiplier_space(contact);
   PressureSpace space{!multipliers, multipliers == contact::MultiplierSpace::reduced, model.system.stiffness[index]};
   space.ratio = model.present.penalty_factor * formulation.penalty(model.present.contacts[index]) / space.stiffness;
   return space;

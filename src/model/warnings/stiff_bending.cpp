@@ -101,8 +101,7 @@ template <int D> void warn_of_stiff_bending(const Model<D>& model, std::vector<M
     for (int e = 0; e < space.elements() && !linear; ++e)
       for (int d = 0; d < D; ++d) linear = linear || space.degree(e, d) == 1;
     if (!linear) continue;
-    const MatrixX displacements = Eigen::Map<const MatrixX>(
-        model.accepted.displacement.data() + system.unknowns.offset(static_cast<int>(b)), D, space.functions());
+    const MatrixX displacements = system.unknowns.of_body(static_cast<int>(b), model.accepted.displacement);
     if (const double part = locked_part(*named.body, displacements); part > most_locked)
       warnings.push_back(Message("model.warning.stiff_bending", {{"body", named.name}, {"percent", 100 * part}}));
   }

@@ -18,15 +18,6 @@ template <int D> struct PlacedObstacle {
   double radius; ///< of a full ball, cylinder or torus; otherwise 0
 };
 
-template <int D> double full_radius(const contact::Obstacle<D>& obstacle) {
-  return std::visit(
-      [](const auto& shape) {
-        if constexpr (requires { shape.hollow; }) return shape.hollow ? 0 : shape.radius;
-        return 0.0;
-      },
-      obstacle);
-}
-
 /// True if a face is the slave of a contact with an obstacle.
 template <int D> bool declares(const Scene<D>& scene, const FaceReference& face, int obstacle) {
   return std::any_of(scene.contacts.begin(), scene.contacts.end(), [&](const Contact<D>& contact) {

@@ -1,4 +1,4 @@
-#include "model/system/sparse_tangent.hpp"
+#include "model/system/evaluation.hpp"
 
 #include <cmath>
 #include <utility>
