@@ -1,8 +1,17 @@
 -- A harness of one page: cases with names, a few comparisons, and the program run as a user runs it. All valid calls of
--- a test must conform to the definitions for editors.
+-- a test must conform to the definitions for editors. A test begins with `require "check"`, which provides check, core,
+-- scenes and sg; the end of the program reports.
 
 local core = require "signorini.core"
 require("conformity").watch_calls()
+
+--- Modules of tests that messages take as parts of the library, so that errors appear at the line of the test.
+for _, name in ipairs { "scenes", "spring_run" } do
+  package.preload[name] = function()
+    local text = core.read_file(("%s/tests/lua/%s.lua"):format(core.home, name))
+    return assert(load(text, ("@%s/lua/%s.lua"):format(core.home, name)))()
+  end
+end
 
 local check = {}
 
@@ -12,6 +21,7 @@ local failures, cases, folders = 0, 0, {}
 function check.case(name, body)
   cases = cases + 1
   local ok, message = xpcall(body, debug.traceback)
+  core.lost_cases = nil -- of studies, by errors that are expected
   if ok then return end
   failures = failures + 1
   io.stderr:write(("FAILED: %s\n%s\n"):format(name, message))
@@ -19,7 +29,7 @@ end
 
 local function quoted(word) return "'" .. word:gsub("'", [['\'']]) .. "'" end
 
---- A new empty folder, which check.done removes.
+--- A new empty folder, which is removed at the end.
 function check.folder()
   local name = os.tmpname()
   os.remove(name)
@@ -28,12 +38,18 @@ function check.folder()
   return name
 end
 
---- Ends the test program.
-function check.done()
+function check.done() end -- of tests that still call it
+
+local function process() return io.open "/proc/self/stat":read "n" end
+
+--- The end of the program, not of one that it has forked: a test without cases fails, too.
+local test = process()
+setmetatable(check, { __gc = function()
+  if process() ~= test then return end
   for _, name in ipairs(folders) do check.shell("rm -r " .. quoted(name)) end
   print(("%d cases, %d failed"):format(cases, failures))
-  os.exit(failures == 0 and cases > 0, true)
-end
+  if failures > 0 or cases == 0 then os.exit(false) end
+end })
 
 local function text(value)
   if type(value) ~= "table" then return tostring(value) end
@@ -121,6 +137,15 @@ function check.fails(body, ...)
   return message
 end
 
+--- Waits for an event; the number of looks bounds the time, which is not measured.
+function check.await(what, happened)
+  for _ = 1, 3000 do
+    if happened() then return end
+    os.execute "sleep 0.1"
+  end
+  error("not seen: " .. what, 2)
+end
+
 --- A command of the shell: everything it writes, and its exit status.
 function check.shell(command)
   local pipe = assert(io.popen(("{ %s; } 2>&1"):format(command)))
@@ -189,6 +214,18 @@ function check.script(code, ...)
   return output:gsub(name:gsub("%p", "%%%0"), "study.lua"), status
 end
 
+--- Cases { name, code, fragment, … }: the code behind `start` ends with an error that holds the fragments, at a line of
+--- the script, `place` or the case's `line`, or behind words, if `place` is those.
+function check.refusals(start, place, wrong)
+  for _, case in ipairs(wrong) do
+    check.case("refused: " .. case[1], function()
+      local line = case.line or place
+      check.fails(assert(load(start .. case[2], "=study.lua")),
+        math.type(line) and ("study.lua:%d: "):format(line) or line, table.unpack(case, 3))
+    end)
+  end
+end
+
 --- A script refuses wrong arguments: { ["mesh=m9 steps=1"] = "got 'm9'" } are words and what the message holds; `…`
 --- goes in front of each.
 function check.refused(script, wrong, ...)
@@ -199,6 +236,11 @@ function check.refused(script, wrong, ...)
     check.equal(status, 1)
     check.holds(output, message)
   end
+end
+
+package.loaded.check = check
+for name, module in pairs { check = check, core = core, scenes = require "scenes", sg = require "signorini" } do
+  rawset(_G, name, module)
 end
 
 return check

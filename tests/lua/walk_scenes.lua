@@ -156,9 +156,7 @@ end
 
 --- The contact of a law.
 local function contact_of(scene, slave, master)
-  if scene.law == "adhesion" then
-    return { slave = slave, master = master, adhesion = { hamaker = 5e-4, r0 = 0.1 } }
-  end
+  if scene.law == "adhesion" then return { slave = slave, master = master, adhesion = { hamaker = 5e-4, r0 = 0.1 } } end
   local contact = { slave = slave, master = master, penalty = scene.penalty,
                     friction = { mu = scene.mu, penalty = scene.penalty } }
   if scene.law == "cohesive" then

@@ -1,7 +1,6 @@
 -- sg.arguments: accepted types, rejections and their messages, variants, help; sg.files, sg.median, sg.wall_time.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local function refused(defaults, word, message)
   local got = tostring(select(2, pcall(sg.arguments, defaults, { word })))
@@ -231,5 +230,3 @@ check.case("sg.wall_time counts seconds", function()
   local passed = sg.wall_time() - began
   check.equal(passed >= 0.02 and passed < 60, true)
 end)
-
-check.done()

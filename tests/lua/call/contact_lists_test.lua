@@ -1,8 +1,7 @@
 -- Contacts with lists of faces: patches that are joined give the forces of the uncut body, as slave and as master, with
 -- every method, in the plane and in space; pressures of pictures and samples; lists that do not form one surface.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local soft, hard = sg.neo_hookean{ E = 1, nu = 0.3 }, sg.neo_hookean{ E = 10, nu = 0.3 }
 
@@ -172,5 +171,3 @@ check.case("lists that do not form one surface are errors that name the face", f
   refused({ a:face "north", 3 }, "contacts.touch.master[2] must be a face")
   refused({ a:face "north", a:corner "south-west" }, "must be a face, got the corner 'south-west'")
 end)
-
-check.done()

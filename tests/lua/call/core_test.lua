@@ -1,7 +1,6 @@
 -- The functions of the program that the Lua part calls: each one exists.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 check.case("every name of core in the Lua part is registered or assigned there", function()
   local used = {}
@@ -51,5 +50,3 @@ check.case("functions of core check their arguments: any call is answered or an 
   end
   check.equal(count > 40, true)
 end)
-
-check.done()

@@ -1,6 +1,6 @@
 -- Messages about invalid input in 3D name the user's line, the function, the argument, its value, and a hint.
 
-local check = require "check"
+require "check"
 
 -- Each ends with status 1 and a message that names the script's line, the argument, the value and the hint.
 local start = [[
@@ -18,7 +18,7 @@ local function touching(master)
   return { bodies = { b = b }, contacts = { c = { slave = b:face "back", master = master, penalty = 1 } } }
 end
 ]]
-local wrong = {
+check.refusals(start, 14, {
   -- Shapes
   { "a surface in 3D as a body", [[sg.body(with("N2", nil, unit:face "back"))]],
     "sg.body: patch must be a surface in the plane, or a volume in 3D",
@@ -160,13 +160,4 @@ local wrong = {
     "sg.rigid.surface: patch must be a curve in the plane, or a surface in 3D" },
   { "a curve in 3D as an obstacle", [[sg.rigid.surface(sg.nurbs.line{ from = {0, 0, 0}, to = {1, 0, 0} })]],
     "a curve in the plane, or a surface in 3D" },
-}
-for _, case in ipairs(wrong) do
-  check.case(case[1], function()
-    local output, status = check.script(start .. case[2])
-    check.equal(status, 1)
-    check.holds(output, ("signorini: study.lua:%d: "):format(case.line or 14), table.unpack(case, 3))
-  end)
-end
-
-check.done()
+})

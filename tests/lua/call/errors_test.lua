@@ -1,7 +1,6 @@
 -- Messages about invalid input name the user's line, the function, the argument, its value, and a hint.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local p = sg.shapes.rectangle { width = 3, height = 1 }
 local nan = 0 / 0
@@ -263,5 +262,3 @@ end)
 check.case("help in a script is an error that says where to find it", function()
   check.fails(function() return help end, "undefined variable 'help'; in a script it is sg.help")
 end)
-
-check.done()

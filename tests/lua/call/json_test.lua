@@ -1,8 +1,6 @@
 -- JSON files: what is written is read back, files are written atomically, invalid values and files are reported.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local folder = check.folder()
 local file = folder .. "/a.json"
@@ -108,10 +106,8 @@ check.case("invalid values are not written, and the old file remains", function(
 end)
 
 check.case("results are written for other programs", function()
-  local body = sg.body { patch = sg.shapes.rectangle { width = 1, height = 1 }, elements = { 1, 1 }, order = "N2",
-                         material = sg.neo_hookean { E = 1, nu = 0.3 } }
-  local model = sg.model { bodies = { a = body }, supports = { bed = { on = body:face "south", fix = "xy" },
-    grip = { on = body:face "north", drive = "xy" } } }
+  local model = scenes.model{ bodies = { a = { elements = { 1, 1 } } },
+    supports = { bed = { on = "south", fix = "xy" }, grip = { on = "north", drive = "xy" } } }
   local run = model:run { { steps = 2, grip = { 0, -0.1 } } }
   sg.json.write(file, { step = run:column "step", fy = run:column "grip.fy", energy = model:energy().stored })
   local back = sg.json.read(file)
@@ -119,5 +115,3 @@ check.case("results are written for other programs", function()
   check.equal(back.fy, run:column "grip.fy")
   check.fails(function() sg.json.write(file, run) end, "json_test.lua:", "sg.json.write: value must be plain data")
 end)
-
-check.done()

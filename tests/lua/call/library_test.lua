@@ -2,12 +2,10 @@
 -- conform to them, and wrong ones are marked. All other tests check the calls that
 -- they make, help_test those of the examples with their results.
 
-local sg = require "signorini"
+require "check"
 local annotations = require "annotations"
 local calls = require "calls"
-local check = require "check"
 local conformity = require "conformity"
-local core = require "signorini.core"
 local library = require "signorini.prompt.editor.library"
 local names = require "signorini.prompt.help.names"
 local pages = require "signorini.pages"
@@ -98,5 +96,3 @@ check.case("right calls conform, wrong keys and values of another type are marke
   check.equal(marked > 4000 and keys > 500, true)
   if #faults > 0 then error(("%d faults\n%s"):format(#faults, table.concat(faults, "\n"))) end
 end)
-
-check.done()

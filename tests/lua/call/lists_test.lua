@@ -1,6 +1,6 @@
 -- Common operations on lists.
 
-local check = require "check"
+require "check"
 local lists = require "signorini.call.lists"
 
 check.case("questions", function()
@@ -34,5 +34,3 @@ check.case("tables by key", function()
   whole = lists.merged({ a = 1, b = 2 }, { b = false, c = 3 })
   check.equal({ whole.a, whole.b, whole.c }, { 1, false, 3 })
 end)
-
-check.done()

@@ -3,7 +3,7 @@
 -- They are a few thousand; with the word `trace` behind the script's name each is printed before it runs.
 
 local calls = require "calls"
-local check = require "check"
+require "check"
 local names = require "signorini.prompt.help.names"
 
 local function title(call) return ("%s, argument %s: %s"):format(call.page.name, call.place, call.what) end
@@ -17,9 +17,7 @@ end
 local function fault(call)
   local arguments, owner = call.arguments, calls.owner_of(call.page)
   arguments.n = calls.count(arguments)
-  if owner then
-    arguments = table.move(arguments, 1, arguments.n, 2, { owner, n = arguments.n + 1 })
-  end
+  if owner then arguments = table.move(arguments, 1, arguments.n, 2, { owner, n = arguments.n + 1 }) end
   local ok, message = run(call.page, arguments)
   if ok then return "passes in silence" end
   message = tostring(message)
@@ -44,5 +42,3 @@ check.case("wrong calls are errors at their line that name the argument and what
   check.equal(#wrong > 4000, true)
   if #faults > 0 then error(("%d faults\n%s"):format(#faults, table.concat(faults, "\n"))) end
 end)
-
-check.done()

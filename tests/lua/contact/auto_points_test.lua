@@ -1,7 +1,6 @@
 -- points = "auto": forces, energies and states next to 3 (p + 1) points everywhere, checkpoints, and what it refuses.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 local ironing = require "ironing"
 local problem = require "problems.ironing2d.problem"
 
@@ -46,14 +45,11 @@ end
 check.case("an obstacle, an augmented contact without friction, axisymmetric", function()
   local forces = {}
   for _, points in ipairs { false, "auto" } do
-    local punch = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 16, 4 }, order = "N2",
-                           contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
     local ball = sg.rigid.sphere{ radius = 1, center = { 0, 2 } }
-    local model = sg.model{ kind = "axisymmetric", bodies = { punch = punch },
-      supports = { bed = { on = punch:face "south", fix = "xy" }, axis = { on = punch:face "west", fix = "x" },
-                   tool = { on = ball, drive = "xy" } },
-      contacts = { touch = { slave = punch:face "north", master = ball, enforcement = "augmented",
-                             points = points or nil } } }
+    local model = scenes.model{ kind = "axisymmetric", bodies = { punch = { elements = { 16, 4 }, contact = "north" } },
+      supports = { bed = { on = "south", fix = "xy" }, axis = { on = "west", fix = "x" },
+        tool = { on = ball, drive = "xy" } },
+      contacts = { touch = { slave = "north", master = ball, enforcement = "augmented", points = points or nil } } }
     local run = model:run({ { steps = 6, tool = { 0, -0.1 } } },
       sg.robust{ augmentation = { penetration = 1e-4 } })
     check.equal(run.failed and run.failure, false)
@@ -100,11 +96,8 @@ check.case("methods whose points must stay the same refuse it", function()
     ['points = "auto" and adhesion'] = { adhesion = { hamaker = 1, r0 = 0.1 } },
   } do
     check.fails(function()
-      local lower = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 },
-                             order = "N2", contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-      local upper = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { 0, 1 } },
-                             elements = { 2, 2 }, order = "N2",
-                             contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+      local lower = scenes.body{ contact = "north" }
+      local upper = scenes.body{ corner = { 0, 1 }, contact = "south" }
       local contact = { slave = upper:face "south", master = lower:face "north", points = "auto" }
       for key, value in pairs(keys) do contact[key] = value end
       sg.model{ bodies = { lower = lower, upper = upper }, contacts = { touch = contact } }
@@ -114,5 +107,3 @@ check.case("methods whose points must stay the same refuse it", function()
     ironing{ points = "few" }
   end, 'interface.points must be a whole number from 1 to 100 or "auto", got the string')
 end)
-
-check.done()

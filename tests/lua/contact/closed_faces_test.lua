@@ -1,13 +1,12 @@
 -- Multipliers on slave faces that close on themselves: pressures and tractions do not depend on where the seam is.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 --- A ring of four patches from `start` (degrees) on, or of one patch with its seam there; its outer and inner faces.
 local function ring(o)
   if o.one then
-    local body = sg.body{ patch = sg.shapes.ring{ inner = o.inner, outer = o.outer }:rotate{ angle = o.start - 90 },
-                          elements = { 4 * o.n, 2 }, order = "N2", material = o.law }
+    local body = scenes.body{ patch = sg.shapes.ring{ inner = o.inner, outer = o.outer }:rotate{ angle = o.start - 90 },
+      elements = { 4 * o.n, 2 }, material = o.law }
     return body, body:face "south", body:face "north"
   end
   local patches, outer, inner = {}, {}, {}
@@ -16,7 +15,7 @@ local function ring(o)
     outer[j], inner[j] = j .. ".south", j .. ".north"
   end
   patches.boundaries = { outer = outer, inner = inner }
-  local body = sg.body{ patch = patches, elements = { o.n, 2 }, order = "N2", material = o.law }
+  local body = scenes.body{ patch = patches, elements = { o.n, 2 }, material = o.law }
   return body, body:face "outer", body:face "inner"
 end
 
@@ -36,13 +35,10 @@ local function in_hole(o)
   local body, outer, inner = ring{ inner = 0.6, outer = 1, start = o.start, n = 8, one = o.one,
                                    law = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local hole = sg.rigid.cylinder{ center = { 0, 0.02 }, radius = 1.03, inside = true }
-  local model = sg.model{
-    bodies = { ring = body },
+  local model = scenes.model{ bodies = { ring = body },
     supports = { inner = { on = inner, spring = { 0.3, 0.3 } }, hole = { on = hole, drive = "xy" } },
     contacts = { c = { slave = outer, master = hole, method = "mortar", enforcement = o.enforcement,
-                       friction = o.mu and { mu = o.mu },
-                       penalty = o.enforcement ~= "multipliers" and 1e4 or nil } },
-  }
+        friction = o.mu and { mu = o.mu }, penalty = o.enforcement ~= "multipliers" and 1e4 or nil } } }
   local run = model:run{ { steps = 2, hole = { 0.05, 0.12 } } }
   assert(not run.failed, run.reason)
   local now, profile = model:contact_resultant "c", model:profile "c"
@@ -99,15 +95,11 @@ end)
 --- A soft tube on springs in a rigid pipe that is moved likewise, the seam at `start`: force, and the largest pressure.
 local function tube(start, multipliers)
   local patch = sg.shapes.tube{ inner = 0.6, outer = 1, width = 1 }:rotate{ angle = start - 90, axis = { 0, -1, 0 } }
-  local body = sg.body{ patch = patch, elements = { 12, 2, 1 }, order = "N2", contact = "front",
-                        material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local pipe = sg.rigid.cylinder{ center = { 0, 0, 0.02 }, axis = { 0, 1, 0 }, radius = 1.03, inside = true }
-  local model = sg.model{
-    bodies = { tube = body },
-    supports = { inner = { on = body:face "back", spring = { 0.3, 0.3, 0.3 } }, pipe = { on = pipe, drive = "xz" } },
-    contacts = { c = { slave = body:face "front", master = pipe, method = "mortar", enforcement = "multipliers",
-                       multipliers = multipliers } },
-  }
+  local model = scenes.model{ bodies = { tube = { patch = patch, elements = { 12, 2, 1 }, contact = "front" } },
+    supports = { inner = { on = "back", spring = { 0.3, 0.3, 0.3 } }, pipe = { on = pipe, drive = "xz" } },
+    contacts = { c = { slave = "front", master = pipe, method = "mortar", enforcement = "multipliers",
+        multipliers = multipliers } } }
   local run = model:run{ { steps = 1, pipe = { 0.05, 0.12 } } }
   assert(not run.failed, run.reason)
   local now = model:contact_resultant "c"
@@ -119,5 +111,3 @@ check.case("nor does the pressure on a tube", function()
     check.near(tube(270, multipliers), tube(90, multipliers), 1e-8)
   end
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- The contact area against Hertz, and what follows from it: edges of profiles.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local E, nu, R = 1, 0.3, 4
 local formulations = {
@@ -13,17 +12,13 @@ local formulations = {
 
 --- Half of a block under a rigid cylinder that is moved down in small steps: the run and the model.
 local function pressed(name, n)
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 2, corner = { 0, -2 } }, elements = { n, 12 },
-                         order = "N2", contact = "north",
-                         grading = { false, { elements = 0.7, length = 0.3, at = "end" } },
-                         material = sg.linear_elastic{ E = E, nu = nu } }
+  local block = scenes.body{ size = {2, 2}, corner = { 0, -2 }, elements = { n, 12 }, contact = "north",
+    grading = { false, { elements = 0.7, length = 0.3, at = "end" } }, material = sg.linear_elastic{ E = E, nu = nu } }
   local tool, contact = sg.rigid.cylinder{ center = { 0, R }, radius = R }, formulations[name](2 / n)
   contact.slave, contact.master = block:face "north", tool
-  local model = sg.model{
-    bodies = { block = block }, contacts = { c = contact },
-    supports = { bed = { on = block:face "south", fix = "xy" }, symmetry = { on = block:face "west", fix = "x" },
-                 tool = { on = tool, drive = "y" } },
-  }
+  local model = scenes.model{ bodies = { block = block }, contacts = { c = contact },
+    supports = { bed = { on = "south", fix = "xy" }, symmetry = { on = "west", fix = "x" },
+      tool = { on = tool, drive = "y" } } }
   local run = model:run{ { steps = 1, tool = -0.006 }, { steps = 12, tool = -0.012 } }
   assert(not run.failed, run.reason)
   return run, model
@@ -72,15 +67,13 @@ check.case("the area under a sphere has no holes and no steps", function()
   local n = 12
   local areas = {}
   for _, name in ipairs{ "mortar", "multipliers" } do
-    local block = sg.body{ patch = sg.shapes.block{ size = { 1, 1, 1 }, corner = { 0, 0, -1 } }, elements = { n, n, 3 },
-                           order = "N2", contact = "back", material = sg.linear_elastic{ E = E, nu = nu } }
+    local block = scenes.body{ size = { 1, 1, 1 }, corner = { 0, 0, -1 }, elements = { n, n, 3 }, contact = "back",
+      material = sg.linear_elastic{ E = E, nu = nu } }
     local tool, contact = sg.rigid.sphere{ center = { 0, 0, R }, radius = R }, formulations[name](1 / n)
     contact.slave, contact.master = block:face "back", tool
-    local model = sg.model{
-      bodies = { block = block }, contacts = { c = contact },
-      supports = { bed = { on = block:face "front", fix = "xyz" }, west = { on = block:face "west", fix = "x" },
-                   south = { on = block:face "south", fix = "y" }, tool = { on = tool, drive = "z" } },
-    }
+    local model = scenes.model{ bodies = { block = block }, contacts = { c = contact },
+      supports = { bed = { on = "front", fix = "xyz" }, west = { on = "west", fix = "x" },
+        south = { on = "south", fix = "y" }, tool = { on = tool, drive = "z" } } }
     local run = model:run{ { steps = 1, tool = -0.015 }, { steps = 3, tool = -0.03 } }
     assert(not run.failed, run.reason)
     for i, force in ipairs(run:column "c.fz") do
@@ -90,5 +83,3 @@ check.case("the area under a sphere has no holes and no steps", function()
     end
   end
 end)
-
-check.done()

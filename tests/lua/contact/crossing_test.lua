@@ -1,19 +1,16 @@
 -- Increments in which points pass through the master of a contact fail and are cut; equilibria behind it are not
 -- accepted.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 --- A cantilever with a load at its tip, and a stop 0.5 below it near the tip. Without the stop the tip sinks by 12,
 --- farther than the stop and the beam are thick.
 local L, h, E, gap, P, a = 100, 4, 210000, 0.5, 40, 99
 local function cantilever()
-  local beam = sg.body{ patch = sg.shapes.rectangle{ width = L, height = h }, elements = { 20, 2 }, order = "N2",
-    contact = "south", material = sg.neo_hookean{ E = E, nu = 0 } }
   local stop = sg.rigid.cylinder{ center = { a, -1 - gap }, radius = 1 }
-  return sg.model{ bodies = { beam = beam }, supports = { wall = { on = beam:face "west", fix = "xy" } },
-    loads = { tip = { on = beam:face "east", traction = { 0, 0 } } },
-    contacts = { c = { slave = beam:face "south", master = stop, penalty = 1e4 } } }
+  return scenes.model{ bodies = { beam = { size = {L, h}, elements = { 20, 2 }, contact = "south", E = E, nu = 0 } },
+    supports = { wall = { on = "west", fix = "xy" } }, loads = { tip = { on = "east", traction = { 0, 0 } } },
+    contacts = { c = { slave = "south", master = stop, penalty = 1e4 } } }
 end
 local load = { name = "load", steps = 4, tip = { 0, -P / h } }
 --- Force of the stop by beam theory: P a² (3L − a)/6 − R a³/3 = E I gap.
@@ -80,8 +77,7 @@ end)
 
 check.case("a strip bent by a pin: the same force with every predictor, penalty and number of steps", function()
   local function bend(steps, options, penalty)
-    local strip = sg.body{ patch = sg.shapes.rectangle{ width = 20, height = 1 }, elements = { 40, 2 }, order = "N2",
-      contact = "north", material = sg.neo_hookean{ E = 100, nu = 0.3 } }
+    local strip = scenes.body{ size = {20, 1}, elements = { 40, 2 }, contact = "north", E = 100 }
     local pin = sg.rigid.cylinder{ center = { 12, 3 }, radius = 2 }
     local model = sg.model{ bodies = { strip = strip },
       supports = { grip = { on = strip:face "west", fix = "xy" }, pin = { on = pin, drive = "y" } },
@@ -99,10 +95,8 @@ end)
 
 check.case("sliding off an end of the master is not crossing", function()
   local function slide(drop)
-    local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { 0, 1 } }, elements = { 4, 4 },
-      order = "N2", contact = "south", material = sg.neo_hookean{ E = 100, nu = 0.3 } }
-    local shelf = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = { -1, 0 } },
-      elements = { 8, 4 }, order = "N2", contact = "north", material = sg.neo_hookean{ E = 100, nu = 0.3 } }
+    local block = scenes.body{ corner = { 0, 1 }, elements = { 4, 4 }, contact = "south", E = 100 }
+    local shelf = scenes.body{ size = {2, 1}, corner = { -1, 0 }, elements = { 8, 4 }, contact = "north", E = 100 }
     local model = sg.model{ bodies = { block = block, shelf = shelf },
       supports = { bed = { on = shelf:face "south", fix = "xy" }, grip = { on = block:face "north", drive = "xy" } },
       contacts = { c = { slave = block:face "south", master = shelf:face "north", penalty = 1000 } } }
@@ -114,5 +108,3 @@ check.case("sliding off an end of the master is not crossing", function()
     check.equal({ run.reason, run.cutbacks }, { "completed", 0 })
   end
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- A disc of four arcs, whose map has parallel directions in four corners: fields, pictures, files and profiles of it.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local function arc(from, to) return sg.nurbs.arc{ radius = 1, from = from, to = to } end
 
@@ -62,5 +61,3 @@ check.case("pictures and files are written, and one color range reports what it 
   local text = require("signorini.core").read_file(folder .. "/disc.vtu")
   check.equal(text:find "nan", nil)
 end)
-
-check.done()

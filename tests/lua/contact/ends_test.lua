@@ -1,19 +1,18 @@
 -- Masters with sharp ends: how far an end acts depends on the slave's elements, not on the master's.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 --- P (1 − ν)/(4 G a w) of a rigid flat punch of radius 1 on a layer of thickness 1 that is bonded to a rigid base. The
 --- punch is a line of `count` elements, or without it a plane on which only points within the radius act.
 local function punched(count)
   local nu, G, depth, width = 0.3, 1, 0.01, 8
   local E = 2 * G * (1 + nu)
-  local layer = sg.body{ patch = sg.shapes.rectangle{ width = width, height = 1 }, elements = { 60, 15 }, order = "N2",
-    contact = "north", grading = { { elements = 0.6, length = 0.25, at = "start" }, false },
+  local layer = scenes.body{ size = {width, 1}, elements = { 60, 15 }, contact = "north",
+    grading = { { elements = 0.6, length = 0.25, at = "start" }, false },
     material = sg.linear_elastic{ E = E, nu = nu } }
   local line = sg.nurbs.line{ from = { 0, 1 }, to = { 1, 1 } }
   local punch = count and sg.rigid.surface(count > 1 and line:refine{ elements = { count } } or line)
-    or sg.rigid.plane{ point = { 0, 1 }, normal = { 0, -1 } }
+    or scenes.ceiling(1)
   local model = sg.model{ kind = "axisymmetric", bodies = { layer = layer },
     supports = { axis = { on = layer:face "west", symmetry = true }, base = { on = layer:face "south", fix = "xy" },
                  push = { on = punch, drive = "y" } },
@@ -37,15 +36,12 @@ end)
 
 --- Force of a slab on a block of half its width.
 local function pressed(count, swap)
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 3, corner = { -5, 0 } }, elements = { 80, 6 },
-    order = "N2", contact = "south", material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 2, corner = { -1, -2 } },
-    elements = { count, 2 }, order = "N2", contact = "north", material = sg.neo_hookean{ E = 1e5, nu = 0.3 } }
+  local slab = scenes.body{ size = {10, 3}, corner = { -5, 0 }, elements = { 80, 6 }, contact = "south", E = 1000 }
+  local block = scenes.body{ size = {2, 2}, corner = { -1, -2 }, elements = { count, 2 }, contact = "north", E = 1e5 }
   local slave, master = slab:face "south", block:face "north"
   if swap then slave, master = master, slave end
-  local model = sg.model{ bodies = { slab = slab, block = block },
-    supports = { bed = { on = block:face "south", fix = "xy" },
-                 top = { on = slab:face "north", fix = "x", drive = "y" } },
+  local model = scenes.model{ bodies = { slab = slab, block = block },
+    supports = { bed = { on = "block.south", fix = "xy" }, top = { on = "slab.north", fix = "x", drive = "y" } },
     contacts = { c = { slave = slave, master = master, penalty = 1e5 } } }
   local run = model:run{ { steps = 1, top = { -0.02 } } }
   check.equal(run.reason, "completed")
@@ -63,16 +59,14 @@ end)
 
 check.case("in space", function()
   local function force(count)
-    local slab = sg.body{ patch = sg.shapes.block{ size = { 4, 1, 1 }, corner = { -2, 0, 0 } }, elements = { 24, 2, 3 },
-      order = "N2", contact = "front", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
     local surface = sg.nurbs.ruled{ a = sg.nurbs.line{ from = { -1, 0, 0 }, to = { 1, 0, 0 } },
                                     b = sg.nurbs.line{ from = { -1, 1, 0 }, to = { 1, 1, 0 } } }
     local punch = sg.rigid.surface(surface:refine{ elements = { count, 1 } })
-    local model = sg.model{ bodies = { slab = slab },
-      supports = { top = { on = slab:face "back", fix = "xyz" },
-                   sides = { on = { slab:face "south", slab:face "north" }, fix = "y" },
-                   push = { on = punch, drive = "z" } },
-      contacts = { c = { slave = slab:face "front", master = punch, penalty = 100 } } }
+    local model = scenes.model{
+      bodies = { slab = { size = { 4, 1, 1 }, corner = { -2, 0, 0 }, elements = { 24, 2, 3 }, contact = "front",
+          thickness_degree = 1 } }, supports = { top = { on = "back", fix = "xyz" },
+        sides = { on = { "south", "north" }, fix = "y" }, push = { on = punch, drive = "z" } },
+      contacts = { c = { slave = "front", master = punch, penalty = 100 } } }
     check.equal(model:run{ { steps = 1, push = { 0.02 } } }.reason, "completed")
     return model:reaction "push".fz
   end
@@ -80,5 +74,3 @@ check.case("in space", function()
   check.near(force(12), single, 1e-6 * single) -- elements as long as the slab's
   check.near(force(48), single, 0.02 * single)
 end)
-
-check.done()

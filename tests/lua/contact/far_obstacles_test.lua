@@ -1,9 +1,6 @@
 -- Obstacles with a far center, point or pivot: forces as on the same shape given by near numbers.
 
-local core = require "signorini.core"
-package.path = ("%s;%s/tests/lua/?.lua"):format(package.path, core.home)
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local exact = { verbose = false }
 
@@ -11,18 +8,14 @@ local exact = { verbose = false }
 --- tool that nothing touches.
 local function layer(tool, stages, o)
   o = o or {}
-  local body = sg.body{ patch = sg.shapes.rectangle{ width = 14, height = 0.25, corner = { 0, -0.25 } },
-                        elements = { 56, 1 }, order = "N2", contact = "north",
-                        material = sg.linear_elastic{ E = 3, nu = 0.3 } }
+  local body = scenes.body{ size = {14, 0.25}, corner = { 0, -0.25 }, elements = { 56, 1 }, contact = "north",
+    material = sg.linear_elastic{ E = 3, nu = 0.3 } }
   local support, top = o.support or { drive = "xy" }, body:face "north"
   support.on = tool
-  local model = sg.model{
-    bodies = { body = body },
-    supports = { bed = { on = body:face "south", fix = "xy" }, tool = support },
+  local model = scenes.model{ bodies = { body = body },
+    supports = { bed = { on = "south", fix = "xy" }, tool = support },
     contacts = { c = { slave = top, master = tool, method = "mortar", enforcement = "multipliers",
-                       friction = o.mu and { mu = o.mu } },
-                 also = o.also and { slave = top, master = o.also } },
-  }
+        friction = o.mu and { mu = o.mu } }, also = o.also and { slave = top, master = o.also } } }
   local run = model:run(stages, exact)
   check.equal(run.failed, false)
   return model:reaction "tool", run
@@ -98,20 +91,16 @@ end)
 check.case("in space balls and cylinders with far centers press as level sets", function()
   local radius, depth = 4e6, 4e-7
   local function force(tool)
-    local block = sg.body{ patch = sg.shapes.block{ size = { 4, 4, 0.5 } }, elements = { 8, 8, 1 }, order = "N2",
-                           contact = "back", material = sg.linear_elastic{ E = 3, nu = 0.3 } }
-    local model = sg.model{
-      bodies = { block = block }, supports = { bed = { on = block:face "front", fix = "xyz" },
-                                               tool = { on = tool, drive = "xyz" } },
-      contacts = { c = { slave = block:face "back", master = tool, friction = { mu = 0.3 } } },
-    }
+    local model = scenes.model{
+      bodies = { block = { size = { 4, 4, 0.5 }, elements = { 8, 8, 1 }, contact = "back",
+          material = sg.linear_elastic{ E = 3, nu = 0.3 } } },
+      supports = { bed = { on = "front", fix = "xyz" }, tool = { on = tool, drive = "xyz" } },
+      contacts = { c = { slave = "back", master = tool, friction = { mu = 0.3 } } } }
     local run = model:run({ { steps = 1, tool = { 0, 0, -depth } }, { steps = 1, tool = { depth, 0, -depth } } }, exact)
     check.equal(run.failed, false)
     return model:reaction "tool"
   end
-  local function level_set(f)
-    return sg.rigid.level_set{ f = f, box = { { -1, -1, 0.4 }, { 5, 5, 0.6 } } }
-  end
+  local function level_set(f) return sg.rigid.level_set{ f = f, box = { { -1, -1, 0.4 }, { 5, 5, 0.6 } } } end
   local function same_force(a, b)
     check.near((a.fz - b.fz) / b.fz, 0, 1e-7)
     check.near((a.fx - b.fx) / b.fz, 0, 1e-7)
@@ -121,5 +110,3 @@ check.case("in space balls and cylinders with far centers press as level sets", 
   same_force(force(sg.rigid.cylinder{ center = { 2, 1e6, 0.5 + radius }, axis = { 0, 1, 0 }, radius = radius }),
     force(level_set(function(x, y, z) return (x - 2) ^ 2 / (2 * radius) + 0.5 - z end)))
 end)
-
-check.done()

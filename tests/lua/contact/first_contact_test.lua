@@ -1,13 +1,11 @@
 -- Bodies that touch from the start within rounding error, or never touch.
 
 local lists = require "signorini.call.lists"
-local sg = require "signorini"
-local check = require "check"
+require "check"
 local other_warnings = require "other_warnings"
 
 local function rectangle(width, height, corner, elements, contact)
-  return sg.body{ patch = sg.shapes.rectangle{ width = width, height = height, corner = corner }, elements = elements,
-                  order = "N2", contact = contact, material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  return scenes.body{ size = {width, height}, corner = corner, elements = elements, contact = contact, E = 10 }
 end
 
 --- A block on a slab, with knots on knots. `extra`: a further support of the block or what replaces its face.
@@ -16,12 +14,10 @@ local function scene(gap, friction, options)
   local block, slab = rectangle(1, 0.5, {1, 1 + gap}, {8, 4}, "south"), rectangle(4, 1, {0, 0}, {32, 8}, "north")
   local supports = { bed = { on = slab:face "south", fix = "xy" } }
   if not options.load then supports.top = { on = block:face "north", drive = "xy" } end
-  return sg.model{
-    bodies = { block = block, slab = slab }, supports = supports,
+  return scenes.model{ bodies = { block = block, slab = slab }, supports = supports,
     loads = options.load and { push = { on = block:face "north", traction = {0, 0} } },
-    contacts = { c = { slave = block:face(options.slave or "south"), master = slab:face "north", penalty = 1000,
-                       friction = friction } },
-  }
+    contacts = { c = { slave = block:face(options.slave or "south"), master = "slab.north", penalty = 1000,
+        friction = friction } } }
 end
 
 local rough = { mu = 0.3, penalty = 1000 }
@@ -76,15 +72,12 @@ end)
 check.case("half passes of which one has transmitted nothing although its points penetrate", function()
   local function run(slab, arch)
     local rubber = sg.neo_hookean{ E = 1, nu = 0.3 }
-    local low = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 0.6, corner = {-1, -0.6} }, elements = slab,
-                         order = "N3", contact = "north", material = rubber }
-    local up = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0, 0.501} },
-                        elements = arch, order = "N2", contact = "south", material = rubber }
-    local model = sg.model{ bodies = { low = low, up = up },
-      supports = { bed = { on = low:face "south", fix = "xy" }, lid = { on = { up:face "west", up:face "east" },
-                   drive = "xy" } },
-      contacts = { k = { slave = low:face "north", master = up:face "south", method = "half_passes",
-                         multipliers = "equal" } } }
+    local model = scenes.model{
+      bodies = { low = { size = {2, 0.6}, corner = {-1, -0.6}, elements = slab, order = "N3", contact = "north",
+          material = rubber }, up = { patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0, 0.501} },
+          elements = arch, contact = "south", material = rubber } },
+      supports = { bed = { on = "low.south", fix = "xy" }, lid = { on = { "up.west", "up.east" }, drive = "xy" } },
+      contacts = { k = { slave = "low.north", master = "up.south", method = "half_passes", multipliers = "equal" } } }
     return table.concat(model:run{ { steps = 4, lid = {0, -0.02} } }.warnings, "\n")
   end
   local found = run({16, 6}, {2, 1})
@@ -100,12 +93,10 @@ end)
 
 check.case("a penalty that is soft against the bodies is reported with one that leaves 1 %", function()
   local function sunk(penalty)
-    local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = {2, 2}, order = "N2",
-                           contact = "south", material = sg.linear_elastic{ E = 1, nu = 0 } }
-    local model = sg.model{ bodies = { block = block },
-      supports = { lid = { on = block:face "north", drive = "y", fix = "x" } },
-      contacts = { ground = { slave = block:face "south", penalty = penalty,
-                              master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } } }
+    local model = scenes.model{
+      bodies = { block = { size = {2, 1}, contact = "south", material = sg.linear_elastic{ E = 1, nu = 0 } } },
+      supports = { lid = { on = "north", drive = "y", fix = "x" } },
+      contacts = { ground = { slave = "south", penalty = penalty, master = scenes.floor() } } }
     return model:run{ { steps = 2, lid = -0.04 } }
   end
   -- Springs of stiffness E and epsilon in a row: 0.04 E/(E + epsilon) of the lid's way goes into the contact.
@@ -121,8 +112,8 @@ end)
 --- A block on a slab, pressed by the lid; `contact` is added to their contact, `of` to the support of the slab.
 local function pressed(contact, of, lid)
   local function block(corner, width, elements)
-    return sg.body{ patch = sg.shapes.rectangle{ width = width, height = 1, corner = corner }, elements = elements,
-                    order = "N2", material = sg.linear_elastic{ E = 1, nu = 0 } }
+    return scenes.body{ size = {width, 1}, corner = corner, elements = elements,
+      material = sg.linear_elastic{ E = 1, nu = 0 } }
   end
   local upper, slab = block({0, 1}, 2, {2, 2}), block({-1, 0}, 4, {6, 2})
   local model = sg.model{ bodies = { upper = upper, slab = slab },
@@ -145,17 +136,14 @@ check.case("a closest-point projection that did not converge is reported with it
   -- The line x = -(2 xi - 1)^7: Newton's method for the closest point to (0, y) takes off 1/13 in each iteration.
   local line = sg.nurbs.curve{ degree = 7, knots = { 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1 },
                                points = { {1, 0}, {-1, 0}, {1, 0}, {-1, 0}, {1, 0}, {-1, 0}, {1, 0}, {-1, 0} } }
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {-1, 0.1} }, elements = {1, 1},
-                         order = "N1", contact = "south", material = sg.linear_elastic{ E = 1, nu = 0 } }
-  local model = sg.model{ bodies = { block = block },
-    supports = { grip = { on = { block:face "south", block:face "north" }, drive = "xy" } },
-    contacts = { touch = { slave = block:face "south", master = sg.rigid.surface(line), penalty = 1,
-                           points = 1 } } }
+  local model = scenes.model{
+    bodies = { block = { size = {2, 1}, corner = {-1, 0.1}, elements = {1, 1}, order = "N1", contact = "south",
+        material = sg.linear_elastic{ E = 1, nu = 0 } } },
+    supports = { grip = { on = { "south", "north" }, drive = "xy" } },
+    contacts = { touch = { slave = "south", master = sg.rigid.surface(line), penalty = 1, points = 1 } } }
   local run = model:run{ { steps = 1, grip = {-0.9, 0} }, { steps = 1, grip = {0, 0} } }
   check.equal({ run.reason, #run.warnings }, { "completed", 2 })
   check.holds(run.warnings[2], "contact 'touch': the search for a closest point or slip point ended at a limit of "
     .. "iterations 1 time in accepted states, the last time at X = (0, 0.1): gap and friction are approximate there")
   check.equal(model:contact_resultant "touch".unsettled, 2) -- the initial state is an accepted one, too
 end)
-
-check.done()

@@ -1,34 +1,25 @@
 -- First touch: friction acts from where a point closes in its step, with every formulation.
 
-local sg = require "signorini"
+require "check"
 local rows = require "formulations.rows"
-local check = require "check"
 
 -- ── A block that sticks where it lands ───────────────────────────────────────────────────────────────────────────────
 
-local steel = sg.neo_hookean{ E = 10, nu = 0.3 }
-
-local function block_2d(at)
-  return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = at }, elements = {2, 2}, order = "N2",
-                  contact = "south", material = steel }
-end
+local function block_2d(at) return scenes.body{ corner = at, contact = "south", E = 10 } end
 
 local function slab_2d()
-  return sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1, corner = {-1, -1} }, elements = {6, 2},
-                  order = "N2", contact = "north", material = steel }
+  return scenes.body{ size = {3, 1}, corner = {-1, -1}, elements = {6, 2}, contact = "north", E = 10 }
 end
 
 local function block_3d(at)
-  return sg.body{ patch = sg.shapes.block{ size = {1, 1, 1}, corner = at }, elements = {2, 2, 1}, order = "N2",
-                  contact = "front", material = steel }
+  return scenes.body{ size = {1, 1, 1}, corner = at, elements = {2, 2, 1}, contact = "front", E = 10 }
 end
 
 local function slab_3d()
-  return sg.body{ patch = sg.shapes.block{ size = {3, 3, 1}, corner = {-1, -1, -1} }, elements = {3, 3, 1},
-                  order = "N2", contact = "back", material = steel }
+  return scenes.body{ size = {3, 3, 1}, corner = {-1, -1, -1}, elements = {3, 3, 1}, contact = "back", E = 10 }
 end
 
-local scenes = {
+local cases = {
   plane = { down = "south", up = "north", at = {0, 0.1}, block = block_2d, drive = "xy", goal = { 0.02, -0.2 },
             normal = {0, 1} },
   slab = { down = "south", up = "north", at = {0, 0.1}, block = block_2d, slab = slab_2d, drive = "xy",
@@ -81,7 +72,7 @@ local function equal_steps(n, touch)
 end
 
 for _, name in ipairs{ "plane", "slab", "plane_3d", "slab_3d" } do
-  local kind = scenes[name]
+  local kind = cases[name]
   local space = kind.drive == "xyz"
   for _, formulation in ipairs(rows.choices) do
     local steep = kind.slab and formulation == "gpts-augmented" -- at the block's ends augmentation takes too long
@@ -100,16 +91,16 @@ for _, name in ipairs{ "plane", "slab", "plane_3d", "slab_3d" } do
 end
 
 check.case("Gauss points and a plane: friction does not depend on the number of steps", function()
-  local limit = landed(scenes.plane, "gpts", { 0.5, 1 })
+  local limit = landed(cases.plane, "gpts", { 0.5, 1 })
   for _, steps in ipairs { 1, 3, 5, 9, 33 } do
-    check.within(steps .. " steps", landed(scenes.plane, "gpts", equal_steps(steps)) / limit, 1, 1e-10)
+    check.within(steps .. " steps", landed(cases.plane, "gpts", equal_steps(steps)) / limit, 1, 1e-10)
   end
 end)
 
 check.case("a block that moves back to where it touched has no friction, whatever the steps", function()
   for _, formulation in ipairs{ "gpts", "equal", "equal-multipliers" } do
     for _, steps in ipairs{ 1, 3 } do
-      local run = landing(scenes.plane, formulation):run{ { name = "land", steps = steps, grip = { 0.02, -0.2 } },
+      local run = landing(cases.plane, formulation):run{ { name = "land", steps = steps, grip = { 0.02, -0.2 } },
                                                           { name = "return", steps = 2, grip = { 0.01, -0.2 } } }
       local fx = run:column "grip.fx"
       check.within(("%s, %d steps"):format(formulation, steps), fx[run.rows] / fx[steps], 0, 1e-8)
@@ -125,8 +116,8 @@ local function indented(formulation, side, angle, off)
   local c, s = math.cos(math.rad(angle or 0)), math.sin(math.rad(angle or 0))
   local function turned(x, y) return { c * side * x - s * y, s * side * x + c * y } end
   local patch = sg.shapes.rectangle{ width = 3, height = 1, corner = {-1.5, -1} }
-  local slab = sg.body{ patch = patch:rotate{ angle = angle or 0, center = {0, 0} }, elements = {30, 3}, order = "N2",
-                        contact = "north", material = steel }
+  local slab = scenes.body{ patch = patch:rotate{ angle = angle or 0, center = {0, 0} }, elements = {30, 3},
+    contact = "north", E = 10 }
   local tool = sg.rigid.cylinder{ center = turned(off or 0, 1.02), radius = 1 }
   local model = sg.model{ bodies = { slab = slab },
     supports = { bed = { on = slab:face "south", fix = "xy" }, tool = { on = tool, drive = "xy" } },
@@ -186,8 +177,7 @@ end)
 
 --- The force along x of a rigid sphere that is pressed into a slab and turns as the cylinder does.
 local function dragged_in_space(formulation, steps)
-  local slab = sg.body{ patch = sg.shapes.block{ size = {2, 2, 1}, corner = {-1, -1, -1} }, elements = {7, 7, 1},
-                        order = "N2", contact = "back", material = steel }
+  local slab = scenes.body{ size = {2, 2, 1}, corner = {-1, -1, -1}, elements = {7, 7, 1}, contact = "back", E = 10 }
   local tool = sg.rigid.sphere{ center = {0.03, 0.02, 1.02}, radius = 1 }
   local model = sg.model{ bodies = { slab = slab },
     supports = { bed = { on = slab:face "front", fix = "xyz" }, tool = { on = tool, drive = "xyz" } },
@@ -229,5 +219,3 @@ check.case("an attempt that is rolled back leaves nothing of its forecast", func
     check.near(first{ 0.5, 0.25 }, first{ 0.25 }, 1e-13)
   end
 end)
-
-check.done()

@@ -1,19 +1,17 @@
 -- Coulomb friction in 2D: tractions of a profile against the forces, and the effect of accepting a slipping step on the
 -- equilibrium.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local function body(patch, elements, face, E)
-  return sg.body{ patch = patch, elements = elements, order = "N2", contact = face,
-                  material = sg.neo_hookean{ E = E, nu = 0.3 } }
+  return scenes.body{ patch = patch, elements = elements, contact = face, E = E }
 end
 
 --- A die that has slid by 0.5 in so many steps, all of it slipping: over a soft slab, or over a rigid plane.
 local function slid(steps, rigid)
   local die = body(sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } }, { 6, 2 }, "south", 1000)
   local slab = body(sg.shapes.rectangle{ width = 3, height = 1 }, { 8, 3 }, "north", 1)
-  local plane = sg.rigid.plane{ point = { 0, 1 }, normal = { 0, 1 } }
+  local plane = scenes.floor(1)
   local model = sg.model{
     bodies = not rigid and { die = die, slab = slab } or { die = die },
     supports = { bed = not rigid and { on = slab:face "south", fix = "xy" } or nil,
@@ -63,9 +61,8 @@ check.case("springs shorter than rounding errors of positions are no unfinished 
   -- slip under pressures close to zero, where springs of the length mu p/penalty are below 1e-9.
   local E, y, bodies, contacts = 210000, 0, {}, {}
   local function block(width, bottom, elements)
-    return sg.body{ patch = sg.shapes.rectangle{ width = width, height = 2, corner = { -width / 2, bottom } },
-                    elements = { elements, 2 }, order = "N2", contact = { "south", "north" },
-                    material = sg.neo_hookean{ E = E, nu = 0.3 } }
+    return scenes.body{ size = {width, 2}, corner = { -width / 2, bottom }, elements = { elements, 2 },
+      contact = { "south", "north" }, E = E }
   end
   bodies[0] = block(14, -2, 10)
   for i = 1, 2 do
@@ -89,5 +86,3 @@ check.case("energies are strict about names", function()
   check.fails(function() return slid(10):energy().frictoin end,
     "model:energy() has no 'frictoin'; did you mean 'friction'?")
 end)
-
-check.done()

@@ -1,9 +1,8 @@
 -- Contact patch test of two half passes, at contact points and with multipliers: uniform to rounding error on either
 -- face, straight, skewed and stretched.
 
-local check = require "check"
+require "check"
 local patch_test = require "problems.patch_test.problem"
-local sg = require "signorini"
 
 local function solved(model, stages, options)
   local run = model:run(stages, options)
@@ -53,18 +52,16 @@ end)
 --- A block that is stretched to 1.5 times its width and then pressed on another one of this width.
 local function stretch_and_press(keys)
   local function block(width, height, count, face)
-    return sg.body{ patch = sg.shapes.rectangle{ width = width, height = 1, corner = { 0, height } },
-                    elements = { count, 2 }, order = "N2", contact = face, thickness_degree = 1,
-                    material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    return scenes.body{ size = {width, 1}, corner = { 0, height }, elements = { count, 2 }, contact = face,
+      thickness_degree = 1 }
   end
   local lower, upper = block(3, -1, 5, "north"), block(2, 0, 3, "south")
-  local model = sg.model{
-    bodies = { lower = lower, upper = upper },
-    supports = { bed = { on = lower:face "south", fix = "y" },
-                 ends = { on = { lower:face "west", lower:face "east", upper:face "west" }, fix = "x" },
-                 pull = { on = upper:face "east", drive = "x" }, grip = { on = upper:face "north", drive = "y" } },
-    contacts = { joint = { slave = upper:face "south", master = lower:face "north", penalty = 100, points = 4,
-                           method = "half_passes", multipliers = keys.multipliers } } }
+  local model = scenes.model{ bodies = { lower = lower, upper = upper },
+    supports = { bed = { on = "lower.south", fix = "y" },
+      ends = { on = { "lower.west", "lower.east", "upper.west" }, fix = "x" },
+      pull = { on = "upper.east", drive = "x" }, grip = { on = "upper.north", drive = "y" } },
+    contacts = { joint = { slave = "upper.south", master = "lower.north", penalty = 100, points = 4,
+        method = "half_passes", multipliers = keys.multipliers } } }
   solved(model, { { steps = 4, pull = 1, grip = 0.1 }, { steps = 4, pull = 1, grip = -0.3 } },
     { newton = { tolerance = 1e-13 } })
   return model
@@ -85,5 +82,3 @@ check.case("patch test with a face stretched by half: uniform to rounding error 
       end
     end
   end)
-
-check.done()

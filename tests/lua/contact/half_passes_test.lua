@@ -2,10 +2,8 @@
 -- friction, energies, imbalance, results of both passes, checkpoints, wrong calls. half_passes_patch_test.lua has the
 -- contact patch test.
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 local ironing = require "ironing"
-local sg = require "signorini"
 local show = require "signorini.prompt.show"
 
 local function solved(model, stages, options)
@@ -19,9 +17,7 @@ local equal = { method = "half_passes", multipliers = "equal" }
 local reduced = { method = "half_passes", multipliers = "reduced" }
 local kinds = { points, equal, reduced }
 
-local function name_of(keys)
-  return keys.multipliers or "points"
-end
+local function name_of(keys) return keys.multipliers or "points" end
 
 -- ── Bias ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -134,20 +130,17 @@ end)
 
 --- A ball pressed on a disc, axisymmetric; a layer on the ball.
 local function ball(keys, swap, count, penalty, mu)
-  local body = sg.body{ patch = sg.shapes.quarter_annulus{ inner = 0.3, outer = 1, start = 270, center = { 0, 1 } },
-                        elements = { count, 2 }, order = "N2-N2.1", contact = "south", thickness_degree = 1,
-                        material = sg.neo_hookean{ E = 2, nu = 0.3 } }
-  local disc = sg.body{ patch = sg.shapes.rectangle{ width = 1.5, height = 1, corner = { 0, -1 } },
-                        elements = { count + 3, 3 }, order = "N2", contact = "north", thickness_degree = 1,
-                        material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local body = scenes.body{ patch = sg.shapes.quarter_annulus{ inner = 0.3, outer = 1, start = 270, center = { 0, 1 } },
+    elements = { count, 2 }, order = "N2-N2.1", contact = "south", thickness_degree = 1, E = 2 }
+  local disc = scenes.body{ size = {1.5, 1}, corner = { 0, -1 }, elements = { count + 3, 3 }, contact = "north",
+    thickness_degree = 1 }
   local slave, master = body:face "south", disc:face "north"
   if swap then slave, master = master, slave end
-  local model = sg.model{
-    kind = "axisymmetric", bodies = { ball = body, disc = disc },
-    supports = { bed = { on = disc:face "south", fix = "xy" }, axis = { on = disc:face "west", fix = "x" },
-                 middle = { on = body:face "west", fix = "x" }, grip = { on = body:face "east", drive = "y" } },
+  local model = scenes.model{ kind = "axisymmetric", bodies = { ball = body, disc = disc },
+    supports = { bed = { on = "disc.south", fix = "xy" }, axis = { on = "disc.west", fix = "x" },
+      middle = { on = "ball.west", fix = "x" }, grip = { on = "ball.east", drive = "y" } },
     contacts = { touch = { slave = slave, master = master, penalty = penalty, method = keys.method,
-                           multipliers = keys.multipliers, friction = mu and { mu = mu, penalty = penalty } or nil } } }
+        multipliers = keys.multipliers, friction = mu and { mu = mu, penalty = penalty } or nil } } }
   solved(model, { { steps = 4, grip = -0.15 } }, { newton = { tolerance = 1e-13 } })
   return model
 end
@@ -170,19 +163,17 @@ end)
 --- A block pressed on a larger one and dragged, in 3D with friction.
 local function drag(keys, swap)
   local function block(size, count, corner, face, young)
-    return sg.body{ patch = sg.shapes.block{ size = size, corner = corner }, elements = { count, count, 1 },
-                    order = "N2", contact = face, thickness_degree = 1,
-                    material = sg.neo_hookean{ E = young, nu = 0.3 } }
+    return scenes.body{ size = size, corner = corner, elements = { count, count, 1 }, contact = face,
+      thickness_degree = 1, E = young }
   end
   local top = block({ 1, 1, 0.5 }, 2, { 0.5, 0.4, 0 }, "front", 20)
   local bed = block({ 3, 2, 1 }, 5, { 0, 0, -1 }, "back", 1)
   local slave, master = top:face "front", bed:face "back"
   if swap then slave, master = master, slave end
-  local model = sg.model{
-    bodies = { top = top, bed = bed },
-    supports = { floor = { on = bed:face "front", fix = "xyz" }, grip = { on = top:face "back", drive = "xyz" } },
+  local model = scenes.model{ bodies = { top = top, bed = bed },
+    supports = { floor = { on = "bed.front", fix = "xyz" }, grip = { on = "top.back", drive = "xyz" } },
     contacts = { touch = { slave = slave, master = master, penalty = 20, points = 5, method = keys.method,
-                           multipliers = keys.multipliers, friction = { mu = 0.2, penalty = 20 } } } }
+        multipliers = keys.multipliers, friction = { mu = 0.2, penalty = 20 } } } }
   local run = solved(model, { { steps = 2, grip = { 0, 0, -0.05 } }, { steps = 6, grip = { 0.3, 0.1, -0.05 } } },
     { newton = { tolerance = 1e-13 } })
   return model, run
@@ -266,10 +257,8 @@ check.case("robust runs and arc length", function()
 end)
 
 check.case("wrong combinations are errors that name the argument", function()
-  local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N1",
-                        contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local below = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { 0, -1 } }, elements = { 2, 2 },
-                         order = "N1", contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local body = scenes.body{ order = "N1", contact = "south" }
+  local below = scenes.body{ corner = { 0, -1 }, order = "N1", contact = "north" }
   local function contacts(list)
     for _, keys in pairs(list) do
       keys.slave, keys.master = body:face "south", keys.master or below:face "north"
@@ -282,7 +271,7 @@ check.case("wrong combinations are errors that name the argument", function()
     return contacts{ floor = keys }
   end
   local here = "half_passes_test.lua:"
-  check.fails(contact{ master = sg.rigid.plane{ point = { 0, -1 }, normal = { 0, 1 } } }, here, "contacts.floor",
+  check.fails(contact{ master = scenes.floor(-1) }, here, "contacts.floor",
     "half_passes", "obstacle", "gpts", "mortar")
   check.fails(contact{ per = "reference" }, here, "per", "current")
   check.fails(contact{ adhesion = { hamaker = 1, r0 = 1 } }, here, "adhesion", "half_passes")
@@ -293,5 +282,3 @@ check.case("wrong combinations are errors that name the argument", function()
     "name of a contact")
   check.fails(contact{ enforcement = "augmented" }, here, "contacts.floor", "half_passes", "augmented", "mortar")
 end)
-
-check.done()

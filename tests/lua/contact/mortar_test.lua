@@ -1,8 +1,7 @@
 -- Contacts with method = "mortar": contact patch test next to Gauss points, Hertz's line and point contact, ironing
 -- with friction, augmentation, and what else a run offers.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 local problem = require "problems.hertz2d.problem"
 local ironing = require "ironing"
 local patch_test = require "problems.patch_test.problem"
@@ -25,9 +24,7 @@ local function with(keys, build, ...)
   return table.unpack(results, 2, results.n)
 end
 
-local function make(keys, scene)
-  return with(keys, function() return sg.model(scene) end)
-end
+local function make(keys, scene) return with(keys, function() return sg.model(scene) end) end
 
 local function solved(model, stages, options)
   local run = model:run(stages, sg.plain(options or {}))
@@ -76,9 +73,7 @@ check.case("patch test, 3 elements under 5: below the error of Gauss points, exp
         -- With the coarser mesh as slave Gauss points are worse by an order, since the finer master can move between.
         if slave == "lower" then check.at_most(name, error_at(keys, 15), 0.3 * error_at(gpts, 15)) end
         local coarse, fine = 0, 0
-        for points = 8, 11 do
-          coarse, fine = coarse + error_at(keys, points), fine + error_at(keys, 4 * points)
-        end
+        for points = 8, 11 do coarse, fine = coarse + error_at(keys, points), fine + error_at(keys, 4 * points) end
         check.within(name .. ": exponent", math.log(fine / coarse) / math.log(4), -3, 0.7)
       end
     end
@@ -255,5 +250,3 @@ check.case("wrong combinations are errors that name the argument", function()
   check.fails(contact{ method = "mortar", adhesion = { hamaker = 1, r0 = 1 } }, "adhesion", "mortar")
   check.fails(contact{ penalty = 1, method = "mortar", multipliers = "reduced" }, "reduced", "degree p >= 2", "equal")
 end)
-
-check.done()

@@ -1,8 +1,6 @@
 -- Contacts with enforcement = "multipliers": Hertz's contact without a parameter, friction, and what else a run offers.
 
-local sg = require "signorini"
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 local problem = require "problems.hertz2d.problem"
 
 local spaces = { "equal", "reduced" }
@@ -81,14 +79,12 @@ end)
 --- A rigid cylinder on a slab.
 local function iron(own, order, mu)
   local roller = sg.rigid.cylinder{ center = { 0.75, 1.5 }, radius = 0.5 }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 16, 4 }, order = order,
-                        contact = "north", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local slab = scenes.body{ size = {3, 1}, elements = { 16, 4 }, order = order, contact = "north",
+    thickness_degree = 1 }
   own.slave, own.master, own.friction = slab:face "north", roller, mu > 0 and { mu = mu } or nil
-  return sg.model{
-    bodies   = { slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = roller, drive = "xy" } },
-    contacts = { interface = own },
-  }
+  return scenes.model{ bodies = { slab = slab },
+    supports = { bed = { on = "south", fix = "xy" }, grip = { on = roller, drive = "xy" } },
+    contacts = { interface = own } }
 end
 
 local press = { name = "press", steps = 20, grip = { 0, -0.1 } }
@@ -137,14 +133,12 @@ end)
 check.case("multipliers on the stiffer of two bodies are warned of", function()
   local function scene(first, second)
     local function block(y, young, face)
-      return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { 0, y } }, elements = { 4, 2 },
-                      order = "N2", contact = face, material = sg.neo_hookean{ E = young, nu = 0.3 } }
+      return scenes.body{ corner = { 0, y }, elements = { 4, 2 }, contact = face, E = young }
     end
     local upper, lower = block(0, first, "south"), block(-1, second, "north")
-    return sg.model{ bodies = { upper = upper, lower = lower },
-                     supports = { bed = { on = lower:face "south", fix = "xy" },
-                                  grip = { on = upper:face "north", drive = "xy" } },
-                     contacts = { joint = keys("equal", { slave = upper:face "south", master = lower:face "north" }) } }
+    return scenes.model{ bodies = { upper = upper, lower = lower },
+      supports = { bed = { on = "lower.south", fix = "xy" }, grip = { on = "upper.north", drive = "xy" } },
+      contacts = { joint = keys("equal", { slave = upper:face "south", master = lower:face "north" }) } }
   end
   check.holds(table.concat(scene(100, 1):warnings(), "\n"), "contacts.joint", "body 'upper'", "100 times as stiff",
     "exchange slave and master")
@@ -184,8 +178,8 @@ end)
 check.case("a block on a rigid plane in 3D: uniform pressure, pressed and dragged", function()
   for _, space in ipairs(spaces) do
     for _, mu in ipairs { 0, 0.3 } do
-      local block = sg.body{ patch = sg.shapes.block{ size = { 2, 2, 1 } }, elements = { 3, 3, 2 }, order = "N2-N2.1",
-                             contact = "front", material = sg.neo_hookean{ E = 1, nu = 0 } }
+      local block = scenes.body{ size = { 2, 2, 1 }, elements = { 3, 3, 2 }, order = "N2-N2.1", contact = "front",
+        nu = 0 }
       local model = sg.model{
         bodies   = { block = block },
         supports = { grip = { on = block:face "back", drive = "xyz" } },
@@ -203,5 +197,3 @@ check.case("a block on a rigid plane in 3D: uniform pressure, pressed and dragge
     end
   end
 end)
-
-check.done()

@@ -1,9 +1,7 @@
 -- Contact with per = "reference": the energy balance with its rate, the linear solver, pressures against those per
 -- current area, checkpoints, wrong calls.
 
-local check = require "check"
-local core = require "signorini.core"
-local sg = require "signorini"
+require "check"
 local show = require "signorini.prompt.show"
 
 core.quiet = true
@@ -12,32 +10,26 @@ core.quiet = true
 local function block(options)
   local kind, shape, more = options.kind, sg.shapes.rectangle{ width = 1, height = 1 }, {}
   if kind == "solid" then shape = sg.nurbs.extrude{ patch = shape, along = { 0, 0, 1 } } end
-  local body = sg.body{ patch = shape, elements = kind == "solid" and { 1, 1, 1 } or { 2, 2 }, order = "N2",
-                        contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  local body = scenes.body{ patch = shape, elements = kind == "solid" and { 1, 1, 1 } or { 2, 2 }, contact = "south",
+    E = 10 }
   if kind == "solid" then more = { front = { on = body:face "front", fix = "z" } } end
   more.grip, more.middle = { on = body:face "north", drive = "y" }, { on = body:face "west", fix = "x" }
-  return sg.model{
-    kind = kind == "axisymmetric" and kind or nil, bodies = { block = body }, supports = more,
-    contacts = { touch = { slave = body:face "south", penalty = options.penalty or 20, per = options.per,
-      enforcement = options.enforcement,
-      master = sg.rigid.plane{ point = kind == "solid" and { 0, 0, 0 } or { 0, 0 },
-                               normal = kind == "solid" and { 0, 1, 0 } or { 0, 1 } } } } }
+  return scenes.model{ kind = kind == "axisymmetric" and kind or nil, bodies = { block = body }, supports = more,
+    contacts = { touch = { slave = "south", penalty = options.penalty or 20, per = options.per,
+        enforcement = options.enforcement, master = sg.rigid.plane{ point = kind == "solid" and { 0, 0, 0 } or { 0, 0 },
+          normal = kind == "solid" and { 0, 1, 0 } or { 0, 1 } } } } }
 end
 
 --- A disc over a slab that touches in more and more points, both deformable.
 local function disc(options)
-  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 1.2, 1.5 } },
-                       elements = { 6, 2 }, order = "N2-N2.2", contact = "south",
-                       material = sg.neo_hookean{ E = 10, nu = 0.3 } }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = "N2",
-                        contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  return sg.model{
-    bodies = { die = die, slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" },
-                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
-    contacts = { touch = { slave = slab:face "north", master = die:face "south", penalty = options.penalty or 20,
-                           per = options.per or "reference",
-                           friction = options.mu and { mu = options.mu, penalty = options.penalty or 20 } or nil } } }
+  return scenes.model{
+    bodies = { die = { patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 1.2, 1.5 } },
+        elements = { 6, 2 }, order = "N2-N2.2", contact = "south", E = 10 },
+      slab = { size = {3, 1}, elements = { 8, 3 }, contact = "north" } },
+    supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = { "die.west", "die.east" }, drive = "xy" } },
+    contacts = { touch = { slave = "slab.north", master = "die.south", penalty = options.penalty or 20,
+        per = options.per or "reference",
+        friction = options.mu and { mu = options.mu, penalty = options.penalty or 20 } or nil } } }
 end
 
 local function path(steps)
@@ -217,5 +209,3 @@ check.case("wrong values are errors at the user's line", function()
     "'current' or 'reference'", "'deformed'")
   check.fails(function() disc{ per = 3 } end, "contacts.touch.per", "the number 3")
 end)
-
-check.done()

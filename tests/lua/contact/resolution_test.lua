@@ -1,9 +1,7 @@
 -- Warnings about contacts that the mesh or the penalty do not resolve, the penalty by default, and the mean pressure
 -- over an element: against Hertz's line and point contact, blocks in a row, and uniform pressure.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local narrow, soft, loose = "elements of the slave face wide", "of the approach of the faces, of which", "elastic slip"
 
@@ -23,9 +21,9 @@ local plane_modulus = 1 / (1 - nu^2)
 --- with `half` the half on one side of the plane of symmetry.
 local function cylinder(contact, depth, half, more)
   local width = half and 24 or 48
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = width, height = 32, corner = {-24, -32} },
-    elements = { width, 8 }, grading = { false, { elements = 0.7, length = 0.25, at = "end" } }, order = "N2",
-    contact = "north", material = sg.linear_elastic{ E = 1, nu = nu } }
+  local block = scenes.body{ size = {width, 32}, corner = {-24, -32}, elements = { width, 8 },
+    grading = { false, { elements = 0.7, length = 0.25, at = "end" } }, contact = "north",
+    material = sg.linear_elastic{ E = 1, nu = nu } }
   local tool = sg.rigid.cylinder{ center = {0, 400}, radius = 400 }
   contact.slave, contact.master = block:face "north", tool
   local model = sg.model{ bodies = { block = block }, contacts = { touch = contact },
@@ -75,9 +73,9 @@ end)
 
 --- A block of few elements on its whole face, pressed by 1 %.
 local function pressed(contact, elements, order, law)
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = elements, order = order,
-                         contact = "south", material = (law or sg.linear_elastic){ E = 1, nu = 0 } }
-  contact.slave, contact.master = block:face "south", sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }
+  local block = scenes.body{ size = {2, 1}, elements = elements, order = order, contact = "south",
+    material = (law or sg.linear_elastic){ E = 1, nu = 0 } }
+  contact.slave, contact.master = block:face "south", scenes.floor()
   local model = sg.model{ bodies = { block = block }, contacts = { floor = contact },
     supports = { lid = { on = block:face "north", drive = "y", fix = "x" } } }
   return model:run{ { steps = 1, lid = -0.01 } }, model
@@ -99,12 +97,11 @@ check.case("faces that touch as a whole are not narrow, and their mean pressure 
 end)
 
 check.case("in space the narrowest direction counts, and directions that touch from end to end do not", function()
-  local block = sg.body{ patch = sg.shapes.block{ size = {4, 1, 2}, corner = {-2, 0, -2} }, elements = {8, 1, 2},
-    order = "N2", contact = "back", material = sg.linear_elastic{ E = 1, nu = 0 } }
+  local block = scenes.body{ size = {4, 1, 2}, corner = {-2, 0, -2}, elements = {8, 1, 2}, contact = "back",
+    material = sg.linear_elastic{ E = 1, nu = 0 } }
   local function run(master)
-    local model = sg.model{ bodies = { block = block },
-      contacts = { touch = { slave = block:face "back", master = master } },
-      supports = { bed = { on = block:face "front", fix = "xyz" }, push = { on = master, drive = "z" } } }
+    local model = scenes.model{ bodies = { block = block }, contacts = { touch = { slave = "back", master = master } },
+      supports = { bed = { on = "front", fix = "xyz" }, push = { on = master, drive = "z" } } }
     return model:run{ { steps = 2, push = {-0.05} } }
   end
   check.equal(#about(run(sg.rigid.cylinder{ center = {0, 0, 4}, axis = {0, 1, 0}, radius = 4 }), narrow), 1)
@@ -132,13 +129,12 @@ end)
 
 --- A tool of radius 2 that lies on a block under a load, with mortar contact.
 local function resting(contact, elements)
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {-1, -1} }, elements = elements,
-                         order = "N3", contact = "north", material = sg.linear_elastic{ E = 1, nu = 0 } }
+  local block = scenes.body{ size = {2, 1}, corner = {-1, -1}, elements = elements, order = "N3", contact = "north",
+    material = sg.linear_elastic{ E = 1, nu = 0 } }
   contact.slave, contact.master, contact.method = block:face "north", sg.rigid.cylinder{ center = {0, 2}, radius = 2 },
     "mortar"
-  local model = sg.model{ bodies = { block = block }, contacts = { touch = contact },
-    supports = { bed = { on = block:face "south", fix = "xy" },
-                 tool = { on = contact.master, fix = "x", free = "y" } },
+  local model = scenes.model{ bodies = { block = block }, contacts = { touch = contact },
+    supports = { bed = { on = "south", fix = "xy" }, tool = { on = contact.master, fix = "x", free = "y" } },
     loads = { weight = { on = contact.master, force = {0, 0} } } }
   return model:run{ { steps = 1, weight = {0, -0.02} } }, model
 end
@@ -186,9 +182,8 @@ end)
 
 check.case("the penalty of bonds is optional, too, and the stiffness of bilinear ones by default", function()
   local function block(y)
-    return sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {0, y} }, elements = {8, 2},
-                    order = "N2", contact = y < 0 and "north" or "south",
-                    material = sg.linear_elastic{ E = 100, nu = 0 } }
+    return scenes.body{ size = {2, 1}, corner = {0, y}, elements = {8, 2}, contact = y < 0 and "north" or "south",
+      material = sg.linear_elastic{ E = 100, nu = 0 } }
   end
   local lower, upper = block(-1), block(0)
   local model = sg.model{ bodies = { lower = lower, upper = upper },
@@ -232,5 +227,3 @@ check.case("scripts/studies/contact_width.lua: the widths behind the warning", f
   check.at_most("N2, 100", widths[2], 7 * math.sqrt(100 / 30))
   check.at_most("N2-N2.2, 100", widths[4], 7 / 3 * math.sqrt(100 / 30))
 end)
-
-check.done()

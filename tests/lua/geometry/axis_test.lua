@@ -1,7 +1,6 @@
 -- Motions that leave the axis of an axisymmetric model are errors, before anything is solved.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local material = sg.neo_hookean{ E = 1, nu = 0.3 }
 
@@ -64,5 +63,3 @@ check.case("forces along the radius, as of rotation, are loads like others", fun
   check.equal(#model:warnings(), 0)
   check.equal(model:run({ { steps = 1, spin = 1 } }, sg.plain{}).reason, "completed")
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- Bodies of several patches: parts, joins and ties that are found, boundaries, the patch test across them, files.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local steel = sg.linear_elastic{ E = 1, nu = 0.3 }
 local square = sg.shapes.rectangle
@@ -315,5 +314,3 @@ check.case("wrong lists, names and numbers are errors at the argument", function
   refused({ "interfaces[1]", "do not match point by point" }, sg.nurbs.write, check.folder() .. "/a.xml",
     { piece[1], piece[2], interfaces = { { "1.west", "2.west" } } })
 end)
-
-check.done()

@@ -1,8 +1,6 @@
 -- Patches in files of other programs, from Lua; the forms themselves are tested in tests/exchange/exchange_test.cpp.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local folder = check.folder()
 local samples = core.home .. "/tests/exchange/samples/"
@@ -61,5 +59,3 @@ check.case("wrong calls and wrong files are errors at the user's line", function
   fails(function() square:write(folder .. "/none/c.xml") end, "cannot write", "none")
   check.equal(core.exists(folder .. "/c.xml"), false)
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- Volumes from Lua: shapes, constructions and refinement in 3D against closed forms, and bodies made of them.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local function length(p) return math.sqrt(p[1] ^ 2 + p[2] ^ 2 + p[3] ^ 2) end
 
@@ -123,10 +122,8 @@ check.case("invalid volumes are errors", function()
   check.fails(function() square:face "front" end, "west, east, south, north")
 end)
 
-local soft = sg.neo_hookean { E = 1, nu = 0.3 }
-
 local function solid(patch, elements, order, contact)
-  return sg.body { patch = patch, elements = elements, order = order, contact = contact, material = soft }
+  return scenes.body{ patch = patch, elements = elements, order = order, contact = contact }
 end
 
 check.case("left-handed and self-intersecting volumes are rejected as bodies", function()
@@ -210,18 +207,14 @@ end)
 
 --- The force on a rigid plane that presses a hemisphere supported at its ring.
 local function pressed(poles, elements, ring)
-  local half = sg.body {
-    patch = sg.shapes.hollow_hemisphere { inner = 0.5, outer = 1, poles = poles }, elements = elements, order = "N2",
-    contact = "front", thickness_degree = 1, material = soft,
-  }
+  local half = scenes.body{ patch = sg.shapes.hollow_hemisphere { inner = 0.5, outer = 1, poles = poles },
+    elements = elements, contact = "front", thickness_degree = 1 }
   local faces = {}
   for i, name in ipairs(ring) do faces[i] = half:face(name) end
   local plane = sg.rigid.plane { point = { 0, 0, -1 }, normal = { 0, 0, 1 } }
-  local model = sg.model {
-    bodies = { half = half },
+  local model = scenes.model{ bodies = { half = half },
     supports = { ring = { on = faces, fix = "xyz" }, tool = { on = plane, fix = "xy", drive = "z" } },
-    contacts = { touch = { slave = half:face "front", master = plane, penalty = 100 } },
-  }
+    contacts = { touch = { slave = "front", master = plane, penalty = 100 } } }
   local run = model:run { { name = "press", steps = 4, tool = { 0.1 } } }
   if run.failed then error(run.failure) end
   return run:column "tool.fz"[4]
@@ -236,5 +229,3 @@ check.case("hemispheres with either poles converge to one load, whole at their p
   check.near({ coarse, fine }, { 0, 0 }, 0.03)
   assert(fine < 0.3 * coarse, ("apart by %g, then by %g"):format(coarse, fine))
 end)
-
-check.done()

@@ -1,10 +1,7 @@
 -- Joined faces: a body cut in two and joined is the uncut one, in 2D, axisymmetric and 3D, in all orientations; corners
 -- where several joins meet; faces that do not match are tied.
 
-local sg = require "signorini"
-local check = require "check"
-
-local rubber = sg.neo_hookean{ E = 1, nu = 0.3 }
+require "check"
 
 local function solved(model, stages)
   local run = model:run(stages, sg.plain{})
@@ -40,8 +37,7 @@ local function beam(kind, cut, turn)
       or sg.shapes.block{ size = { width, 1, 1 }, corner = { x, 0, 0 } }
   end
   local function make(patch, along)
-    return sg.body{ patch = patch, elements = flat and { along, 2 } or { along, 2, 2 }, order = "N2",
-                    material = rubber }
+    return scenes.body{ patch = patch, elements = flat and { along, 2 } or { along, 2, 2 } }
   end
   local bodies, joins, left, right
   if cut then
@@ -121,7 +117,7 @@ end
 local function ring(order, mesh, odd)
   local bodies, joins, names = {}, {}, { "a", "b", "c", "d" }
   for i, name in ipairs(names) do
-    bodies[name] = sg.body{
+    bodies[name] = scenes.body{
       patch = sg.shapes.quarter_annulus{ inner = inner, outer = outer }:rotate{ angle = 90 * (i - 1) },
       elements = { 2 * mesh, i == 4 and odd or mesh }, order = order,
       material = sg.linear_elastic{ E = young, nu = nu } }
@@ -184,9 +180,7 @@ end)
 local function window(moved)
   local bodies = {}
   for i, name in ipairs { "a", "b", "c", "d" } do
-    bodies[name] = sg.body{
-      patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { (i - 1) % 2, (i - 1) // 2 } },
-      elements = { 2, 2 }, order = "N2", material = rubber }
+    bodies[name] = scenes.body{ corner = { (i - 1) % 2, (i - 1) // 2 } }
   end
   local a, b, c, d = bodies.a, bodies.b, bodies.c, bodies.d
   return sg.model{ bodies = bodies,
@@ -223,10 +217,7 @@ end)
 
 check.case("a body joined to a supported one is not unconstrained", function()
   local function pair(supports)
-    local function square(x)
-      return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { x, 0 } }, elements = { 2, 2 },
-                      order = "N2", material = rubber }
-    end
+    local function square(x) return scenes.body{ corner = { x, 0 } } end
     local a, b = square(0), square(1)
     return sg.model{ bodies = { a = a, b = b }, joins = { seam = { a:face "east", b:face "west" } },
                      supports = not supports and {} or { wall = { on = a:face "west", fix = "xy" } },
@@ -242,10 +233,7 @@ end)
 -- ── Layers ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("faces that cross the same layer match, others are tied or refused", function()
-  local function square(x, order, contact)
-    return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { x, 0 } }, elements = { 2, 2 },
-                    order = order, contact = contact, material = rubber }
-  end
+  local function square(x, order, contact) return scenes.body{ corner = { x, 0 }, order = order, contact = contact } end
   local function joined(a, b)
     return tostring(sg.model{ bodies = { a = a, b = b }, joins = { seam = { a:face "east", b:face "west" } } })
   end
@@ -257,8 +245,7 @@ check.case("faces that cross the same layer match, others are tied or refused", 
   assert(tied:find("seam is tied, because degrees, continuity or weights differ", 1, true), tied)
 
   local function cube(x, order)
-    return sg.body{ patch = sg.shapes.block{ size = { 1, 1, 1 }, corner = { x, 0, 0 } }, elements = { 2, 2, 2 },
-                    order = order, contact = "back", material = rubber }
+    return scenes.body{ size = { 1, 1, 1 }, corner = { x, 0, 0 }, order = order, contact = "back" }
   end
   assert(joined(cube(0, "N2-N3"), cube(1, "N2-N3")):find("seam shares", 1, true))
   local ok, message = pcall(joined, cube(0, "N2-N3"), cube(1, "N2"))
@@ -270,10 +257,7 @@ end)
 -- ── Errors ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("joins that contradict each other are errors that name the faces", function()
-  local function square(x)
-    return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { x, 0 } }, elements = { 2, 2 },
-                    order = "N2", material = rubber }
-  end
+  local function square(x) return scenes.body{ corner = { x, 0 } } end
   local a, b, c = square(0), square(1), square(1)
   local function refused(joins, ties, ...)
     local ok, message = pcall(sg.model, { bodies = { a = a, b = b, c = c }, joins = joins, ties = ties })
@@ -289,10 +273,7 @@ check.case("joins that contradict each other are errors that name the faces", fu
 end)
 
 check.case("loads and springs inside a joined body are errors, on its surface they are not", function()
-  local function square(x)
-    return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { x, 0 } }, elements = { 2, 2 },
-                    order = "N2", material = rubber }
-  end
+  local function square(x) return scenes.body{ corner = { x, 0 } } end
   local a, b = square(0), square(1)
   local function model(face, load, spring)
     local supports = { wall = { on = a:face "west", fix = "xy" }, k = spring and { on = face, spring = { 1, 1 } } }
@@ -309,5 +290,3 @@ check.case("loads and springs inside a joined body are errors, on its surface th
     "the spring of supports.k acts on face 'east' of body 'a', which joins.seam joins")
   model({ a:face "north", b:face "north" }, nil, true)
 end)
-
-check.done()

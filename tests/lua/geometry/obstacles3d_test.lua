@@ -1,9 +1,6 @@
 -- Rigid obstacles in 3D: in plane strain they act as their sections in the plane model, a sphere acts along its axis.
 
-local sg = require "signorini"
-local check = require "check"
-
-local soft = sg.neo_hookean{ E = 10, nu = 0.3 }
+require "check"
 
 --- The forces, first all horizontal, then all vertical ones, on a rigid obstacle that is pressed into a bed of width 3
 --- and height 1 (and depth 0.5 in 3D) and dragged along, per unit depth. `law`: adhesion instead of penalty and
@@ -11,12 +8,10 @@ local soft = sg.neo_hookean{ E = 10, nu = 0.3 }
 local function drag(obstacle, flat, law)
   local shape = flat and sg.shapes.rectangle{ width = 3, height = 1 } or
     sg.nurbs.extrude{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, along = {0, 0, 0.5} }
-  local b = sg.body{ patch = shape, elements = flat and {6, 2} or {6, 2, 1}, contact = "north",
-                     order = flat and "N2-N2.1" or {"N2-N2.1", "N1"}, material = soft }
+  local b = scenes.body{ patch = shape, elements = flat and {6, 2} or {6, 2, 1}, contact = "north",
+    order = flat and "N2-N2.1" or {"N2-N2.1", "N1"}, E = 10 }
   local supports = { bed = { on = b:face "south", fix = "xy" }, punch = { on = obstacle, drive = "xy" } }
-  if not flat then
-    supports.sides = { on = { b:face "front", b:face "back" }, fix = "z" }
-  end
+  if not flat then supports.sides = { on = { b:face "front", b:face "back" }, fix = "z" } end
   local model = sg.model{ bodies = { b = b }, supports = supports,
     contacts = { joint = { slave = b:face "north", master = obstacle, points = 9, penalty = not law and 100 or nil,
                            friction = not law and { mu = 0.3, penalty = 100 } or nil, adhesion = law } } }
@@ -47,8 +42,8 @@ check.case("in plane strain adhesion acts on a solid as on the plane body", func
 end)
 
 check.case("a sphere pressed into a block: the force points along its axis of symmetry", function()
-  local b = sg.body{ patch = sg.shapes.block{ size = {2, 2, 1}, corner = {-1, -1, 0} }, elements = {4, 4, 2},
-                     order = "N2-N2.1", contact = "back", material = soft }
+  local b = scenes.body{ size = {2, 2, 1}, corner = {-1, -1, 0}, elements = {4, 4, 2}, order = "N2-N2.1",
+    contact = "back", E = 10 }
   local sphere = sg.rigid.sphere{ center = {0, 0, 2}, radius = 1 }
   local model = sg.model{ bodies = { b = b },
     supports = { bed = { on = b:face "front", fix = "xyz" }, ball = { on = sphere, drive = "xyz" } },
@@ -64,5 +59,3 @@ check.case("a sphere pressed into a block: the force points along its axis of sy
   check.near(model:reaction "ball", { 0, 0, force }, 1e-8)
   check.near(model:target "ball", { 0, 0, -0.2 })
 end)
-
-check.done()

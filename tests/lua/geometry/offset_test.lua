@@ -1,8 +1,6 @@
 -- Offsets and interference fits: Lamé's rings, planes that are moved instead; energies, errors.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 local other_warnings = require "other_warnings"
 local contact_keys = require "contact_keys"
 local show = require "signorini.prompt.show"
@@ -22,8 +20,8 @@ local inner_softness = (1 + nu) * R * ((1 - 2 * nu) * R^2 + a^2) / (E * (R^2 - a
 
 --- Half the section of an axisymmetric ring of height 0.25, without axial strain.
 local function ring(inner, outer, contact)
-  return sg.body{ patch = sg.shapes.rectangle{ width = outer - inner, height = 0.25, corner = { inner, 0 } },
-                  elements = { 6, 2 }, order = "N2", contact = contact, thickness_degree = 3, material = steel }
+  return scenes.body{ size = {outer - inner, 0.25}, corner = { inner, 0 }, elements = { 6, 2 }, contact = contact,
+    thickness_degree = 3, material = steel }
 end
 
 --- Supports of rings that keep their height.
@@ -152,16 +150,14 @@ end)
 --- A quarter of the section of both rings in the plane, on curved faces.
 local function on_quarter(keys)
   local function quarter(low, high, contact, around)
-    return sg.body{ patch = sg.shapes.quarter_annulus{ inner = low, outer = high }, elements = { around, 6 },
-                    order = "N2", contact = contact, thickness_degree = 3, material = steel }
+    return scenes.body{ patch = sg.shapes.quarter_annulus{ inner = low, outer = high }, elements = { around, 6 },
+      contact = contact, thickness_degree = 3, material = steel }
   end
   local inner, outer = quarter(a, R, "south", 4), quarter(R, b, "north", 5)
   keys.slave, keys.master = outer:face "north", inner:face "south"
   local supports = {}
   for name, body in pairs { inner = inner, outer = outer } do
-    for _, side in ipairs { "west", "east" } do
-      supports[name .. side] = { on = body:face(side), symmetry = true }
-    end
+    for _, side in ipairs { "west", "east" } do supports[name .. side] = { on = body:face(side), symmetry = true } end
   end
   return sg.model{ bodies = { inner = inner, outer = outer }, supports = supports, contacts = { seat = keys } }
 end
@@ -181,12 +177,10 @@ end)
 local function block(dimension, keys, at)
   local body, point, normal, low, high
   if dimension == 2 then
-    body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 3, 2 }, order = "N2",
-                    material = steel }
+    body = scenes.body{ elements = { 3, 2 }, material = steel }
     point, normal, low, high = { 0, at or 0 }, { 0, 1 }, "south", "north"
   else
-    body = sg.body{ patch = sg.shapes.block{ size = { 1, 1, 1 } }, elements = { 2, 2, 1 }, order = "N2",
-                    material = steel }
+    body = scenes.body{ size = { 1, 1, 1 }, elements = { 2, 2, 1 }, material = steel }
     point, normal, low, high = { 0, 0, at or 0 }, { 0, 0, 1 }, "front", "back"
   end
   keys.slave, keys.master = body:face(low), sg.rigid.plane{ point = point, normal = normal }
@@ -266,17 +260,14 @@ end)
 --- forgets what points remember of the search. The block comes around the end of a slab, its gap to `offset` below it.
 local function forces_around_end(offset, method)
   local material = sg.linear_elastic{ E = 1000, nu = 0.3 }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 20, 2 }, order = "N2",
-                        contact = "north", material = material }
+  local slab = scenes.body{ size = {4, 1}, elements = { 20, 2 }, contact = "north", material = material }
   -- Beyond the extension of the slab's end by 0.3 of an element
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 0.5, height = 0.5, corner = { 4.12, 1.001 } },
-                         elements = { 10, 2 }, order = "N2", contact = "south", material = material }
-  local model = sg.model{
-    bodies   = { block = block, slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, top = { on = block:face "north", drive = "xy" } },
-    contacts = { seat = { slave = block:face "south", master = slab:face "north", penalty = 1e4, offset = offset,
-                          method = method } },
-  }
+  local model = scenes.model{
+    bodies = { block = { size = {0.5, 0.5}, corner = { 4.12, 1.001 }, elements = { 10, 2 }, contact = "south",
+        material = material }, slab = slab },
+    supports = { bed = { on = "slab.south", fix = "xy" }, top = { on = "block.north", drive = "xy" } },
+    contacts = {
+      seat = { slave = "block.south", master = "slab.north", penalty = 1e4, offset = offset, method = method } } }
   local x, y = -0.16, offset - 0.007
   local run = model:run({ { steps = 8, top = { x, y } } }, sg.plain{})
   model:save(check.folder() .. "/state.sgn")
@@ -315,5 +306,3 @@ check.case("wrong input", function()
   wrong(function() model:set_contact("seat", { overlap = 0.5 }) end, 'has no overlap = "interference" in sg.model')
   wrong(function() model:set_contact("seat", { overlap = 2 }) end, "overlap must be a number from 0 to 1")
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- Bodies that overlap before the first step, and masters that are the wrong face: errors or warnings at sg.model.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local material = sg.neo_hookean{ E = 1, nu = 0.3 }
 
@@ -10,15 +9,13 @@ local function blocks(y, options)
   options = options or {}
   local x0, height = options.origin or 0, options.height or 1
   local function block(bottom, tall)
-    return sg.body{ patch = sg.shapes.rectangle{ width = 2, height = tall, corner = {x0, x0 + bottom} },
-                    elements = {4, 2}, order = "N2", material = material }
+    return scenes.body{ size = {2, tall}, corner = {x0, x0 + bottom}, elements = {4, 2}, material = material }
   end
   local lower, upper = block(0, height), block(y, 1)
-  return sg.model{ kind = options.kind, bodies = { lower = lower, upper = upper },
-    supports = { bed = { on = lower:face "south", fix = "xy" },
-                 lid = { on = upper:face "north", drive = "y", fix = "x" } },
-    contacts = { c = { slave = upper:face "south", master = lower:face(options.master or "north"),
-                       penalty = not options.adhesion and 100 or nil, adhesion = options.adhesion } } }
+  return scenes.model{ kind = options.kind, bodies = { lower = lower, upper = upper },
+    supports = { bed = { on = "lower.south", fix = "xy" }, lid = { on = "upper.north", drive = "y", fix = "x" } },
+    contacts = { c = { slave = "upper.south", master = lower:face(options.master or "north"),
+        penalty = not options.adhesion and 100 or nil, adhesion = options.adhesion } } }
 end
 
 check.case("bodies that overlap deeply are an error that names both faces and the depth", function()
@@ -43,8 +40,7 @@ check.case("a master that looks away from the slave is an error that names the o
 end)
 
 check.case("two opposite faces of one body are not a contact pair", function()
-  local strip = sg.body{ patch = sg.shapes.rectangle{ width = 5, height = 0.1 }, elements = {4, 1}, order = "N2",
-                         material = material }
+  local strip = scenes.body{ size = {5, 0.1}, elements = {4, 1}, material = material }
   check.fails(function()
     sg.model{ bodies = { strip = strip }, supports = { wall = { on = strip:face "west", fix = "xy" } },
               contacts = { c = { slave = strip:face "south", master = strip:face "north", penalty = 10 } } }
@@ -54,14 +50,12 @@ end)
 check.case("solids: deep overlap and the wrong face are errors", function()
   local function solids(z, master)
     local function cube(bottom)
-      return sg.body{ patch = sg.shapes.block{ size = {2, 2, 1}, corner = {0, 0, bottom} }, elements = {2, 2, 1},
-                      order = "N2", material = material }
+      return scenes.body{ size = {2, 2, 1}, corner = {0, 0, bottom}, elements = {2, 2, 1}, material = material }
     end
     local lower, upper = cube(0), cube(z)
-    return sg.model{ bodies = { lower = lower, upper = upper },
-      supports = { bed = { on = lower:face "front", fix = "xyz" },
-                   lid = { on = upper:face "back", drive = "z", fix = "xy" } },
-      contacts = { c = { slave = upper:face "front", master = lower:face(master), penalty = 100 } } }
+    return scenes.model{ bodies = { lower = lower, upper = upper },
+      supports = { bed = { on = "lower.front", fix = "xyz" }, lid = { on = "upper.back", drive = "z", fix = "xy" } },
+      contacts = { c = { slave = "upper.front", master = lower:face(master), penalty = 100 } } }
   end
   check.fails(function() solids(0.5, "back") end, "penetrates face 'back' of body 'lower' by 0.5")
   check.fails(function() solids(1, "front") end, "did you mean face 'back'?")
@@ -104,8 +98,7 @@ check.case("a small overlap is a warning if closing it strains a body, which the
   local function stacked(overlap, more)
     local steel = sg.linear_elastic{ E = 210000, nu = 0 }
     local function block(y)
-      return sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 10, corner = {0, y} }, elements = {3, 3},
-                      order = "N2", material = steel }
+      return scenes.body{ size = {10, 10}, corner = {0, y}, elements = {3, 3}, material = steel }
     end
     local a, b = block(overlap - 10), block(0)
     local contact = { slave = b:face "south", master = a:face "north", penalty = 1e8 }
@@ -121,24 +114,21 @@ check.case("a small overlap is a warning if closing it strains a body, which the
   check.equal(#stacked(0.09, { overlap = "interference" }):warnings(), 0)
   -- In a rigid plane, of which the block alone is strained, and by a small cylinder
   local function on(obstacle)
-    local b = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 10 }, elements = {10, 10}, order = "N2",
-                       material = material }
+    local b = scenes.body{ size = {10, 10}, elements = {10, 10}, material = material }
     return sg.model{ bodies = { b = b }, supports = { up = { on = b:face "north", fix = "xy" } },
                      contacts = { c = { slave = b:face "south", master = obstacle, penalty = 10 } } }:warnings()
   end
-  check.holds(on(sg.rigid.plane{ point = {0, 0.05}, normal = {0, 1} })[1], "penetrates the obstacle by 0.05",
+  check.holds(on(scenes.floor(0.05))[1], "penetrates the obstacle by 0.05",
     "by about 0.5 %")
-  check.equal(#on(sg.rigid.plane{ point = {0, 0.009}, normal = {0, 1} }), 0)
+  check.equal(#on(scenes.floor(0.009)), 0)
   check.holds(on(sg.rigid.cylinder{ center = {5, -0.991}, radius = 1 })[1], "penetrates the obstacle by 0.00")
 end)
 
 check.case("a body behind a rigid curve or surface is an error, however near it is", function()
   local function under(y, curve, width)
-    local slab = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {0, y} }, elements = {8, 4},
-                          order = "N2", material = material }
-    return sg.model{ bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" },
-                                                            push = { on = curve, drive = "y" } },
-      contacts = { c = { slave = slab:face "north", master = curve, penalty = 100 } } }
+    return scenes.model{ bodies = { slab = { size = {2, 1}, corner = {0, y}, elements = {8, 4}, material = material } },
+      supports = { bed = { on = "south", fix = "xy" }, push = { on = curve, drive = "y" } },
+      contacts = { c = { slave = "north", master = curve, penalty = 100 } } }
   end
   local function line(height, turned)
     local patch = sg.nurbs.line{ from = {-1, height}, to = {3, height} }
@@ -166,8 +156,8 @@ check.case("a body behind a rigid curve or surface is an error, however near it 
     assert(under(0, circle(0.5, false, height)))
     check.fails(function() under(0, circle(0.5, true, height)) end, "contacts.c", "reverse its normal")
   end
-  local disc = sg.body{ patch = sg.shapes.polar_disc{ radius = 1, center = {1, 0} }, elements = {8, 2}, order = "N2",
-                        material = material }
+  local disc = scenes.body{ patch = sg.shapes.polar_disc{ radius = 1, center = {1, 0} }, elements = {8, 2},
+    material = material }
   local function bored(radius, turned)
     return sg.model{ bodies = { disc = disc }, contacts = { c = { slave = disc:face "south", penalty = 100,
       master = circle(radius, turned, 0) } }, supports = { hub = { on = disc:face "north", fix = "xy" } } }
@@ -176,8 +166,7 @@ check.case("a body behind a rigid curve or surface is an error, however near it 
     assert(bored(radius, true))
     check.fails(function() bored(radius, false) end, "contacts.c", "reverse its normal")
   end
-  local block = sg.body{ patch = sg.shapes.block{ size = {2, 2, 1} }, elements = {2, 2, 1}, order = "N2",
-                         material = material }
+  local block = scenes.body{ size = {2, 2, 1}, elements = {2, 2, 1}, material = material }
   local function below(height, turned)
     local sheet = sg.nurbs.extrude{ patch = sg.nurbs.line{ from = {-1, -1, height}, to = {3, -1, height} },
                                     along = {0, 4, 0} }
@@ -192,13 +181,10 @@ check.case("a body behind a rigid curve or surface is an error, however near it 
 end)
 
 check.case("a thin body behind an obstacle is found although its length is many times the depth", function()
-  local strip = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 0.05, corner = {0, -0.05} },
-                         elements = {4, 1}, order = "N2", material = material }
+  local strip = scenes.body{ size = {10, 0.05}, corner = {0, -0.05}, elements = {4, 1}, material = material }
   check.fails(function()
     sg.model{ bodies = { strip = strip }, supports = { wall = { on = strip:face "west", fix = "xy" } },
               contacts = { c = { slave = strip:face "south", penalty = 10,
                                  master = sg.rigid.surface(sg.nurbs.line{ from = {12, 0}, to = {-2, 0} }) } } }
   end, "contacts.c: the obstacle is inside body 'strip' at the start", "0.05 deep")
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- Hollow shapes, tori and level sets as obstacles: closed forms, the same shapes as NURBS, pictures, files, errors.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local nu, E = 0.3, 1000
 local elastic, soft = sg.linear_elastic{ E = E, nu = nu }, sg.neo_hookean{ E = 10, nu = nu }
@@ -11,15 +10,12 @@ local elastic, soft = sg.linear_elastic{ E = E, nu = nu }, sg.neo_hookean{ E = 1
 --- A quarter of a ring or shell of radii 1 and 2, under an inner pressure of 0.1, in a rigid bore or socket; all points
 --- have the same contact pressure.
 local function expanded(kind, socket, expected)
-  local ring = sg.body{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 2, start = 0 }, elements = { 4, 8 },
-                        order = "N2", material = elastic }
-  local model = sg.model{
-    kind = kind, bodies = { ring = ring },
-    supports = { cut = { on = ring:face "west", symmetry = true },
-                 other_cut = { on = ring:face "east", symmetry = true } },
-    loads = { gas = { on = ring:face "north", pressure = 0.1 } },
-    contacts = { touch = { slave = ring:face "south", penalty = 1e6, master = socket } },
-  }
+  local model = scenes.model{ kind = kind,
+    bodies = { ring = { patch = sg.shapes.quarter_annulus{ inner = 1, outer = 2, start = 0 }, elements = { 4, 8 },
+        material = elastic } },
+    supports = { cut = { on = "west", symmetry = true }, other_cut = { on = "east", symmetry = true } },
+    loads = { gas = { on = "north", pressure = 0.1 } },
+    contacts = { touch = { slave = "south", penalty = 1e6, master = socket } } }
   check.equal(model:run{ { steps = 1 } }.failed, false)
   for _, pressure in ipairs(model:profile "touch".pressure) do
     check.within("pressure", pressure / expected, 1, 3e-3)
@@ -38,14 +34,13 @@ end)
 
 --- The forces on an obstacle that is pressed into a bed and dragged along; `scene`: more of sg.model.
 local function forces(obstacle, contact, scene, corner)
-  local b = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1, corner = corner or {0, 0} },
-                     elements = {6, 2}, contact = "north", order = "N2-N2.1", material = soft }
+  local b = scenes.body{ size = {3, 1}, corner = corner or {0, 0}, elements = {6, 2}, contact = "north",
+    order = "N2-N2.1", material = soft }
   local joint = { slave = b:face "north", master = obstacle, points = 6 }
   for key, value in pairs(contact) do joint[key] = value end
   local across = scene.kind == "axisymmetric"
-  local model = sg.model{ kind = scene.kind, bodies = { b = b }, contacts = { joint = joint },
-    supports = { bed = { on = b:face "south", fix = "xy" },
-                 punch = { on = obstacle, drive = across and "y" or "xy" } } }
+  local model = scenes.model{ kind = scene.kind, bodies = { b = b }, contacts = { joint = joint },
+    supports = { bed = { on = "south", fix = "xy" }, punch = { on = obstacle, drive = across and "y" or "xy" } } }
   local drag = across and { { steps = 2, punch = -0.1 }, { steps = 2, punch = -0.15 } } or
     { { steps = 2, punch = {0, -0.1} }, { steps = 3, punch = {0.3, -0.1} } }
   local run = model:run(drag)
@@ -70,8 +65,8 @@ end)
 
 --- The force on an obstacle that is pressed into a block of 2 × 2 × 1.
 local function press(obstacle)
-  local b = sg.body{ patch = sg.shapes.block{ size = {2, 2, 1}, corner = {1, -1, 0} }, elements = {4, 4, 1},
-                     order = { "N2", "N2" }, contact = "back", material = soft }
+  local b = scenes.body{ size = {2, 2, 1}, corner = {1, -1, 0}, elements = {4, 4, 1}, order = { "N2", "N2" },
+    contact = "back", material = soft }
   local model = sg.model{ bodies = { b = b },
     contacts = { joint = { slave = b:face "back", master = obstacle, points = 4, penalty = 100,
                            friction = rubbing.friction } },
@@ -199,5 +194,3 @@ check.case("wrong shapes are errors with cures", function()
     sg.rigid.level_set{ f = function(x, y) return -disc_formula(x, y) end, box = disc_box }, rubbing, {})
   wrong("inside = true", forces, sg.rigid.cylinder{ center = {1.5, 0}, radius = 5 }, rubbing, {})
 end)
-
-check.done()

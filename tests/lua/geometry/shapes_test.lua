@@ -1,8 +1,6 @@
 -- Shapes of share/doc/shapes.md: its listings, wrong arguments, bodies of closed and polar shapes of one patch.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local shapes = sg.shapes
 
@@ -121,5 +119,3 @@ check.case("pictures refuse lists with other names", function()
   _, message = pcall(sg.picture, { patch = disc })
   check.holds(message, "patch: unknown argument 'edges'")
 end)
-
-check.done()

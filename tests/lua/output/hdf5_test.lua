@@ -1,8 +1,6 @@
 -- Runs as files of HDF5, read by h5py: contents, bases evaluated from the file alone, the listings of the page.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 local ironing = require "ironing"
 local read = require "read_hdf5"
 local strip = require "strip"
@@ -170,18 +168,14 @@ for _, order in ipairs { "N2", "N2-N2.2", "N3" } do
 end
 
 check.case("solids with layers of different degrees and a tie", function()
-  local lower = sg.body { patch = sg.shapes.block { size = { 2, 2, 1 } }, elements = { 2, 2, 2 },
-                          order = { "N2-N2.2", "N3-N4" }, thickness_degree = 2, contact = "back",
-                          layer = { { 0, 0.5 }, { 0.5, 1 } }, layer_knots = { 2, 1 },
-                          material = sg.neo_hookean { E = 1, nu = 0.3 } }
-  local base = sg.body { patch = sg.shapes.block { size = { 2, 2, 1 }, corner = { 0, 0, -1 } }, elements = { 1, 1, 1 },
-                         order = "N2", material = sg.linear_elastic { E = 1, nu = 0.3 } }
   local ball = sg.rigid.sphere { center = { 1, 1, 3 }, radius = 2 }
-  local model = sg.model {
-    bodies = { lower = lower, base = base }, supports = { bed = { on = base:face "front", fix = "xy", drive = "z" } },
-    contacts = { touch = { slave = lower:face "back", master = ball, penalty = 50, points = 5 } },
-    ties = { seam = { slave = base:face "back", master = lower:face "front" } },
-  }
+  local model = scenes.model{
+    bodies = { lower = { size = { 2, 2, 1 }, order = { "N2-N2.2", "N3-N4" }, thickness_degree = 2, contact = "back",
+        layer = { { 0, 0.5 }, { 0.5, 1 } }, layer_knots = { 2, 1 } }, base = { size = { 2, 2, 1 },
+        corner = { 0, 0, -1 }, elements = { 1, 1, 1 }, material = sg.linear_elastic { E = 1, nu = 0.3 } } },
+    supports = { bed = { on = "base.front", fix = "xy", drive = "z" } },
+    contacts = { touch = { slave = "lower.back", master = ball, penalty = 50, points = 5 } },
+    ties = { seam = { slave = "base.back", master = "lower.front" } } }
   local file = folder .. "/solid.h5"
   local run = model:run({ { name = "lift", steps = 1, bed = { 0.1 } } }, { hdf5 = file })
   check.equal(run.failed, false)
@@ -199,8 +193,7 @@ check.case("solids with layers of different degrees and a tie", function()
 end)
 
 check.case("large arrays are compressed, small ones are not", function()
-  local slab = sg.body { patch = sg.shapes.rectangle { width = 3, height = 1 }, elements = { 100, 24 }, order = "N2",
-                         material = sg.linear_elastic { E = 1, nu = 0.3 } }
+  local slab = scenes.body{ size = {3, 1}, elements = { 100, 24 }, material = sg.linear_elastic { E = 1, nu = 0.3 } }
   local model = sg.model { bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" },
                                                                   top = { on = slab:face "north", drive = "xy" } } }
   model:run({ { name = "pull", steps = 1, top = { 0, 0.1 } } }, { hdf5 = folder .. "/large.h5" })
@@ -234,5 +227,3 @@ check.case("failed runs, rows between steps, states without steps", function()
   check.equal({ #bare["/columns/step"].values, bare["/states"] == nil, bare["/bodies/die/points"] ~= nil },
     { 2, true, true })
 end)
-
-check.done()

@@ -1,8 +1,6 @@
 -- sg.vtu{ cells = "linear" }: files for programs without Bézier cells, opened by VTK's own reader.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 local ironing = require "ironing"
 local layered_solid = require "layered_solid"
 local read = require "read_vtu"
@@ -90,10 +88,7 @@ end)
 check.case("wrong arguments", function()
   local model, file = ironing(), folder .. "/a.vtu"
   local wrong = {
-    { { cells = "lineer" }, "cells", "did you mean 'linear'" }, { { cells = 1 }, "cells", "got the number 1" },
-    { { cells = "linear", subdivisions = 0 }, "subdivisions", "got the number 0" },
     { { cells = "linear", subdivisions = 1.5 }, "subdivisions" },
-    { { cells = "linear", subdivision = 2 }, "did you mean 'subdivisions'" },
     { { subdivisions = 2 }, "subdivisions is for linear cells", 'cells = "linear"' },
   }
   for _, case in ipairs(wrong) do
@@ -102,5 +97,3 @@ check.case("wrong arguments", function()
   end
   check.equal(core.exists(file), false)
 end)
-
-check.done()

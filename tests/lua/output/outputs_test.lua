@@ -1,9 +1,7 @@
 -- Outputs keep files of another kind; the files of a study are not written through links; limits of files and pipes are
 -- errors.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local folder = check.folder()
 local script = folder .. "/study.lua"
@@ -176,5 +174,3 @@ check.case("results are keyed by the program's source", function()
   study "keyed":execute{}
   check.equal(core.read_json(core.read_file(case)).inputs["the program's version"], core.release())
 end)
-
-check.done()

@@ -2,9 +2,7 @@
 -- The tolerance lets other versions of fonts and of Mesa pass: the last case shows what it does not.
 --   signorini tests/lua/picture/golden_test.lua write    draws them again; look at each before it is committed
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local golden = core.home .. "/tests/golden/"
 local writes = arg[1] == "write"
@@ -16,31 +14,24 @@ local most = 24 -- of 255, mean over 8 × 8 pixels
 
 --- A slab under a rigid cylinder, pressed.
 local function plane()
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 8, 2 }, order = "N2-N2.1",
-                        contact = "north", thickness_degree = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local roll = sg.rigid.cylinder{ center = { 2, 1.8 }, radius = 0.8 }
-  local model = sg.model{
-    bodies = { slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, roll = { on = roll, drive = "y" } },
-    contacts = { c = { slave = slab:face "north", master = roll, penalty = 50 } },
-  }
+  local model = scenes.model{
+    bodies = {
+      slab = { size = {4, 1}, elements = { 8, 2 }, order = "N2-N2.1", contact = "north", thickness_degree = 2 } },
+    supports = { bed = { on = "south", fix = "xy" }, roll = { on = roll, drive = "y" } },
+    contacts = { c = { slave = "north", master = roll, penalty = 50 } } }
   model:run({ { name = "press", steps = 4, roll = { -0.2 } } })
   return model
 end
 
 --- A block under a rigid ball, pressed; a quarter of it.
 local function solid()
-  local block = sg.body{ patch = sg.shapes.block{ size = { 2, 2, 1 } }, elements = { 3, 3, 2 }, order = "N2",
-                         contact = "back", thickness_degree = 2, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local ball = sg.rigid.sphere{ center = { 0, 0, 2.5 }, radius = 1.5 }
-  local model = sg.model{
-    bodies = { block = block },
-    supports = { bed = { on = block:face "front", fix = "xyz" },
-                 left = { on = block:face "west", symmetry = true },
-                 front = { on = block:face "south", symmetry = true },
-                 ball = { on = ball, drive = "z" } },
-    contacts = { c = { slave = block:face "back", master = ball, penalty = 50 } },
-  }
+  local model = scenes.model{
+    bodies = { block = { size = { 2, 2, 1 }, elements = { 3, 3, 2 }, contact = "back", thickness_degree = 2 } },
+    supports = { bed = { on = "front", fix = "xyz" }, left = { on = "west", symmetry = true },
+      front = { on = "south", symmetry = true }, ball = { on = ball, drive = "z" } },
+    contacts = { c = { slave = "back", master = ball, penalty = 50 } } }
   model:run({ { name = "press", steps = 3, ball = { -0.2 } } })
   return model
 end
@@ -92,9 +83,7 @@ local draw = {
   end,
   hysteresis = function(file)
     local a, b = {}, {}
-    for i = 1, 60 do
-      a[i], b[i] = math.cos(i / 10), math.sin(i / 10) + 0.5 * math.cos(i / 10)
-    end
+    for i = 1, 60 do a[i], b[i] = math.cos(i / 10), math.sin(i / 10) + 0.5 * math.cos(i / 10) end
     sg.chart{ file = file, size = small, x = a, xlabel = "displacement", ylabel = "force", { y = b, arrows = true } }
   end,
   chart_inset = function(file) chart(file, { inset = { xrange = { 4, 6 } } }) end,
@@ -163,5 +152,3 @@ check.case("the tolerance detects a moved legend, a missing line, another range 
     if difference <= most then error(("a change of '%s' goes unnoticed: %.1f"):format(changed[i], difference), 0) end
   end
 end)
-
-check.done()

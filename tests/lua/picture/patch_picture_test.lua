@@ -1,10 +1,8 @@
 -- Pictures and .vtu files of patches.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
-local folder = os.tmpname()
-os.remove(folder)
+local folder = check.folder() .. "/folder"
 os.execute("mkdir " .. folder)
 
 local function bytes_of(file)
@@ -87,6 +85,3 @@ check.case("invalid arguments", function()
     "deformed is for models")
   check.equal(io.open(file), nil)
 end)
-
-os.execute("rm -r " .. folder)
-check.done()

@@ -1,7 +1,6 @@
 -- sg.picture and sg.sheet of solids: what changes a picture, symmetric models, cuts, and what they refuse.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local folder = check.folder()
 
@@ -15,29 +14,20 @@ local function draw(arguments)
   return check.png(file)
 end
 
-local function drawn_alike(a, b)
-  return draw(a).bytes == draw(b).bytes
-end
-
-local rubber = sg.neo_hookean{ E = 1, nu = 0.3 }
+local function drawn_alike(a, b) return draw(a).bytes == draw(b).bytes end
 
 --- A block whose back is pressed by an obstacle.
 local function pressed(size, corner, supports, obstacle, depth)
-  local block = sg.body{ patch = sg.shapes.block{ size = size, corner = corner }, elements = { 4, 2, 2 }, order = "N2",
-                         contact = "back", material = rubber }
+  local block = scenes.body{ size = size, corner = corner, elements = { 4, 2, 2 }, contact = "back" }
   local all = { bed = { on = block:face "front", fix = "xyz" }, tool = { on = obstacle, drive = "z" } }
   for name, support in pairs(supports) do all[name] = { on = block:face(support[1]), fix = support[2] } end
-  local model = sg.model{
-    bodies = { block = block }, supports = all,
-    contacts = { touch = { slave = block:face "back", master = obstacle, penalty = 20 } },
-  }
+  local model = scenes.model{ bodies = { block = block }, supports = all,
+    contacts = { touch = { slave = "back", master = obstacle, penalty = 20 } } }
   check.equal(model:run({ { name = "press", steps = 2, tool = { -depth } } }).failed, false)
   return model
 end
 
-local function ball(x, y)
-  return sg.rigid.sphere{ center = { x, y, 1.8 }, radius = 0.8 }
-end
+local function ball(x, y) return sg.rigid.sphere{ center = { x, y, 1.8 }, radius = 0.8 } end
 
 local model = pressed({ 2, 1, 1 }, { 0, 0, 0 }, {}, ball(1.2, 0.4), 0.15)
 
@@ -105,13 +95,10 @@ check.case("a quarter and its images are the whole model, also in a section", fu
   local whole
   do
     local shape = sg.shapes.block{ size = { 2, 1, 1 }, corner = { -1, -0.5, 0 } }
-    local block = sg.body{ patch = shape, elements = { 8, 4, 2 }, order = "N2", contact = "back", material = rubber }
     local tool = ball(0, 0)
-    whole = sg.model{
-      bodies = { block = block },
-      supports = { bed = { on = block:face "front", fix = "xyz" }, tool = { on = tool, drive = "z" } },
-      contacts = { touch = { slave = block:face "back", master = tool, penalty = 20 } },
-    }
+    whole = scenes.model{ bodies = { block = { patch = shape, elements = { 8, 4, 2 }, contact = "back" } },
+      supports = { bed = { on = "front", fix = "xyz" }, tool = { on = tool, drive = "z" } },
+      contacts = { touch = { slave = "back", master = tool, penalty = 20 } } }
     check.equal(whole:run({ { name = "press", steps = 2, tool = { -0.1 } } }).failed, false)
   end
   -- A bit of the cut face where no field vanishes; the narrow range leaves two colors, one for each sign. Drawn on the
@@ -159,17 +146,14 @@ check.case("a film around a model has frames of one size", function()
 end)
 
 check.case("poles and layers of all kinds can be drawn", function()
-  local octant = sg.body{ patch = sg.shapes.sphere_octant{ inner = 0.3, outer = 1 }, elements = { 3, 3, 2 },
-                          order = "N2-N2.1", contact = "front", material = rubber }
   local trough = sg.shapes.half_cylinder_shell{ inner = 0.6, outer = 0.9, width = 1, center = { 3, 0, 0 } }
-  local shell = sg.body{ patch = trough, elements = { 4, 2, 1 }, order = { "N2-N4", "N2" }, contact = "front",
-                         material = rubber }
   local bowl = sg.rigid.surface(sg.shapes.sphere_octant{ inner = 1.05, outer = 2 }:face "back")
-  local scene = sg.model{
-    bodies = { octant = octant, shell = shell },
-    supports = { hold = { on = { octant:face "back", shell:face "back" }, fix = "xyz" } },
-    contacts = { bowl = { slave = octant:face "front", master = bowl, penalty = 10 } },
-  }
+  local scene = scenes.model{
+    bodies = { octant = { patch = sg.shapes.sphere_octant{ inner = 0.3, outer = 1 }, elements = { 3, 3, 2 },
+        order = "N2-N2.1", contact = "front" },
+      shell = { patch = trough, elements = { 4, 2, 1 }, order = { "N2-N4", "N2" }, contact = "front" } },
+    supports = { hold = { on = { "octant.back", "shell.back" }, fix = "xyz" } },
+    contacts = { bowl = { slave = "octant.front", master = bowl, penalty = 10 } } }
   -- Stresses at a pole are those close by: the state is at rest and all of it has one color.
   local function picture(more)
     return draw{ model = scene, field = "von_mises", cut = more.cut, bodies = more.bodies, obstacles = more.obstacles,
@@ -186,27 +170,17 @@ check.case("poles and layers of all kinds can be drawn", function()
 end)
 
 check.case("wrong arguments", function()
-  local strip = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
-                         contact = "north", material = rubber }
-  local plane = sg.model{ bodies = { strip = strip }, contacts = {},
-                          supports = { foot = { on = strip:face "south", fix = "xy" } } }
+  local plane = scenes.model{ bodies = { strip = { contact = "north" } }, contacts = {},
+    supports = { foot = { on = "south", fix = "xy" } } }
   local wrong = {
     { { model = model, field = "w" }, "unknown field 'w'", "uz", "contact_pressure" },
     { { model = plane, field = "contact_pressures" }, "unknown field" },
     { { model = model, mirror = "zz" }, "mirror must be 'x', 'y', 'z'" },
-    { { model = model, camera = "above" }, "camera must be 'iso'", "'above'" },
-    { { model = model, camera = 3 }, "camera must be 'iso'", "{ from" },
     { { model = model, camera = { eye = { 1, 0, 0 } } }, "camera: unknown argument 'eye'", "from, up" },
-    { { model = model, camera = { up = { 0, 0, 1 } } }, "camera.from", "is missing" },
-    { { model = model, camera = { from = { 0, 0, 0 } } }, "camera.from must be a vector that is not zero" },
     { { model = model, camera = { from = { 0, 0, 1 }, up = { 0, 0, 2 } } },
       "up of the camera must not be parallel to from" },
-    { { model = model, cut = "w" }, "cut must be 'x'" },
-    { { model = model, cut = true }, "cut must be 'x'", "or a table { normal" },
-    { { model = model, cut = { normal = { 0, 0, 0 } } }, "cut.normal must be a vector that is not zero" },
     { { model = model, cut = { normal = { 0, 1, 0 }, at = 2 } }, "cut: at needs an axis" },
     { { model = model, cut = { normal = "y", at = 2, point = { 0, 0, 0 } } }, "both at and point" },
-    { { model = model, cut = { at = 1 } }, "cut.normal", "is missing" },
     { { model = model, cut = { normal = "y", at = -1 } }, "removes all bodies" },
     { { model = model, crop = { 0, 1, 0, 1 } }, "crop must be a list of 6 numbers" },
     { { model = model, crop = { 0, 1, 0, 1, 1, 0 } }, "expected {xmin, xmax, ymin, ymax, zmin, zmax}" },
@@ -219,20 +193,14 @@ check.case("wrong arguments", function()
     { { model = model, cut = { normal = { 0, 0, -1 }, point = { 0, 0, -1 } } }, "cut removes nothing" },
     { { model = model, marks = { { x = { 1, 2 } } } }, "marks[1].x must be a list of 3 numbers {x, y, z}" },
     { { model = model, bodies = { "slab" } }, "no body 'slab'", "'block'" },
-    { { model = model, bodies = {} }, "bodies must be a list of at least one name" },
     { { model = plane, camera = "iso" }, "camera is for models of solids" },
     { { model = plane, ruler = true }, "ruler is for models of solids" },
     { { model = plane, cut = "y" }, "cut is for models of solids" },
-    { { model = 3 }, "model must be a model" },
   }
-  for _, case in ipairs(wrong) do
-    check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2))
-  end
+  for _, case in ipairs(wrong) do check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2)) end
   local flat, solid = sg.picture{ model = plane }, sg.picture{ model = model }
   sg.sheet{ solid, flat, file = file }
   check.equal(check.png(file).width > check.png(file).height, true)
   check.fails(function() sg.film{ solid, flat, file = folder .. "/x-%d.png" } end,
     "sg.film: the pictures of a film must have the same contents and arrangement")
 end)
-
-check.done()

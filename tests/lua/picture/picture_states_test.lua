@@ -1,16 +1,12 @@
 -- Pictures of the states that a run has stored: sheets, series, films; several fields, insets, no ground.
 
-local sg = require "signorini"
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 local folder = check.folder()
 
-local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 4, 2 }, order = "N2",
-                      contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 2, nu = 0.3 } }
-local model = sg.model{ bodies = { strip = body }, contacts = {},
-                        supports = { foot = { on = body:face "west", fix = "xy" },
-                                     tip = { on = body:face "east", drive = "xy" } } }
+local body = scenes.body{ size = {4, 1}, elements = { 4, 2 }, contact = "south", thickness_degree = 1, E = 2 }
+local model = scenes.model{ bodies = { strip = body }, contacts = {},
+  supports = { foot = { on = "west", fix = "xy" }, tip = { on = "east", drive = "xy" } } }
 local at_rest = model:snapshot()
 local stages = { { name = "bend", steps = 4, tip = { 0, 1 } }, { name = "back", steps = 2, tip = { 0, 0.5 } } }
 
@@ -113,7 +109,8 @@ check.case("what a film cannot show is refused before ffmpeg starts", function()
   check.fails(function() sg.picture(film) end, "sg.picture: transparent is not available for films", "x-%04d.png")
   film.transparent, film.file = nil, folder .. "/x.ogv"
   check.fails(function() sg.picture(film) end, "x.ogv", "a film, .mp4")
-  check.fails(function() sg.film{ sg.picture{ model = model }, file = film.file } end, "file must be the name of a film")
+  check.fails(function() sg.film{ sg.picture{ model = model }, file = film.file } end,
+    "file must be the name of a film")
 end)
 
 check.case("several fields, insets, scale and ground", function()
@@ -156,22 +153,15 @@ check.case("wrong arguments", function()
   local states = run():states()
   local other = sg.model{ bodies = { strip = body }, supports = { foot = { on = body:face "west", fix = "xy" } } }
   for _, case in ipairs {
-    { { states = {} }, "states must be a list of at least one state" },
-    { { states = { 3 } }, "states[1] must be a state", "got the number 3" },
-    { { states = { {} } }, "states[1] must be a state" },
     { { states = states, model = other }, "model is not the model of the stored state" },
     { { model = model, field = "uy", fields = { "ux" } }, "fields cannot be combined with field" },
-    { { model = model, fields = {} }, "fields must be a list of at least one name" },
-    { { model = model, fields = { "ux", 3 } }, "fields[2] must be a name" },
     { { model = model, fields = { "ux", "uz" } }, "unknown field 'uz'" },
     { { model = model, fields = { "ux", "uy" }, label = "u" },
       "label cannot be combined with fields, each of which has its own color bar" },
     { { model = model, fps = 3 }, "fps has no effect without states" },
-    { { model = model, scale = 0 }, "scale must be a positive number" },
     { { model = model, scale = 9 }, "makes 14400 pixels of 1600" },
     { { states = states, size = 400, field = "uy", inset = { 0, 1, 0, 1 } }, "too small for an inset in each state",
       "fewer columns" },
-    { { model = model, inset = { 0, 1 } }, "inset must be a list of 4 numbers" },
     { { model = model, inset = { 2, 1, 0, 1 } }, "inset is {2, 1, 0, 1}", "with min below max" },
     { { model = model, inset = { 9, 10, 9, 10 } }, "inset = {9, 10, 9, 10} shows nothing" },
   } do
@@ -181,5 +171,3 @@ check.case("wrong arguments", function()
   check.fails(function() sg.picture{ states = states, file = "x%s.png" } end, "must contain one number")
   check.fails(function() sg.picture{ states = states, file = "x.avi", fps = 5 } end, "x.avi", ".png", "a film, .mp4")
 end)
-
-check.done()

@@ -1,8 +1,6 @@
 -- study:chart and study:heatmap: the arguments that they pass to sg.chart and sg.heatmap, invalid arguments.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 --- Two orders × two meshes × steps; N4 on the coarse mesh has failed.
 local function study()
@@ -124,5 +122,3 @@ check.case("wrong arguments", function()
     "texts must be true or false")
   fails("heatmap", { file = "a.png", x = "order", y = "mesh", value = function() end }, "no case has value")
 end)
-
-check.done()

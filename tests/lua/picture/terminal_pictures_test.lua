@@ -1,8 +1,7 @@
 -- Pictures in the terminal: pseudo-terminals that answer like kitty, iTerm2, xterm with sixel, a plain one, and tmux;
 -- what arrives there is decoded. Without a terminal a file is needed.
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 local player = arg[-1]:gsub("[^/]*$", "") .. "tests/answering_terminal"
 local folder = check.folder()
@@ -238,5 +237,3 @@ check.case("a front end shows pictures in the terminal's place", function()
   check.equal(shown, { "chart of 1 curve", "picture of 1 patch" })
   display.screen = nil
 end)
-
-check.done()

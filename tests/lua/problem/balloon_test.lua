@@ -1,7 +1,6 @@
 -- The inflated ball of scripts/problems/balloon.lua against the exact pressures beyond the limit point.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local script = core.home .. "/scripts/problems/balloon.lua"
 
@@ -24,5 +23,3 @@ end)
 check.case("wrong arguments are errors", function()
   check.refused(script, { ["outer=1"] = "outer", ["K=-1"] = "K", ["largest=0.5"] = "largest" })
 end)
-
-check.done()

@@ -1,9 +1,7 @@
 -- scripts/problems/block_ironing3d.lua, coarse: symmetry and balance of the forces, effect of a layer, files.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
-local way_back = require "way_back"
+require "check"
+local dragged = require "dragged"
 
 local script = core.home .. "/scripts/problems/block_ironing3d.lua"
 local folder = check.folder()
@@ -17,46 +15,18 @@ check.case("both discretizations complete; forces of this mesh are unchanged", f
   check.near({ layer.pressed, layer.drag.mean, layer.drag.high }, { 7.2888, 8.1716, 8.5332 }, 1e-4)
 end)
 
-check.case("Pz is symmetric about the slab's middle, Px its opposite", function()
-  for _, case in ipairs(study.cases) do
-    check.near({ case.x[3], case.x[13], case.x[23] }, { 3.75, 10, 16.25 }, 1e-12)
-    way_back(case, 3, 1e-7)
-  end
-end)
+dragged(study, { places = { [3] = 3.75, [13] = 10, [23] = 16.25 }, pressed = 3, symmetry = 1e-7, balance = 1e-8,
+  pitch = { 9, 17 } }) -- one pitch of 5 in steps of 0.625 about x = 10
 
 check.case("without friction a state does not depend on the path: pressed in the middle", function()
-  local slab = sg.body{ patch = sg.shapes.block{ size = {20, 10, 10} }, elements = {4, 2, 1}, order = "N2",
-                        contact = "back", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local block = sg.body{ patch = sg.shapes.block{ size = {4, 4, 4}, corner = {8, 3, 10} },
-                         elements = {2, 2, 1}, order = "N2", contact = "front", thickness_degree = 1,
-                         material = sg.neo_hookean{ E = 10, nu = 0.3 } }
-  local model = sg.model{
-    bodies   = { block = block, slab = slab },
-    supports = { bed = { on = slab:face "front", fix = "xyz" },
-                 grip = { on = block:face "back", drive = "z", fix = "xy" } },
-    contacts = { interface = { slave = block:face "front", master = slab:face "back", penalty = 100 } },
-  }
+  local model = scenes.model{
+    bodies = { block = { size = {4, 4, 4}, corner = {8, 3, 10}, elements = {2, 2, 1}, contact = "front",
+        thickness_degree = 1, E = 10 },
+      slab = { size = {20, 10, 10}, elements = {4, 2, 1}, contact = "back", thickness_degree = 1 } },
+    supports = { bed = { on = "slab.front", fix = "xyz" }, grip = { on = "block.back", drive = "z", fix = "xy" } },
+    contacts = { interface = { slave = "block.front", master = "slab.back", penalty = 100 } } }
   local run = model:run{ { steps = 3, grip = -1 } }
   check.near(-run:column "grip.fz"[3], study.cases.N2.Pz[13], 1e-7)
-end)
-
-check.case("the forces on the block equal those on the bed", function()
-  for _, case in ipairs(study.cases) do
-    for _, axis in ipairs { ".fx", ".fy", ".fz" } do
-      local bed, grip = case.run:column("bed" .. axis), case.run:column("grip" .. axis)
-      for step = 1, case.run.steps do check.near(bed[step] + grip[step], 0, 1e-8) end
-    end
-  end
-end)
-
-check.case("a layer reduces the oscillations to less than a third", function()
-  local layer = study.cases["N2-N2.1"]
-  check.equal({ layer.first, layer.last }, { 9, 17 }) -- one pitch of 5 in steps of 0.625 about x = 10
-  for _, force in ipairs { "dPx", "dPz" } do
-    for _, kind in ipairs { "raw_percent", "detrended_percent" } do
-      if layer[force][kind] > 33 then error(("%s %s is %g"):format(force, kind, layer[force][kind])) end
-    end
-  end
 end)
 
 check.case("charts, states, a table and a file per order", function()
@@ -121,5 +91,3 @@ check.case("wrong arguments", function()
     ["variant=x"] = "variant must be 'standard' or 'sixty', got 'x'",
   }, "out=" .. folder)
 end)
-
-check.done()

@@ -1,9 +1,7 @@
 -- scripts/problems/cylinder_ironing3d.lua, coarse: symmetry and balance of the forces, effect of a layer, files.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
-local way_back = require "way_back"
+require "check"
+local dragged = require "dragged"
 
 local script = core.home .. "/scripts/problems/cylinder_ironing3d.lua"
 local folder = check.folder()
@@ -16,34 +14,8 @@ check.case("both discretizations complete; forces of this mesh are unchanged", f
   check.near({ layer.pressed, layer.drag.mean, layer.drag.high }, { 0.20093, 0.20762, 0.20973 }, 1e-5)
 end)
 
-check.case("Pz is symmetric about the slab's middle, Px its opposite", function()
-  for _, case in ipairs(study.cases) do
-    check.near({ case.x[4], case.x[16], case.x[28] }, { 0.5, 1.25, 2 }, 1e-12)
-    way_back(case, 4, 1e-8)
-  end
-end)
-
-check.case("the forces on the die equal those on the bed, without a lateral component", function()
-  for _, case in ipairs(study.cases) do
-    for _, axis in ipairs { ".fx", ".fy", ".fz" } do
-      local bed, grip = case.run:column("bed" .. axis), case.run:column("grip" .. axis)
-      for step = 1, case.run.steps do
-        check.near(bed[step] + grip[step], 0, 1e-9)
-        if axis == ".fy" then check.near(bed[step], 0, 1e-9) end
-      end
-    end
-  end
-end)
-
-check.case("a layer reduces the oscillations to less than a third", function()
-  local layer = study.cases["N2-N2.1"]
-  check.equal({ layer.first, layer.last }, { 14, 19 }) -- a pitch of 0.3125 in steps of 0.0625 about x = 1.25
-  for _, force in ipairs { "dPx", "dPz" } do
-    for _, kind in ipairs { "raw_percent", "detrended_percent" } do
-      if layer[force][kind] > 33 then error(("%s %s is %g"):format(force, kind, layer[force][kind])) end
-    end
-  end
-end)
+dragged(study, { places = { [4] = 0.5, [16] = 1.25, [28] = 2 }, pressed = 4, symmetry = 1e-8, balance = 1e-9,
+  lateral = false, pitch = { 14, 19 } }) -- a pitch of 0.3125 in steps of 0.0625 about x = 1.25
 
 check.case("charts, states, a table and a file per order", function()
   check.pictures(folder, { "path", "Pz", "Px", "oscillations", "states" })
@@ -59,5 +31,3 @@ check.case("wrong arguments", function()
     ["variant=sixty"] = "unknown argument 'variant=sixty'",
   }, "out=" .. folder)
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- Double cantilever beams against the closed form of Rice's J integral: moment, growth, energies, oscillation.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local script = core.home .. "/scripts/problems/debonding.lua"
 local E, nu, h, G = 70000, 0.3, 2, 0.3
@@ -29,5 +28,3 @@ check.case("wrong arguments are errors", function()
   check.refused(script, { ["elements=2"] = "elements", ["laws=linear"] = "laws", ["strength=0"] = "strength",
                           ["steps=1"] = "steps" })
 end)
-
-check.done()

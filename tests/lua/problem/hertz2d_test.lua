@@ -1,8 +1,6 @@
 -- hertz2d.lua, coarse: Hertz's closed form, the published degrees of freedom and orders, the files it leaves.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local script = core.home .. "/scripts/problems/hertz2d.lua"
 local folder = check.folder()
@@ -70,5 +68,3 @@ check.case("wrong arguments", function()
                                ["sizes=1,0.5"] = "sizes must be numbers, 1 or more, got '0.5'",
                                ["steps=x"] = "steps must be", ["orders=Q7"] = "Q7" }, "out=" .. folder, "reference=m1")
 end)
-
-check.done()

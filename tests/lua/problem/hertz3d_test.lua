@@ -1,8 +1,6 @@
 -- scripts/problems/hertz3d.lua, coarse: Hertz's point contact in 3D compared with the axisymmetric model, files.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local script = core.home .. "/scripts/problems/hertz3d.lua"
 local folder = check.folder()
@@ -53,5 +51,3 @@ check.case("wrong arguments", function()
                                ["around=0"] = "around must be whole numbers, 1 or more, got '0'",
                                ["steps=0"] = "steps must be", ["orders=Q7"] = "Q7" }, "out=" .. folder)
 end)
-
-check.done()

@@ -1,8 +1,6 @@
 -- scripts/problems/hertz_sphere.lua, coarse: Hertz's point contact as an axisymmetric scene, the files it leaves.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local script = core.home .. "/scripts/problems/hertz_sphere.lua"
 local folder = check.folder()
@@ -47,5 +45,3 @@ check.case("wrong arguments", function()
                                ["sizes=0"] = "sizes must be numbers, 1 or more, got '0'",
                                ["steps=0"] = "steps must be", ["orders=Q7"] = "Q7" }, "out=" .. folder)
 end)
-
-check.done()

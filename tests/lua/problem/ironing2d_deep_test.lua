@@ -1,7 +1,6 @@
 -- scripts/problems/ironing2d.lua variant=deep, two discretizations: effect of halving on failed steps and on others.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local folder = check.folder()
 local study = assert(loadfile(core.home .. "/scripts/problems/ironing2d.lua"))("variant=deep", "orders=N4,N2-N2.2",
@@ -56,5 +55,3 @@ check.case("oscillations, a sheet and a chart of the runs with most points", fun
     assert(io.open(folder .. "/" .. name)):close()
   end
 end)
-
-check.done()

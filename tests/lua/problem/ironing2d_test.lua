@@ -1,8 +1,6 @@
 -- scripts/problems/ironing2d.lua as a user runs it: published results, iterations, files.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local folder = check.folder()
 local run_study = assert(loadfile(core.home .. "/scripts/problems/ironing2d.lua"))
@@ -97,9 +95,7 @@ check.case("the cheapest case as accurate as N2 on a mesh: both oscillations cou
   local function case(order, dPy, dPx, wall)
     return { order = order, dPy = { detrended = dPy }, dPx = { detrended = dPx }, work = { wall = wall } }
   end
-  local function mesh(name, N2, layer)
-    return { mesh = name, cases = { N2, layer, N2 = N2 } }
-  end
+  local function mesh(name, N2, layer) return { mesh = name, cases = { N2, layer, N2 = N2 } } end
   local cheapest = require "problems.ironing2d.convergence".cheapest{
     mesh("m1", case("N2", 9, 9, 1), case("layer", 3, 3, 2)),
     mesh("m2", case("N2", 4, 4, 4), case("layer", 0.5, 2, 5)),
@@ -121,5 +117,3 @@ check.case("wrong arguments", function()
     ["variant=validation mesh=24,48"] = "got '24,48'", ["mesh=20"] = "a multiple of 6",
   }, "out=" .. folder)
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- scripts/problems/ironing2d.lua variant=validation on half of the published spans.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local folder = check.folder()
 local study = assert(loadfile(core.home .. "/scripts/problems/ironing2d.lua"))("variant=validation", "mesh=24",
@@ -34,5 +33,3 @@ check.case("a sheet, three charts and two files", function()
   end
   check.equal(#study.files, 6)
 end)
-
-check.done()

@@ -1,8 +1,6 @@
 -- ironing3d.lua: Table 7.11, symmetry and path independence of its forces, maximum depth, friction, files.
 
-local core = require "signorini.core"
-local check = require "check"
-local sg = require "signorini"
+require "check"
 
 local depth = require "problems.ironing3d.depth"
 local friction = require "problems.ironing3d.friction"
@@ -105,5 +103,3 @@ check.case("wrong arguments", function()
     ["variant=cost mesh=m1"] = "mesh must be values among 'sparse', 'coarse', 'middle' and 'fine', got 'm1'",
   }, "out=" .. folder)
 end)
-
-check.done()

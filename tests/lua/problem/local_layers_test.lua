@@ -1,8 +1,6 @@
 -- local_layers.lua, coarse: peak pressures of Hertz, accuracy of the full layer with fewer degrees of freedom.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local script = core.home .. "/scripts/studies/local_layers.lua"
 local folder = check.folder()
@@ -48,5 +46,3 @@ check.case("charts; wrong arguments", function()
   check.refused(script, { ["problems=ring"] = "got 'ring'", ["meshes=m9"] = "got 'm9'", ["knots=0"] = "knots must be",
                           ["steps=0"] = "steps must be" }, "out=" .. folder)
 end)
-
-check.done()

@@ -1,8 +1,7 @@
 -- volumetric = "projected": Cook's membrane, Lamé's ring, small strains as the limit of large ones, warnings,
 -- checkpoints, wrong input.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local soft = sg.linear_elastic{ E = 240.565, nu = 0.4999 }
 
@@ -11,9 +10,8 @@ local function cook(order, n, volumetric)
   local patch = sg.nurbs.ruled{ a = sg.nurbs.line{ from = { 0, 0 }, to = { 48, 44 } },
                                 b = sg.nurbs.line{ from = { 0, 44 }, to = { 48, 60 } } }
   local body = sg.body{ patch = patch, elements = { n, n }, order = order, material = soft, volumetric = volumetric }
-  local model = sg.model{ bodies = { membrane = body },
-                          supports = { wall = { on = body:face "west", fix = "xy" } },
-                          loads = { shear = { on = body:face "east", traction = { 0, 0 } } } }
+  local model = scenes.model{ bodies = { membrane = body }, supports = { wall = { on = "west", fix = "xy" } },
+    loads = { shear = { on = "east", traction = { 0, 0 } } } }
   model:run{ { steps = 1, shear = { 0, 6.25 } } }
   return model:sample("membrane", "uy", { 1, 1 })
 end
@@ -31,12 +29,11 @@ end)
 --- points of a grid.
 local function ring_error(n, volumetric)
   local nu, inner, outer = 0.4999, 1, 2
-  local body = sg.body{ patch = sg.shapes.quarter_annulus{ inner = inner, outer = outer }, elements = { n, n },
-                        order = "N2", material = sg.linear_elastic{ E = 1, nu = nu }, volumetric = volumetric }
-  local model = sg.model{ bodies = { ring = body },
-                          supports = { below = { on = body:face "west", symmetry = true },
-                                       right = { on = body:face "east", symmetry = true } },
-                          loads = { inside = { on = body:face "north", pressure = 0 } } }
+  local model = scenes.model{
+    bodies = { ring = { patch = sg.shapes.quarter_annulus{ inner = inner, outer = outer }, elements = { n, n },
+        material = sg.linear_elastic{ E = 1, nu = nu }, volumetric = volumetric } },
+    supports = { below = { on = "west", symmetry = true }, right = { on = "east", symmetry = true } },
+    loads = { inside = { on = "north", pressure = 0 } } }
   local pressure = 1e-3 -- strains far below those that invert elements
   model:run{ { steps = 1, inside = pressure } }
   local squares, exact = 0, 0
@@ -60,10 +57,8 @@ end)
 
 --- A block in uniaxial tension.
 local function block(options)
-  local body = sg.body{
-    patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 3, 3 }, order = options.order or "N2",
-    material = sg.neo_hookean{ E = 1, nu = 0.4999 }, volumetric = options.volumetric or "projected",
-  }
+  local body = scenes.body{ elements = { 3, 3 }, order = options.order or "N2", nu = 0.4999,
+    volumetric = options.volumetric or "projected" }
   local supports = { left = { on = body:face "west", symmetry = true },
                      low = { on = body:face "south", symmetry = true },
                      pull = { on = body:face "east", drive = "x" } }
@@ -75,8 +70,8 @@ end
 local function ring(kind, material, pressure, volumetric)
   local patch, space = sg.shapes.quarter_annulus{ inner = 1, outer = 2 }, kind == "solid"
   if space then patch = sg.nurbs.extrude{ patch = patch, along = { 0, 0, 0.5 } } end
-  local body = sg.body{ patch = patch, elements = space and { 2, 2, 1 } or { 4, 4 }, order = "N2",
-                        material = material, volumetric = volumetric or "projected" }
+  local body = scenes.body{ patch = patch, elements = space and { 2, 2, 1 } or { 4, 4 }, material = material,
+    volumetric = volumetric or "projected" }
   local supports = { below = { on = body:face "west", symmetry = true },
                      right = { on = body:face "east", symmetry = true } }
   if space then supports.ends = { on = { body:face "front", body:face "back" }, fix = "z" } end
@@ -140,15 +135,12 @@ end)
 
 --- A rigid cylinder in the middle of a slab: the lateral part of its force, and the motion of both ends of the surface.
 local function pressed(order, elements)
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1, corner = { -1.5, -1 } },
-                        elements = elements, order = order, volumetric = "projected",
-                        material = sg.neo_hookean{ E = 1, nu = 0.4999 } }
   local tool = sg.rigid.cylinder{ center = { 0, 0.5 }, radius = 0.5 }
-  local model = sg.model{
-    bodies = { s = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, tool = { on = tool, drive = "y" } },
-    contacts = { c = { slave = slab:face "north", master = tool, penalty = 50 } },
-  }
+  local model = scenes.model{
+    bodies = { s = { size = {3, 1}, corner = { -1.5, -1 }, elements = elements, order = order, volumetric = "projected",
+        nu = 0.4999 } },
+    supports = { bed = { on = "south", fix = "xy" }, tool = { on = tool, drive = "y" } },
+    contacts = { c = { slave = "north", master = tool, penalty = 50 } } }
   assert(not model:run{ { steps = 2, tool = -0.1 } }.failed)
   local force = model:reaction "tool"
   return force.fx / force.fy, model:sample("s", "ux", { 0, 1 }) + model:sample("s", "ux", { 1, 1 })
@@ -161,9 +153,7 @@ check.case("symmetric scenes have symmetric solutions where the degree does not 
 end)
 
 check.case("wrong input", function()
-  local function body(value)
-    return function() block{ volumetric = value } end
-  end
+  local function body(value) return function() block{ volumetric = value } end end
   check.fails(body "projekted", "volumetric", "projected")
   check.fails(body "F-bar", "volumetric", "pointwise")
   check.fails(body(true), "volumetric")
@@ -171,5 +161,3 @@ check.case("wrong input", function()
   check.fails(body {}, "volumetric")
   check.fails(function() block{ kind = "plane_stress" } end, "bodies.block", "plane stress", "Hint")
 end)
-
-check.done()

@@ -1,12 +1,9 @@
 -- The scenes of scripts/objects against closed forms.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local function script(name) return ("%s/scripts/objects/%s.lua"):format(core.home, name) end
-local function results(name, ...)
-  return assert(loadfile(script(name)))("out=" .. check.folder(), ...)
-end
+local function results(name, ...) return assert(loadfile(script(name)))("out=" .. check.folder(), ...) end
 
 check.case("bushing: the stiffness of plane elasticity and, almost, of Adkins and Gent, without warnings", function()
   local bushing = results("bushing", "elements=6", "steps=4", "most=0.2")
@@ -110,5 +107,3 @@ check.case("wrong arguments are errors", function()
   check.refused(script "snap_fit", { ["mu=-1"] = "mu", ["steps=1"] = "steps", ["penalty=0"] = "penalty",
                                      ["elements=3"] = "elements" })
 end)
-
-check.done()

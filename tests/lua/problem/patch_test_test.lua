@@ -1,8 +1,6 @@
 -- patch_test.lua, coarse: uniform to rounding error without kinks, expected decrease of errors with kinks.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local script = core.home .. "/scripts/problems/patch_test.lua"
 local folder = check.folder()
@@ -82,5 +80,3 @@ check.case("wrong arguments", function()
                                ["penalties=-1"] = "penalties must be", ["points=x"] = "points must be" },
                 "out=" .. folder)
 end)
-
-check.done()

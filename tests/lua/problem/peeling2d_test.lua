@@ -1,9 +1,7 @@
 -- peeling2d.lua as a user runs it, on a shorter strip: published degrees of freedom, the moment of steady
 -- peeling against its closed forms, pinned oscillations, a coarse mesh that peels in snap-backs, the files it leaves.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 local measure = require "problems.peeling2d.measure"
 local problem = require "problems.peeling2d.problem"
 local steady = require "problems.peeling2d.steady"
@@ -110,5 +108,3 @@ check.case("wrong arguments", function()
     check.holds(output, message)
   end
 end)
-
-check.done()

@@ -1,8 +1,6 @@
 -- scripts/problems/rings2d.lua as a user runs it: the published errors, friction's law, the files it leaves.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local folder = check.folder()
 local study = assert(loadfile(core.home .. "/scripts/problems/rings2d.lua"))("out=" .. folder, "repeats=1")
@@ -83,5 +81,3 @@ check.case("wrong arguments", function()
                                ["coordinate=z"] = "coordinate must be 'x' or 'X', got 'z'",
                                ["repeats=0"] = "repeats must be", ["orders=Q7"] = "Q7" }, "out=" .. folder)
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- The listing of share/doc/several_patches.md runs as printed; several_patches.lua shows what its header says.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 check.case("the page's listing", function()
   local code = core.read_file(core.home .. "/share/doc/several_patches.md"):match "```lua\n(.-)```"
@@ -22,5 +21,3 @@ check.case("a die slides across a border without a kick, in the plane and in spa
     if dimension == 2 then check.at_most("fine", result.fine, result.uncut / 2) end
   end
 end)
-
-check.done()

@@ -1,8 +1,6 @@
 -- scripts/problems/shallow_ironing2d.lua on the coarsest mesh.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local folder = check.folder()
 local script = core.home .. "/scripts/problems/shallow_ironing2d.lua"
@@ -79,5 +77,3 @@ check.case("wrong arguments", function()
                                ["thickness_degree=two"] = "thickness_degree must be a whole number",
                                ["steps=0"] = "steps must be a whole number" }, "out=" .. folder)
 end)
-
-check.done()

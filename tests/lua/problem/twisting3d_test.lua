@@ -1,8 +1,6 @@
 -- twisting3d.lua, coarse: torques against μ∫pr dA and closed forms, levels, the energies' balance, its files.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local script = core.home .. "/scripts/problems/twisting3d.lua"
 local folder = check.folder()
@@ -71,5 +69,3 @@ check.case("wrong arguments", function()
                                ["angle=0"] = "angle must be a positive number, got '0'",
                                ["twist=x"] = "twist must be" }, "out=" .. folder)
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- The command line: options, exit status, standard input, the prompt without a terminal, Ctrl-C.
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 local function run(arguments, input, before)
   local output, status = check.program(arguments, input, before)
@@ -22,14 +21,12 @@ check.case("-e runs code, several in a row, with sg defined", function()
 end)
 
 check.case("scripts get their arguments, and find modules in their folder", function()
-  local name = os.tmpname()
-  os.remove(name)
+  local name = check.folder() .. "/name"
   os.execute("mkdir " .. name)
   local function write(file, text) assert(io.open(name .. "/" .. file, "w")):write(text):close() end
   write("study.lua", "print(require 'scene', arg[1], arg[2], #arg, arg[0]:match '[^/]*$', ...)")
   write("scene.lua", "return 'a scene'")
   gives(run { name .. "/study.lua", "mesh=m1", "-q" }, "a scene\tmesh=m1\t-q\t2\tstudy.lua\tmesh=m1\t-q\n")
-  os.execute("rm -r " .. name)
 end)
 
 check.case("modules of the supplied scripts are found last, from scripts in subfolders and elsewhere", function()
@@ -310,8 +307,7 @@ check.case("help shows groups, types of Lua objects, and what a query at the pro
 end)
 
 check.case("a script that comes along runs by its name, unless there is a file of that name", function()
-  local folder = os.tmpname()
-  os.remove(folder)
+  local folder = check.folder() .. "/folder"
   core.mkdir(folder .. "/scripts")
   local function run(words)
     return check.shell(("cd %s && SIGNORINI_HOME=%s %s %s"):format(folder, core.home, arg[-1], words))
@@ -351,5 +347,3 @@ check.case("Ctrl-C ends a script with status 130, wherever it is", function()
     check.holds(output, "signorini: (command line):1: interrupted")
   end
 end)
-
-check.done()

@@ -1,15 +1,12 @@
 -- The commands of the prompt: ?name, %time, %who, %run, !command; piped to it, and among the lines of a block.
 
-local check = require "check"
+require "check"
 local complete = require "signorini.prompt.complete"
-local core = require "signorini.core"
 
 sg = require "signorini" -- as at the prompt
 
 --- The output of lines that are piped to the prompt, in a folder, and the exit status.
-local function typed(lines, folder)
-  return check.program({}, lines .. "\n", ("cd '%s' && "):format(folder or "."))
-end
+local function typed(lines, folder) return check.program({}, lines .. "\n", ("cd '%s' && "):format(folder or ".")) end
 
 -- The program's path is relative to the present folder in some runs of this test.
 local program = arg[-1]
@@ -197,5 +194,3 @@ check.case("Tab completes commands, files after %run and !, and words of help af
   check.equal(complete("geom", "\n?"), { "geometry" })
   check.equal(complete("sg.shapes.rec", "\nx = 5 % "), { "sg.shapes.rectangle" })
 end)
-
-check.done()

@@ -1,6 +1,6 @@
 -- Completion at the prompt: names, methods, keywords, named arguments.
 
-local check = require "check"
+require "check"
 local complete = require "signorini.prompt.complete"
 
 sg = require "signorini" -- as at the prompt
@@ -131,5 +131,3 @@ check.case("values, lists and unknown calls take none", function()
   check.equal(all "{ mate", {})
   check.equal(all "sg.body{ order = 'N2' } mate", {})
 end)
-
-check.done()

@@ -1,8 +1,6 @@
 -- The listing of share/doc/files.md runs as printed and writes what it says.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 check.case("the page's listing", function()
   local code = core.read_file(core.home .. "/share/doc/files.md"):match "```lua\n(.-)```"
@@ -21,5 +19,3 @@ check.case("the page's listing", function()
   check.holds(core.read_file(folder .. "/ring.pvd"), "ring_0001.vtu", "ring_0005.vtu")
   check.equal(core.read_file(folder .. "/pressed.vtu") ~= core.read_file(folder .. "/reference.vtu"), true)
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- share/doc/gallery.md names every script; its pictures are there, small, and drawn as scripts/coarse.txt says.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local function lines(command)
   local list = {}
@@ -32,5 +31,3 @@ check.case("every picture", function()
   check.equal(total <= 3000000, true)
   check.equal(#lines "ls share/doc/gallery/*/*", shown)
 end)
-
-check.done()

@@ -1,9 +1,7 @@
 -- Help: every public name has a page, and heads list the arguments that functions take, their examples run, and
 -- share/doc/reference.md contains all pages; terms of other programs lead to pages.
 
-local check = require "check"
-local core = require "signorini.core"
-local sg = require "signorini"
+require "check"
 local examples_of = require("signorini.prompt.help.page_text").examples
 local names = require "signorini.prompt.help.names"
 local pages = require "signorini.pages"
@@ -207,5 +205,3 @@ check.case("share/doc/reference.md agrees with the pages", function()
     error "share/doc/reference.md is not what the help pages say: run scripts/reference"
   end
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- The README's example runs as printed, and stays short.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 check.case("the example", function()
   local page = assert(io.open(core.home .. "/README.md", "rb"))
@@ -15,5 +14,3 @@ check.case("the example", function()
   check.equal(os.remove(picture .. ".png"), true)
   os.remove(picture)
 end)
-
-check.done()

@@ -1,9 +1,7 @@
 -- --sandbox: escapes that a script may try, each with the wall that stops it: "Lua" (lua/signorini/prompt/sandbox.lua)
 -- or "kernel" (src/os/sandbox.hpp, whose walls tests/os/sandbox_test.cpp tries without Lua); work that must go on.
 
-local check = require "check"
-local sg = require "signorini"
-local core = require "signorini.core"
+require "check"
 
 local missing = check.program { "--doctor" }:match "\nsandbox +(%-%-sandbox is not available[^\n]*)"
 if missing then
@@ -230,5 +228,3 @@ check.case("folders and options that are not safe are refused before the script 
   refused({ "--sandbox" , box, "--chunk", "a:1" }, "--sandbox cannot be combined with --chunk")
   check.holds(check.program { "--sandbox", box, "--kernel", "a.json" }, "for scripts and the prompt only")
 end)
-
-check.done()

@@ -1,7 +1,7 @@
 -- A first session at the prompt, on a terminal that util-linux' `script` provides: a scene of two bodies is typed line
 -- by line, with completion and help, two mistakes and their cure, a solve and a picture.
 
-local check = require "check"
+require "check"
 
 local folder = check.folder()
 
@@ -39,5 +39,3 @@ check.case("a scene of two bodies, typed", function()
     "undefined variable 'modle'; did you mean 'model'?", "model:run{ { name", "sg> run\nstage  steps  iterations",
     "\npress     20 ", "false\n20\n", '"PNG"\n')
 end)
-
-check.done()

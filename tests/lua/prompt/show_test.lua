@@ -1,14 +1,11 @@
 -- Texts of the library's objects at the prompt.
 
-local check = require "check"
-local sg = require "signorini"
+require "check"
 local show = require "signorini.prompt.show"
 
-local slab = sg.body { patch = sg.shapes.rectangle { width = 3, height = 1 }, elements = { 4, 2 }, order = "N2-N2.2",
-  contact = "south", material = sg.neo_hookean { E = 1, nu = 0.3 } }
-local model = sg.model { bodies = { slab = slab }, supports = { grip = { on = slab:face "north", drive = "xy" } },
-  contacts = { ground = { slave = slab:face "south",
-    master = sg.rigid.plane { point = { 0, -0.05 }, normal = { 0, 1 } }, penalty = 10 } } }
+local slab = scenes.body{ size = {3, 1}, elements = { 4, 2 }, order = "N2-N2.2", contact = "south" }
+local model = scenes.model{ bodies = { slab = slab }, supports = { grip = { on = "north", drive = "xy" } },
+  contacts = { ground = { slave = "south", master = scenes.floor(-0.05), penalty = 10 } } }
 
 check.case("a patch and a body, with their positions", function()
   check.equal(show.text(sg.shapes.rectangle { width = 3, height = 1, corner = { -1, 0 } }),
@@ -114,5 +111,3 @@ check.case("long lists are cut and share lines", function()
   check.holds(lines[2], "  1000.125, 1000.25, 1000.375,")
   check.equal(lines[6], "  … 9960 more")
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- The listing of share/doc/studies.md runs as printed, and comes to what the page says.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 check.case("the listing", function()
   local parts = {}
@@ -17,5 +16,3 @@ check.case("the listing", function()
     "line_contact.png", "refined = 2, order = N2: error = 0.527", "N2 on mesh 2 meets the tolerance")
   check.shell(("rm -rf %s %s"):format(folder, script))
 end)
-
-check.done()

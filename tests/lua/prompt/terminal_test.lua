@@ -1,10 +1,8 @@
 -- The prompt on a terminal, which util-linux' `script` provides: editing, history, completion, Ctrl-C.
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
-local state = os.tmpname()
-os.remove(state)
+local state = check.folder() .. "/state"
 
 --- What the terminal shows, and the exit status; see check.terminal.
 local function typed_to(command, turns, variables)
@@ -124,4 +122,3 @@ check.case("history is saved between sessions", function()
 end)
 
 os.execute("rm -r " .. state)
-check.done()

@@ -2,9 +2,7 @@
 -- quotes. Blocks marked `times` hold seconds, so their decimals are not compared; those marked `example` are not
 -- compared at all.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 --- Blanks do not count; where `times` is set, neither do numbers with a decimal point.
 local function plain(text, times)
@@ -38,5 +36,3 @@ check.case("the listings", function()
   check.equal(#sg.csv.read(folder .. "/press.csv").rows, 9)
   check.holds(core.read_file(folder .. "/press.pvd"), "press_0010.vtu")
 end)
-
-check.done()

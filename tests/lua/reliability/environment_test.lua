@@ -2,8 +2,7 @@
 -- with spaces, quotes and newlines, a locale with commas, no HOME, no standard input. With a million files:
 --   signorini tests/lua/reliability/environment_test.lua 1000000
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 local top = check.folder()
 
@@ -32,9 +31,7 @@ local writes = {
   pdf = function(file) sg.picture{ model = model, field = "uy", size = small, file = file } end,
   json = function(file) sg.json.write(file, { half = 0.5 }) end,
 }
-if pcall(require "signorini.core".make_result_file) then
-  writes.h5 = function(file) run:hdf5(file) end
-end
+if pcall(require "signorini.core".make_result_file) then writes.h5 = function(file) run:hdf5(file) end end
 local kinds = {}
 for kind in pairs(writes) do kinds[#kinds + 1] = kind end
 table.sort(kinds)
@@ -141,5 +138,3 @@ check.case("a clock that was set back: results of a later date are valid", funct
   check.shell(("touch -d 2099-01-01 %s"):format(quoted(file)))
   check.holds(writes(top .. "/usual"), "\t103.0\n")
 end)
-
-check.done()

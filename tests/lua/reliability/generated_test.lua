@@ -1,8 +1,7 @@
 -- Generated scenes (scripts/stability/generated.lua): reproducible from a seed, equal to their mirror image, outcomes
 -- of the first ones.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 core.quiet = true
 package.path = core.home .. "/scripts/stability/?.lua;" .. package.path
@@ -105,5 +104,3 @@ check.case("planes of symmetry in space hold the points that project beyond the 
   local run = model:run({ { steps = 5, grip = -0.2 } }, sg.robust{})
   check.equal({ run.reason, run.cutbacks }, { "completed", 0 })
 end)
-
-check.done()

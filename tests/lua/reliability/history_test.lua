@@ -1,7 +1,6 @@
 -- The history of the prompt: whole statements, also those of several lines, pasted or unfinished ones; the file.
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 --- The text on a screen, without what moves the cursor and sets modes.
 local function plain(screen) return (screen:gsub("\27%[[%d;?]*%a", "")) end
@@ -77,5 +76,3 @@ check.case("a key that ~/.inputrc binds keeps its function", function()
     ("XDG_STATE_HOME=%s INPUTRC=%s/inputrc NO_COLOR=1 TERM=xterm"):format(state, state))
   check.holds(plain(screen), "\n6\n")
 end)
-
-check.done()

@@ -1,8 +1,7 @@
 -- Ctrl-C while a solid is solved: the prompt comes back within one iteration, and the model can be used. What was
 -- solved until then is stored where the line that was typed puts it.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local folder = check.folder()
 local scene = folder .. "/scene.lua"
@@ -113,5 +112,3 @@ end
   check.holds(output, "interrupted")
   check.equal(output:find("after", 1, true), nil)
 end)
-
-check.done()

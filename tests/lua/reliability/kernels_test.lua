@@ -3,8 +3,7 @@
 -- program, such as one of another architecture that tests/set-up/aarch64 runs:
 --   signorini tests/lua/reliability/kernels_test.lua ['<command of the other program>']
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 local code = [[
 local function show(name, number) print(("%s: %.17g"):format(name, number)) end
@@ -102,5 +101,3 @@ check.case("forces agree to 1e-9 of the largest", function()
     end
   end
 end)
-
-check.done()

@@ -1,24 +1,13 @@
 -- Runs that are killed at random moments, also during a write, and resumed have bitwise identical results; so have runs
 -- that Ctrl-C ends. More moments: signorini tests/lua/reliability/kill_test.lua 200
 
-local check = require "check"
+require "check"
 
 local study = [[
 local sg = require "signorini"
 require "signorini.core".quiet = true
 local file, resume = arg[1], arg[2] == "resume"
-local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
-                     elements = {6, 2}, order = "N2", contact = "south",
-                     material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
-local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2",
-                      contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-local model = sg.model{
-  bodies = { die = die, slab = slab },
-  supports = { bed = { on = slab:face "south", fix = "xy" },
-               grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
-  contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
-                             friction = { mu = 0.2, penalty = 100 } } },
-}
+local model = sg.scenes.ironing{ order = "N2", mu = 0.2 }
 local run = model:run({ { name = "press", steps = 20, grip = {0, -0.2} },
                         { name = "slide", steps = 80, grip = {0.6, -0.2} } },
   { checkpoint = { file = file, durable = true }, resume = resume })
@@ -82,9 +71,7 @@ local function disturb(moments, signal, expected)
     else
       check.equal(status, expected)
       sent = sent + 1
-      for _, name in ipairs(leftovers()) do
-        torn, seen[name] = torn + (seen[name] and 0 or 1), true
-      end
+      for _, name in ipairs(leftovers()) do torn, seen[name] = torn + (seen[name] and 0 or 1), true end
     end
   until sent == moments and finished > 0 and status == 0
   return finished, torn
@@ -113,5 +100,3 @@ check.case("ended by Ctrl-C at 10 moments", function()
   assert(finished >= 1)
   check.equal(torn, 0)
 end)
-
-check.done()

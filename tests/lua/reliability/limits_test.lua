@@ -1,7 +1,6 @@
 -- --memory and --time: what exceeds them ends with an error at the user's line, and the prompt goes on.
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 --- Runs a script with options; returns output and status.
 local function limited(options, code)
@@ -110,5 +109,3 @@ check.case("limits that cannot be meant are refused", function()
     if status == 0 or output:find "started" then error(output) end
   end
 end)
-
-check.done()

@@ -1,11 +1,9 @@
 -- Generated scenes that may be absurd (tests/measure/robustness.lua): reproducible from a seed, refused with a message,
 -- solved or ended with a reason; equal forces in other words. And scenes in which the generator found errors.
 
-local core = require "signorini.core"
+require "check"
 package.path = core.home .. "/tests/measure/?.lua;" .. package.path
-local check = require "check"
 local other_warnings = require "other_warnings"
-local sg = require "signorini"
 local checks = require "robustness.checks"
 local families = require "robustness.families"
 local scenes = require "robustness.scenes"
@@ -187,5 +185,3 @@ check.case("contact whose forces rounding errors exceed is a warning", function(
   check.holds(warnings{ 1e-6 }[1], "rounding errors of forces, about",
     "% of the forces of supports, loads and contacts")
 end)
-
-check.done()

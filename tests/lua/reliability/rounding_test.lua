@@ -1,10 +1,7 @@
 -- Scenes whose coordinates or displacements are large compared with the bodies: a residual that rounding error keeps
 -- from falling has converged, and the forces are those of the same scene at the origin.
 
-local sg = require "signorini"
-local check = require "check"
-
-local soft = sg.neo_hookean{ E = 1, nu = 0.3 }
+require "check"
 
 --- A vector in the plane turned by an angle in degrees.
 local function turned(angle, x, y)
@@ -22,13 +19,13 @@ local function rectangle(width, height, corner)
   return sg.shapes.rectangle{ width = width, height = height, corner = corner }
 end
 
-local scenes = {}
+local cases = {}
 
-function scenes.friction_of_bodies(offset, angle)
-  local die = sg.body{ patch = placed(rectangle(1, 0.5, {-0.5, 0}), angle, offset), elements = {4, 2}, order = "N2",
-                       thickness_degree = 2, contact = "south", material = soft }
-  local slab = sg.body{ patch = placed(rectangle(3, 1, {-1.5, -1}), angle, offset), elements = {9, 3},
-                        order = "N2-N2.2", thickness_degree = 2, contact = "north", material = soft }
+function cases.friction_of_bodies(offset, angle)
+  local die = scenes.body{ patch = placed(rectangle(1, 0.5, {-0.5, 0}), angle, offset), elements = {4, 2},
+    thickness_degree = 2, contact = "south" }
+  local slab = scenes.body{ patch = placed(rectangle(3, 1, {-1.5, -1}), angle, offset), elements = {9, 3},
+    order = "N2-N2.2", thickness_degree = 2, contact = "north" }
   return sg.model{
     bodies = { die = die, slab = slab },
     supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = die:face "north", drive = "xy" } },
@@ -37,9 +34,9 @@ function scenes.friction_of_bodies(offset, angle)
   }, { { steps = 3, grip = turned(angle, 0, -0.05) }, { steps = 3, grip = turned(angle, 0.12, -0.05) } }
 end
 
-function scenes.rigid_plane(offset, angle)
-  local die = sg.body{ patch = placed(rectangle(1, 0.5, {-0.5, 0}), angle, offset), elements = {4, 2}, order = "N2",
-                       thickness_degree = 2, contact = "south", material = soft }
+function cases.rigid_plane(offset, angle)
+  local die = scenes.body{ patch = placed(rectangle(1, 0.5, {-0.5, 0}), angle, offset), elements = {4, 2},
+    thickness_degree = 2, contact = "south" }
   local plane = sg.rigid.plane{ point = {offset, offset}, normal = turned(angle, 0, 1) }
   return sg.model{
     bodies = { die = die }, supports = { grip = { on = die:face "north", drive = "xy" } },
@@ -48,9 +45,9 @@ function scenes.rigid_plane(offset, angle)
   }, { { steps = 2, grip = turned(angle, 0, -0.05) }, { steps = 3, grip = turned(angle, 0.1, -0.05) } }
 end
 
-function scenes.augmented_disc(offset, angle)
-  local slab = sg.body{ patch = placed(rectangle(2, 1, {-1, -1}), angle, offset), elements = {8, 4}, order = "N2",
-                        thickness_degree = 2, contact = "north", material = soft }
+function cases.augmented_disc(offset, angle)
+  local slab = scenes.body{ patch = placed(rectangle(2, 1, {-1, -1}), angle, offset), elements = {8, 4},
+    thickness_degree = 2, contact = "north" }
   local above = turned(angle, 0, 0.5)
   local disc = sg.rigid.cylinder{ center = {offset + above[1], offset + above[2]}, radius = 0.5 }
   return sg.model{
@@ -60,60 +57,48 @@ function scenes.augmented_disc(offset, angle)
   }, { { steps = 3, grip = turned(angle, 0, -0.1) } }, { augmentation = { penetration = 1e-3 } }
 end
 
-function scenes.arch_by_arc_length(offset, angle)
+function cases.arch_by_arc_length(offset, angle)
   local patch = sg.nurbs.ruled{ a = sg.nurbs.arc{ radius = 1, from = 150, to = 30 },
                                 b = sg.nurbs.arc{ radius = 1.03, from = 150, to = 30 } }
-  local arch = sg.body{ patch = placed(patch, angle, offset), elements = {12, 1}, order = "N2", thickness_degree = 2,
-                        material = soft }
-  return sg.model{
-    bodies = { arch = arch }, loads = { push = { on = arch:face "north", traction = {0, 0} } },
-    supports = { grip = { on = arch:face "west", fix = "xy" }, other = { on = arch:face "east", fix = "xy" } },
-  }, { { steps = 4, push = turned(angle, 0, -2e-5) } }, { arc_length = true }
+  return scenes.model{
+    bodies = { arch = { patch = placed(patch, angle, offset), elements = {12, 1}, thickness_degree = 2 } },
+    loads = { push = { on = "north", traction = {0, 0} } }, supports = { grip = { on = "west", fix = "xy" },
+      other = { on = "east", fix = "xy" } } }, { { steps = 4, push = turned(angle, 0, -2e-5) } }, { arc_length = true }
 end
 
-function scenes.adhesive_strip(offset, angle)
-  local strip = sg.body{ patch = placed(rectangle(20, 2, {0, 0.4 * 15 ^ (-1 / 6)}), angle, offset), elements = {20, 2},
-                         order = "N2", thickness_degree = 1, contact = "south", material = sg.neo_hookean{ E = 2,
-                         nu = 0.2 } }
+function cases.adhesive_strip(offset, angle)
   local plane = sg.rigid.plane{ point = {offset, offset}, normal = turned(angle, 0, 1) }
-  return sg.model{
-    bodies = { strip = strip },
-    supports = { pin = { on = strip:corner "south-west", fix = "x" },
-                 grip = { on = strip:face "east", rotate = true } },
-    contacts = { c = { slave = strip:face "south", master = plane, adhesion = { hamaker = 0.1, r0 = 0.4 } } },
-  }, { { steps = 5, grip = {2} } }
+  return scenes.model{
+    bodies = { strip = { patch = placed(rectangle(20, 2, {0, 0.4 * 15 ^ (-1 / 6)}), angle, offset), elements = {20, 2},
+        thickness_degree = 1, contact = "south", E = 2, nu = 0.2 } },
+    supports = { pin = { on = "south-west", fix = "x" }, grip = { on = "east", rotate = true } },
+    contacts = {
+      c = { slave = "south", master = plane, adhesion = { hamaker = 0.1, r0 = 0.4 } } } }, { { steps = 5, grip = {2} } }
 end
 
-function scenes.friction_in_space(offset, angle)
+function cases.friction_in_space(offset, angle)
   local axis = {0, 0, 1}
   local function block(size, corner)
     return placed(sg.shapes.block{ size = size, corner = corner }, angle, offset, axis)
   end
-  local die = sg.body{ patch = block({1, 1, 0.5}, {-0.5, -0.5, 0}), elements = {2, 2, 1}, order = "N2",
-                       thickness_degree = 2,
-                       contact = "front", material = soft }
-  local slab = sg.body{ patch = block({2, 2, 0.5}, {-1, -1, -0.5}), elements = {4, 4, 1}, order = "N2",
-                        thickness_degree = 2,
-                        contact = "back", material = soft }
   local way = turned(angle, 0.1, 0)
-  return sg.model{
-    bodies = { die = die, slab = slab },
-    supports = { bed = { on = slab:face "front", fix = "xyz" }, grip = { on = die:face "back", drive = "xyz" } },
-    contacts = { c = { slave = die:face "front", master = slab:face "back", penalty = 20,
-                       friction = { mu = 0.3, penalty = 20 } } },
-  }, { { steps = 2, grip = {0, 0, -0.05} }, { steps = 2, grip = {way[1], way[2], -0.05} } }
+  return scenes.model{
+    bodies = { die = { patch = block({1, 1, 0.5}, {-0.5, -0.5, 0}), elements = {2, 2, 1}, thickness_degree = 2,
+        contact = "front" }, slab = { patch = block({2, 2, 0.5}, {-1, -1, -0.5}), elements = {4, 4, 1},
+        thickness_degree = 2, contact = "back" } },
+    supports = { bed = { on = "slab.front", fix = "xyz" }, grip = { on = "die.back", drive = "xyz" } },
+    contacts = { c = { slave = "die.front", master = "slab.back", penalty = 20, friction = { mu = 0.3,
+          penalty = 20 } } } }, { { steps = 2, grip = {0, 0, -0.05} }, { steps = 2, grip = {way[1], way[2], -0.05} } }
 end
 
-function scenes.sphere_in_space(offset)
+function cases.sphere_in_space(offset)
   local patch = sg.shapes.block{ size = {2, 2, 1}, corner = {-1, -1, -1} }:translate{offset, offset, offset}
-  local slab = sg.body{ patch = patch, elements = {4, 4, 2}, order = "N2", thickness_degree = 2, contact = "back",
-                        material = soft }
   local ball = sg.rigid.sphere{ center = {offset, offset, offset + 0.5}, radius = 0.5 }
-  return sg.model{
-    bodies = { slab = slab },
-    supports = { bed = { on = slab:face "front", fix = "xyz" }, grip = { on = ball, drive = "xz" } },
-    contacts = { c = { slave = slab:face "back", master = ball, penalty = 50, friction = { mu = 0.2, penalty = 50 } } },
-  }, { { steps = 3, grip = {0, -0.1} }, { steps = 2, grip = {0.05, -0.1} } }
+  return scenes.model{
+    bodies = { slab = { patch = patch, elements = {4, 4, 2}, thickness_degree = 2, contact = "back" } },
+    supports = { bed = { on = "front", fix = "xyz" }, grip = { on = ball, drive = "xz" } },
+    contacts = { c = { slave = "back", master = ball, penalty = 50, friction = { mu = 0.2,
+          penalty = 50 } } } }, { { steps = 3, grip = {0, -0.1} }, { steps = 2, grip = {0.05, -0.1} } }
 end
 
 local function with(options, more)
@@ -126,7 +111,7 @@ end
 
 --- The size of the force on the grip at the end, and the iterations.
 local function force(name, offset, angle, controls)
-  local model, stages, options = scenes[name](offset, angle)
+  local model, stages, options = cases[name](offset, angle)
   local run = model:run(stages, with(controls, options))
   if run.failed then error(("%s at %g turned by %g: %s"):format(name, offset, angle, run.failure)) end
   local sum = 0
@@ -135,7 +120,7 @@ local function force(name, offset, angle, controls)
 end
 
 local names = {}
-for name in pairs(scenes) do names[#names + 1] = name end
+for name in pairs(cases) do names[#names + 1] = name end
 table.sort(names)
 for _, name in ipairs(names) do
   check.case(name .. " has the same forces far from the origin, at any angle", function()
@@ -159,8 +144,8 @@ for _, name in ipairs(names) do
 end
 
 check.case("a body that moves as a whole has no stress, however far it goes", function()
-  local ring = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.5, outer = 1 }, elements = {6, 2}, order = "N2",
-                        thickness_degree = 2, material = soft }
+  local ring = scenes.body{ patch = sg.shapes.half_annulus{ inner = 0.5, outer = 1 }, elements = {6, 2},
+    thickness_degree = 2 }
   for _, goal in ipairs { {100, -100}, {1, -1}, {1e5, 3} } do
     local model = sg.model{ bodies = { ring = ring }, supports = { grip = { on = ring:face "west", drive = "xy" } } }
     local run = model:run({ { steps = 10, grip = goal } }, sg.plain{})
@@ -176,5 +161,3 @@ check.case("a body that moves as a whole has no stress, however far it goes", fu
   check.equal({ run.reason, run.steps }, { "completed", 18 })
   for _, force in ipairs(model:reaction "grip") do check.at_most("reaction", force, 1e-14) end
 end)
-
-check.done()

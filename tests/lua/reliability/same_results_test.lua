@@ -1,8 +1,7 @@
 -- What does not decide the results of a run: the direction of the slave face, and what a solver still knows of former
 -- steps (theory.md, "Mirrored, turned and resumed runs").
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 core.quiet = true
 package.path = core.home .. "/scripts/stability/?.lua;" .. package.path
@@ -33,5 +32,3 @@ check.case("steps that are cut are the same with slave faces in the other direct
     check.at_most("seed " .. seed, scenes.difference(account, image), 1e-9)
   end
 end)
-
-check.done()

@@ -1,20 +1,13 @@
 -- Bodies that pass through each other, through themselves or through obstacles where no contact is declared, and scenes
 -- whose bodies touch as declared, without a warning.
 
-local sg = require "signorini"
-local check = require "check"
-
-local rubber = sg.neo_hookean{ E = 1, nu = 0.3 }
+require "check"
 
 local function box(width, height, x, y, elements)
-  return sg.body{ patch = sg.shapes.rectangle{ width = width, height = height, corner = { x, y } },
-                  elements = elements or { 4, 2 }, order = "N2", material = rubber }
+  return scenes.body{ size = {width, height}, corner = { x, y }, elements = elements or { 4, 2 } }
 end
 
-local function cube(size, corner)
-  return sg.body{ patch = sg.shapes.block{ size = size, corner = corner }, elements = { 2, 2, 2 }, order = "N2",
-                  material = rubber }
-end
+local function cube(size, corner) return scenes.body{ size = size, corner = corner } end
 
 --- The only warning of a run.
 local function only(run)
@@ -54,10 +47,9 @@ end)
 
 check.case("a third body in the way", function()
   local low, up, post = box(2, 1, 0, 0), box(1, 1, 0.5, 1), box(1, 3, 2.2, 0, { 2, 4 })
-  local model = sg.model{ bodies = { low = low, up = up, post = post },
-    supports = { bed = { on = { low:face "south", post:face "south" }, fix = "xy" },
-                 lid = { on = up:face "north", drive = "xy" } },
-    contacts = { k = { slave = up:face "south", master = low:face "north", penalty = 100 } } }
+  local model = scenes.model{ bodies = { low = low, up = up, post = post },
+    supports = { bed = { on = { "low.south", "post.south" }, fix = "xy" }, lid = { on = "up.north", drive = "xy" } },
+    contacts = { k = { slave = "up.south", master = "low.north", penalty = 100 } } }
   local run = model:run{ { steps = 2, lid = { 0, -0.02 } }, { name = "slide", steps = 6, lid = { 1, -0.02 } } }
   local depth, at = found(run.warnings[1])
   check.holds(run.warnings[1], "at the end of stage 'slide'", "of body 'up'", "of body 'post'")
@@ -79,7 +71,7 @@ check.case("two blocks in space, and a floor", function()
     "face 'front' of body 'side' lies 0.2 behind the obstacle of contacts.k, whose slave it is not, at (", ", -0.2)")
 end)
 
-for name, floor in pairs{ plane = sg.rigid.plane{ point = { 0, -1 }, normal = { 0, 1 } },
+for name, floor in pairs{ plane = scenes.floor(-1),
                           line = sg.rigid.surface(sg.nurbs.line{ from = { 9, -1 }, to = { -9, -1 } }) } do
   check.case("a beam passes through the floor on which its foot stands: " .. name, function()
     local beam, foot = box(4, 1, 0, 0, { 8, 4 }), box(1, 1, 0, -1, { 2, 4 })
@@ -113,13 +105,11 @@ end
 
 check.case("a ring that is crushed passes through itself", function()
   local patch = sg.shapes.ring{ inner = 8, outer = 10 }
-  local ring = sg.body{ patch = patch, elements = { 16, 2 }, order = "N2", contact = "south",
-    material = sg.neo_hookean{ E = 5, nu = 0.3 } }
-  local top = sg.rigid.plane{ point = { 0, 10 }, normal = { 0, -1 } }
-  local bottom = sg.rigid.plane{ point = { 0, -10 }, normal = { 0, 1 } }
-  local model = sg.model{ bodies = { ring = ring }, supports = { push = { on = top, drive = "y" } },
-    contacts = { top = { slave = ring:face "south", master = top, penalty = 50 },
-                 bottom = { slave = ring:face "south", master = bottom, penalty = 50 } } }
+  local top = scenes.ceiling(10)
+  local bottom = scenes.floor(-10)
+  local model = scenes.model{ bodies = { ring = { patch = patch, elements = { 16, 2 }, contact = "south", E = 5 } },
+    supports = { push = { on = top, drive = "y" } }, contacts = { top = { slave = "south", master = top, penalty = 50 },
+      bottom = { slave = "south", master = bottom, penalty = 50 } } }
   silent(model:run{ { steps = 8, push = { -8 } } })
   check.equal(crossings(model, "ring", patch, 1), 0)
   local run = model:run{ { steps = 8, push = { -16 } } }
@@ -151,9 +141,9 @@ end)
 
 --- Presses a body of a disc's patches, or of a ring, between two planes.
 local function pressed(patch, elements, faces)
-  local body = sg.body{ patch = patch, elements = elements, order = "N2", material = rubber }
-  local lid = sg.rigid.plane{ point = { 0, 1 }, normal = { 0, -1 } }
-  local bed = sg.rigid.plane{ point = { 0, -1 }, normal = { 0, 1 } }
+  local body = scenes.body{ patch = patch, elements = elements }
+  local lid = scenes.ceiling(1)
+  local bed = scenes.floor(-1)
   local on = faces(body)
   return sg.model{ bodies = { body = body }, supports = { lid = { on = lid, drive = "y" } },
     contacts = { top = { slave = on, master = lid, penalty = 100, friction = { mu = 0.3, penalty = 100 } },
@@ -169,9 +159,8 @@ end)
 
 check.case("tied blocks that bend", function()
   local low, up = box(2, 0.5, 0, 0, { 5, 2 }), box(1, 0.5, 0.5, 0.5, { 3, 2 })
-  silent(sg.model{ bodies = { low = low, up = up },
-    ties = { seam = { slave = up:face "south", master = low:face "north" } },
-    supports = { bed = { on = low:face "west", fix = "xy" }, lid = { on = up:face "east", drive = "xy" } } }:run{
+  silent(scenes.model{ bodies = { low = low, up = up }, ties = { seam = { slave = "up.south", master = "low.north" } },
+    supports = { bed = { on = "low.west", fix = "xy" }, lid = { on = "up.east", drive = "xy" } } }:run{
     { steps = 4, lid = { 0.1, 0.3 } } })
 end)
 
@@ -189,15 +178,12 @@ check.case("a shrink fit, and an axis of revolution below a sphere", function()
 end)
 
 check.case("half of a disc at a plane of symmetry, and a hollow cylinder around it", function()
-  local half = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 4, 4 }, order = "N2",
-    material = rubber }
   local disc = sg.rigid.cylinder{ center = { 0, 1.5 }, radius = 0.5 }
   local bore = sg.rigid.cylinder{ center = { 0, 0 }, radius = 1.5, inside = true }
-  silent(sg.model{ bodies = { half = half },
-    supports = { bed = { on = half:face "south", fix = "xy" }, middle = { on = half:face "west", fix = "x" },
-                 push = { on = disc, drive = "y" } },
-    contacts = { c = { slave = half:face "north", master = disc, penalty = 100 },
-                 wall = { slave = half:face "east", master = bore, penalty = 100 } } }:run{
+  silent(scenes.model{ bodies = { half = { elements = { 4, 4 } } }, supports = { bed = { on = "south", fix = "xy" },
+      middle = { on = "west", fix = "x" }, push = { on = disc, drive = "y" } },
+    contacts = { c = { slave = "north", master = disc, penalty = 100 },
+      wall = { slave = "east", master = bore, penalty = 100 } } }:run{
     { steps = 5, push = -0.3 } })
 end)
 
@@ -205,11 +191,10 @@ check.case("a wide rigid line beyond a slab's sides, and a body below an open li
   local slab, low = box(2, 1, 0, 0, { 8, 4 }), box(1, 0.5, 3, -1)
   local die = sg.rigid.surface(sg.nurbs.line{ from = { -1, 1 }, to = { 3, 1 } })
   local floor = sg.rigid.surface(sg.nurbs.line{ from = { 2.5, 0 }, to = { -0.5, 0 } })
-  silent(sg.model{ bodies = { slab = slab, low = low },
-    supports = { push = { on = die, drive = "y" }, hold = { on = low:face "south", drive = "xy" },
-                 side = { on = slab:face "west", fix = "x" } },
-    contacts = { top = { slave = slab:face "north", master = die, penalty = 30 },
-                 bottom = { slave = slab:face "south", master = floor, penalty = 30 } } }:run{
+  silent(scenes.model{ bodies = { slab = slab, low = low }, supports = { push = { on = die, drive = "y" },
+      hold = { on = "low.south", drive = "xy" }, side = { on = "slab.west", fix = "x" } },
+    contacts = { top = { slave = "slab.north", master = die, penalty = 30 },
+      bottom = { slave = "slab.south", master = floor, penalty = 30 } } }:run{
     { steps = 4, push = -0.2, hold = { -1.5, 0 } } })
 end)
 
@@ -217,5 +202,3 @@ check.case("ironing with a die wider than the contact", function()
   local model, path = sg.scenes.ironing{ order = "N2", depth = 0.1, distance = 0.2 }
   silent(model:run(path))
 end)
-
-check.done()

@@ -1,9 +1,7 @@
 -- Stability of the states at the ends of stages: columns below and above their buckling loads, with every solver, with
 -- contacts, multipliers and ties; states that are neutral, and one that is stable again after it has snapped.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local nu, thickness, length, E = 0.3, 0.5, 5, 1
 
@@ -28,9 +26,8 @@ local function decides(label, run_at, options)
 end
 
 local function column(o)
-  return sg.body{ patch = sg.shapes.rectangle{ width = thickness, height = o.height or length,
-                                               corner = { 0, o.at or 0 } }, elements = { 1, o.elements or 10 },
-                  order = "N2", contact = o.contact, material = sg.neo_hookean{ E = E, nu = nu } }
+  return scenes.body{ size = {thickness, o.height or length}, corner = { 0, o.at or 0 },
+    elements = { 1, o.elements or 10 }, contact = o.contact, E = E, nu = nu }
 end
 
 --- Under a dead load of its free end.
@@ -50,8 +47,7 @@ end)
 
 check.case("in space a square column has two such directions", function()
   decides("space", function(times)
-    local body = sg.body{ patch = sg.shapes.block{ size = { thickness, thickness, length } }, elements = { 1, 1, 5 },
-                          order = "N2", material = sg.neo_hookean{ E = E, nu = 0 } }
+    local body = scenes.body{ size = { thickness, thickness, length }, elements = { 1, 1, 5 }, E = E, nu = 0 }
     local model = sg.model{ bodies = { column = body }, supports = { base = { on = body:face "front", fix = "xyz" } },
                             loads = { p = { on = body:face "back", traction = { 0, 0, 0 } } } }
     local traction = times * (1 - nu ^ 2) * euler(1) / thickness
@@ -93,7 +89,7 @@ end)
 local function pressed(contact)
   return function(times, options)
     local body = column{ contact = "north" }
-    local plane = sg.rigid.plane{ point = { 0, length }, normal = { 0, -1 } }
+    local plane = scenes.ceiling(length)
     contact.slave, contact.master = body:face "north", plane
     local model = sg.model{ bodies = { column = body }, contacts = { top = contact },
       supports = { base = { on = body:face "south", fix = "xy" }, press = { on = plane, drive = "y" } } }
@@ -124,9 +120,8 @@ end)
 check.case("motions without stiffness are neutral", function()
   -- A disc in a frictionless groove turns freely.
   local R, groove = 5, 10 * 1000 / 0.5
-  local disc = sg.body{ patch = sg.shapes.polar_disc{ radius = R, center = { 0, R * math.sqrt(2) } },
-                        elements = { 64, 8 }, order = "N2", contact = "south",
-                        material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
+  local disc = scenes.body{ patch = sg.shapes.polar_disc{ radius = R, center = { 0, R * math.sqrt(2) } },
+    elements = { 64, 8 }, contact = "south", E = 1000 }
   local function side(x) return sg.rigid.plane{ point = { 0, 0 }, normal = { x, 1 } } end
   local model = sg.model{ bodies = { disc = disc }, loads = { g = { on = disc, force = { 0, 0 } } },
     contacts = { left = { slave = disc:face "south", master = side(1), penalty = groove },
@@ -134,10 +129,9 @@ check.case("motions without stiffness are neutral", function()
   check.equal(warned(model:run{ { steps = 2, g = { 0, -10 / (math.pi * R ^ 2) } } }), nil)
   -- Of one patch or several ones it rolls on a plane, and on a slab as slave or as master; it falls off a cylinder.
   local rubber, slab = sg.neo_hookean{ E = 1000, nu = 0.3 }, nil
-  slab = sg.body{ patch = sg.shapes.rectangle{ width = 20, height = 4, corner = { -10, -4 } }, elements = { 40, 4 },
-                  order = "N2", contact = "north", material = rubber }
+  slab = scenes.body{ size = {20, 4}, corner = { -10, -4 }, elements = { 40, 4 }, contact = "north", material = rubber }
   local function lies(patch, elements, face, master, swap)
-    local body = sg.body{ patch = patch, elements = elements, order = "N2", material = rubber }
+    local body = scenes.body{ patch = patch, elements = elements, material = rubber }
     local on_slab = master == slab
     local slave, other = body:face(face), on_slab and slab:face "north" or master
     if swap then slave, other = other, slave end
@@ -148,7 +142,7 @@ check.case("motions without stiffness are neutral", function()
     check.equal(run.reason, "completed")
     return warned(run) ~= nil
   end
-  local plane = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } }
+  local plane = scenes.floor()
   local top = sg.rigid.cylinder{ center = { 0, -20 }, radius = 20 }
   for _, one in ipairs{ { sg.shapes.polar_disc{ radius = R, center = { 0, R } }, { 16, 4 }, "south" },
                         { sg.shapes.disc{ radius = R, center = { 0, R } }, { 12, 4 }, "outer" } } do
@@ -156,5 +150,3 @@ check.case("motions without stiffness are neutral", function()
     check.equal({ falls(plane), falls(slab), falls(slab, true), falls(top) }, { false, false, false, true })
   end
 end)
-
-check.done()

@@ -1,8 +1,7 @@
 -- Random walks through generated scenes (walk_scenes.lua, walk.lua). Many more, for minutes:
 --   signorini tests/lua/reliability/walk_test.lua 1 2000
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 local scenes = require "walk_scenes"
 local walk = require "walk"
 
@@ -40,5 +39,3 @@ check.case("two threads give the bits of one", function()
   end
   core.set_threads(before)
 end)
-
-check.done()

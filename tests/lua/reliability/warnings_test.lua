@@ -1,12 +1,11 @@
 -- Valid but questionable scenes and runs: run.warnings, and errors.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 local other_warnings = require "other_warnings"
 
 local function slab_on(order, nu, material)
-  return sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = {64, 4}, order = order or "N2",
-                  material = (material or sg.neo_hookean){ E = 1, nu = nu or 0.3 } }
+  return scenes.body{ size = {2, 1}, elements = {64, 4}, order = order or "N2",
+    material = (material or sg.neo_hookean){ E = 1, nu = nu or 0.3 } }
 end
 
 --- A slab under a rigid cylinder. `given`: replaces parts of the contact.
@@ -15,9 +14,8 @@ local function pressed(given, nu)
   local disc = sg.rigid.cylinder{ center = {1, 1.5}, radius = 0.5 }
   local contact = { slave = slab:face "north", master = disc }
   for key, value in pairs(given or {}) do contact[key] = value end
-  return sg.model{ bodies = { slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, push = { on = disc, drive = "y" } },
-    contacts = { c = contact } }
+  return scenes.model{ bodies = { slab = slab },
+    supports = { bed = { on = "south", fix = "xy" }, push = { on = disc, drive = "y" } }, contacts = { c = contact } }
 end
 
 --- The only warning of a model, which a run repeats.
@@ -47,8 +45,7 @@ end)
 
 check.case("the limit of Poisson's ratio depends on the degree", function()
   local function warnings(order, nu)
-    local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = order,
-                          material = sg.neo_hookean{ E = 1, nu = nu } }
+    local body = scenes.body{ order = order, nu = nu }
     return sg.model{ bodies = { slab = body }, supports = { bed = { on = body:face "south", fix = "xy" } } }:warnings()
   end
   for order, limit in pairs { N2 = 0.497, N3 = 0.499, N4 = 0.499 } do
@@ -99,9 +96,8 @@ local function lowered(tool, depth, steps, options)
     material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local bodies, master, grip = { slab = slab }, nil, nil
   if tool == "ring" then
-    local ring = sg.body{ patch = sg.nurbs.ruled{ a = sg.nurbs.circle{ radius = 0.5, center = {0, 2} },
-                                                  b = sg.nurbs.circle{ radius = 0.3, center = {0, 2} } },
-      elements = {8, 1}, order = "N2", contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+    local ring = scenes.body{ patch = sg.nurbs.ruled{ a = sg.nurbs.circle{ radius = 0.5, center = {0, 2} },
+        b = sg.nurbs.circle{ radius = 0.3, center = {0, 2} } }, elements = {8, 1}, contact = "south", E = 10 }
     bodies.ring, master, grip = ring, ring:face "south", ring:face "north"
   elseif tool == "cylinder" then
     master = sg.rigid.cylinder{ center = {0, 2}, radius = 0.5 }
@@ -129,8 +125,7 @@ end)
 
 check.case("the same pair of faces in two contacts", function()
   local function twice(options)
-    local lower, upper = slab_on(), sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {0, 1} },
-      elements = {4, 4}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    local lower, upper = slab_on(), scenes.body{ size = {2, 1}, corner = {0, 1}, elements = {4, 4} }
     local one = { slave = upper:face "south", master = lower:face "north", penalty = 10, where = options.left }
     local two = { slave = upper:face "south", master = lower:face "north", penalty = 10, where = options.right }
     if options.swap then two.slave, two.master = one.master, one.slave end
@@ -157,25 +152,23 @@ check.case("a linear elastic body with large strains or rotations, in a plane, a
   -- Compressed between frictionless plates by the exact strain, also beyond inversion.
   local function squeezed(strain)
     local slab = slab_on("N2", 0, sg.linear_elastic)
-    return warning(sg.model{ bodies = { slab = slab }, supports = {
-      bed = { on = slab:face "south", fix = "y" }, side = { on = slab:face "west", fix = "x" },
-      move = { on = slab:face "north", drive = "y" } } }, { strain })
+    return warning(scenes.model{ bodies = { slab = slab }, supports = { bed = { on = "south", fix = "y" },
+        side = { on = "west", fix = "x" }, move = { on = "north", drive = "y" } } }, { strain })
   end
   check.equal(squeezed(-0.045), nil)
   check.holds(squeezed(-0.055), "at the end of stage", "bodies.slab: the linear elastic body turns by 0 degrees",
     "strained by -5.5 %", "Hint: use sg.neo_hookean")
   check.holds(squeezed(-1.8), "strained by -180 %")
   -- A ring with a grown radius, u/R = 0.06 at its middle, is strained in the third direction alone.
-  local ring = sg.body{ patch = sg.shapes.rectangle{ width = 0.02, height = 0.02, corner = { 0.99, 0 } },
-                        elements = { 1, 1 }, order = "N2", material = sg.linear_elastic{ E = 1, nu = 0 } }
-  check.holds(warning(sg.model{ kind = "axisymmetric", bodies = { ring = ring }, supports = {
-    bed = { on = ring:face "south", fix = "y" },
-    move = { on = { ring:face "west", ring:face "east" }, drive = "x" } } }, { 0.06 }), "strained by 6 %")
+  check.holds(warning(scenes.model{ kind = "axisymmetric",
+    bodies = { ring = { size = {0.02, 0.02}, corner = { 0.99, 0 }, elements = { 1, 1 },
+        material = sg.linear_elastic{ E = 1, nu = 0 } } }, supports = { bed = { on = "south", fix = "y" },
+      move = { on = { "west", "east" }, drive = "x" } } }, { 0.06 }), "strained by 6 %")
   -- Turned as a whole: the law shortens the body, but its face turns by the angle that is prescribed.
   local function turned(angle, space)
-    local body = sg.body{ elements = space and { 1, 1, 1 } or { 1, 1 }, order = "N2", material = sg.linear_elastic{
-      E = 1, nu = 0.3 }, patch = space and sg.shapes.block{ size = { 1, 1, 0.1 } }
-      or sg.shapes.rectangle{ width = 1, height = 0.1 } }
+    local body = scenes.body{
+      patch = space and sg.shapes.block{ size = { 1, 1, 0.1 } } or sg.shapes.rectangle{ width = 1, height = 0.1 },
+      elements = space and { 1, 1, 1 } or { 1, 1 }, material = sg.linear_elastic{ E = 1, nu = 0.3 } }
     local model = sg.model{ bodies = { body = body }, supports = { move = {
       on = body:face(space and "front" or "south"), rotate = space and "z" or true,
       drive = space and "xyz" or "xy" } } }
@@ -190,9 +183,8 @@ end)
 check.case("a load that no stage changes is reported once, one that a stage changes is not", function()
   local function loaded()
     local slab = slab_on()
-    return sg.model{ bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" } },
-                     loads = { dead = { on = slab:face "north", traction = {0, -0.01} },
-                               none = { on = slab:face "west", pressure = 0 } } }
+    return scenes.model{ bodies = { slab = slab }, supports = { bed = { on = "south", fix = "xy" } },
+      loads = { dead = { on = "north", traction = {0, -0.01} }, none = { on = "west", pressure = 0 } } }
   end
   local model = loaded()
   local run = model:run{ { steps = 1 } }
@@ -209,17 +201,14 @@ check.case("a loose tolerance", function()
 end)
 
 check.case("contact between the last step and the failure counts", function()
-  local beam = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 0.8 }, elements = {10, 1}, order = "N2",
-                        contact = "south", thickness_degree = 2, material = sg.neo_hookean{ E = 2000, nu = 0.35 } }
   local nose = sg.rigid.cylinder{ center = {11.2, -0.2}, radius = 0.6 }
-  local model = sg.model{ bodies = { beam = beam },
-    supports = { wall = { on = beam:face "west", drive = "x", fix = "y" } },
-    contacts = { nose = { slave = beam:face "south", master = nose, penalty = 5e4,
-                          friction = { mu = 0.2, penalty = 5e4 } } } }
+  local model = scenes.model{
+    bodies = {
+      beam = { size = {10, 0.8}, elements = {10, 1}, contact = "south", thickness_degree = 2, E = 2000, nu = 0.35 } },
+    supports = { wall = { on = "west", drive = "x", fix = "y" } },
+    contacts = { nose = { slave = "south", master = nose, penalty = 5e4, friction = { mu = 0.2, penalty = 5e4 } } } }
   local run = model:run({ { name = "insert", steps = 40, wall = {4} } }, sg.robust{})
-  for _, warning in ipairs(run.warnings) do
-    check.equal(warning:find("never touched; smallest gap -", 1, true), nil)
-  end
+  for _, warning in ipairs(run.warnings) do check.equal(warning:find("never touched; smallest gap -", 1, true), nil) end
 end)
 
 check.case("a face that is listed twice is an error", function()
@@ -233,10 +222,9 @@ check.case("a face that is listed twice is an error", function()
     sg.model{ bodies = { slab = slab }, supports = { bed = { on = { north, north }, fix = "xy" } } }
   end, "supports.bed.on lists face 'north' of body 'slab' twice")
   check.fails(function()
-    sg.model{ bodies = { slab = slab },
-              supports = { bed = { on = { slab:corner "north-west", slab:corner "west-north" }, fix = "xy" } } }
+    scenes.model{ bodies = { slab = slab }, supports = { bed = { on = { "north-west", "west-north" }, fix = "xy" } } }
   end, "supports.bed.on lists corner 'west-north' of body 'slab', also called 'north-west', twice")
-  local floor = sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }
+  local floor = scenes.floor(-1)
   check.fails(function()
     sg.model{ bodies = { slab = slab }, supports = { floor = { on = { floor, floor }, drive = "y" } } }
   end, "supports.floor.on lists an obstacle twice")
@@ -322,11 +310,10 @@ end)
 
 check.case("fewer contact points per element than the degree of the slave face", function()
   local function warnings(order, points)
-    local upper = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {0, 1} }, elements = {4, 4},
-                           order = order, contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    local upper = scenes.body{ size = {2, 1}, corner = {0, 1}, elements = {4, 4}, order = order, contact = "south" }
     return sg.model{ bodies = { upper = upper }, supports = { lid = { on = upper:face "north", fix = "xy" } },
       contacts = { touch = { slave = upper:face "south", penalty = 10, points = points,
-                             master = sg.rigid.plane{ point = {0, 1}, normal = {0, 1} } } } }:warnings()
+                             master = scenes.floor(1) } } }:warnings()
   end
   check.equal({ warnings("N1", 1), warnings("N2", 2), warnings("N2-N4", 4), warnings("N2-N4") }, { {}, {}, {}, {} })
   check.holds(warnings("N2", 1)[1], "contacts.touch: points = 1 per element and direction is less than the degree 2")
@@ -337,14 +324,10 @@ check.case("weights so different that Gauss points miss the geometry", function(
   local function warnings(weight, elements)
     local patch = sg.nurbs.surface{ degrees = {1, 1}, knots = { {0, 0, 1, 1}, {0, 0, 1, 1} },
                                     points = { {0, 0}, {1, 0}, {0, 1}, {1, 1} }, weights = { 1, weight, 1, weight } }
-    local slab = sg.body{ patch = patch, elements = elements, order = "N2",
-                          material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-    return sg.model{ bodies = { slab = slab },
-                     supports = { bed = { on = slab:face "south", fix = "xy" } } }:warnings()
+    return scenes.model{ bodies = { slab = { patch = patch, elements = elements } },
+      supports = { bed = { on = "south", fix = "xy" } } }:warnings()
   end
   check.equal({ warnings(3, {1, 1}), warnings(50, {32, 1}) }, { {}, {} })
   check.holds(warnings(50, {1, 1})[1], "bodies.slab: the weights of its control points differ by a factor of 50",
     "by a factor of 50, so that Gauss points find its volume with an error of 52 %", "Hint: more elements")
 end)
-
-check.done()

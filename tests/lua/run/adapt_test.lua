@@ -1,9 +1,7 @@
 -- Layers that follow the contact: forces and energies next to the layer of the whole face, every contact method, 2D,
 -- axisymmetric and 3D, resumed runs, states and pictures of runs, errors.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 local ironing = require "ironing"
 
 local file = os.tmpname()
@@ -87,8 +85,8 @@ local function blocks(o)
   local function body(x, y, width, height, elements, face, E)
     local patch = space and sg.shapes.block{ size = { width, 1, height }, corner = { x, 0, y } }
       or sg.shapes.rectangle{ width = width, height = height, corner = { x, y } }
-    return sg.body{ patch = patch, elements = elements, order = o.order or "N2-N2.1", contact = face,
-                    thickness_degree = 1, material = sg.neo_hookean{ E = E, nu = 0.3 } }
+    return scenes.body{ patch = patch, elements = elements, order = o.order or "N2-N2.1", contact = face,
+      thickness_degree = 1, E = E }
   end
   local die = body(kind == "axisymmetric" and 0 or 0.5, 1, 1, 0.4, space and { 3, 1, 1 } or { 3, 1 },
     space and "front" or "south", 20)
@@ -98,11 +96,9 @@ local function blocks(o)
   if not o.contact.enforcement then contact.penalty, contact.friction.penalty = 50, 50 end
   for key, value in pairs(o.contact) do contact[key] = value end
   if contact.friction == false then contact.friction = nil end
-  return sg.model{
-    bodies = { die = die, slab = slab }, kind = kind, contacts = { joint = contact },
+  return scenes.model{ bodies = { die = die, slab = slab }, kind = kind, contacts = { joint = contact },
     supports = { bed = { on = slab:face(space and "front" or "south"), fix = space and "xyz" or "xy" },
-                 grip = { on = die:face(space and "back" or "north"), drive = space and "xyz" or "xy" } },
-  }
+      grip = { on = die:face(space and "back" or "north"), drive = space and "xyz" or "xy" } } }
 end
 
 --- Presses and slides with the layer of the whole face and with one that follows; the difference of the forces.
@@ -150,9 +146,8 @@ end)
 
 check.case("supports keep their control points where strips of both directions change", function()
   local function press(adapt)
-    local slab = sg.body{ patch = sg.shapes.block{ size = { 1, 1, 0.5 } }, elements = { 8, 8, 1 }, order = "N2-N3.1",
-                          contact = "back", thickness_degree = 2, layer = { { 0, 1 }, { 0, 0.12 } },
-                          material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    local slab = scenes.body{ size = { 1, 1, 0.5 }, elements = { 8, 8, 1 }, order = "N2-N3.1", contact = "back",
+      thickness_degree = 2, layer = { { 0, 1 }, { 0, 0.12 } } }
     local tool = sg.rigid.cylinder{ center = { 0, 0, 0.7 }, radius = 0.2, axis = { 0, 1, 0 } }
     local model = sg.model{ bodies = { slab = slab }, supports = {
         bed = { on = slab:face "front", fix = "xyz" }, sx = { on = slab:face "west", fix = "x" },
@@ -168,13 +163,11 @@ check.case("supports keep their control points where strips of both directions c
 end)
 
 check.case("a rolling disc: adaptations do no work on obstacles", function()
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 24, 4 },
-                        order = "N2-N2.2", contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
   local disc = sg.rigid.cylinder{ center = { 1, 1.4 }, radius = 0.4 }
-  local model = sg.model{ bodies = { slab = slab }, supports = {
-      bed = { on = slab:face "south", fix = "xy" }, hub = { on = disc, drive = "xy", rotate = true, angle = "free" } },
-    contacts = { c = { slave = slab:face "north", master = disc, penalty = 50,
-                       friction = { mu = 0.5, penalty = 50 } } } }
+  local model = scenes.model{
+    bodies = { slab = { size = {3, 1}, elements = { 24, 4 }, order = "N2-N2.2", contact = "north" } },
+    supports = { bed = { on = "south", fix = "xy" }, hub = { on = disc, drive = "xy", rotate = true, angle = "free" } },
+    contacts = { c = { slave = "north", master = disc, penalty = 50, friction = { mu = 0.5, penalty = 50 } } } }
   local run = model:run({ { name = "press", steps = 4, hub = { 0, -0.05 } },
                           { name = "roll", steps = 20, hub = { 0.8, -0.05 } } }, { adapt = {} })
   local energy = model:energy()
@@ -203,4 +196,3 @@ check.case("wrong options and scenes are errors", function()
 end)
 
 os.remove(file)
-check.done()

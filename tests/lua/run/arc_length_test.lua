@@ -2,8 +2,7 @@
 -- load. Without arc length plain Newton ends there and reports it; with arc length the run continues and records the
 -- changes of control. The default controls jump over a snap-back and warn.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 local strip = require "strip"
 
 local film, equilibrium = strip.film, strip.equilibrium
@@ -86,9 +85,7 @@ check.case("the moment's work along the path equals the energy stored in body an
     local run, model = peel(steps, true)
     local angle, moment, work = run:column "edge.angle", run:column "edge.moment", 0
     angle[0], moment[0] = 0, 0
-    for row = 1, #angle do
-      work = work + (moment[row] + moment[row - 1]) / 2 * math.rad(angle[row] - angle[row - 1])
-    end
+    for row = 1, #angle do work = work + (moment[row] + moment[row - 1]) / 2 * math.rad(angle[row] - angle[row - 1]) end
     errors[i] = math.abs(work / (stored(model) - before) - 1)
   end
   print(("energy balance through a snap-back: off by %.1e and %.1e"):format(errors[1], errors[2]))
@@ -127,14 +124,11 @@ local function arch_model()
     return sg.nurbs.arc{ center = {0, -arch.radius}, radius = arch.radius + offset,
                          from = 90 + degrees, to = 90 - degrees }
   end
-  local body = sg.body{ patch = sg.nurbs.ruled{ a = line(-arch.thickness / 2), b = line(arch.thickness / 2) },
-                        elements = {16, 1}, order = "N3", thickness_degree = 2, contact = "north",
-                        material = sg.neo_hookean{ E = arch.modulus, nu = 0 } }
-  return sg.model{
-    bodies   = { arch = body },
-    supports = { left = { on = body:face "west", fix = "xy" }, right = { on = body:face "east", fix = "xy" } },
-    loads    = { push = { on = body:face "north", traction = {0, 0} } },
-  }
+  return scenes.model{
+    bodies = { arch = { patch = sg.nurbs.ruled{ a = line(-arch.thickness / 2), b = line(arch.thickness / 2) },
+        elements = {16, 1}, order = "N3", thickness_degree = 2, contact = "north", E = arch.modulus, nu = 0 } },
+    supports = { left = { on = "west", fix = "xy" }, right = { on = "east", fix = "xy" } },
+    loads = { push = { on = "north", traction = {0, 0} } } }
 end
 
 --- The two limit loads of a shallow arch. With N = EI m² the axial force, half span L, EI w⁗ + N w″ = q − N/R has the
@@ -191,5 +185,3 @@ check.case("with arc length the arch snaps through past the lower limit load, an
   check.near({ most / upper, least / lower }, { 1, 1 }, 0.02)
   check.near(load[#load], -0.02)
 end)
-
-check.done()

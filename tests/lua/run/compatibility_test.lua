@@ -1,11 +1,9 @@
 -- Files of the present formats are read as they were when these began, and those of a newer or older one are errors.
 -- The samples were written by the version of the program that introduced their format, see samples/write.lua.
 
-local core = require "signorini.core"
-package.path = ("%s;%s/tests/lua/samples/?.lua"):format(package.path, core.home)
-local sg = require "signorini"
-local check = require "check"
-local scenes = require "scenes"
+require "check"
+
+local scenes = require "samples.scenes"
 
 local folder = check.folder()
 
@@ -120,5 +118,3 @@ check.case("studies of a newer format are errors that say so", function()
   core.write_file(case, (core.read_file(case):gsub("{", '{"format": 9, ', 1)))
   check.fails(function() scenes.study(place):read() end, "compatibility_test.lua", "newer version", "format 9")
 end)
-
-check.done()

@@ -1,23 +1,19 @@
 -- model:cost: its numbers against those of bodies, contacts and solver.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local soft, stiff = sg.neo_hookean{ E = 1, nu = 0.3 }, sg.neo_hookean{ E = 1000, nu = 0.3 }
 
 --- A die on a slab; contact where `where` says.
 local function ironing(order, where)
-  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 1.5, 1.5 } },
-                       elements = { 6, 2 }, order = order, contact = "south", thickness_degree = 1, material = stiff }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = order,
-                        contact = "north", thickness_degree = 1, material = soft }
-  return sg.model{
-    bodies   = { die = die, slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" },
-                 grip = { on = { die:face "west", die:face "east" }, drive = "y", fix = "x" } },
-    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100, where = where,
-                               friction = { mu = 0.2, penalty = 100 } } },
-  }
+  return scenes.model{
+    bodies = { die = { patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 1.5, 1.5 } },
+        elements = { 6, 2 }, order = order, contact = "south", thickness_degree = 1, material = stiff },
+      slab = { size = {3, 1}, elements = { 8, 3 }, order = order, contact = "north", thickness_degree = 1,
+        material = soft } }, supports = { bed = { on = "slab.south", fix = "xy" },
+      grip = { on = { "die.west", "die.east" }, drive = "y", fix = "x" } },
+    contacts = { interface = { slave = "die.south", master = "slab.north", penalty = 100, where = where,
+        friction = { mu = 0.2, penalty = 100 } } } }
 end
 
 check.case("the numbers are those of bodies, contacts and solver, before a solve and after it", function()
@@ -58,12 +54,11 @@ check.case("it prints as tables and a line", function()
 end)
 
 check.case("obstacles have no unknowns, and shared ones count once", function()
-  local strip = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 4, 2 }, order = "N2",
-                         contact = "south", thickness_degree = 1, material = soft }
-  local cost = sg.model{ bodies = { strip = strip },
-    supports = { turn = { on = strip:face "east", rotate = true }, wall = { on = strip:face "west", fix = "xy" } },
-    contacts = { bed = { slave = strip:face "south", penalty = 1,
-                         master = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } } } } }:cost()
+  local cost = scenes.model{
+    bodies = {
+      strip = { size = {4, 1}, elements = { 4, 2 }, contact = "south", thickness_degree = 1, material = soft } },
+    supports = { turn = { on = "east", rotate = true }, wall = { on = "west", fix = "xy" } },
+    contacts = { bed = { slave = "south", penalty = 1, master = scenes.floor() } } }:cost()
   check.equal(cost.unknowns, 2 * 4 * 3 + 2) -- two shared by the face that turns
   check.equal({ cost.contacts.bed.rigid, cost.obstacles }, { true, 1 })
   check.holds(cost, "rigid obstacle, no unknowns")
@@ -71,19 +66,16 @@ end)
 
 check.case("linear bodies, adhesion, and a body whose DOFs are all prescribed", function()
   local function strip(contact, law)
-    local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1, corner = { 0, 1 } }, elements = { 8, 2 },
-                          order = "N2", contact = "south", thickness_degree = 1,
-                          material = sg.linear_elastic{ E = 1, nu = 0.3 } }
-    law.slave, law.master = body:face "south", sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } }
+    local body = scenes.body{ size = {4, 1}, corner = { 0, 1 }, elements = { 8, 2 }, contact = "south",
+      thickness_degree = 1, material = sg.linear_elastic{ E = 1, nu = 0.3 } }
+    law.slave, law.master = body:face "south", scenes.floor()
     return sg.model{ bodies = { strip = body }, supports = { top = { on = body:face "north", drive = "xy" } },
                      contacts = contact and { c = law } or nil }
   end
   check.equal(strip(true, { penalty = 1 }):cost().linear, "condensed")
   check.equal(strip(true, { adhesion = { hamaker = 0.1, r0 = 0.4 } }):cost().contacts.c.points, 8 * 9)
-  local fixed = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 1, 1 }, order = "N1",
-                        material = soft }
-  local cost = sg.model{ bodies = { fixed = fixed }, supports = {
-    all = { on = { fixed:face "south", fixed:face "north" }, fix = "xy" } } }:cost()
+  local cost = scenes.model{ bodies = { fixed = { elements = { 1, 1 }, order = "N1", material = soft } },
+    supports = { all = { on = { "south", "north" }, fix = "xy" } } }:cost()
   check.equal({ cost.unknowns, cost.nonzeros, cost.memory_of.factors }, { 0, 0, 0 })
 end)
 
@@ -95,16 +87,13 @@ check.case("a loaded model has the cost of the saved one", function()
 end)
 
 check.case("17,952 unknowns in 3D are counted", function()
-  local slab = sg.body{ patch = sg.shapes.block{ size = { 4, 4, 2 } }, elements = { 16, 16, 16 }, order = "N2",
-                        contact = "back", thickness_degree = 1, material = soft }
-  local top = sg.body{ patch = sg.shapes.block{ size = { 2, 2, 2 }, corner = { 1, 1, 2 } }, elements = { 8, 8, 8 },
-                       order = "N2", contact = "front", thickness_degree = 1, material = stiff }
-  local model = sg.model{ bodies = { slab = slab, top = top },
-    supports = { bed = { on = slab:face "front", fix = "xyz" },
-      grip = { on = top:face "back", drive = "z", fix = "xy" } },
-    contacts = { c = { slave = top:face "front", master = slab:face "back", penalty = 100 } } }
+  local model = scenes.model{
+    bodies = {
+      slab = { size = { 4, 4, 2 }, elements = { 16, 16, 16 }, contact = "back", thickness_degree = 1, material = soft },
+      top = { size = { 2, 2, 2 }, corner = { 1, 1, 2 }, elements = { 8, 8, 8 }, contact = "front", thickness_degree = 1,
+        material = stiff } },
+    supports = { bed = { on = "slab.front", fix = "xyz" }, grip = { on = "top.back", drive = "z", fix = "xy" } },
+    contacts = { c = { slave = "top.front", master = "slab.back", penalty = 100 } } }
   local cost = model:cost()
   check.equal({ cost.unknowns, cost.linear }, { 17952, "reuse" })
 end)
-
-check.done()

@@ -2,15 +2,12 @@
 -- dissipated by friction. What is missing comes from the steps (the trapezoidal rule, slip measured at a step's end)
 -- and, with friction, from the penetration: tractions work on the way of the point, slip is the way of its foot.
 
-local check = require "check"
-local sg = require "signorini"
+require "check"
 
 local friction3d = require "problems.ironing3d.friction"
 
 --- What is missing, in parts of the work; `energy` is what model:energy returns.
-local function leak(energy)
-  return (energy.work - energy.stored - energy.contact - energy.friction) / energy.work
-end
+local function leak(energy) return (energy.work - energy.stored - energy.contact - energy.friction) / energy.work end
 
 local function below(what, value, limit)
   if not (math.abs(value) < limit) then error(("%s: expected at most %g, got %g"):format(what, limit, value), 2) end
@@ -20,21 +17,13 @@ end
 
 --- Leak of the whole path and energies at its end; `finer` divides the steps, both penalties are alike.
 local function iron(order, finer, mu, penalty)
-  local die = sg.body{
-    patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } }, elements = { 6, 2 },
-    order = order, contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 1000, nu = 0.3 },
-  }
-  local slab = sg.body{
-    patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 8, 3 }, order = order, contact = "north",
-    thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 },
-  }
-  local model = sg.model{
-    bodies   = { die = die, slab = slab },
-    supports = { bed  = { on = slab:face "south", fix = "xy" },
-                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
-    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = penalty,
-                               friction = mu > 0 and { mu = mu, penalty = penalty } or nil } },
-  }
+  local model = scenes.model{
+    bodies = { die = { patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } },
+        elements = { 6, 2 }, order = order, contact = "south", thickness_degree = 1, E = 1000 },
+      slab = { size = {3, 1}, elements = { 8, 3 }, order = order, contact = "north", thickness_degree = 1 } },
+    supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = { "die.west", "die.east" }, drive = "xy" } },
+    contacts = { interface = { slave = "die.south", master = "slab.north", penalty = penalty,
+        friction = mu > 0 and { mu = mu, penalty = penalty } or nil } } }
   local run = model:run({ { steps = 46 * finer, grip = { 0, -0.23 } }, { steps = 250 * finer, grip = { 1.5, -0.23 } } },
     { step = { adaptive = true } })
   check.equal(run.failed, false)
@@ -75,14 +64,9 @@ end)
 --- Parts of the work that are missing from the balance of a block which is pressed onto a plane without friction, and
 --- ∫∫ ε_N g²/2 ȧ = ∫ p²/(2 ε_N) ȧ of its uniform pressure by the trapezoidal rule.
 local function growing(penalty)
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, order = "N2",
-                         contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
-  local model = sg.model{
-    bodies   = { block = block },
-    supports = { grip = { on = block:face "north", drive = "y" },
-                 middle = { on = block:corner "north-west", fix = "x" } },
-    contacts = { touch = { slave = block:face "south", master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} },
-                           penalty = penalty } } }
+  local model = scenes.model{ bodies = { block = { contact = "south", E = 10 } },
+    supports = { grip = { on = "north", drive = "y" }, middle = { on = "north-west", fix = "x" } },
+    contacts = { touch = { slave = "south", master = scenes.floor(), penalty = penalty } } }
   local area, spring, growth = 1, 0, 0
   model:run({ { name = "press", steps = 64, grip = -0.3 } }, { on_step = function()
     local now = model:contact_resultant "touch"
@@ -128,5 +112,3 @@ check.case("3D ironing without friction: nothing is dissipated", function()
   below("published steps", case.energy.leak, 2e-3)
   check.near(case.energy.work - case.energy.stored - case.energy.contact, case.energy.missing)
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- Detection of steps that jump to another branch of equilibria.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 local jumps = require "signorini.run.jumps"
 local peeling = require "problems.peeling2d.problem"
 
@@ -61,5 +60,3 @@ check.case("peeling on a coarse mesh jumps over its snap-backs in completed step
     "Hint: arc length is used only where a step fails")
   check.equal(#peel("N2-N2.2").warnings, 0)
 end)
-
-check.done()

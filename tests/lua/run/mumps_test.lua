@@ -1,8 +1,6 @@
 -- linear = "mumps": the states of other solvers, inertia in diagnoses, and runs on several processes of mpirun.
 
-local sg = require "signorini"
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 local lacking = [[linear = "mumps" and runs under mpirun need signorini_mumps.so, which was not found in ]]
 
@@ -52,9 +50,7 @@ end)
 
 check.case("options are checked", function()
   local model = press { iterations = nil }
-  local function wrong(options, ...)
-    check.fails(function() model:solve_step(options) end, ...)
-  end
+  local function wrong(options, ...) check.fails(function() model:solve_step(options) end, ...) end
   wrong({ mumps = { reuse = true } }, 'mumps is for linear = "mumps", got linear = "auto"')
   wrong({ linear = "mumps", mumps = { precision = "half" } }, "mumps.precision must be 'double' or 'single'")
   wrong({ linear = "mumps", mumps = { low_rank = 2 } }, "mumps.low_rank")
@@ -62,7 +58,7 @@ check.case("options are checked", function()
   check.fails(function() model:solve_arc { length = 0.1, mumps = {} } end, 'got linear = "auto"')
 end)
 
-if not core.mumps then return check.done() end
+if not core.mumps then return end
 
 check.case("the states of other solvers, with symmetric and other tangents", function()
   local folder = check.folder()
@@ -99,10 +95,8 @@ end)
 
 --- A slender column below a driven support: the model and its run.
 local function column(stages, options)
-  local body = sg.body{ patch = sg.shapes.rectangle{ width = 0.5, height = 10 }, elements = {1, 8}, order = "N3",
-                        material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local model = sg.model{ bodies = { column = body }, supports = {
-    bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", drive = "y" } } }
+  local model = scenes.model{ bodies = { column = { size = {0.5, 10}, elements = {1, 8}, order = "N3" } },
+    supports = { bed = { on = "south", fix = "xy" }, top = { on = "north", drive = "y" } } }
   options.linear = "mumps"
   return model, model:run(stages, sg.plain(options))
 end
@@ -233,5 +227,3 @@ check.case("a rank that dies ends the run; its checkpoint continues", function()
   local expected, fx, fz = force(press {}), output:match "(%S+)%s+(%S+)\n$"
   check.near({ tonumber(fx), tonumber(fz) }, expected, 1e-10 * math.abs(expected[2]))
 end)
-
-check.done()

@@ -1,18 +1,15 @@
 -- A Newton loop with only residual and tangent of the program: user-defined solver and moves.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 --- A small block on a rigid plane, pressed and pushed sideways by its top, which may also turn.
 local function scene(turning)
-  local block = sg.body { patch = sg.shapes.rectangle { width = 1, height = 0.5 }, elements = { 2, 1 }, order = "N2",
-                          contact = "south", material = sg.neo_hookean { E = 1, nu = 0.3 } }
-  local plane = sg.rigid.plane { point = { 0, 0 }, normal = { 0, 1 } }
+  local block = scenes.body{ size = {1, 0.5}, elements = { 2, 1 }, contact = "south" }
+  local plane = scenes.floor()
   local grip = { on = block:face "north", drive = "xy", rotate = turning }
-  return sg.model { bodies = { block = block }, supports = { grip = grip },
-                    contacts = { floor = { slave = block:face "south", master = plane, penalty = 10,
-                                           friction = { mu = 0.3, penalty = 10 } } },
-                    loads = turning and { weight = { on = block:face "east", traction = { 0, 0 } } } }
+  return scenes.model{ bodies = { block = block }, supports = { grip = grip },
+    contacts = { floor = { slave = "south", master = plane, penalty = 10, friction = { mu = 0.3, penalty = 10 } } },
+    loads = turning and { weight = { on = block:face "east", traction = { 0, 0 } } } }
 end
 
 --- K x = b by elimination with pivots.
@@ -183,16 +180,11 @@ end)
 
 check.case("a roller whose height and angle are unknowns", function()
   local function roller()
-    local block = sg.body { patch = sg.shapes.rectangle { width = 1, height = 0.5 }, elements = { 4, 1 }, order = "N2",
-                            contact = "north", material = sg.neo_hookean { E = 1, nu = 0.3 } }
     local disc = sg.rigid.cylinder { center = { 0.5, 1 }, radius = 0.5 }
-    local model = sg.model {
-      bodies = { block = block }, loads = { weight = { on = disc, force = { 0, 0 } } },
-      supports = { bed = { on = block:face "south", fix = "xy" },
-                   tool = { on = disc, drive = "x", free = "y", rotate = true, angle = "free",
-                            center = { 0.5, 0.9 } } },
-      contacts = { roll = { slave = block:face "north", master = disc, penalty = 10,
-                            friction = { mu = 0.5, penalty = 10 } } } }
+    local model = scenes.model{ bodies = { block = { size = {1, 0.5}, elements = { 4, 1 }, contact = "north" } },
+      loads = { weight = { on = disc, force = { 0, 0 } } }, supports = { bed = { on = "south", fix = "xy" },
+        tool = { on = disc, drive = "x", free = "y", rotate = true, angle = "free", center = { 0.5, 0.9 } } },
+      contacts = { roll = { slave = "north", master = disc, penalty = 10, friction = { mu = 0.5, penalty = 10 } } } }
     model:set_target("weight", { 0, -0.02 })
     check.equal(model:solve_step { damping = true }.converged, true)
     model:accept()
@@ -215,14 +207,10 @@ end)
 
 check.case("an evaluation of the accepted state does not change its results", function()
   -- Slips of the evaluation start in the accepted state, so that on a round master friction has another direction.
-  local block = sg.body { patch = sg.shapes.rectangle { width = 2, height = 0.5 }, elements = { 8, 1 }, order = "N2",
-                          contact = "north", material = sg.neo_hookean { E = 1, nu = 0.3 } }
   local disc = sg.rigid.cylinder { center = { 0.7, 0.8 }, radius = 0.3 }
-  local model = sg.model { bodies = { block = block },
-                           supports = { bed = { on = block:face "south", fix = "xy" },
-                                        tool = { on = disc, drive = "xy" } },
-                           contacts = { iron = { slave = block:face "north", master = disc, penalty = 10,
-                                                 friction = { mu = 0.4, penalty = 10 } } } }
+  local model = scenes.model{ bodies = { block = { size = {2, 0.5}, elements = { 8, 1 }, contact = "north" } },
+    supports = { bed = { on = "south", fix = "xy" }, tool = { on = disc, drive = "xy" } },
+    contacts = { iron = { slave = "north", master = disc, penalty = 10, friction = { mu = 0.4, penalty = 10 } } } }
   model:run { { steps = 1, tool = { 0, -0.05 } }, { steps = 1, tool = { 0.1, -0.05 } } }
   assert(model:contact_resultant("iron").slipping > 0)
   local function results()
@@ -240,5 +228,3 @@ check.case("an evaluation of the accepted state does not change its results", fu
   model:tangent() -- the targets are those of the accepted state again
   check.equal(results(), before)
 end)
-
-check.done()

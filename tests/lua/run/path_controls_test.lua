@@ -1,8 +1,7 @@
 -- Reports of a run on its controls: the line in its table, fallbacks that may have left the branch, errors of the
 -- energy balance; and plain Newton at reversals of the sliding direction.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 local controls = require "signorini.run.controls"
 local other_warnings = require "other_warnings"
 local ironing = require "ironing"
@@ -102,18 +101,13 @@ end)
 
 --- A ring that is pressed into a slab in `finer` steps, and dragged along it in twice as many; the slab is the slave.
 local function drag(finer)
-  local ring = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 1.6, 1.5 } },
-                        elements = { 6, 2 }, order = "N2", thickness_degree = 1, contact = "south",
-                        material = sg.neo_hookean{ E = 10, nu = 0.3 } }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 16, 4 }, order = "N2-N2.2",
-                        thickness_degree = 1, contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local model = sg.model{
-    bodies   = { ring = ring, slab = slab },
-    supports = { bed  = { on = slab:face "south", fix = "xy" },
-                 grip = { on = { ring:face "west", ring:face "east" }, drive = "xy" } },
-    contacts = { interface = { slave = slab:face "north", master = ring:face "south", penalty = 30,
-                               friction = { mu = 0.8, penalty = 30 } } },
-  }
+  local model = scenes.model{
+    bodies = { ring = { patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 1.6, 1.5 } },
+        elements = { 6, 2 }, thickness_degree = 1, contact = "south", E = 10 },
+      slab = { size = {4, 1}, elements = { 16, 4 }, order = "N2-N2.2", thickness_degree = 1, contact = "north" } },
+    supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = { "ring.west", "ring.east" }, drive = "xy" } },
+    contacts = { interface = { slave = "slab.north", master = "ring.south", penalty = 30,
+        friction = { mu = 0.8, penalty = 30 } } } }
   local run = model:run{ { name = "press", steps = finer, grip = { 0, -0.044 } },
                          { name = "slide", steps = 2 * finer, grip = { 0.56, -0.044 } } }
   check.equal(run.failed, false)
@@ -138,14 +132,9 @@ end)
 --- A block on its bed that a load pulls up to a rigid ceiling; the load acts in full before the first stage or is
 --- driven.
 local function loaded(traction, stages)
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
-                         contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local model = sg.model{
-    bodies   = { block = block }, supports = { bed = { on = block:face "south", fix = "xy" } },
-    loads    = { push = { on = block:face "north", traction = { 0, traction } } },
-    contacts = { ceiling = { slave = block:face "north", penalty = 100,
-                             master = sg.rigid.plane{ point = { 0, 1.2 }, normal = { 0, -1 } } } },
-  }
+  local model = scenes.model{ bodies = { block = { contact = "north" } },
+    supports = { bed = { on = "south", fix = "xy" } }, loads = { push = { on = "north", traction = { 0, traction } } },
+    contacts = { ceiling = { slave = "north", penalty = 100, master = scenes.ceiling(1.2) } } }
   return model:run(stages), model:energy()
 end
 
@@ -183,5 +172,3 @@ check.case("steps that needed damping need it by arc length, too", function()
   check.equal({ options "damping", options "line search", options() },
     { "arc_length = true, damping = true", "arc_length = true", "arc_length = true" })
 end)
-
-check.done()

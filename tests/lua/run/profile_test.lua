@@ -1,7 +1,6 @@
 -- Comparison of contact profiles: integrals against closed forms, rules at the edges of contact, invalid arguments.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 --- A profile of n points s over [0, length] whose pressure and gap are functions of s.
 local function sampled(n, length, pressure, extra)
@@ -15,9 +14,7 @@ local function sampled(n, length, pressure, extra)
 end
 
 --- A Hertzian pressure of half-width a.
-local function hertz(a, peak)
-  return function(s) return s < a and peak * math.sqrt(1 - (s / a) ^ 2) or 0 end
-end
+local function hertz(a, peak) return function(s) return s < a and peak * math.sqrt(1 - (s / a) ^ 2) or 0 end end
 
 check.case("two straight lines: every quadrature and zone against the closed form", function()
   -- ∫₀¹ (2 + s − 1)² ds = 7/3
@@ -110,16 +107,12 @@ end)
 check.case("profiles of a model, against each other and on themselves", function()
   local function pressed(elements)
     local function block(corner, order, face)
-      return sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = corner }, elements = elements,
-                      order = order, contact = face, material = sg.neo_hookean{ E = 10, nu = 0 } }
+      return scenes.body{ corner = corner, elements = elements, order = order, contact = face, E = 10, nu = 0 }
     end
     local top, bottom = block({ 0, 1 }, "N2", "south"), block({ 0, 0 }, "N2", "north")
-    local model = sg.model{
-      bodies   = { top = top, bottom = bottom },
-      supports = { bed  = { on = bottom:face "south", fix = "xy" },
-                   grip = { on = top:face "north", fix = "x", drive = "y" } },
-      contacts = { joint = { slave = top:face "south", master = bottom:face "north", penalty = 1000 } },
-    }
+    local model = scenes.model{ bodies = { top = top, bottom = bottom },
+      supports = { bed = { on = "bottom.south", fix = "xy" }, grip = { on = "top.north", fix = "x", drive = "y" } },
+      contacts = { joint = { slave = "top.south", master = "bottom.north", penalty = 1000 } } }
     model:run{ { steps = 2, grip = { -0.1 } } }
     return model:profile "joint"
   end
@@ -153,15 +146,12 @@ check.case("wrong inputs name the argument, its value, the expectation, and a hi
   local away = sampled(21, 1, hertz(0.8, 1))
   for i = 1, 21 do away.x[i] = away.x[i] + 5 end
   fails({ profile = p, reference = away }, "do not overlap: the profile goes from 0 to 1, the reference from 5 to 6")
-  check.fails(function() sg.profile_edges{ profile = 1 } end, "sg.profile_edges: profile must be a contact profile")
 end)
 
 check.case("a profile has only its lists, and is read, written and stored as a table", function()
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1, 1}, order = "N1",
-    contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local model = sg.model{ bodies = { slab = slab }, supports = { grip = { on = slab:face "north", drive = "xy" } },
-    contacts = { ground = { slave = slab:face "south", master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} },
-      penalty = 10 } } }
+  local model = scenes.model{ bodies = { slab = { elements = {1, 1}, order = "N1", contact = "south" } },
+    supports = { grip = { on = "north", drive = "xy" } },
+    contacts = { ground = { slave = "south", master = scenes.floor(), penalty = 10 } } }
   model:run{ { steps = 1, grip = {0, -0.1} } }
   local pr = model:profile "ground"
   local known = "t has X, Y, area, gap, inside, pressure, state, traction, x, y"
@@ -190,5 +180,3 @@ check.case("a profile has only its lists, and is read, written and stored as a t
   local record = require("signorini.study.case").solve(function() return pr end, { case = {}, text = "a" })
   check.equal({ record.outcome, record.results.state }, { "done", pr.state })
 end)
-
-check.done()

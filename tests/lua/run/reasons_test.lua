@@ -1,20 +1,16 @@
 -- Every reason for which a run may end, provoked on a small model: the reason, the place, the message. Most of them
 -- with plain Newton, which ends at its first failure.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 -- ── Small models ─────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- A unit square, or what `options` says, of neo-Hookean material with E = 1.
 local function block(options)
   local o = options or {}
-  return sg.body{
-    patch = sg.shapes.rectangle{ width = o.width or 1, height = o.height or 1, corner = o.corner },
-    order = o.order or "N2",
+  return scenes.body{ size = {o.width or 1, o.height or 1}, corner = o.corner, order = o.order or "N2",
     elements = o.elements or {2, 2}, contact = o.contact or "south", thickness_degree = 1,
-    material = o.material or sg.neo_hookean{ E = 1, nu = 0.3 },
-  }
+    material = o.material or sg.neo_hookean{ E = 1, nu = 0.3 } }
 end
 
 --- A square on a bed; its top is driven down.
@@ -37,11 +33,9 @@ local function on_bed(body) return { bed = { on = body:face "south", fix = "xy" 
 local function bar_on_ramp()
   local bar = block{ width = 0.1, height = 2, corner = {-0.105, 0.1}, elements = {2, 8},
                      material = sg.linear_elastic{ E = 1, nu = 0.3 } }
-  local ramp = sg.body{
+  local ramp = scenes.body{
     patch = sg.shapes.rectangle{ width = 2, height = 0.5, corner = {-2, -0.5} }:rotate{ angle = -25, center = {0, 0} },
-    elements = {100, 2}, order = "N2", contact = "north", thickness_degree = 1,
-    material = sg.linear_elastic{ E = 100, nu = 0.3 },
-  }
+    elements = {100, 2}, contact = "north", thickness_degree = 1, material = sg.linear_elastic{ E = 100, nu = 0.3 } }
   return sg.model{
     bodies   = { bar = bar, ramp = ramp },
     supports = { top = { on = bar:face "north", fix = "x", drive = "y" },
@@ -53,18 +47,13 @@ end
 --- Deep 2D ironing with hard contact, whose pressing comes to a state between whose two sides one point goes to and
 --- fro.
 local function deep_ironing()
-  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
-                       elements = {6, 2}, order = "N4", contact = "south", thickness_degree = 1,
-                       material = sg.neo_hookean{ E = 1e4, nu = 0.3 } }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N4",
-                        contact = "north", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  return sg.model{
-    bodies   = { die = die, slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" },
-                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
-    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 1000, points = 7,
-                               friction = { mu = 0.1, penalty = 100 } } },
-  }
+  return scenes.model{
+    bodies = { die = { patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
+        elements = {6, 2}, order = "N4", contact = "south", thickness_degree = 1, E = 1e4 },
+      slab = { size = {3, 1}, elements = {8, 3}, order = "N4", contact = "north", thickness_degree = 1 } },
+    supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = { "die.west", "die.east" }, drive = "xy" } },
+    contacts = { interface = { slave = "die.south", master = "slab.north", penalty = 1000, points = 7,
+        friction = { mu = 0.1, penalty = 100 } } } }
 end
 
 --- The run failed for this reason after so many steps; its failure holds the fragments. Returns its worst place.
@@ -112,8 +101,7 @@ end)
 
 check.case("interrupted: Ctrl-C ends the run at its last step, and the model can be used further", function()
   local output, status = check.program({}, ("file = %q\n"):format(check.folder() .. "/run.sgn") .. [==[
-    b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {16, 16}, order = "N2",
-      contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+    b = scenes.body{ elements = {16, 16}, contact = "south", thickness_degree = 1 }
     m = sg.model{ bodies = { block = b },
       supports = { bed = { on = b:face "south", fix = "xy" }, top = { on = b:face "north", drive = "xy" } } }
     -- Once the file was written twice steps have been accepted.
@@ -150,12 +138,10 @@ check.case("singular: a soft body falls onto one of extreme stiffness", function
   local soft = sg.linear_elastic{ E = 1, nu = 0.3 }
   local upper = block{ corner = {0, 1.5}, material = soft }
   local lower = block{ width = 2, corner = {-0.5, 0}, elements = {2, 4}, contact = "north", material = soft }
-  local model = sg.model{
-    bodies   = { upper = upper, lower = lower },
-    supports = { top = { on = upper:face "north", fix = "xy" }, bed = { on = lower:face "south", fix = "xy" } },
-    loads    = { pull = { on = upper:face "south", traction = {0, 0} } },
-    contacts = { floor = { slave = upper:face "south", master = lower:face "north", penalty = 1e15 } },
-  }
+  local model = scenes.model{ bodies = { upper = upper, lower = lower },
+    supports = { top = { on = "upper.north", fix = "xy" }, bed = { on = "lower.south", fix = "xy" } },
+    loads = { pull = { on = "upper.south", traction = {0, 0} } },
+    contacts = { floor = { slave = "upper.south", master = "lower.north", penalty = 1e15 } } }
   local run = model:run({ { steps = 1, pull = {0, -1} } }, sg.plain{})
   local place = expect(run, "singular", 0, "the tangent is singular", "at this ratio the body's stiffness is lost",
     "Hint: lower the penalty of contact 'floor'")
@@ -208,8 +194,8 @@ check.case("singular: an unconstrained body, and its motion", function()
 end)
 
 check.case("a fine block on a plane without friction, factored in single precision", function()
-  local block = sg.body{ patch = sg.shapes.block{ size = { 1, 1, 0.7 } }, elements = { 10, 10, 10 }, order = "N2",
-                         contact = "front", thickness_degree = 2, material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  local block = scenes.body{ size = { 1, 1, 0.7 }, elements = { 10, 10, 10 }, contact = "front", thickness_degree = 2,
+    E = 10 }
   local plane = sg.rigid.plane{ point = { 0, 0, 0 }, normal = { 0, 0, 1 } }
   local model = sg.model{ bodies = { block = block }, supports = { top = { on = block:face "back", drive = "z" } },
     contacts = { floor = { slave = block:face "front", master = plane, penalty = 100, points = 3 } } }
@@ -220,8 +206,7 @@ check.case("a fine block on a plane without friction, factored in single precisi
 end)
 
 check.case("singular: all motions of a body that nothing holds", function()
-  local block = sg.body{ patch = sg.shapes.block{ size = { 1, 1, 1 } }, elements = { 1, 1, 1 }, order = "N2",
-                         material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local block = scenes.body{ size = { 1, 1, 1 }, elements = { 1, 1, 1 } }
   local floor = sg.rigid.plane{ point = { 0, 0, 0 }, normal = { 0, 0, 1 } }
   local lid = sg.rigid.plane{ point = { 0, 0, 1 }, normal = { 0, 0, -1 } }
   local model = sg.model{ bodies = { block = block }, supports = { press = { on = lid, drive = "z" } },
@@ -233,8 +218,8 @@ check.case("singular: all motions of a body that nothing holds", function()
 end)
 
 check.case("singular: a ring too wide for any hoop stress; a radial motion is not a rigid one", function()
-  local ring = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = { 1e9, 0 } }, elements = { 1, 1 },
-                        order = "N2", material = sg.linear_elastic{ E = 1000, nu = 0.3 } }
+  local ring = scenes.body{ corner = { 1e9, 0 }, elements = { 1, 1 },
+    material = sg.linear_elastic{ E = 1000, nu = 0.3 } }
   local run = sg.model{ kind = "axisymmetric", bodies = { ring = ring }, loads = { p = { on = ring:face "west",
                         pressure = 0 } }, supports = { ends = { on = { ring:face "south", ring:face "north" },
                         fix = "y" } } }:run({ { steps = 1, p = 1 } }, sg.plain{})
@@ -245,10 +230,9 @@ end)
 check.case("friction_exhausted: a block that its weight presses on a floor is pushed by a growing force", function()
   local mu, weight = 0.3, 1e-2
   for _, space in ipairs { false, true } do
-    local body = space and sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {2, 2, 2}, order = "N2",
-      contact = "front", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } } or block()
+    local body = space and scenes.body{ size = {1, 1, 1}, contact = "front", thickness_degree = 1 } or block()
     local floor = space and sg.rigid.plane{ point = {0, 0, 0}, normal = {0, 0, 1} }
-      or sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }
+      or scenes.floor()
     local model = sg.model{ bodies = { block = body },
       loads = { own = { on = body, force = space and {0, 0, 0} or {0, 0} } },
       contacts = { c = { slave = body:face(space and "front" or "south"), master = floor, penalty = 100,
@@ -274,8 +258,8 @@ end)
 check.case("friction_exhausted: a saddle that is pulled above its face slides before mu times its weight", function()
   local mu, weight, R, arm = 0.3, 1e-2, 1, 1.5
   local function arc(radius) return sg.nurbs.arc{ center = {0, 0}, radius = radius, from = 110, to = 70 } end
-  local saddle = sg.body{ patch = sg.nurbs.ruled{ a = arc(R), b = arc(arm) }, elements = {4, 2}, order = "N2",
-                          contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  local saddle = scenes.body{ patch = sg.nurbs.ruled{ a = arc(R), b = arc(arm) }, elements = {4, 2}, contact = "south",
+    E = 10 }
   local model = sg.model{ bodies = { saddle = saddle },
     loads = { top = { on = saddle:face "north", traction = {0, 0} } },
     contacts = { c = { slave = saddle:face "south", master = sg.rigid.cylinder{ center = {0, 0}, radius = R },
@@ -322,11 +306,8 @@ end)
 
 check.case("penetration: one augmentation is not enough", function()
   local body = block()
-  local model = sg.model{
-    bodies   = { block = body }, supports = { top = { on = body:face "north", fix = "x", drive = "y" } },
-    contacts = { floor = { slave = body:face "south", penalty = 10, enforcement = "augmented",
-                           master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} } } },
-  }
+  local model = scenes.model{ bodies = { block = body }, supports = { top = { on = "north", fix = "x", drive = "y" } },
+    contacts = { floor = { slave = "south", penalty = 10, enforcement = "augmented", master = scenes.floor() } } }
   local run = model:run({ { name = "press", steps = 2, top = -0.1 } }, sg.plain{ augmentation = { loops = 1 } })
   local place = expect(run, "penetration", 0, "off the master after 1 augmentation; the tolerance is 1.41421",
     "Worst places: contact point in slave element", "raise the penalty; allow more augmentations")
@@ -337,16 +318,12 @@ end)
 -- ── Paths ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("turning_point: an arch under a load above its limit load", function()
-  local function line(offset)
-    return sg.nurbs.arc{ center = {0, -40}, radius = 40 + offset, from = 100, to = 80 }
-  end
-  local arch = sg.body{ patch = sg.nurbs.ruled{ a = line(-0.15), b = line(0.15) }, elements = {16, 1}, order = "N3",
-                        thickness_degree = 2, contact = "north", material = sg.neo_hookean{ E = 1000, nu = 0 } }
-  local model = sg.model{
-    bodies   = { arch = arch },
-    supports = { left = { on = arch:face "west", fix = "xy" }, right = { on = arch:face "east", fix = "xy" } },
-    loads    = { push = { on = arch:face "north", traction = {0, 0} } },
-  }
+  local function line(offset) return sg.nurbs.arc{ center = {0, -40}, radius = 40 + offset, from = 100, to = 80 } end
+  local model = scenes.model{
+    bodies = { arch = { patch = sg.nurbs.ruled{ a = line(-0.15), b = line(0.15) }, elements = {16, 1}, order = "N3",
+        thickness_degree = 2, contact = "north", E = 1000, nu = 0 } },
+    supports = { left = { on = "west", fix = "xy" }, right = { on = "east", fix = "xy" } },
+    loads = { push = { on = "north", traction = {0, 0} } } }
   -- more: it jumps
   local run = model:run({ { name = "load", steps = 20, push = {0, -0.02} } },
     sg.plain{ newton = { iterations = 8 } })
@@ -365,5 +342,3 @@ check.case("minimum_step: shorter steps are not allowed; the cause is also given
     "last accepted increment, 0.75 of the way from step 0 to step 1")
   check.equal({ run.places[1].kind, run.places[1].body }, { "element", "block" })
 end)
-
-check.done()

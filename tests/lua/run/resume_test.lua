@@ -1,8 +1,6 @@
 -- Runs with checkpoints: resumed anywhere they end as if uninterrupted; invalid files, paths and options.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 local ironing = require "ironing"
 local bonded = require "strip"
 
@@ -193,4 +191,3 @@ check.case("plain data as bytes and back, bit by bit", function()
 end)
 
 os.remove(file)
-check.done()

@@ -1,14 +1,11 @@
 -- Stages with functions of their fraction: columns, cut steps, arc length, checkpoints, wrong inputs.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local function bar(load)
-  local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = {4, 2}, order = "N2",
-                        material = sg.neo_hookean{ E = 10, nu = 0.3 } }
-  return sg.model{ bodies = { bar = body },
-    supports = { wall = { on = body:face "west", fix = "xy" }, grip = { on = body:face "east", drive = "xy" } },
-    loads = { gas = { on = body:face "north", pressure = 0, follower = load } } }
+  return scenes.model{ bodies = { bar = { size = {4, 1}, elements = {4, 2}, E = 10 } },
+    supports = { wall = { on = "west", fix = "xy" }, grip = { on = "east", drive = "xy" } },
+    loads = { gas = { on = "north", pressure = 0, follower = load } } }
 end
 
 local function wave(s) return { 0.2 * math.sin(2 * math.pi * s), 0.1 * s * s } end
@@ -62,9 +59,9 @@ end)
 
 check.case("arc length follows the chord of a step past a limit point", function()
   -- A balloon as in follower_test.lua, with a target that grows as the square root of the fraction
-  local body = sg.body{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 1.5, center = {0, 0} }, elements = {4, 2},
-                        order = "N3", volumetric = "projected",
-                        material = sg.mooney_rivlin{ c10 = 0.45, c01 = 0.05, K = 5000 } }
+  local body = scenes.body{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 1.5, center = {0, 0} },
+    elements = {4, 2}, order = "N3", volumetric = "projected",
+    material = sg.mooney_rivlin{ c10 = 0.45, c01 = 0.05, K = 5000 } }
   local model = sg.model{ bodies = { ball = body }, kind = "axisymmetric",
     supports = { axis = { on = body:face "west", symmetry = true }, cut = { on = body:face "east", symmetry = true } },
     loads = { gas = { on = body:face "north", pressure = 0, follower = true } } }
@@ -126,5 +123,3 @@ check.case("an error in the function is reported at its line", function()
   check.equal(status, 1)
   check.holds(output, "study.lua:6: attempt to index")
 end)
-
-check.done()

@@ -1,21 +1,14 @@
 -- verbose = true: what a run and the low-level methods print of each Newton iteration.
 
-local check = require "check"
-local core = require "signorini.core"
-local sg = require "signorini"
+require "check"
 
 --- A block that is pressed into a slab; with friction, so that contact points have states.
 local function scene(enforcement)
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {6, 2}, order = "N2",
-                        contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = {1, 1} }, elements = {2, 2},
-                         order = "N2", contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
-  return sg.model{ bodies = { slab = slab, block = block },
-                   supports = { bed = { on = slab:face "south", fix = "xy" },
-                                grip = { on = block:face "north", drive = "xy" } },
-                   contacts = { c = { slave = block:face "south", master = slab:face "north", penalty = 20,
-                                      enforcement = enforcement or "penalty",
-                                      friction = { mu = 0.3, penalty = 20 } } } }
+  return scenes.model{ bodies = { slab = { size = {3, 1}, elements = {6, 2}, contact = "north" },
+      block = { corner = {1, 1}, contact = "south", E = 10 } },
+    supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = "block.north", drive = "xy" } },
+    contacts = { c = { slave = "block.south", master = "slab.north", penalty = 20,
+        enforcement = enforcement or "penalty", friction = { mu = 0.3, penalty = 20 } } } }
 end
 
 local path = { { name = "press", steps = 2, grip = {0, -0.1} }, { name = "slide", steps = 1, grip = {0.1, -0.1} } }
@@ -137,5 +130,3 @@ end })]])
   check.holds(output, "seen\nseen\n")
   check.holds(core.read_file(folder .. "/out"), "iteration   residual   relative   |f·Δu|\n")
 end)
-
-check.done()

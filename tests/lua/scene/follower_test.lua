@@ -1,8 +1,7 @@
 -- Pressures that follow the deformation: tangents against differences, symmetry, exact states, work, buckling of a
 -- ring, balloons beyond their limit points by arc length; lists of faces, files, wrong inputs.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local pi = math.pi
 local rubber = sg.neo_hookean{ E = 10, nu = 0.3 }
@@ -124,9 +123,7 @@ local function symmetric(model)
 end
 
 check.case("the tangent is symmetric where no border of the loaded faces moves freely", function()
-  for name, scene in pairs(scenes) do
-    check.equal({ name, symmetric(scene()) }, { name, false })
-  end
+  for name, scene in pairs(scenes) do check.equal({ name, symmetric(scene()) }, { name, false }) end
   local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, order = "N2",
                         material = rubber }
   local function on(faces, supports, kind)
@@ -371,5 +368,3 @@ sg.model{ bodies = { a = a }, loads = { gas = ]] .. wrong[2] .. " } }")
     check.holds(output, "signorini: study.lua:5: ", table.unpack(wrong, 3))
   end)
 end
-
-check.done()

@@ -1,14 +1,11 @@
 -- Obstacles that supports free or rotate, and their loads: wrong input is an error that names the cure.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
-local slab = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = {4, 2}, contact = "north",
-                      order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-local cube = sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {2, 2, 2}, order = "N2",
-                      contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+local slab = scenes.body{ size = {2, 1}, elements = {4, 2}, contact = "north" }
+local cube = scenes.body{ size = {1, 1, 1}, contact = "back" }
 local disc = sg.rigid.cylinder{ center = {1, 1.5}, radius = 0.5 }
-local plane = sg.rigid.plane{ point = {0, 1}, normal = {0, -1} }
+local plane = scenes.ceiling(1)
 local ball = sg.rigid.sphere{ center = {0.5, 0.5, 1.5}, radius = 0.5 }
 
 --- A model with these supports and loads besides a clamped slab; `keys`: others, and `tool` of the contact.
@@ -22,9 +19,7 @@ local function model(supports, loads, keys)
                                       friction = keys.friction } } }
 end
 
-local function refused(supports, loads, keys, ...)
-  check.fails(function() model(supports, loads, keys) end, ...)
-end
+local function refused(supports, loads, keys, ...) check.fails(function() model(supports, loads, keys) end, ...) end
 
 check.case("loads on obstacles that do not follow them", function()
   refused({}, { F = { on = disc, force = {0, -1} } }, nil, "loads.F", "no support frees", 'free = "y"')
@@ -82,5 +77,3 @@ check.case("what nothing holds", function()
   local run = missing:run({ { steps = 1 } }, sg.plain{})
   check.holds(run.failure, "nothing holds", "supports.t")
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- Rigid obstacles that loads move and turn: equilibrium, rolling, and moments, against closed forms.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 local runs = require "runs"
 
 local completed, last = runs.completed, runs.last
@@ -10,8 +9,7 @@ local soft = sg.neo_hookean{ E = 10, nu = 0.3 }
 
 --- A slab of width 4 and height 1 under a cylinder of radius 0.5, with these keys of contact, support and loads.
 local function rolled(contact, support, loads, height)
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = {24, 3}, contact = "north",
-                        order = "N2", material = soft }
+  local slab = scenes.body{ size = {4, 1}, elements = {24, 3}, contact = "north", E = 10 }
   local tool = sg.rigid.cylinder{ center = {1.5, 1.5 + (height or 0)}, radius = 0.5 }
   local model = { bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" }, tool = support },
                   contacts = { press = { slave = slab:face "north", master = tool, penalty = 200 } }, loads = loads }
@@ -44,13 +42,11 @@ end)
 check.case("reactions are in equilibrium if supports share the tool, also of components that none names", function()
   local friction = { friction = { mu = 0.3, penalty = 200 } }
   local function balanced(extra, support, stage)
-    local slab = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = {24, 3}, contact = "north",
-                          order = "N2", material = soft }
     local tool = sg.rigid.cylinder{ center = {3.8, 1.5}, radius = 0.5 } -- over the end: forces have both components
     support.on, extra.on = tool, tool
-    local model = sg.model{ bodies = { slab = slab },
-      supports = { bed = { on = slab:face "south", fix = "xy" }, a = support, b = extra },
-      contacts = { press = { slave = slab:face "north", master = tool, penalty = 200, friction = friction.friction } } }
+    local model = scenes.model{ bodies = { slab = { size = {4, 1}, elements = {24, 3}, contact = "north", E = 10 } },
+      supports = { bed = { on = "south", fix = "xy" }, a = support, b = extra },
+      contacts = { press = { slave = "north", master = tool, penalty = 200, friction = friction.friction } } }
     completed(model:run{ stage })
     local bed, a, b = model:reaction "bed", model:reaction "a", model:reaction "b"
     local force = model:contact_resultant "press"
@@ -80,9 +76,8 @@ local function below_sphere(kind, support, loads)
   local supports = { bed = { on = body:face(solid and "front" or "south"), fix = solid and "xyz" or "xy" },
                      tool = support }
   if not solid then supports.axis = { on = body:face "west", fix = "x" } end
-  return sg.model{ bodies = { body = body }, supports = supports, loads = loads, kind = not solid and kind or nil,
-                   contacts = { press = { slave = body:face(solid and "back" or "north"), master = sphere,
-                                          penalty = 100 } } }
+  return scenes.model{ bodies = { body = body }, supports = supports, loads = loads, kind = not solid and kind or nil,
+    contacts = { press = { slave = body:face(solid and "back" or "north"), master = sphere, penalty = 100 } } }
 end
 
 check.case("the same in 3D and in axisymmetric models, where the force is that of the full circle", function()
@@ -99,14 +94,12 @@ check.case("the same in 3D and in axisymmetric models, where the force is that o
 end)
 
 check.case("a free lid compresses a block uniformly, also with a free angle", function()
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, contact = "north",
-                         order = "N2", material = sg.linear_elastic{ E = 2, nu = 0 } }
   local lid = sg.rigid.plane{ point = {0.5, 1}, normal = {0, -1} }
-  local model = sg.model{ bodies = { block = block },
-    supports = { bed = { on = block:face "south", fix = "y" }, corner = { on = block:corner "south-west", fix = "x" },
-                 lid = { on = lid, free = "y", rotate = true, angle = "free", center = {0.5, 1} } },
+  local model = scenes.model{ bodies = { block = { contact = "north", material = sg.linear_elastic{ E = 2, nu = 0 } } },
+    supports = { bed = { on = "south", fix = "y" }, corner = { on = "south-west", fix = "x" },
+      lid = { on = lid, free = "y", rotate = true, angle = "free", center = {0.5, 1} } },
     loads = { weight = { on = lid, force = {0, 0} }, turn = { on = lid, moment = 0 } },
-    contacts = { press = { slave = block:face "north", master = lid, penalty = 100, per = "reference" } } }
+    contacts = { press = { slave = "north", master = lid, penalty = 100, per = "reference" } } }
   local run = completed(model:run{ { steps = 1, weight = {0, -0.1}, turn = {0} } })
   -- u = F/E, and the penetration F/ε
   check.within("depth", last(run, "lid.uy"), -0.1 * (1 / 2 + 1 / 100), 1e-9)
@@ -162,5 +155,3 @@ check.case("a moment on a cylinder that is held in place is that of friction", f
   -- More than Coulomb's limit has no equilibrium.
   check.equal(model:run{ { steps = 1, tool = {-0.1}, turn = {0.4} } }.failed, true)
 end)
-
-check.done()

@@ -1,7 +1,6 @@
 -- Solids in 3D as a user writes them: sizes, places, reactions against closed forms and against the plane model.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local E, nu = 10, 0.3
 local linear, soft = sg.linear_elastic{ E = E, nu = nu }, sg.neo_hookean{ E = E, nu = nu }
@@ -16,8 +15,7 @@ end
 -- ── Bodies ───────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("bodies report their size, faces, edges and corners", function()
-  local b = sg.body{ patch = sg.shapes.block{ size = {2, 1, 3} }, elements = {4, 3, 2}, order = "N2", contact = "back",
-                     material = soft }
+  local b = scenes.body{ size = {2, 1, 3}, elements = {4, 3, 2}, contact = "back", material = soft }
   -- N2 along x and y: 4 + 2 and 3 + 2 functions; through the body, in z, as well: 2 + 2
   check.equal({ b:dofs().interface, b:dofs().total }, { 3 * 6 * 5, 3 * 6 * 5 * 4 })
   check.equal(tostring(b), "solid body: 4 x 3 x 2 elements, degree 2 x 2 x 2, 360 degrees of freedom, E = 10, nu = 0.3")
@@ -29,24 +27,19 @@ check.case("bodies report their size, faces, edges and corners", function()
   check.equal(tostring(b:corner "back-east-north"), "corner 'back-east-north' of a body, 1 control point")
   check.near(b:points()[1], { 0, 0, 0 })
   -- One type to users: a method is that of the object that it is called on.
-  local flat = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, order = "N2",
-                        material = soft }
+  local flat = scenes.body{ material = soft }
   check.equal(b.dofs(flat).total, 2 * 4 * 4)
   check.equal(tostring(flat), "plane body: 2 x 2 elements, degree 2 x 2, 32 degrees of freedom, E = 10, nu = 0.3")
 end)
 
 check.case("an edge and a corner are intersections of their faces", function()
-  local b = sg.body{ patch = sg.shapes.block{ size = {2, 1, 3} }, elements = {2, 2, 2}, order = "N2", contact = "back",
-                     material = linear }
+  local b = scenes.body{ size = {2, 1, 3}, contact = "back", material = linear }
   -- Only constrained points do not move under a pull: read off which these are.
-  local model = sg.model{ bodies = { b = b },
-    supports = { edge = { on = b:edge "south-back", drive = "xyz" }, rest = { on = b:face "front", fix = "xyz" },
-                 tip = { on = b:corner "east-north-back", drive = "z" } } }
+  local model = scenes.model{ bodies = { b = b }, supports = { edge = { on = b:edge "south-back", drive = "xyz" },
+      rest = { on = "front", fix = "xyz" }, tip = { on = "east-north-back", drive = "z" } } }
   model:run{ { steps = 1, edge = {0.1, 0.2, 0.3}, tip = -0.1 } }
   for _, x in ipairs{ 0, 0.4, 1 } do
-    for i, field in ipairs{ "ux", "uy", "uz" } do
-      check.near(model:sample(b, field, { x, 0, 1 }), 0.1 * i, 1e-12)
-    end
+    for i, field in ipairs{ "ux", "uy", "uz" } do check.near(model:sample(b, field, { x, 0, 1 }), 0.1 * i, 1e-12) end
   end
   check.near(model:sample(b, "uz", { 1, 1, 1 }), -0.1, 1e-12)
   check.near(model:sample(b, "u", { 0.3, 0.6, 0 }), 0)
@@ -57,8 +50,8 @@ end)
 
 check.case("orders per direction along the face count as they say", function()
   local function dofs(order, contact)
-    return sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {4, 3, 2}, order = order, contact = contact,
-                    thickness_degree = contact and 1, material = soft }:dofs()
+    return scenes.body{ size = {1, 1, 1}, elements = {4, 3, 2}, order = order, contact = contact,
+      thickness_degree = contact and 1, material = soft }:dofs()
   end
   -- N2.2 on 4 elements: 6 + 2 · 4 functions; N2 on 3 elements: 5
   check.equal({ dofs({"N2-N2.2", "N2"}, "back").interface, dofs({"N2", "N2-N2.2"}, "back").interface },
@@ -77,13 +70,11 @@ check.case("Table 7.11 is reproduced exactly", function()
   check.equal(#printed.rows, 8)
   for _, row in ipairs(printed.rows) do
     local order, n = row[at.discretization], row[at.mesh] == "fine" and 2 or 1
-    local indenter = sg.body{ patch = sg.shapes.spherical_indenter{ width = 10, depth = 10, height = 11, radius = 25.5,
-                                elements = 1, corner = {0, 0, 22} },
-                              elements = { 5 * n, 5 * n, 3 * n }, order = order, contact = "front",
-                              thickness_degree = 1,
-                              material = soft }
-    local slab = sg.body{ patch = sg.shapes.block{ size = {100, 30, 22} }, elements = { 18 * n, 6 * n, 4 * n },
-                          order = order, contact = "back", thickness_degree = 1, material = soft }
+    local indenter = scenes.body{ patch = sg.shapes.spherical_indenter{ width = 10, depth = 10, height = 11,
+        radius = 25.5, elements = 1, corner = {0, 0, 22} }, elements = { 5 * n, 5 * n, 3 * n }, order = order,
+      contact = "front", thickness_degree = 1, material = soft }
+    local slab = scenes.body{ size = {100, 30, 22}, elements = { 18 * n, 6 * n, 4 * n }, order = order,
+      contact = "back", thickness_degree = 1, material = soft }
     for name, body in pairs{ indenter = indenter, slab = slab } do
       for _, part in ipairs{ "interface", "bulk", "total" } do
         check.equal({ order, body:dofs()[part] }, { order, row[at[name .. "_" .. part]] })
@@ -132,8 +123,8 @@ end
 
 check.case("a guided block under a rigid plane: uniaxial strain and the penalty's springs", function()
   for name, material in pairs{ linear = linear, soft = soft } do
-    local b = sg.body{ patch = sg.shapes.block{ size = {2, 1, 3} }, elements = {2, 2, 3}, order = "N2-N2.1",
-                       contact = "back", material = material }
+    local b = scenes.body{ size = {2, 1, 3}, elements = {2, 2, 3}, order = "N2-N2.1", contact = "back",
+      material = material }
     local plane = sg.rigid.plane{ point = {0, 0, 3}, normal = {0, 0, -1} }
     local supports = guides(b)
     supports.bed, supports.lid = { on = b:face "front", fix = "z" }, { on = plane, drive = "xyz" }
@@ -169,10 +160,9 @@ end)
 
 check.case("a block on a block, one mesh twice as fine: the same pressure at every point", function()
   for name, material in pairs{ linear = linear, soft = soft } do
-    local low = sg.body{ patch = sg.shapes.block{ size = {2, 1, 1} }, elements = {2, 1, 2}, order = "N2",
-                         contact = "back", material = material }
-    local high = sg.body{ patch = sg.shapes.block{ size = {2, 1, 0.5}, corner = {0, 0, 1} }, elements = {4, 2, 1},
-                          order = "N2", contact = "front", material = material }
+    local low = scenes.body{ size = {2, 1, 1}, elements = {2, 1, 2}, contact = "back", material = material }
+    local high = scenes.body{ size = {2, 1, 0.5}, corner = {0, 0, 1}, elements = {4, 2, 1}, contact = "front",
+      material = material }
     local supports, rest = guides(low), guides(high)
     supports.x2, supports.y2 = rest.x, rest.y
     supports.bed = { on = low:face "front", fix = "z" }
@@ -188,8 +178,7 @@ check.case("a block on a block, one mesh twice as fine: the same pressure at eve
 end)
 
 check.case("a contact on a part of the face, with a given number of points", function()
-  local b = sg.body{ patch = sg.shapes.block{ size = {2, 1, 3} }, elements = {4, 3, 1}, order = "N2", contact = "back",
-                     material = soft }
+  local b = scenes.body{ size = {2, 1, 3}, elements = {4, 3, 1}, contact = "back", material = soft }
   local seen = {}
   local model = sg.model{ bodies = { b = b }, contacts = { joint = {
     slave = b:face "back", master = sg.rigid.plane{ point = {0, 0, 3}, normal = {0, 0, -1} }, penalty = 1, points = 2,
@@ -203,8 +192,7 @@ check.case("a contact on a part of the face, with a given number of points", fun
 end)
 
 check.case("without friction the work is stored in bodies and springs", function()
-  local b = sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {1, 1, 1}, order = "N2", contact = "back",
-                     material = linear }
+  local b = scenes.body{ size = {1, 1, 1}, elements = {1, 1, 1}, contact = "back", material = linear }
   local plane = sg.rigid.plane{ point = {0, 0, 1}, normal = {0, 0, -1} }
   local supports = guides(b)
   supports.bed, supports.lid = { on = b:face "front", fix = "z" }, { on = plane, drive = "z" }
@@ -218,13 +206,11 @@ check.case("without friction the work is stored in bodies and springs", function
 end)
 
 check.case("loads in 3D: dead tractions and pressures, their resultants and columns", function()
-  local b = sg.body{ patch = sg.shapes.block{ size = {2, 3, 4} }, elements = {2, 2, 2}, order = "N2", contact = "back",
-                     material = linear }
+  local b = scenes.body{ size = {2, 3, 4}, contact = "back", material = linear }
   local p = 0.5
-  local model = sg.model{ bodies = { b = b },
-    supports = { x = { on = b:face "west", fix = "x" }, y = { on = b:face "south", fix = "y" },
-                 z = { on = b:face "front", fix = "z" } },
-    loads = { gas = { on = { b:face "east", b:face "north", b:face "back" }, pressure = 0 } } }
+  local model = scenes.model{ bodies = { b = b },
+    supports = { x = { on = "west", fix = "x" }, y = { on = "south", fix = "y" }, z = { on = "front", fix = "z" } },
+    loads = { gas = { on = { "east", "north", "back" }, pressure = 0 } } }
   local run = model:run{ { steps = 2, gas = p } }
   check.near(model:reaction "gas", { -12 * p, -8 * p, -6 * p }, 1e-12)
   check.near({ run:column "x.fx"[2], run:column "y.fy"[2], run:column "z.fz"[2] }, { 12 * p, 8 * p, 6 * p }, 1e-10)
@@ -256,8 +242,7 @@ end
 
 --- A block of 1 × 1 × 2 whose upper face turns about its centroid, (0.5, 0.5, 2).
 local function turning(material, rotate, hold)
-  local b = sg.body{ patch = sg.shapes.block{ size = {1, 1, 2} }, elements = {2, 2, 2}, order = "N2", contact = "back",
-                     thickness_degree = 2, material = material }
+  local b = scenes.body{ size = {1, 1, 2}, contact = "back", thickness_degree = 2, material = material }
   local grip = { on = b:face "back", rotate = rotate }
   for key, value in pairs(hold or {}) do grip[key] = value end
   return b, grip
@@ -289,9 +274,8 @@ check.case("pure bending: the moment of a face that turns about y is EIθ/L", fu
   -- stays a plane that turns by κL. A rotation differs from it by θ²/2, here 2e-12.
   for _, axis in ipairs{ "y", {0, 3, 0} } do
     local b, grip = turning(sg.linear_elastic{ E = E, nu = 0 }, axis)
-    local model = sg.model{ bodies = { b = b },
-      supports = { bed = { on = b:face "front", fix = "z" }, foot = { on = b:face "front", fix = "x" },
-                   side = { on = b:edge "south-front", fix = "y" }, grip = grip } }
+    local model = scenes.model{ bodies = { b = b }, supports = { bed = { on = "front", fix = "z" },
+        foot = { on = "front", fix = "x" }, side = { on = b:edge "south-front", fix = "y" }, grip = grip } }
     local angle = 1e-4
     local run = model:run{ { steps = 1, grip = angle } }
     local kappa = math.rad(angle) / 2
@@ -305,8 +289,7 @@ end)
 
 check.case("a bar twisted by small angles: moment and energy agree, and the foot reacts", function()
   local b, grip = turning(linear, "z", { fix = "xy" })
-  local model = sg.model{ bodies = { b = b },
-    supports = { bed = { on = b:face "front", fix = "xyz" }, grip = grip } }
+  local model = scenes.model{ bodies = { b = b }, supports = { bed = { on = "front", fix = "xyz" }, grip = grip } }
   local angle = 1e-3
   local run = model:run{ { steps = 1, grip = angle } }
   local moment = run:column "grip.moment"[1]
@@ -318,8 +301,7 @@ check.case("a bar twisted by small angles: moment and energy agree, and the foot
 end)
 
 check.case("two faces that rotate as one turn about their common centroid", function()
-  local b = sg.body{ patch = sg.shapes.block{ size = {3, 2, 1} }, elements = {2, 2, 1}, order = "N2", contact = "back",
-                     material = soft }
+  local b = scenes.body{ size = {3, 2, 1}, elements = {2, 2, 1}, contact = "back", material = soft }
   local model = sg.model{ bodies = { b = b },
     supports = { grip = { on = { b:face "west", b:face "south" }, rotate = "z", fix = "xyz" } },
     loads = { pull = { on = b:face "east", traction = {1, 0, 0} } } }
@@ -341,11 +323,9 @@ check.case("obstacles and models print their properties", function()
               "rigid cylinder about (1, 2, 3), axis (0, 1, 0), radius 4")
   check.equal(tostring(sg.rigid.surface(sg.shapes.block{ size = {1, 1, 1} }:face "back")),
               "rigid surface of degrees 1 and 1")
-  local b = sg.body{ patch = sg.shapes.block{ size = {1, 1, 1} }, elements = {1, 1, 1}, order = "N1", material = soft }
+  local b = scenes.body{ size = {1, 1, 1}, elements = {1, 1, 1}, order = "N1", material = soft }
   local model = sg.model{ bodies = { b = b }, supports = { bed = { on = b:face "front", fix = "xyz" } } }
   check.equal(tostring(model), "solid model of b: 24 degrees of freedom, 12 of them free, 1 support, 0 contacts")
   check.equal(tostring(model:snapshot()), "snapshot of a model with 24 degrees of freedom")
   check.equal(require "signorini.core".kind(model), "model")
 end)
-
-check.done()

@@ -1,21 +1,18 @@
 -- Queries of bodies and models; and the most frequent invalid inputs.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local soft = sg.neo_hookean{ E = 1, nu = 0.3 }
 
 --- A block above another, 0.1 apart.
 local function two_blocks(friction)
-  local low = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = {4, 2}, order = "N2",
-                       contact = "north", material = soft }
-  local high = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1, corner = {0.5, 1.1} }, elements = {3, 2},
-                        order = "N2-N2.1", contact = "south", material = soft }
-  return sg.model{
-    bodies   = { low = low, high = high },
-    supports = { bed = { on = low:face "south", fix = "xy" }, lid = { on = high:face "north", drive = "xy" } },
-    contacts = { joint = { slave = high:face "south", master = low:face "north", penalty = 50, friction = friction } },
-  }, low, high
+  local low = scenes.body{ size = {2, 1}, elements = {4, 2}, contact = "north", material = soft }
+  local high = scenes.body{ corner = {0.5, 1.1}, elements = {3, 2}, order = "N2-N2.1", contact = "south",
+    material = soft }
+  return scenes.model{ bodies = { low = low, high = high },
+    supports = { bed = { on = "low.south", fix = "xy" }, lid = { on = "high.north", drive = "xy" } },
+    contacts = {
+      joint = { slave = "high.south", master = "low.north", penalty = 50, friction = friction } } }, low, high
 end
 
 check.case("bodies report their degrees of freedom, faces and corners", function()
@@ -26,8 +23,7 @@ check.case("bodies report their degrees of freedom, faces and corners", function
   check.holds(low:face "west", "face 'west' of a body, 4 control points")
   check.holds(low:corner "south-west", "corner 'south-west' of a body, 1 control point")
   check.holds(low, "4 x 2 elements, degree 2 x 2, 48 degrees of freedom")
-  check.equal(sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {2, 2}, order = "N3",
-                       material = soft }:dofs().total, 2 * 5 * 5)
+  check.equal(scenes.body{ order = "N3", material = soft }:dofs().total, 2 * 5 * 5)
 end)
 
 check.case("reactions, contact resultant, profile, energy and samples of a pressed pair agree", function()
@@ -65,8 +61,7 @@ end)
 
 check.case("a face that turns may say that its translation is free", function()
   local function turned(free)
-    local strip = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {3, 2}, order = "N2",
-                           material = sg.linear_elastic{ E = 1, nu = 0.3 } }
+    local strip = scenes.body{ size = {3, 1}, elements = {3, 2}, material = sg.linear_elastic{ E = 1, nu = 0.3 } }
     local model = sg.model{ bodies = { strip = strip }, supports = {
       wall = { on = strip:face "west", fix = "xy" }, edge = { on = strip:face "east", rotate = true, free = free } } }
     model:run{ { steps = 1, edge = 5 } }
@@ -84,7 +79,7 @@ local r = sg.shapes.rectangle{ width = 3, height = 1 }
 local a = sg.body{ patch = r, elements = {4, 2}, order = "N2", contact = "north", material = soft }
 local b = sg.body{ patch = r:translate{0, 1}, elements = {4, 2}, order = "N2", contact = "south", material = soft }
 ]]
-local wrong = {
+check.refusals(start, 6, {
   { "a misspelt key", [[sg.body{ patch = r, elements = {4, 2}, ordre = "N2", material = soft }]],
     "sg.body: unknown argument 'ordre' (the string 'N2'); did you mean 'order'?" },
   { "a string for a number", [[sg.neo_hookean{ E = "1000", nu = 0.3 }]],
@@ -152,13 +147,4 @@ local wrong = {
     [[add fix = "xy", drive = "xy", rotate = true or symmetry = true]] },
   { "an unknown field", [[sg.picture{ model = sg.model{ bodies = { a = a } }, file = "a.png", field = "uu" }]],
     "sg.picture", "unknown field 'uu'", "known: ux, uy" },
-}
-for _, case in ipairs(wrong) do
-  check.case(case[1], function()
-    local output, status = check.script(start .. case[2])
-    check.equal(status, 1)
-    check.holds(output, "signorini: study.lua:6: ", table.unpack(case, 3))
-  end)
-end
-
-check.done()
+})

@@ -1,8 +1,7 @@
 -- sg.scenes: each scene is solved with its defaults and compared with a closed form, a published figure or a balance.
 
-local check = require "check"
+require "check"
 local other_warnings = require "other_warnings"
-local sg = require "signorini"
 
 local function solved(name, o)
   local m, path, exact = sg.scenes[name](o or {})
@@ -133,5 +132,3 @@ sg.picture{ model = m, field = "uy", file = "%s/first.png" }]]):format(folder))
   check.holds(output, "press", "slide")
   check.pictures(folder, { "first" })
 end)
-
-check.done()

@@ -1,8 +1,7 @@
 -- Springs on faces: in series with a bar in every kind of model, work, reactions, static condensation, files, bodies
 -- that only springs hold, wrong inputs.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local height, E, k, t = 2, 10, 5, 0.4 -- t: traction
 
@@ -90,7 +89,7 @@ local a = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, element
 local north, plane = a:face "north", sg.rigid.plane{ point = {0, 2}, normal = {0, -1} }
 local function model(support) return sg.model{ bodies = { a = a }, supports = { top = support } } end
 ]]
-for _, case in ipairs {
+check.refusals(start, "study.lua:", {
   { "a number", "model{ on = north, spring = 3 }", "supports.top.spring must be a list of 2 or 3 numbers" },
   { "three components", "model{ on = north, spring = {1, 2, 3} }", "spring must be a list of 2 numbers {kx, ky}" },
   { "negative", "model{ on = north, spring = {0, -2} }", "supports.top.spring must not be negative, got -2 for y" },
@@ -104,12 +103,4 @@ for _, case in ipairs {
   { "stiffness", "model{ on = north, stiffness = {0, 1} }", "supports.top: unknown argument 'stiffness'",
     "Hint: write spring = {kx, ky}" },
   { "nan", "model{ on = north, spring = {0, 0 / 0} }", "supports.top.spring[2] must be a finite number" },
-} do
-  check.case("refused: " .. case[1], function()
-    local output, status = check.script(start .. case[2])
-    check.equal(status, 1)
-    check.holds(output, "signorini: study.lua:", table.unpack(case, 3))
-  end)
-end
-
-check.done()
+})

@@ -1,7 +1,6 @@
 -- Rigid obstacles that turn: moments, energy, equivalences between shapes and dimensions, ways to solve and to save.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 local runs = require "runs"
 
 local completed, last = runs.completed, runs.last
@@ -119,5 +118,3 @@ check.case("snapshots and files hold the free motion", function()
   end
   check.holds(tostring(model), "frees an obstacle: tool")
 end)
-
-check.done()

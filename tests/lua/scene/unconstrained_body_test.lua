@@ -1,22 +1,17 @@
 -- An unconstrained body: damped motion to contact, its load, and sliding off where friction ends.
 
-local sg = require "signorini"
-local check = require "check"
+require "check"
 local other_warnings = require "other_warnings"
 
 local mu, press, width = 0.3, 0.1, 2
 
 --- A block above a rigid plane, loaded from above.
 local function falling(gap)
-  local block = sg.body{
-    patch = sg.shapes.rectangle{ width = width, height = 1, corner = {0, gap} }, elements = {4, 2}, order = "N2",
-    contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 },
-  }
-  return sg.model{
-    bodies = { block = block }, supports = {}, loads = { push = { on = block:face "north", traction = {0, 0} } },
-    contacts = { floor = { slave = block:face "south", master = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} },
-                           penalty = 100, friction = { mu = mu, penalty = 100 } } },
-  }
+  return scenes.model{
+    bodies = { block = { size = {width, 1}, corner = {0, gap}, elements = {4, 2}, contact = "south", E = 10 } },
+    supports = {}, loads = { push = { on = "north", traction = {0, 0} } },
+    contacts = {
+      floor = { slave = "south", master = scenes.floor(), penalty = 100, friction = { mu = mu, penalty = 100 } } } }
 end
 
 check.case("plain Newton's tangent is singular; damping leads to the same equilibrium from any height", function()
@@ -41,18 +36,16 @@ end)
 check.case("damping as a fallback also holds a ball between plates", function()
   local half = sg.nurbs.ruled{ a = sg.nurbs.line{ from = {0, -1}, to = {0, 1} },
                                b = sg.nurbs.arc{ radius = 1, from = -90, to = 90 } }:swap(1, 2)
-  local ball = sg.body{ patch = half, elements = {4, 16}, order = "N2", thickness_degree = 2, contact = "east",
-                        material = sg.linear_elastic{ E = 1, nu = 0.3 } }
+  local ball = scenes.body{ patch = half, elements = {4, 16}, thickness_degree = 2, contact = "east",
+    material = sg.linear_elastic{ E = 1, nu = 0.3 } }
   local force
   for _, controls in ipairs { sg.plain{ damping = true }, sg.robust{}, sg.robust{ predictor = "constant" } } do
-    local top = sg.rigid.plane{ point = {0, 1}, normal = {0, -1} }
-    local bottom = sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }
-    local model = sg.model{
-      kind = "axisymmetric", bodies = { ball = ball },
-      supports = { axis = { on = ball:face "west", fix = "x" }, press = { on = top, drive = "y" } },
-      contacts = { above = { slave = ball:face "east", master = top, penalty = 500 },
-                   below = { slave = ball:face "east", master = bottom, penalty = 500 } },
-    }
+    local top = scenes.ceiling(1)
+    local bottom = scenes.floor(-1)
+    local model = scenes.model{ kind = "axisymmetric", bodies = { ball = ball },
+      supports = { axis = { on = "west", fix = "x" }, press = { on = top, drive = "y" } },
+      contacts = { above = { slave = "east", master = top, penalty = 500 },
+        below = { slave = "east", master = bottom, penalty = 500 } } }
     local run = model:run({ { steps = 4, press = {-0.02} } }, controls)
     check.equal({ run.reason, run.steps }, { "completed", 4 })
     force = force or run:column "press.fy"[4]
@@ -78,8 +71,7 @@ end)
 
 --- A block on a rigid obstacle without friction, which alone holds it.
 local function resting(obstacle, friction)
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 0.5, corner = {-0.5, 0} }, elements = {8, 2},
-                         order = "N2", contact = "south", material = sg.neo_hookean{ E = 10, nu = 0.3 } }
+  local block = scenes.body{ size = {1, 0.5}, corner = {-0.5, 0}, elements = {8, 2}, contact = "south", E = 10 }
   return sg.model{
     bodies = { block = block }, supports = {}, loads = { push = { on = block:face "north", traction = {0, 0} } },
     contacts = { rest = { slave = block:face "south", master = obstacle, penalty = 100, friction = friction } } }
@@ -87,7 +79,7 @@ end
 
 check.case("a completed run tells whether contacts alone hold a body, and stably", function()
   local round = sg.rigid.cylinder{ center = {0, -0.4}, radius = 0.4 }
-  local flat = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }
+  local flat = scenes.floor()
   local cup = sg.rigid.cylinder{ center = {0, 2.96}, radius = 3, inside = true }
   local function warnings(obstacle, controls, friction)
     local model = resting(obstacle, friction)
@@ -112,29 +104,24 @@ check.case("a completed run tells whether contacts alone hold a body, and stably
 end)
 
 check.case("friction holds a block that has landed by damping", function()
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 10, height = 2, corner = {-5, 0.05} }, elements = {8, 2},
-                         order = "N2", contact = "south", material = sg.neo_hookean{ E = 210000, nu = 0.3 } }
-  local base = sg.body{ patch = sg.shapes.rectangle{ width = 14, height = 2, corner = {-7, -2} }, elements = {10, 2},
-                        order = "N2", contact = "north", material = sg.neo_hookean{ E = 210000, nu = 0.3 } }
+  local block = scenes.body{ size = {10, 2}, corner = {-5, 0.05}, elements = {8, 2}, contact = "south", E = 210000 }
+  local base = scenes.body{ size = {14, 2}, corner = {-7, -2}, elements = {10, 2}, contact = "north", E = 210000 }
   for _, friction in ipairs { { mu = 0.2, penalty = 2e6 }, false } do
-    local model = sg.model{ bodies = { block = block, base = base },
-      supports = { bed = { on = base:face "south", fix = "xy" }, push = { on = block:face "north", drive = "y" } },
-      contacts = { c = { slave = block:face "south", master = base:face "north", penalty = 2e6,
-                         friction = friction or nil } } }
+    local model = scenes.model{ bodies = { block = block, base = base },
+      supports = { bed = { on = "base.south", fix = "xy" }, push = { on = "block.north", drive = "y" } },
+      contacts = { c = { slave = "block.south", master = "base.north", penalty = 2e6, friction = friction or nil } } }
     local text = table.concat(model:run{ { steps = 4, push = {-0.055} } }.warnings, " ")
     check.equal(text:find "position" ~= nil, not friction)
   end
 end)
 
 check.case("contact without friction holds a tool that has landed by damping", function()
-  local block = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {-1, -1} }, elements = {16, 4},
-                         order = "N2", contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local block = scenes.body{ size = {2, 1}, corner = {-1, -1}, elements = {16, 4}, contact = "north" }
   local tool = sg.rigid.cylinder{ center = {0, 2.05}, radius = 2 }
   local function landed(obstacle, free)
-    local model = sg.model{ bodies = { block = block },
-      contacts = { c = { slave = block:face "north", master = obstacle } },
-      supports = { bed = { on = block:face "south", fix = "xy" },
-                   grip = { on = obstacle, free = free, fix = free == "y" and "x" or nil } },
+    local model = scenes.model{ bodies = { block = block }, contacts = { c = { slave = "north", master = obstacle } },
+      supports = { bed = { on = "south", fix = "xy" },
+        grip = { on = obstacle, free = free, fix = free == "y" and "x" or nil } },
       loads = { weight = { on = obstacle, force = {0, 0} } } }
     local run = model:run{ { steps = 1, weight = {0, -0.01} } }
     check.equal({ run.reason, run.fallbacks.damping }, { "completed", 1 })
@@ -143,7 +130,5 @@ check.case("contact without friction holds a tool that has landed by damping", f
   end
   check.equal(landed(tool, "y"), false)
   check.equal(landed(tool, "xy"), false)
-  check.equal(landed(sg.rigid.plane{ point = {0, 0}, normal = {0, -1} }, "xy"), true)
+  check.equal(landed(scenes.ceiling(), "xy"), true)
 end)
-
-check.done()

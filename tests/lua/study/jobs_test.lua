@@ -1,7 +1,6 @@
 -- Jobs in parallel processes, as the library in lua/ uses them.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 --- What jobs left behind: text or failure by number, and the order of their ends.
 local function gather(count, at_once, run, limit)
@@ -111,5 +110,3 @@ check.case("models are solved in jobs of a program that has used threads", funct
   check.holds(output, "same")
   check.equal(status, 0)
 end)
-
-check.done()

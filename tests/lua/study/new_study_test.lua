@@ -1,7 +1,6 @@
 -- signorini --new: the study that it writes runs, editors find the definitions, and nothing that exists is overwritten.
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 local folder = check.folder()
 
@@ -70,5 +69,3 @@ check.case("a file that exists stays, a folder must be there, and the name ends 
   check.equal(status, 2)
   check.holds(output, "--new must be followed by the name of a file")
 end)
-
-check.done()

@@ -1,18 +1,8 @@
 -- What tasks of Slurm do, without Slurm: its signals, its command scontrol and a full disk are imitated.
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 local chunks = require "signorini.study.chunks"
 local lists = require "signorini.call.lists"
-
---- Waits for an event; the number of looks bounds the time, which is not measured.
-local function await(what, happened)
-  for _ = 1, 300 do
-    if happened() then return end
-    os.execute "sleep 0.1"
-  end
-  error("not seen: " .. what, 2)
-end
 
 -- Cases that save checkpoints, but do not resume where the file `again` is there; or cases with large results.
 local script = [[
@@ -64,12 +54,12 @@ local task = ("'%s' --chunk out/short/jobs/1/job.json:1 study.lua"):format(arg[-
 local function start_task(folder, step)
   os.remove(folder .. "/step")
   local id = shell(folder, task .. " >log 2>&1 & echo $!"):match "%d+"
-  await("step " .. step, function()
+  check.await("step " .. step, function()
     local ok, text = pcall(core.read_file, folder .. "/step")
     return ok and (tonumber(text) or 0) >= step
   end)
   check.shell("kill -USR1 " .. id)
-  await("the end of the task", function() return check.shell("ps -o state= -p " .. id):find "^[^Z]" == nil end)
+  check.await("the end of the task", function() return check.shell("ps -o state= -p " .. id):find "^[^Z]" == nil end)
   return core.read_file(folder .. "/log")
 end
 
@@ -122,9 +112,7 @@ local function makespan(packed, costs)
   local largest, all = 0, {}
   for _, chunk in ipairs(packed) do
     local sum = 0
-    for _, case in ipairs(chunk) do
-      all[#all + 1], sum = case, sum + costs[case]
-    end
+    for _, case in ipairs(chunk) do all[#all + 1], sum = case, sum + costs[case] end
     largest = math.max(largest, sum)
   end
   table.sort(all)
@@ -177,5 +165,3 @@ check.case("chunks respect the number of tasks, the time limit and the slots; un
   check.equal({ pack(1000, none, { size = "auto", slots = 5, most = 1000 }) }, { 20, 5000 })
   check.equal({ pack(25, hundred, { size = 10, slots = 5, most = 1000 }) }, { 3, 1000 })
 end)
-
-check.done()

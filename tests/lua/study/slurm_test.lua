@@ -1,8 +1,7 @@
 -- Studies on Slurm: the tables are those of a local execution, bit by bit, and each case is done once, although tasks
 -- are killed, a node is drained and a time limit hits. On a cluster of two nodes that the test starts on this machine.
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 local here = core.home .. "/tests"
 local cluster = check.folder()
@@ -18,15 +17,6 @@ end
 --- The script in a folder, with the words of a command line.
 local function signorini(folder, words) return shell(folder, ("'%s' study.lua %s"):format(arg[-1], words)) end
 
---- Waits for an event; the number of looks bounds the time, which is not measured.
-local function await(what, happened)
-  for _ = 1, 3000 do
-    if happened() then return end
-    os.execute "sleep 0.1"
-  end
-  error("not seen: " .. what, 2)
-end
-
 -- Ironing with friction by 40 depths. Each case notes that it has ended. Cases 2 and 6 wait for the file `go`; case 40
 -- saves checkpoints, and as long as the file `slow` is there its steps take a second each. Tasks note their process and
 -- its parent, which reports to Slurm how the task has ended.
@@ -37,18 +27,7 @@ local exists = require "signorini.core".exists
 local task = os.getenv "SLURM_ARRAY_TASK_ID"
 if task then os.execute("echo $PPID $(ps -o ppid= -p $PPID) >task-" .. task) end
 local function solve(case, checkpoint)
-  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
-                       elements = {6, 2}, order = "N2", contact = "south",
-                       material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {8, 3}, order = "N2",
-                        contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local model = sg.model{
-    bodies = { die = die, slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" },
-                 grip = { on = {die:face "west", die:face "east"}, drive = "xy" } },
-    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
-                               friction = { mu = 0.2, penalty = 100 } } },
-  }
+  local model = sg.scenes.ironing{ order = "N2", mu = 0.2 }
   while (case.n == 2 or case.n == 6) and not exists "go" do os.execute "sleep 0.1" end
   local long = case.n == 40
   local depth = -0.15 - 0.001 * case.n
@@ -107,25 +86,25 @@ check.case("40 cases, two killed tasks, a drained node, a time limit: the same t
   -- A call waits for the job.
   local call = ("'%s' study.lua --on slurm >output 2>errors; echo $? >status"):format(arg[-1])
   check.shell(("(cd '%s' && export %s && %s) >/dev/null 2>&1 & true"):format(remotely, slurm, call))
-  await("cases 2 and 6", function() return claimed(remotely, 2) and claimed(remotely, 6) end)
+  check.await("cases 2 and 6", function() return claimed(remotely, 2) and claimed(remotely, 6) end)
   shell(remotely, "scontrol update nodename=n1 state=drain reason=test")
   shell(remotely, "kill -KILL $(cut -d' ' -f1 task-1)")
   shell(remotely, "scancel 1_2")
-  await("a drained node", function() return shell(remotely, "sinfo -h -n n1 -o %T"):find "^drained" end)
+  check.await("a drained node", function() return shell(remotely, "sinfo -h -n n1 -o %T"):find "^drained" end)
   shell(remotely, "scontrol update nodename=n1 state=resume")
   touch(remotely, "go")
-  await("the time limit of case 40", function()
+  check.await("the time limit of case 40", function()
     local log = remotely .. "/out/ironing/jobs/1/task-10.log"
     return core.exists(log) and core.read_file(log):find("1 case left: this task returns to the queue", 1, true)
   end)
-  await("the end of task 10", function()
+  check.await("the end of task 10", function()
     return shell(remotely, "ps -o state= -p $(cut -d' ' -f2 task-10)"):find "^[^Z]" == nil -- a zombie may remain
   end)
   os.remove(remotely .. "/slow")
   -- After requeuing Slurm lets tasks wait for two minutes, because the node refuses to start a task in the second in
   -- which it has revoked the task's credential.
   shell(remotely, "scontrol update jobid=1_10 starttime=now+2")
-  await("the end of the job", function() return core.exists(remotely .. "/status") end)
+  check.await("the end of the job", function() return core.exists(remotely .. "/status") end)
 
   -- It tells which cases have been lost; the next one solves them.
   local errors = core.read_file(remotely .. "/errors")
@@ -191,7 +170,7 @@ check.case("wait = false returns; the job is watched, gathered in part, not subm
   local output, status = signorini(folder, "--on slurm wait=no")
   check.equal(status, 0)
   check.holds(output, "6 cases in 3 tasks")
-  await("two cases", function()
+  check.await("two cases", function()
     output, status = signorini(folder, "--on local")
     check.equal(status, 0)
     return output:find("2 of 6 taken", 1, true)
@@ -221,10 +200,11 @@ check.case("a task solves `cores` cases at a time; Ctrl-C ends the waiting only,
   touch(folder, "hold")
   local call = ("'%s' study.lua --on slurm chunk=6 cores=2"):format(arg[-1])
   local waiting = shell(folder, ("exec %s >output 2>&1 & echo $!"):format(call)):match "%d+"
-  await("two cases at a time", function() return begun(folder, 3) and begun(folder, 4) end)
+  check.await("two cases at a time", function() return begun(folder, 3) and begun(folder, 4) end)
   check.equal(begun(folder, 5), false)
   check.shell("kill -INT " .. waiting)
-  await("the end of waiting", function() return check.shell("ps -o state= -p " .. waiting):find "^[^Z]" == nil end)
+  check.await("the end of waiting", function()
+    return check.shell("ps -o state= -p " .. waiting):find "^[^Z]" == nil end)
   check.holds(core.read_file(folder .. "/output"), "no longer waiting; the jobs continue. Hint: the same call waits",
     "study.lua:17: interrupted")
   check.equal(begun(folder, 3) and begun(folder, 4), true)
@@ -290,7 +270,7 @@ check.case("the task of a node that fails returns to the queue and continues on 
   touch(folder, "hold")
   local output, status = signorini(folder, "--on slurm chunk=6 wait=no")
   check.equal(status, 0)
-  await("case 3", function() return begun(folder, 3) end)
+  check.await("case 3", function() return begun(folder, 3) end)
   local job, node = output:match "job (%d+)", shell(folder, "squeue -h -o %N"):match "n%d"
   -- All of the node's processes end: slurmd, the task's slurmstepd, the task and its case. Slurm would notice after its
   -- SlurmdTimeout.
@@ -300,7 +280,7 @@ check.case("the task of a node that fails returns to the queue and continues on 
   shell(folder, ("kill -KILL $(cat '%s/slurmd.%s.pid') $(ps -o ppid= -p %s) %s"):format(cluster, node, task,
     table.concat(others, " ")))
   shell(folder, ("scontrol update nodename=%s state=down reason=test"):format(node))
-  await("the queue", function() return shell(folder, "squeue -h -o '%i %T'") == job .. "_1 PENDING\n" end)
+  check.await("the queue", function() return shell(folder, "squeue -h -o '%i %T'") == job .. "_1 PENDING\n" end)
   os.remove(folder .. "/hold")
   shell(folder, ("scontrol update jobid=%s_1 starttime=now+2"):format(job)) -- as above
   output, status = signorini(folder, "--on slurm")
@@ -312,4 +292,3 @@ check.case("the task of a node that fails returns to the queue and continues on 
 end)
 
 check.shell(("'%s/slurm/cluster' stop '%s'"):format(here, cluster))
-check.done()

@@ -1,7 +1,6 @@
 -- Studies on hosts that are reached by ssh: the hosts are aliases of this machine, with an sshd that the test starts.
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 local here = core.home .. "/tests"
 local hosts = check.folder()
@@ -15,15 +14,6 @@ end
 
 --- The script in a folder, with the words of a command line.
 local function signorini(folder, words) return shell(folder, ("'%s' study.lua %s"):format(arg[-1], words)) end
-
---- Waits for an event; the number of looks bounds the time, which is not measured.
-local function await(what, happened)
-  for _ = 1, 1200 do
-    if happened() then return end
-    os.execute "sleep 0.1"
-  end
-  error("not seen: " .. what, 2)
-end
 
 -- Cases that note that they have ended. Those above 2 wait as long as the file `hold` is there, and case 6 as long as
 -- `hold6` is.
@@ -59,9 +49,7 @@ end
 local function touch(folder, name) core.write_file(("%s/%s"):format(folder, name), "") end
 
 --- How often cases have ended, in increasing order.
-local function ended(folder)
-  return (check.shell(("sort -n '%s/ended' | tr '\n' ' '"):format(folder)))
-end
+local function ended(folder) return (check.shell(("sort -n '%s/ended' | tr '\n' ' '"):format(folder))) end
 
 --- The number of the chunk that has claimed a case; nil without a claim.
 local function owner(folder, n)
@@ -99,10 +87,10 @@ check.case("dry_run writes scripts that work, and starts nothing", function()
   check.equal(core.exists(folder .. "/ended"), false)
   touch(folder, "hold")
   shell(folder, "ssh h1 sh <'out/a 100% b/jobs/1/host-1.sh'")
-  await("two cases at a time", function() return owner(folder, 3) and owner(folder, 4) end)
+  check.await("two cases at a time", function() return owner(folder, 3) and owner(folder, 4) end)
   check.equal(owner(folder, 5), nil)
   os.remove(folder .. "/hold")
-  await("the last case", function() return ended(folder) == "1 2 3 4 5 6 " end)
+  check.await("the last case", function() return ended(folder) == "1 2 3 4 5 6 " end)
 end)
 
 check.case("wait = false returns; the job is gathered, watched, not submitted again, and cancelled", function()
@@ -110,7 +98,7 @@ check.case("wait = false returns; the job is gathered, watched, not submitted ag
   touch(folder, "hold")
   local output, status = signorini(folder, "--on ssh:h1,ssh:h2 wait=no")
   check.equal(status, 0)
-  await("two cases", function() return owner(folder, 3) and owner(folder, 4) end)
+  check.await("two cases", function() return owner(folder, 3) and owner(folder, 4) end)
   output, status = signorini(folder, "--on ssh:h1,ssh:h2 wait=no")
   check.equal(status, 0)
   check.holds(output, "2 of 6 taken", "4 cases with h1, h2", "2       4")
@@ -129,7 +117,7 @@ check.case("the cases of a host that fails are reported, and solved by the next 
   local folder = new_folder()
   touch(folder, "hold")
   signorini(folder, "--on ssh:h1,ssh:h2 wait=no")
-  await("two cases", function() return owner(folder, 3) and owner(folder, 4) end)
+  check.await("two cases", function() return owner(folder, 3) and owner(folder, 4) end)
   local number = tonumber(owner(folder, 3))
   check.shell("kill -KILL -" .. process(folder, number))
   os.remove(folder .. "/hold")
@@ -144,7 +132,7 @@ check.case("a host that does not answer keeps its cases until it answers or is g
   local folder = new_folder()
   touch(folder, "hold6")
   signorini(folder, "--on ssh:h1 wait=no")
-  await("case 6", function() return owner(folder, 6) end)
+  check.await("case 6", function() return owner(folder, 6) end)
   core.write_file(hosts .. "/config", (config:gsub("Port %d+", "Port 1", 1)))
   local output, status = signorini(folder, "--on ssh:h1")
   check.equal(status, 1)
@@ -185,4 +173,3 @@ check.case("wrong hosts are refused at the user's line; other versions are repor
 end)
 
 check.shell(("'%s/ssh/hosts' stop '%s'"):format(here, hosts))
-check.done()

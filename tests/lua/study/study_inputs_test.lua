@@ -1,7 +1,6 @@
 -- What a study's results depend on: a case whose inputs have changed is solved again, others are taken from the folder.
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 check.case("a changed parameter, function or number that run refers to makes a case run again, and is named", function()
   local script = [[
@@ -113,5 +112,3 @@ check.case("another version of the program solves again, unless inputs are given
     check.holds(output(), "0 solved")
   end
 end)
-
-check.done()

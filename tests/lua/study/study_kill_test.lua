@@ -2,8 +2,7 @@
 -- tables: what was finished stays, no file is incomplete, and the results are those of an undisturbed study. More:
 --   signorini tests/lua/study/study_kill_test.lua 200
 
-local check = require "check"
-local core = require "signorini.core"
+require "check"
 
 local kills = tonumber(arg[1] or 3)
 
@@ -108,5 +107,3 @@ check.case(("killed at %d random moments"):format(kills), function()
   end
   print(("%d kills in %d studies, %d results: all as undisturbed"):format(sent, studies, results))
 end)
-
-check.done()
