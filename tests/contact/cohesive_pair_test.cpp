@@ -1,6 +1,5 @@
 // Bonded faces in 2D and 3D: tangent, symmetry, balance of forces, energies, history.
-#include "contact/faces3d.hpp"
-#include "contact/tangents.hpp"
+#include "contact/moved.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -10,87 +9,42 @@ namespace cohesive_pair_test {
 
 using namespace test;
 
-/// Faces that coincide at first, with all displacements in one vector: of the slave body, then of the master body or
-/// the obstacle.
-template <int D> struct Bonded {
-  nurbs::Discretization die;
-  std::optional<nurbs::Discretization> base;
-  Pair<D> pair;
-  VectorX u;
-
+/// Faces that coincide at first.
+template <int D> struct Bonded : Moved<D, Bonded<D>> {
   Bonded(nurbs::Discretization slave, const std::string& side, nurbs::Discretization master,
          const std::string& master_side, const Law& law, bool revolved = false)
-      : die(std::move(slave)), base(std::move(master)),
-        pair(Surface<D>(die, nurbs::side_of(side, D)), Surface<D>(*base, nurbs::side_of(master_side, D)), law, 4,
-             revolved),
-        u(VectorX::Zero(first_extra())) {
-    evaluate();
-    pair.accept();
+      : Moved<D, Bonded>(std::move(slave), side, std::move(master), master_side, law, 4, revolved) {
+    this->evaluate().accept();
   }
   Bonded(nurbs::Discretization slave, const std::string& side, const Obstacle<D>& master, const Law& law,
          bool revolved = false)
-      : die(std::move(slave)), pair(Surface<D>(die, nurbs::side_of(side, D)), master, law, 4, revolved),
-        u(VectorX::Zero(first_extra())) {
-    evaluate();
-    pair.accept();
+      : Moved<D, Bonded>(std::move(slave), side, master, law, 4, revolved) {
+    this->evaluate().accept();
   }
-  int die_dofs() const { return D * die.functions(); }
-  int base_dofs() const { return base ? D * base->functions() : D; }
-  int first_extra() const { return die_dofs() + base_dofs(); }
-  void evaluate() { pair.evaluate(u.data(), u.data() + die_dofs()); }
-  Dense dense() const { return test::dense(pair, die_dofs(), base_dofs()); }
-  void move_die(const Vec<D>& by) {
-    for (int i = 0; i < die_dofs(); i += D) u.template segment<D>(i) += by;
-  }
-  void shake(Random& random, double size) {
-    for (int i = 0; i < u.size(); ++i) u(i) += uniform(random, -size, size);
-  }
-  void place_die(const Vec<D>& at) {
-    u.setZero();
-    move_die(at);
-    evaluate();
+  Bonded& place_die(const Vec<D>& at) {
+    this->u.setZero();
+    return this->move_die(at).evaluate();
   }
 };
 
-struct Counts {
-  int compared = 0, stepped_over = 0, bonded = 0, stick = 0, slip = 0, open = 0, opening = 0, elsewhere = 0;
-};
-
-template <int D> void compare(Bonded<D>& couple, Random& random, bool symmetric, Counts& counts) {
-  couple.evaluate();
-  const Dense at = couple.dense();
+template <int D> void compare(Bonded<D>& couple, Random& random, bool symmetric, Census& census) {
+  const Dense at = couple.evaluate().dense();
   if (symmetric) {
     EXPECT_LE((at.tangent - at.tangent.transpose()).norm(), 1e-12 * at.tangent.norm());
   }
-  Counts here = counts;
-  for (const auto& point : couple.pair.results())
-    ++(point.state == ContactState::bonded  ? here.bonded
-       : point.state == ContactState::stick ? here.stick
-       : point.state == ContactState::slip  ? here.slip
-                                            : here.open);
-  for (std::size_t i = 0; i < couple.pair.present().bonds.size(); ++i)
-    here.opening += couple.pair.present().bonds[i].largest > couple.pair.history().bonds[i].largest;
-  for (const Block& block : couple.pair.blocks()) here.elsewhere += block.slip_element >= 0;
-  ++here.compared;
-  const bool compared = holds_in_random_directions(couple, at, random);
-  couple.evaluate();
-  if (compared)
-    counts = here;
-  else
-    ++counts.stepped_over;
+  compare_with_differences(couple, random, census);
 }
 
 /// Lifts, lowers, presses and drags the die, in directions e_last and e_first.
-template <int D> void move_and_compare(Bonded<D>& couple, unsigned seed, bool symmetric, Counts& counts) {
+template <int D> void move_and_compare(Bonded<D>& couple, unsigned seed, bool symmetric, Census& census) {
   Random random(seed);
   const Vec<D> up = Vec<D>::Unit(D - 1), along = Vec<D>::Unit(0);
   const std::vector<Vec<D>> path = {
       0.005 * up, 0.02 * up + 0.01 * along,  -0.012 * up,   -0.016 * up + 0.01 * along, 0.02 * along,
       0.05 * up,  -0.06 * up + 0.03 * along, -0.004 * along};
   for (const Vec<D>& move : path) {
-    couple.move_die(move);
-    couple.shake(random, 4e-4);
-    compare(couple, random, symmetric, counts);
+    couple.move_die(move).shake(random, 4e-4);
+    compare(couple, random, symmetric, census);
     couple.pair.accept();
   }
 }
@@ -112,7 +66,7 @@ nurbs::Discretization ring(double inner, double outer, int elements, const std::
 }
 
 TEST(CohesivePair, TangentIsTheForcesDerivativeInThePlane) {
-  Counts counts;
+  Census census;
   for (const Cohesion& cohesion : {exponential, bilinear})
     for (const bool revolved : {false, true}) {
       std::vector<Bonded<2>> couples;
@@ -122,28 +76,21 @@ TEST(CohesivePair, TangentIsTheForcesDerivativeInThePlane) {
                            revolved);
       unsigned seed = 1;
       // Points of the ring move beyond the master's ends, where the area fades.
-      for (auto& couple : couples) move_and_compare(couple, seed++, &couple != &couples[2], counts);
+      for (auto& couple : couples) move_and_compare(couple, seed++, &couple != &couples[2], census);
     }
-  EXPECT_GE(counts.compared, 50) << counts.stepped_over << " states lay on a change of state";
-  EXPECT_GT(counts.bonded, 300);
-  EXPECT_GT(counts.stick, 300);
-  EXPECT_GT(counts.open, 50);
-  EXPECT_GT(counts.opening, 300);
-  EXPECT_GT(counts.elsewhere, 5);
+  census.expect({.states = 50, .open = 50, .stick = 300, .bonded = 300, .opening = 300, .elsewhere = 5});
 }
 
 TEST(CohesivePair, TangentIsTheForcesDerivativeWithFriction) {
-  Counts counts;
+  Census census;
   for (const Cohesion& cohesion : {exponential, bilinear}) {
     std::vector<Bonded<2>> couples;
     couples.emplace_back(strip("N2"), "south", ground(5), "north", with(cohesion, 0.3));
     couples.emplace_back(strip("N3"), "south", make_plane<2>({0, 0}, {0, 1}), with(cohesion, 0.3));
     unsigned seed = 11;
-    for (auto& couple : couples) move_and_compare(couple, seed++, false, counts);
+    for (auto& couple : couples) move_and_compare(couple, seed++, false, census);
   }
-  EXPECT_GE(counts.compared, 15) << counts.stepped_over << " states lay on a change of state";
-  EXPECT_GT(counts.stick, 40);
-  EXPECT_GT(counts.slip, 40);
+  census.expect({.states = 15, .stick = 40, .slip = 40});
 }
 
 TEST(CohesivePair, TangentIsTheForcesDerivativeInSpace) {
@@ -156,7 +103,7 @@ TEST(CohesivePair, TangentIsTheForcesDerivativeInSpace) {
     return nurbs::Discretization(
         nurbs::block({1 + 2 * margin, 1 + 2 * margin, 0.5}, Eigen::Vector3d(-margin, -margin, z)), plan);
   };
-  Counts counts;
+  Census census;
   for (const double mu : {0.0, 0.3}) {
     std::vector<Bonded<3>> couples;
     couples.emplace_back(block(0, 0, {2, 2, 1}, "front"), "front", block(-0.5, 0.2, {3, 2, 1}, "back"), "back",
@@ -164,12 +111,9 @@ TEST(CohesivePair, TangentIsTheForcesDerivativeInSpace) {
     couples.emplace_back(block(0, 0, {2, 1, 1}, "front"), "front", make_plane<3>({0, 0, 0}, {0, 0, 1}),
                          with(bilinear, mu));
     unsigned seed = 21;
-    for (auto& couple : couples) move_and_compare(couple, seed++, mu == 0, counts);
+    for (auto& couple : couples) move_and_compare(couple, seed++, mu == 0, census);
   }
-  EXPECT_GE(counts.compared, 18) << counts.stepped_over << " states lay on a change of state";
-  EXPECT_GT(counts.bonded, 100);
-  EXPECT_GT(counts.stick, 100);
-  EXPECT_GT(counts.slip, 20);
+  census.expect({.states = 18, .stick = 100, .slip = 20, .bonded = 100});
 }
 
 /// Forces and moments vanish in sum without friction, because each acts along the line between its two points.
@@ -177,26 +121,8 @@ TEST(CohesivePair, ForcesAndMomentsBalance) {
   Bonded<2> couple(ring(0.5, 1, 6, "south"), "south", ring(1, 1.4, 5, "north"), "north", with(exponential));
   Random random(5);
   for (const double lift : {0.02, -0.01}) {
-    couple.move_die({0.01, lift});
-    couple.shake(random, 1e-3);
-    couple.evaluate();
-    const VectorX force = couple.dense().force;
-    const MatrixX die = couple.die.points(), base = couple.base->points();
-    Vec<2> sum = Vec<2>::Zero(), on_slave = Vec<2>::Zero();
-    double moment = 0, size = 0;
-    for (int i = 0; i < couple.u.size(); i += 2) {
-      const bool first = i < couple.die_dofs();
-      const Vec<2> x = Vec<2>(first ? die.col(i / 2) : base.col((i - couple.die_dofs()) / 2)) + couple.u.segment<2>(i);
-      const Vec<2> f = force.segment<2>(i);
-      sum += f;
-      if (first) on_slave += f;
-      moment += x(0) * f(1) - x(1) * f(0);
-      size += f.norm();
-    }
-    EXPECT_LT(sum.norm(), 1e-13 * size);
-    EXPECT_LT(std::abs(moment), 1e-12 * size);
-    // The residual holds minus the force on the slave.
-    EXPECT_LT((on_slave + couple.pair.resultant().force).norm(), 1e-12 * size);
+    couple.move_die({0.01, lift}).shake(random, 1e-3);
+    expect_balanced(couple, 0, 1e-12);
   }
 }
 

@@ -85,10 +85,7 @@ TEST(Degrees, TangentIsTheForcesDerivative) {
     sum.add(press_and_drag(Couple(nurbs::test::strip(1, {2, 4, 3}, "south"), "south", wavy(random, 3, 0.1, 2, 5),
                                   PenaltyLaw{100, 50, 0.3}, 6),
                            ++seed, 0.04, {3e-4, 0.05}));
-  EXPECT_GE(sum.states, 12) << sum.stepped_over << " states lay on a change of state";
-  EXPECT_GT(sum.stick, 40);
-  EXPECT_GT(sum.slip, 40);
-  EXPECT_GT(sum.elsewhere, 3);
+  sum.expect({.states = 12, .stick = 40, .slip = 40, .elsewhere = 3});
 }
 
 } // namespace degrees_test

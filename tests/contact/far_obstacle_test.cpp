@@ -138,8 +138,7 @@ TEST(FarObstacle, TangentIsTheForcesDerivative) {
 template <class Look> void wander(Couple3& couple, const Look& look) {
   couple.touch();
   for (const Vec<3>& by : {Vec<3>(0, 0, -0.02), Vec<3>(1e-4, 0, 0), Vec<3>(0.03, 0.02, 0), Vec<3>(-0.01, 0, -0.01)}) {
-    couple.move_die(by);
-    couple.evaluate();
+    couple.move_die(by).evaluate();
     look(couple);
     couple.pair.accept();
   }

@@ -102,9 +102,7 @@ TEST(LevelSet, TangentIsTheForcesDerivativeInEveryState) {
     for (const Obstacle<2>& obstacle : obstacles)
       sum.add(press_and_drag(Couple("N2-N2.1", obstacle, PenaltyLaw{100, 100, mu}, 1.3, 0.1), ++seed, 0.06,
                              {1e-3, 0.1, 0.25}));
-  EXPECT_GE(sum.states, 15) << sum.stepped_over << " states lay on a change of state";
-  EXPECT_GT(sum.stick, 20);
-  EXPECT_GT(sum.slip, 20);
+  sum.expect({.states = 15, .stick = 20, .slip = 20});
 }
 
 /// Forces along a path with stick and slip, of all kinds of enforcement.
@@ -114,11 +112,9 @@ TEST(LevelSet, HasTheForcesOfClosedForms) {
   const auto path = [](const Obstacle<2>& obstacle, const Law& law, Census& census) {
     std::vector<VectorX> forces;
     Couple couple("N2", obstacle, law, 1.33, 0.1);
-    couple.touch();
-    couple.move_die(0, -0.05);
+    couple.touch().move_die(0, -0.05);
     for (double drag : {0.0, 0.001, 0.03, 0.05, -0.02, -0.1, 0.08}) {
-      couple.move_die(drag, 0);
-      couple.evaluate();
+      couple.move_die(drag, 0).evaluate();
       forces.push_back(couple.dense().force);
       census.count(couple.pair);
       couple.pair.accept();

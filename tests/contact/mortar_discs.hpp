@@ -29,9 +29,7 @@ Couple pressed_disc(const std::string& label, AnyMaster master, const Law& own, 
 inline Couple block_beyond_ends(Random& random, const Law& law) {
   Couple couple(discretize(nurbs::rectangle(1, 0.5, Eigen::Vector2d(1, 1)), {6, 1}, "N2", "south"), "south",
                 discretize(nurbs::rectangle(0.55, 1, Eigen::Vector2d(1.2, 0)), {4, 1}, "N2", "north"), law, 5);
-  couple.shake(random, 0.005);
-  couple.evaluate();
-  couple.pair.accept();
+  couple.shake(random, 0.005).evaluate().accept();
   return couple;
 }
 

@@ -34,20 +34,15 @@ TEST(ObstaclePair, TangentIsTheForcesDerivativeInEveryState) {
       for (const Obstacle<2>& obstacle : obstacles(random))
         sum.add(press_and_drag(Couple("N2-N2.1", obstacle, PenaltyLaw{100, 100, mu}, 1.3, 0.1), ++seed, 0.06,
                                {1e-3, 0.1, 0.25}));
-  EXPECT_GE(sum.states, 50) << sum.stepped_over << " states lay on a change of state";
-  EXPECT_GT(sum.open, 500);
-  EXPECT_GT(sum.stick, 100);
-  EXPECT_GT(sum.slip, 100);
+  sum.expect({.states = 50, .open = 500, .stick = 100, .slip = 100});
   EXPECT_EQ(sum.elsewhere, 0); // one node for all slip points
 }
 
 /// Presses and drags back and forth, with friction; calls look(couple) in every state.
 void wander(Couple& couple, const std::function<void(Couple&)>& look) {
-  couple.touch();
-  couple.move_die(0, -0.05);
+  couple.touch().move_die(0, -0.05);
   for (double drag : {0.0, 0.001, 0.03, 0.05, -0.02, -0.1, 0.08}) {
-    couple.move_die(drag, 0);
-    couple.evaluate();
+    couple.move_die(drag, 0).evaluate();
     look(couple);
     couple.pair.accept();
   }
@@ -146,8 +141,7 @@ std::vector<Resultant<2>> around(const Obstacle<2>& disc, double start, double t
   const nurbs::Patch facing =
       nurbs::translate(nurbs::rotate(arc, start - 90, Eigen::Vector2d(0, 0)), (radius + 0.5) * direction(start));
   Couple couple(discretize(facing, {6, 2}, "N2", "south"), "south", disc, PenaltyLaw{100, 100, 0.2}, 9);
-  couple.evaluate();
-  couple.pair.accept();
+  couple.evaluate().accept();
   const MatrixX points = couple.die.points();
   std::vector<Resultant<2>> results;
   for (int step = 0; step <= steps; ++step) {

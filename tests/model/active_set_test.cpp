@@ -216,9 +216,9 @@ TEST(ActiveSet, ListsCyclingPointsByNumberOfChanges) {
   const std::vector<PointIndex> cycling = set.cycling_points();
   ASSERT_EQ(cycling.size(), 6u);
   for (int i = 0; i < 6; ++i) {
-    EXPECT_EQ(cycling[static_cast<std::size_t>(i)].contact, 0);
-    EXPECT_EQ(cycling[static_cast<std::size_t>(i)].point, 6 + i);
-    EXPECT_EQ(strip.contacts[0]->points().list[static_cast<std::size_t>(6 + i)].element, i < 3 ? 2 : 3);
+    EXPECT_EQ(cycling[i].contact, 0);
+    EXPECT_EQ(cycling[i].point, 6 + i);
+    EXPECT_EQ(strip.contacts[0]->points().list[6 + i].element, i < 3 ? 2 : 3);
   }
   EXPECT_TRUE(set.cycling_past_end().empty());
   // Old evaluations are ignored.

@@ -40,9 +40,8 @@ template <int D> struct Bench {
     const solve::Pattern& pattern = assembly.tangent().pattern;
     MatrixX full = MatrixX::Zero(pattern.size, pattern.size);
     for (int j = 0; j < pattern.size; ++j)
-      for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1];
-           ++k)
-        full(pattern.rows[static_cast<std::size_t>(k)], j) = assembly.tangent().values[static_cast<std::size_t>(k)];
+      for (int k = pattern.starts[j]; k < pattern.starts[j + 1]; ++k)
+        full(pattern.rows[k], j) = assembly.tangent().values[k];
     return full;
   }
   /// Discrete state, which finite differences must not change.

@@ -120,7 +120,7 @@ TEST(Condensed, ContactGrowsBeyondTheContactUnknowns) {
   // All unknowns on which contacts act are contact unknowns.
   const MatrixX with = bench.tangent();
   std::vector<char> watched(static_cast<std::size_t>(bench.unknowns.size()), false);
-  for (int i : bench.assembly.contact().unknowns()) watched[static_cast<std::size_t>(i)] = true;
+  for (int i : bench.assembly.contact().unknowns()) watched[i] = true;
   VectorX nowhere = u;
   for (int i = 1; i < bench.unknowns.obstacle_offset(0); i += 2) nowhere(i) = 1;
   bench.residual(nowhere);
@@ -128,7 +128,7 @@ TEST(Condensed, ContactGrowsBeyondTheContactUnknowns) {
   for (int i = 0; i < contact.rows(); ++i)
     for (int j = 0; j < contact.cols(); ++j)
       if (std::abs(contact(i, j)) > 1e-12) {
-        EXPECT_TRUE(watched[static_cast<std::size_t>(i)] && watched[static_cast<std::size_t>(j)]);
+        EXPECT_TRUE(watched[i] && watched[j]);
       }
 }
 

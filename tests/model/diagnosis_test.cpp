@@ -35,9 +35,8 @@ struct Matrix {
     std::iota(all.begin(), all.end(), 0);
     pattern = solve::couple(static_cast<int>(full.rows()), {all});
     for (int j = 0; j < pattern.size; ++j)
-      for (int k = pattern.starts[static_cast<std::size_t>(j)]; k < pattern.starts[static_cast<std::size_t>(j) + 1];
-           ++k)
-        values.push_back(full(pattern.rows[static_cast<std::size_t>(k)], j));
+      for (int k = pattern.starts[j]; k < pattern.starts[static_cast<std::size_t>(j) + 1]; ++k)
+        values.push_back(full(pattern.rows[k], j));
   }
 };
 

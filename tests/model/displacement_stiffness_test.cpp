@@ -30,7 +30,7 @@ MatrixX dense(const Stiffness& k) {
   MatrixX result = MatrixX::Zero(k.pattern.size, k.pattern.size);
   for (int j = 0; j < k.pattern.size; ++j)
     for (int i = 0; i < k.pattern.size; ++i)
-      if (const int place = k.pattern.find(i, j); place >= 0) result(i, j) = k.values[static_cast<std::size_t>(place)];
+      if (const int place = k.pattern.find(i, j); place >= 0) result(i, j) = k.values[place];
   return result;
 }
 

@@ -1,6 +1,7 @@
 // Fields of both laws in plane strain and axisymmetric, also on the axis.
 #include "model/results/sample.hpp"
 #include "model/scenes.hpp"
+#include "nurbs/plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,13 +15,8 @@ using namespace test;
 
 /// A disc of radius 1.5 and height 0.5 (plane strain: a rectangle) with given supports on its faces.
 Scene<2> disc(const solid::Material& material, solid::Kind kind, const std::vector<Grip>& grips) {
-  nurbs::Plan plan;
-  plan.elements = {3, 2};
-  plan.contact = {nurbs::side_of("north", 2)};
-  plan.labels = {nurbs::parse_label("N2")};
-  plan.thickness_degree = 2;
-  const auto space =
-      std::make_shared<const nurbs::Discretization>(nurbs::rectangle(1.5, 0.5, Eigen::Vector2d(0, 0)), plan);
+  const auto space = std::make_shared<const nurbs::Discretization>(nurbs::rectangle(1.5, 0.5, Eigen::Vector2d(0, 0)),
+                                                                   nurbs::test::plan_of({3, 2}, "north", "N2", 2));
   Scene<2> scene;
   scene.kind = kind;
   scene.bodies.push_back({"disc", std::make_shared<const solid::Body<2>>(space, material, kind)});
@@ -84,11 +80,7 @@ TEST(Field, StressesAreContinuousUpToTheAxis) {
 
 /// A block of one element of order N4.
 Scene<2> block(const nurbs::Patch& patch) {
-  nurbs::Plan plan;
-  plan.elements = {1, 1};
-  plan.contact = {nurbs::side_of("north", 2)};
-  plan.labels = {nurbs::parse_label("N4")};
-  const auto space = std::make_shared<const nurbs::Discretization>(patch, plan);
+  const auto space = std::make_shared<const nurbs::Discretization>(patch, nurbs::test::plan_of({1, 1}, "north", "N4"));
   Scene<2> scene;
   scene.bodies.push_back(
       {"block", std::make_shared<const solid::Body<2>>(space, solid::neo_hookean(1, 0.3), solid::Kind::plane_strain)});

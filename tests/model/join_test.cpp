@@ -3,6 +3,7 @@
 
 #include "model/bench.hpp"
 #include "nurbs/directions.hpp"
+#include "nurbs/plan.hpp"
 
 namespace signorini::model {
 namespace join_test {
@@ -34,11 +35,9 @@ Scene<3> across_a_seam_in_space(bool list_is_slave) {
   const nurbs::Side east{0, true}, front{2, false}, back{2, true};
   Scene<3> scene;
   const auto add = [&](const char* name, const nurbs::Patch& patch) {
-    nurbs::Plan plan;
-    plan.elements = {1, 1, 1};
-    plan.labels.assign(3, nurbs::parse_label("N2"));
-    scene.bodies.push_back(
-        {name, std::make_shared<const solid::Body<3>>(nurbs::Discretization(patch, plan), solid::neo_hookean(1, 0.3))});
+    scene.bodies.push_back({name, std::make_shared<const solid::Body<3>>(
+                                      nurbs::Discretization(patch, nurbs::test::plan_of({1, 1, 1}, "", "N2")),
+                                      solid::neo_hookean(1, 0.3))});
   };
   add("left", nurbs::block({1, 1, 1}, Vec<3>(0, 0, 0)));
   add("right", nurbs::reverse(nurbs::reverse(nurbs::block({1, 1, 1}, Vec<3>(1, 0, 0)), 0), 1));

@@ -3,6 +3,7 @@
 #include "model/bench.hpp"
 #include "model/scenes.hpp"
 
+#include "nurbs/plan.hpp"
 #include "os/parallel.hpp"
 
 namespace signorini::model {
@@ -61,12 +62,8 @@ Scene<2> joined_blocks() {
 /// A solid with a rotating back.
 Scene<3> turned_solid() {
   Scene<3> scene;
-  nurbs::Plan plan;
-  plan.elements = {3, 2, 2};
-  plan.contact = {nurbs::side_of("front", 3)};
-  plan.labels.assign(2, nurbs::parse_label("N2"));
-  const auto space =
-      std::make_shared<const nurbs::Discretization>(nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0)), plan);
+  const auto space = std::make_shared<const nurbs::Discretization>(nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0)),
+                                                                   nurbs::test::plan_of({3, 2, 2}, "front", "N2"));
   scene.bodies.push_back({"solid", std::make_shared<const solid::Body<3>>(space, soft)});
   Support<3> grip{"grip",
                   {{0, space->face_functions(nurbs::side_of("back", 3))}},
@@ -154,8 +151,7 @@ TEST(LinearBodies, TangentDoesNotDependOnEarlierContactsAndLoads) {
       VectorX u = any_displacement(bench.unknowns, 1e-3, random);
       const double x = nurbs::test::uniform(random, -0.4, 0.4), y = nurbs::test::uniform(random, -0.03, 0.02);
       const int first = bench.unknowns.offset(mover);
-      for (int k = 0; k < scene.bodies[static_cast<std::size_t>(mover)].body->functions(); ++k)
-        u.segment<2>(first + 2 * k) += Vec<2>(x, y);
+      for (int k = 0; k < scene.bodies[mover].body->functions(); ++k) u.segment<2>(first + 2 * k) += Vec<2>(x, y);
       bench.loads(target) = state % 3 == 0 ? 0.2 : 0;
       bench.residual(u);
       (resultant(bench.present.contacts[0]).active > 0 ? closed : open)++;

@@ -89,8 +89,8 @@ private:
     for (int c = 0; c < 2; ++c) {
       for (int b = 0; b < ns; ++b) nodes(c, 2 * b + c) = r[b];
       for (int b = 0; b < nm; ++b) {
-        nodes(Force::master_column + c, 2 * (ns + b) + c) = foot.value[static_cast<std::size_t>(b)];
-        nodes(Force::tangent_column + c, 2 * (ns + b) + c) = foot.derivative[0][static_cast<std::size_t>(b)];
+        nodes(Force::master_column + c, 2 * (ns + b) + c) = foot.value[b];
+        nodes(Force::tangent_column + c, 2 * (ns + b) + c) = foot.derivative[0][b];
       }
     }
     const double w = weight(i), pressure = own_formulation_test::stiffness * z;

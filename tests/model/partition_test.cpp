@@ -1,6 +1,7 @@
 #include "model/system/partition.hpp"
 
 #include "bench.hpp"
+#include "nurbs/plan.hpp"
 #include "os/parallel.hpp"
 #include "scenes.hpp"
 
@@ -25,13 +26,8 @@ Scene<2> strip(std::vector<int> elements, const std::string& label, const std::s
 /// A block whose back rotates about an axis that moves all its points.
 Scene<3> block(std::vector<int> elements, const std::string& label, const std::string& contact) {
   Scene<3> scene;
-  nurbs::Plan plan;
-  plan.elements = std::move(elements);
-  plan.contact = {nurbs::side_of(contact, 3)};
-  plan.labels.assign(2, nurbs::parse_label(label));
-  plan.thickness_degree = 1;
-  const auto space =
-      std::make_shared<const nurbs::Discretization>(nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0)), plan);
+  const auto space = std::make_shared<const nurbs::Discretization>(
+      nurbs::block({3, 2, 1}, Eigen::Vector3d(0, 0, 0)), nurbs::test::plan_of(std::move(elements), contact, label, 1));
   scene.bodies.push_back({"block", std::make_shared<const solid::Body<3>>(space, solid::neo_hookean(1, 0.3))});
   Support<3> grip{"grip",
                   {{0, space->face_functions(nurbs::side_of("back", 3))}},
@@ -69,13 +65,13 @@ template <int D> void expect_apart_and_whole(const Scene<D>& scene, std::size_t 
       const std::vector<int>& elements = (*lists)[share];
       for (int one : reach(scene, unknowns, elements)) EXPECT_TRUE(taken.insert(one).second) << what;
       for (int e : elements) {
-        ++times[static_cast<std::size_t>(e)];
-        EXPECT_EQ(parts.share[static_cast<std::size_t>(e)], static_cast<int>(share)) << what;
+        ++times[e];
+        EXPECT_EQ(parts.share[e], static_cast<int>(share)) << what;
       }
     }
   }
   EXPECT_FALSE(parts.rest.empty()) << what; // at the rotating face
-  for (int e : parts.rest) ++times[static_cast<std::size_t>(e)];
+  for (int e : parts.rest) ++times[e];
   for (int n : times) ASSERT_EQ(n, 1) << what;
 }
 

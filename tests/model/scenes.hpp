@@ -4,6 +4,7 @@
 #include "model/results/results.hpp"
 #include "model/steps/arc.hpp"
 #include "model/steps/load_step.hpp"
+#include "nurbs/plan.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 #include "solid/linear_elastic.hpp"
@@ -16,17 +17,14 @@ inline std::shared_ptr<const solid::Body<2>> make_body(const nurbs::Patch& patch
                                                        const solid::Material& material,
                                                        std::optional<int> thickness_degree = 1,
                                                        solid::Kind kind = solid::Kind::plane_strain) {
-  nurbs::Plan plan;
-  plan.elements = std::move(elements);
-  plan.contact = {nurbs::side_of(contact, 2)};
-  plan.labels = {nurbs::parse_label(label)};
-  plan.thickness_degree = thickness_degree;
-  return std::make_shared<const solid::Body<2>>(std::make_shared<const nurbs::Discretization>(patch, plan), material,
-                                                kind);
+  return std::make_shared<const solid::Body<2>>(
+      std::make_shared<const nurbs::Discretization>(
+          patch, nurbs::test::plan_of(std::move(elements), contact, label, thickness_degree)),
+      material, kind);
 }
 
 inline SupportedControlPoints face_points(const Scene<2>& scene, int body, const std::string& face) {
-  return {body, scene.bodies[static_cast<std::size_t>(body)].body->space().face_functions(nurbs::side_of(face, 2))};
+  return {body, scene.bodies[body].body->space().face_functions(nurbs::side_of(face, 2))};
 }
 
 enum Supports { bed, grip };
@@ -65,7 +63,7 @@ inline const std::vector<int> mixed_degrees{2, 4, 2, 3, 4, 2, 2, 4};
 
 /// The control point of a body at X.
 inline SupportedControlPoints corner(const Scene<2>& scene, int body, const Vec<2>& place) {
-  const MatrixX points = scene.bodies[static_cast<std::size_t>(body)].body->space().points();
+  const MatrixX points = scene.bodies[body].body->space().points();
   Eigen::Index function;
   (points.colwise() - place).colwise().norm().minCoeff(&function);
   return {body, {static_cast<int>(function)}};

@@ -33,7 +33,7 @@ std::shared_ptr<const solid::Body<3>> make_solid(const nurbs::Patch& patch, std:
 }
 
 SupportedControlPoints face_points(const Scene<3>& scene, int body, nurbs::Side side) {
-  return {body, scene.bodies[static_cast<std::size_t>(body)].body->space().face_functions(side)};
+  return {body, scene.bodies[body].body->space().face_functions(side)};
 }
 
 /// A small indenter with a spherical cap on a block; its top is translated, or rotated about the vertical.

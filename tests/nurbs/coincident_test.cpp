@@ -160,7 +160,7 @@ TEST(Coincident, CountsOfKnownGroups) {
   const Groups poles = coincident_functions(octant);
   ASSERT_EQ(poles.size(), 4u);
   EXPECT_EQ(poles[0].size(), 11u);
-  for (int j = 1; j < 4; ++j) EXPECT_EQ(poles[static_cast<std::size_t>(j)].size(), 5u);
+  for (int j = 1; j < 4; ++j) EXPECT_EQ(poles[j].size(), 5u);
   // The ring's seam: one pair per row
   const Patch ring = ruled(circle(Vec<2>(0, 0), 2), circle(Vec<2>(0, 0), 1));
   const Groups seam = coincident_functions(discretize(ring, "N2-N4", {"south"}, 3));

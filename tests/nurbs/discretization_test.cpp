@@ -2,6 +2,7 @@
 #include "nurbs/discretization.hpp"
 
 #include "nurbs/basis_grid.hpp"
+#include "nurbs/plan.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 
@@ -170,12 +171,7 @@ TEST(Discretization, ContinuityAtExistingAndInsertedKnots) {
 TEST(Discretization, AgreesWithTheThesisOnADie) {
   test::Random random(8);
   const Patch die = half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5));
-  Plan plan;
-  plan.elements = {6, 2};
-  plan.contact = {side_of("south", 2)};
-  plan.labels = {parse_label("N2-N2.2")};
-  plan.thickness_degree = 1;
-  const Discretization space(die, plan);
+  const Discretization space(die, test::plan_of({6, 2}, "south", "N2-N2.2", 1));
 
   const std::vector<double> inserted{1.0 / 6, 1.0 / 3, 2.0 / 3, 5.0 / 6};
   const Patch bulk = k_refine(k_refine(die, 0, 2, inserted), 1, 1, {0.5});
@@ -207,14 +203,7 @@ TEST(Discretization, AgreesWithTheThesisOnADie) {
 TEST(Discretization, LayerOfAllRowsIsTheUniformlyElevatedSpace) {
   test::Random random(9);
   const Patch patch = quarter_annulus(0.5, 1, Eigen::Vector2d(0, 0), 20);
-  const auto make = [&](const char* label) {
-    Plan plan;
-    plan.elements = {5, 3};
-    plan.contact = {side_of("south", 2)};
-    plan.labels = {parse_label(label)};
-    plan.thickness_degree = 1;
-    return Discretization(patch, plan);
-  };
+  const auto make = [&](const char* label) { return Discretization(patch, test::plan_of({5, 3}, "south", label, 1)); };
   const Discretization layered = make("N2-N2.1x4"), uniform = make("N2.1");
   ASSERT_EQ(layered.functions(), uniform.functions());
   EXPECT_NEAR((layered.homogeneous() - uniform.homogeneous()).norm(), 0, 1e-14);
@@ -228,12 +217,7 @@ TEST(Discretization, LayerOfAllRowsIsTheUniformlyElevatedSpace) {
 }
 
 TEST(Discretization, ElementDegreesRiseOnlyInTheLayer) {
-  Plan plan;
-  plan.elements = {4, 5};
-  plan.contact = {side_of("north", 2)};
-  plan.labels = {parse_label("N2-N4.1x2")};
-  plan.thickness_degree = 1;
-  const Discretization space(rectangle(2, 1, Eigen::Vector2d(0, 0)), plan);
+  const Discretization space(rectangle(2, 1, Eigen::Vector2d(0, 0)), test::plan_of({4, 5}, "north", "N2-N4.1x2", 1));
   // Two layer rows of linear functions in the thickness direction: their support is the last two element rows.
   for (int e = 0; e < space.elements(); ++e) {
     EXPECT_EQ(space.degree(e, 0), e / 4 >= 3 ? 5 : 2) << "element " << e;
@@ -311,12 +295,7 @@ TEST(Discretization, ThicknessDirectionHasTheBulkDegree) {
 }
 
 TEST(Discretization, SideAcrossALayerIsNotAPatchInSpace) {
-  Plan plan;
-  plan.elements = {2, 2, 2};
-  plan.contact = {side_of("back", 3)};
-  plan.labels.assign(2, parse_label("N2-N4"));
-  plan.thickness_degree = 1;
-  const Discretization space(block({1, 1, 1}, Eigen::Vector3d(0, 0, 0)), plan);
+  const Discretization space(block({1, 1, 1}, Eigen::Vector3d(0, 0, 0)), test::plan_of({2, 2, 2}, "back", "N2-N4", 1));
   EXPECT_ERROR(space.face(side_of("west", 3)), "nurbs.body.face_across_layer: face = west, contact = back");
   // Supports need its functions nevertheless: 4 control points in each of two rows, 6 in the layer's.
   EXPECT_EQ(space.face_functions(side_of("west", 3)).size(), 4u + 4u + 6u);

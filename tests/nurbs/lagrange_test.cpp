@@ -2,6 +2,7 @@
 #include "nurbs/lagrange.hpp"
 
 #include "nurbs/discretization.hpp"
+#include "nurbs/plan.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 
@@ -25,16 +26,15 @@ TEST(Lagrange, InterpolatesThePatchAtItsNodes) {
       EXPECT_TRUE((lagrange.weights().array() == 1).all());
       for (int d = 0; d < dimensions; ++d) {
         EXPECT_EQ(lagrange.direction(d).breaks(), patch.direction(d).breaks());
-        EXPECT_EQ(lagrange.direction(d).functions(),
-                  degrees[static_cast<std::size_t>(d)] * patch.direction(d).elements() + 1);
+        EXPECT_EQ(lagrange.direction(d).functions(), degrees[d] * patch.direction(d).elements() + 1);
       }
       for (int n = 0; n < 40; ++n) {
         VectorX xi(dimensions);
         for (int d = 0; d < dimensions; ++d) {
           const int e = test::integer(random, 0, patch.direction(d).elements() - 1);
           const auto& knots = patch.direction(d).breaks();
-          const double a = knots[static_cast<std::size_t>(e)], b = knots[static_cast<std::size_t>(e) + 1];
-          const int p = degrees[static_cast<std::size_t>(d)], k = test::integer(random, 0, p);
+          const double a = knots[e], b = knots[static_cast<std::size_t>(e) + 1];
+          const int p = degrees[d], k = test::integer(random, 0, p);
           xi(d) = k == p ? b : a + (b - a) * k / p;
         }
         EXPECT_NEAR((evaluate(lagrange, xi) - evaluate(patch, xi)).norm(), 0, 1e-13);
@@ -44,11 +44,7 @@ TEST(Lagrange, InterpolatesThePatchAtItsNodes) {
 
 double geometry_error(int p, int elements) {
   const Patch arc = half_annulus(0.3, 0.5, Eigen::Vector2d(0.75, 1.5));
-  Plan plan;
-  plan.elements = {elements, 1};
-  plan.contact = {side_of("south", 2)};
-  plan.labels = {parse_label(text("L", p))};
-  plan.thickness_degree = 1;
+  const Plan plan = test::plan_of({elements, 1}, "south", text("L", p), 1);
   const Row face = Discretization(arc, plan).face(plan.contact.front());
   double largest = 0;
   for (int k = 0; k <= 1000; ++k) {

@@ -183,7 +183,7 @@ TEST(Derivatives, AgreeWithFiniteDifferencesOfTheOrderBelow) {
       const auto before = derivatives(patch, left, 2), after = derivatives(patch, right, 2);
       for (std::size_t i = 0; i < before.size(); ++i) {
         std::vector<int> orders = before[i].orders;
-        ++orders[static_cast<std::size_t>(d)];
+        ++orders[d];
         const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.orders == orders; });
         ASSERT_NE(found, all.end());
         EXPECT_LT((found->value - (after[i].value - before[i].value) / (2 * h)).norm(), 1e-6 * scale);

@@ -63,7 +63,7 @@ inline VectorX random_parameter(Random& random, const Patch& patch) {
 
 /// N_{i,p}(ξ) by the Cox–de Boor recursion (NURBS Book, eq. 2.5), 0/0 = 0, the last span closed on the right.
 inline double cox_de_boor(const KnotVector& knots, int i, int p, double xi) {
-  const auto u = [&](int k) { return knots.knots()[static_cast<std::size_t>(k)]; };
+  const auto u = [&](int k) { return knots.knots()[k]; };
   if (p == 0) return u(i) <= xi && (xi < u(i + 1) || (xi == knots.last() && u(i) < u(i + 1) && xi == u(i + 1)));
   double value = 0;
   if (u(i + p) > u(i)) value += (xi - u(i)) / (u(i + p) - u(i)) * cox_de_boor(knots, i, p - 1, xi);
@@ -76,7 +76,7 @@ inline double cox_de_boor(const KnotVector& knots, int i, int p, double xi) {
 inline double cox_de_boor(const KnotVector& knots, int i, int p, double xi, int k) {
   if (k == 0) return cox_de_boor(knots, i, p, xi);
   if (p == 0) return 0;
-  const auto u = [&](int n) { return knots.knots()[static_cast<std::size_t>(n)]; };
+  const auto u = [&](int n) { return knots.knots()[n]; };
   double value = 0;
   if (u(i + p) > u(i)) value += p / (u(i + p) - u(i)) * cox_de_boor(knots, i, p - 1, xi, k - 1);
   if (u(i + p + 1) > u(i + 1)) value -= p / (u(i + p + 1) - u(i + 1)) * cox_de_boor(knots, i + 1, p - 1, xi, k - 1);

@@ -45,7 +45,7 @@ TEST(InsertKnots, PreservesTheMap) {
     for (int i = integer(random, 0, 5); i > 0; --i)
       knots.insert(knots.end(), static_cast<std::size_t>(integer(random, 1, old.degree())), uniform(random, -1, 3));
     for (int e = 1; e < old.elements(); ++e) {
-      const double knot = old.breaks()[static_cast<std::size_t>(e)];
+      const double knot = old.breaks()[e];
       knots.insert(knots.end(), static_cast<std::size_t>(old.degree() - old.multiplicity(knot)), knot);
     }
     const Patch refined = insert_knots(patch, d, knots);
@@ -173,7 +173,7 @@ TEST(ElementKnots, GradingDistributesElementsToExistingSpans) {
   EXPECT_LT(knots[4], 3);
   EXPECT_GT(knots[5], 3);
   const auto image = [](double s) { return 2 + 2 * (s <= 0.5 ? s / 2 : 0.25 + (s - 0.5) * 1.5); };
-  for (int i = 0; i < 5; ++i) EXPECT_NEAR(knots[static_cast<std::size_t>(i)], image((i + 1) / 9.0), 1e-14);
+  for (int i = 0; i < 5; ++i) EXPECT_NEAR(knots[i], image((i + 1) / 9.0), 1e-14);
   EXPECT_NEAR(knots[5], image(7 / 9.0), 1e-14);
 }
 

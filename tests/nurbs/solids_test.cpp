@@ -107,7 +107,7 @@ TEST(SolidConstructions, CoonsVolumesReproduceTheFacesOfAnySolid) {
     for (int f = 0; f < 6; ++f) faces.push_back(face(solid, {f / 2, f % 2 == 1}));
     const Patch volume = coons(faces);
     for (int f = 0; f < 6; ++f) {
-      const Patch& expected = faces[static_cast<std::size_t>(f)];
+      const Patch& expected = faces[f];
       const VectorX xi = random_parameter(random, expected);
       EXPECT_LT((evaluate(face(volume, {f / 2, f % 2 == 1}), xi) - evaluate(expected, xi)).norm(), 1e-12);
     }

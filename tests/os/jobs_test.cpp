@@ -163,7 +163,7 @@ TEST(Jobs, PrintBufferedOutputOnce) {
 TEST(Jobs, UseOneThreadIfTheParentHasSeveral) {
   set_worker_threads(3);
   std::vector<int> runs(100);
-  const auto count_up = [&](int i) { ++runs[static_cast<std::size_t>(i)]; };
+  const auto count_up = [&](int i) { ++runs[i]; };
   parallel(100, count_up);
   const Ends ends = ends_of(2, {.at_once = 2, .seconds = 20}, [&](int) {
     const int threads = worker_threads();

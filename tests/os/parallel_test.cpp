@@ -27,7 +27,7 @@ TEST(Parallel, RunsEveryTaskOnceForAnyNumberOfThreads) {
     for (int round = 0; round < 2000; ++round) {
       const int count = round % 7;
       std::vector<int> runs(static_cast<std::size_t>(count), 0);
-      parallel(count, [&](int i) { ++runs[static_cast<std::size_t>(i)]; });
+      parallel(count, [&](int i) { ++runs[i]; });
       for (int n : runs) ASSERT_EQ(n, 1) << threads << " threads, round " << round;
     }
   }
@@ -49,7 +49,7 @@ TEST(Parallel, RunsEveryTaskOnceAlsoInCallsFromTasks) {
   const Workers workers(3);
   for (int round = 0; round < 200; ++round) {
     std::vector<int> runs(40, 0);
-    parallel(8, [&](int i) { parallel(5, [&](int j) { ++runs[static_cast<std::size_t>(5 * i + j)]; }); });
+    parallel(8, [&](int i) { parallel(5, [&](int j) { ++runs[5 * i + j]; }); });
     EXPECT_EQ(runs, std::vector<int>(40, 1)) << "round " << round;
   }
 }

@@ -2,6 +2,7 @@
 // Bodies for tests, and a slow dense assembly and solution.
 
 #include "base/dense.hpp"
+#include "nurbs/plan.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 #include "solid/internal.hpp"
@@ -19,12 +20,8 @@ using nurbs::test::uniform;
 template <int D>
 Body<D> make_body(const nurbs::Patch& patch, std::vector<int> elements, const std::string& label,
                   const std::string& contact, const Material& material, std::optional<int> thickness_degree = 1) {
-  nurbs::Plan plan;
-  plan.elements = std::move(elements);
-  plan.contact = {nurbs::side_of(contact, D)};
-  plan.labels.assign(D - 1, nurbs::parse_label(label));
-  plan.thickness_degree = thickness_degree;
-  return {nurbs::Discretization(patch, plan), material};
+  return {nurbs::Discretization(patch, nurbs::test::plan_of(std::move(elements), contact, label, thickness_degree)),
+          material};
 }
 
 template <int D> VectorX random_displacement(Random& random, const Body<D>& body, double size) {
@@ -58,10 +55,10 @@ Assembled assemble(const Body<D>& body, const VectorX& u, std::span<const double
     if ((sum.inversion = internal_force(body, e, u.data(), arrays, true, committed, trial))) return sum;
     const auto functions = body.functions_of_macro(e);
     const int n = std::ssize(functions);
-    const auto dof = [&](int a, int i) { return D * functions[static_cast<std::size_t>(a)] + i; };
+    const auto dof = [&](int a, int i) { return D * functions[a] + i; };
     const double* block = arrays.blocks.data();
     for (int i = 0; i < D; ++i) {
-      for (int a = 0; a < n; ++a) sum.force(dof(a, i)) += arrays.force[static_cast<std::size_t>(i * n + a)];
+      for (int a = 0; a < n; ++a) sum.force(dof(a, i)) += arrays.force[i * n + a];
       for (int j = i; j < D; ++j, block += n * n)
         for (int a = 0; a < n; ++a)
           for (int b = 0; b < n; ++b) {

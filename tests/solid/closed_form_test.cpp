@@ -136,8 +136,7 @@ double ring_stress_error(int elements) {
       for (int i = 0; i < 2; ++i)
         for (int k = 0; k < 2; ++k)
           for (int c = 0; c < n; ++c)
-            f(i, k) +=
-                u(2 * functions[static_cast<std::size_t>(c)] + i) * ring.tables().gradients_of(e)[(2 * q + k) * n + c];
+            f(i, k) += u(2 * functions[c] + i) * ring.tables().gradients_of(e)[(2 * q + k) * n + c];
       const Vec<2> x = reference_point(ring, e, q), radial = x.normalized(), hoop(-radial(1), radial(0));
       const double r2 = x.squaredNorm();
       // ε_r = A − B/r², ε_θ = A + B/r², σ = λ tr ε I + 2 μ ε

@@ -92,10 +92,10 @@ template <int D> std::vector<int> inner_functions(const nurbs::Discretization& s
   std::vector<bool> outer(static_cast<std::size_t>(space.functions()), false);
   for (int d = 0; d < D; ++d)
     for (bool at_end : {false, true})
-      for (int a : space.face_functions({d, at_end})) outer[static_cast<std::size_t>(a)] = true;
+      for (int a : space.face_functions({d, at_end})) outer[a] = true;
   std::vector<int> inner;
   for (int a = 0; a < space.functions(); ++a)
-    if (!outer[static_cast<std::size_t>(a)]) inner.push_back(a);
+    if (!outer[a]) inner.push_back(a);
   return inner;
 }
 

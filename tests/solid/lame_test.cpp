@@ -90,7 +90,7 @@ double octant_error(int degree, int elements) {
       make_body<3>(nurbs::sphere_octant(inner, outer, Eigen::Vector3d(0, 0, 0)), {elements, elements, elements},
                    text("N", degree), "back", linear_elastic(modulus, ratio), degree);
   std::vector<int> unknown(static_cast<std::size_t>(3 * wall.functions()), 0);
-  const auto at = [&](int dof) -> int& { return unknown[static_cast<std::size_t>(dof)]; };
+  const auto at = [&](int dof) -> int& { return unknown[dof]; };
   for (const auto& [face, component] : {std::pair("west", 1), std::pair("east", 0), std::pair("south", 2)})
     for (int a : wall.space().face_functions(nurbs::side_of(face, 3))) at(3 * a + component) = -1;
   const auto poles = nurbs::coincident_functions(wall.space());

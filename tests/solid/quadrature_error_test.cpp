@@ -1,5 +1,6 @@
 // Errors of volumes and areas by Gauss points, against closed forms.
 
+#include "nurbs/plan.hpp"
 #include "solid/material.hpp"
 #include "solid/neo_hookean.hpp"
 #include "solid/quadrature.hpp"
@@ -17,11 +18,7 @@ nurbs::Discretization rectangle(double w, int elements) {
   const nurbs::Patch patch =
       nurbs::make_patch({nurbs::KnotVector::single(1), nurbs::KnotVector::single(1)},
                         (MatrixX(2, 4) << 0, 1, 0, 1, 0, 0, 1, 1).finished(), (VectorX(4) << 1, w, 1, w).finished());
-  nurbs::Plan plan;
-  plan.elements = {elements, 1};
-  plan.contact = {nurbs::side_of("north", 2)};
-  plan.labels = {nurbs::parse_label("N1")};
-  return {patch, plan};
+  return {patch, nurbs::test::plan_of({elements, 1}, "north", "N1")};
 }
 
 /// x = w ξ/W with W = 1 − ξ + w ξ, hence dx/dξ = w/W², and the area is ∫ w/W² dξ = 1.
@@ -60,12 +57,9 @@ TEST(AreaError, IsThatOfTheGaussPoints) {
     const nurbs::Patch patch =
         nurbs::make_patch({nurbs::KnotVector::single(2), nurbs::KnotVector::single(1)},
                           (MatrixX(2, 6) << 0, 0.5, 1, 0, 0.5, 1, 0, -height, 0, 1, 1, 1).finished());
-    nurbs::Plan plan;
-    plan.elements = {1, 1};
-    plan.contact = {nurbs::side_of("north", 2)};
-    plan.labels = {nurbs::parse_label("N2")};
-    const Body<2> body(std::make_shared<const nurbs::Discretization>(patch, plan), neo_hookean(1, 0.3),
-                       Kind::plane_strain);
+    const Body<2> body(
+        std::make_shared<const nurbs::Discretization>(patch, nurbs::test::plan_of({1, 1}, "north", "N2")),
+        neo_hookean(1, 0.3), Kind::plane_strain);
     const auto length = [&](int points) {
       const QuadratureRule rule = gauss_legendre(points, 0, 1);
       double sum = 0;

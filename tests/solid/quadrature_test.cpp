@@ -1,5 +1,6 @@
 #include "solid/quadrature.hpp"
 
+#include "nurbs/plan.hpp"
 #include "nurbs/random_patch.hpp"
 #include "nurbs/shapes.hpp"
 #include "solid/body.hpp"
@@ -42,12 +43,8 @@ TEST(Quadrature, RuleWithoutPointsIsAnError) {
 }
 
 TEST(Quadrature, WeightsOfABodyAddUpToItsVolume) {
-  nurbs::Plan plan;
-  plan.elements = {6, 4};
-  plan.contact = {nurbs::side_of("south", 2)};
-  plan.labels = {nurbs::parse_label("N2-N2.2")};
-  plan.thickness_degree = 1;
-  const Body<2> ring(nurbs::Discretization(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(1, 2)), plan),
+  const Body<2> ring(nurbs::Discretization(nurbs::half_annulus(0.3, 0.5, Eigen::Vector2d(1, 2)),
+                                           nurbs::test::plan_of({6, 4}, "south", "N2-N2.2", 1)),
                      neo_hookean(1, 0.3));
   double area = 0;
   for (int e = 0; e < ring.elements(); ++e)

@@ -30,10 +30,10 @@ TEST_P(Linear, SolvesValuesThatNeedOtherPivots) {
   const Pattern pattern = chain(100);
   const auto solver = make_solver(GetParam(), pattern);
   Values values = random_values(random, pattern);
-  for (int i = 0; i < pattern.size; ++i) values[static_cast<std::size_t>(pattern.find(i, i))] = 50;
+  for (int i = 0; i < pattern.size; ++i) values[pattern.find(i, i)] = 50;
   EXPECT_LT(backward_error(*solver, pattern, values), 1e-14);
   for (double diagonal : {1e-3, 1e-9, 1e-15, 0.0}) {
-    for (int i = 0; i < pattern.size; ++i) values[static_cast<std::size_t>(pattern.find(i, i))] = diagonal;
+    for (int i = 0; i < pattern.size; ++i) values[pattern.find(i, i)] = diagonal;
     EXPECT_LT(backward_error(*solver, pattern, values), 1e-12) << "diagonal " << diagonal;
   }
 }
@@ -46,7 +46,7 @@ TEST_P(Linear, SingularMatricesAreReportedAndLeaveNoTrace) {
   for (bool factored_before : {false, true}) {
     Values singular = good;
     for (int j = 0; j < pattern.size; ++j)
-      if (const int k = pattern.find(5, j); k >= 0) singular[static_cast<std::size_t>(k)] = 0;
+      if (const int k = pattern.find(5, j); k >= 0) singular[k] = 0;
     EXPECT_FALSE(solver->factor(singular.data())) << "factored before: " << factored_before;
     EXPECT_FALSE(solver->factor(Values(good.size(), 0.0).data()));
     EXPECT_LT(backward_error(*solver, pattern, good), 1e-12);
@@ -79,7 +79,7 @@ TEST_P(Linear, SingularityToWorkingPrecisionIsReported) {
   auto [pattern, values] = free_springs(random, 30);
   const auto solver = make_solver(GetParam(), pattern);
   EXPECT_FALSE(solver->factor(values.data()));
-  values[static_cast<std::size_t>(pattern.find(0, 0))] += 1e-6;
+  values[pattern.find(0, 0)] += 1e-6;
   EXPECT_TRUE(solver->factor(values.data()));
 }
 

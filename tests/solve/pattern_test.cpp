@@ -43,10 +43,10 @@ void expect_same(const Pattern& pattern, const Flags& full) {
       const int position = pattern.find(i, j);
       EXPECT_EQ(position >= 0, full(i, j)) << i << " " << j;
       if (position < 0) continue;
-      EXPECT_EQ(pattern.rows[static_cast<std::size_t>(position)], i);
-      EXPECT_GE(position, pattern.starts[static_cast<std::size_t>(j)]);
+      EXPECT_EQ(pattern.rows[position], i);
+      EXPECT_GE(position, pattern.starts[j]);
       EXPECT_LT(position, pattern.starts[static_cast<std::size_t>(j) + 1]);
-      if (position > pattern.starts[static_cast<std::size_t>(j)]) {
+      if (position > pattern.starts[j]) {
         EXPECT_LT(pattern.rows[static_cast<std::size_t>(position) - 1], i);
       }
     }
@@ -75,8 +75,8 @@ TEST(Pattern, ExtensionReportsNewPositionsOfEntries) {
     expect_same(wider, oracle(size, groups));
     ASSERT_EQ(moved.size(), base.rows.size());
     for (int j = 0; j < size; ++j)
-      for (int k = base.starts[static_cast<std::size_t>(j)]; k < base.starts[static_cast<std::size_t>(j) + 1]; ++k)
-        EXPECT_EQ(moved[static_cast<std::size_t>(k)], wider.find(base.rows[static_cast<std::size_t>(k)], j));
+      for (int k = base.starts[j]; k < base.starts[static_cast<std::size_t>(j) + 1]; ++k)
+        EXPECT_EQ(moved[k], wider.find(base.rows[k], j));
   }
 }
 

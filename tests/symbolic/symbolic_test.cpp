@@ -82,7 +82,7 @@ TEST(Symbolic, DerivativesAreThoseOfFiniteDifferences) {
         for (const auto& at : places) {
           const auto moved = [&](int variable, double h) {
             std::vector<double> place = at;
-            place[static_cast<std::size_t>(variable)] += h;
+            place[variable] += h;
             return place;
           };
           const auto values = [&](double h) { return value(g, formula, moved(first, h)); };

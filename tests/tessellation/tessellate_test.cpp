@@ -161,7 +161,7 @@ TEST(Skin, InterpolatesBetweenContactPoints) {
   const Eigen::Index first = pressure.size() - 8 * 9; // the back is the last side
   double largest = 0;
   for (int e = 0; e < 8; ++e) {
-    const double middle = results[static_cast<std::size_t>(25 * e + 12)].pressure;
+    const double middle = results[25 * e + 12].pressure;
     EXPECT_NEAR(pressure[first + 9 * e + 4], middle, 1e-12);
     largest = std::max(largest, middle);
   }

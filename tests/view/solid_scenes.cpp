@@ -40,8 +40,7 @@ struct Side {
 };
 
 void add_side(Body& solid, const Side& side, const std::array<int, 3>& elements, int divisions) {
-  const int columns = elements[static_cast<std::size_t>((side.across + 1) % 3)],
-            rows = elements[static_cast<std::size_t>((side.across + 2) % 3)], nu = columns * divisions,
+  const int columns = elements[(side.across + 1) % 3], rows = elements[(side.across + 2) % 3], nu = columns * divisions,
             nv = rows * divisions;
   Surface& skin = solid.skin;
   const Eigen::Index first = skin.points.cols(), triangles = skin.triangles.cols();

@@ -35,7 +35,7 @@ void print_fields(vtkUnstructuredGrid* grid, vtkCell* cell, const std::vector<do
     for (int c = 0; c < array->GetNumberOfComponents(); ++c) {
       double sum = 0;
       for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
-        sum += functions[static_cast<std::size_t>(i)] * array->GetComponent(cell->GetPointId(static_cast<int>(i)), c);
+        sum += functions[i] * array->GetComponent(cell->GetPointId(static_cast<int>(i)), c);
       print(sum);
     }
     std::printf("},");
