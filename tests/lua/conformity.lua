@@ -175,7 +175,9 @@ function conformity.watch_results()
       local function watched(...)
         local results = table.pack(call(...))
         local fits, place = conformity.of_results(name, results)
-        if not fits then error(("%s: its %s does not conform to the definitions for editors"):format(name, place), 0) end
+        if not fits then
+          error(("%s: its %s does not conform to the definitions for editors"):format(name, place), 0)
+        end
         return table.unpack(results, 1, results.n)
       end
       core.names[watched] = name

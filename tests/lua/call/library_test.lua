@@ -1,6 +1,6 @@
--- The definitions for editors: they are complete, their annotations have the form that language servers read, right calls
--- conform to them, and wrong ones are marked. All other tests check the calls that
--- they make, help_test those of the examples with their results.
+-- The definitions for editors: they are complete, their annotations have the form that language servers read, right
+-- calls conform to them, and wrong ones are marked. All other tests check the calls that they make, help_test those of
+-- the examples with their results.
 
 require "check"
 local annotations = require "annotations"
