@@ -181,7 +181,8 @@ void check_size(const nurbs::Plan& plan, int dimensions) {
 }
 
 template <int D> int push_body(lua_State* L, const nurbs::Patch& patch, const nurbs::Plan& plan, const Arguments& a) {
-  const auto volumetric = choice<solid::Volumetric>(a.get<std::string>("volumetric"), {"pointwise", "projected"});
+  const auto volumetric =
+      choice<solid::Volumetric>(a.get("volumetric", std::string("pointwise")), {"pointwise", "projected"});
   const auto& made =
       push_object<Body<D>>(L, std::make_shared<const solid::Body<D>>(
                                   std::make_shared<const nurbs::Discretization>(patch, plan),
