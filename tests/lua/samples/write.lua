@@ -3,7 +3,7 @@
 -- the samples. A new format gets new samples, next to those of the last one.
 
 local sg = require "signorini"
-local scenes = require "scenes"
+local scenes = require "samples.scenes"
 
 local folder = arg[1]
 sg.mkdir(folder)
