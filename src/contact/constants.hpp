@@ -27,7 +27,17 @@ inline constexpr double distance_rounding = 1e-14;
 inline constexpr double same_distance = 1e-12;
 /// Coordinates within this fraction of an element's length of its border are on it.
 inline constexpr double border_slack = 1e-14;
-/// Most moves of a search to other elements that do not reduce the distance: around a corner of four elements.
+/// The last step of a search on a curve, if it is shorter than this fraction of the element, shifts position and
+/// tangent to first order: its square is below rounding error.
+inline constexpr double exact_shift = 1e-12;
+/// Added to the metric of a surface, relative to its trace: next to a pole the metric is singular, and its inverse
+/// would consist of rounding error.
+inline constexpr double pole_metric = 1e-12;
+/// Sine of the angle between the tangents of a surface below which they have no normal, and the fractions of the way to
+/// the middle of the element at which a normal is then looked for: rounding error is far below the first.
+inline constexpr double least_sine = 1e-9;
+inline constexpr double inward_probes[] = {0, 1e-6, 1e-3};
+/// Maximum number of moves to another element without a reduction of the distance: around a corner of four elements.
 inline constexpr int most_level_moves = 4;
 
 // ── Geometric tolerances against rounding error ──────────────────────────────────────────────────────────────────────
@@ -40,6 +50,20 @@ inline constexpr double border_probes[] = {0.37, 1.0};
 /// Largest relative difference of weights on the border of two faces of a list, apart from a constant factor: as for
 /// joins, whose control points may come from files.
 inline constexpr double same_weights = 1e-6;
+
+// ── Level sets ───────────────────────────────────────────────────────────────────────────────────────────────────────
+
+/// Rounding error of quotients of lengths, by which a number of cells must not grow.
+inline constexpr double cell_rounding = 1e-12;
+/// Change of the parameter along an edge of the lattice below which the zero on it is found to rounding error, and the
+/// largest number of iterations: bisection alone needs 53.
+inline constexpr double edge_tolerance = 1e-14;
+inline constexpr int most_edge_iterations = 100;
+/// Largest |f| at such a zero, relative to its values at the ends of the edge: a continuous f is at rounding error
+/// there, at a jump it is not small.
+inline constexpr double jump_value = 1e-6;
+/// Least |∇f| at such a zero, relative to those values over the spacing: below it normals are rounding error.
+inline constexpr double least_gradient = 1e-8;
 
 // ── Ends of masters ──────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -66,7 +90,7 @@ inline constexpr double rule_hysteresis = 2;
 inline constexpr double slip_tolerance = 1e-6;
 /// Relative error of a slip point's distance to the foot point that counts as rounding error.
 inline constexpr double slip_rounding = 1e-15;
-/// The same where positions are rounded, whose error is relative to coordinates.
+/// Relative error of such a distance where positions are rounded, whose error is relative to coordinates.
 inline constexpr double position_rounding = 1e-8;
 
 // ── First touch ──────────────────────────────────────────────────────────────────────────────────────────────────────

@@ -84,11 +84,11 @@ TEST(Cohesion, ClosesAlongTheSecant) {
 }
 
 TEST(Cohesion, ErrorsNameTheArgument) {
-  EXPECT_ERROR(checked(Cohesion{0, 1}), "contact.cohesion.strength: value = 0");
-  EXPECT_ERROR(checked(Cohesion{1, -2}), "contact.cohesion.energy: value = -2");
-  EXPECT_ERROR(checked(Cohesion{1, std::nan("")}), "contact.cohesion.energy");
-  EXPECT_ERROR(checked(Cohesion{1, 1, Softening::bilinear, 0}), "contact.cohesion.stiffness: value = 0");
-  EXPECT_ERROR(checked(Cohesion{2, 1, Softening::bilinear, 2}), "contact.cohesion.snap_back: stiffness = 2, least = 2");
+  EXPECT_ERROR(check(Cohesion{0, 1}), "contact.cohesion.strength: value = 0");
+  EXPECT_ERROR(check(Cohesion{1, -2}), "contact.cohesion.energy: value = -2");
+  EXPECT_ERROR(check(Cohesion{1, std::nan("")}), "contact.cohesion.energy");
+  EXPECT_ERROR(check(Cohesion{1, 1, Softening::bilinear, 0}), "contact.cohesion.stiffness: value = 0");
+  EXPECT_ERROR(check(Cohesion{2, 1, Softening::bilinear, 2}), "contact.cohesion.snap_back: stiffness = 2, least = 2");
 }
 
 } // namespace cohesion_test

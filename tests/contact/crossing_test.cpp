@@ -64,7 +64,7 @@ std::size_t crossed(const std::vector<Vec<2>>& places, const Law& law) {
   Pair<2> pair(Surface<2>(strip, nurbs::side_of("north", 2)), Obstacle<2>(make_ball<2>(places.front(), 0.5)), law, 3);
   const VectorX rest = VectorX::Zero(2 * strip.functions());
   std::size_t count = 0;
-  const auto crossed_now = [&] { return pair.formulation().crossed(pair.present(), pair.history()).size(); };
+  const auto crossed_now = [&] { return contact::crossed(pair.formulation(), pair.present(), pair.history()).size(); };
   for (const Vec<2>& place : places) {
     const Vec<2> shift = place - places.front();
     pair.evaluate(rest.data(), shift.data());

@@ -2,6 +2,7 @@
 // Bodies whose north or south face is a given curve, and dense assembly of a contact's blocks.
 
 #include "base/groups.hpp"
+#include "contact/gauss/block_dofs.hpp"
 #include "contact/pair.hpp"
 #include "nurbs/coincident.hpp"
 #include "nurbs/random_patch.hpp"
@@ -84,7 +85,7 @@ template <int D> Dense dense(const Pair<D>& pair, int slave_dofs, int master_dof
   std::vector<int> dofs;
   for (const Block& block : pair.blocks()) {
     dofs.clear();
-    pair.formulation().append_dofs(block, {slave_dofs, slave_dofs + master_dofs}, dofs);
+    append_dofs(pair.formulation().faces(), block, {slave_dofs, slave_dofs + master_dofs}, dofs);
     for (int r = 0; r < block.rows; ++r) {
       const std::size_t row = static_cast<std::size_t>(r);
       sum.force(dofs[row]) += block.force[row];

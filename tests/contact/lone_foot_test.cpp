@@ -37,7 +37,7 @@ template <int D> void expect_derivatives_within_bounds(unsigned seed) {
     Surface<D> surface = random_face<D>(random, face % 3);
     if (face % 2 == 0) surface.extend(0.3);
     for (int e = 0; e < surface.elements(); ++e) {
-      const DerivativeBounds<D> bounds = surface.derivative_bounds(e);
+      const DerivativeBounds<D> bounds = derivative_bounds(surface.bezier(e));
       for (int k = 0; k < (D == 2 ? 9 : 81); ++k) {
         surface.locate(e, place<D>(surface, e, (k % 9) / 8.0, (k / 9) / 8.0), 2, point);
         for (std::size_t a = 0; a < D - 1; ++a)
@@ -68,7 +68,7 @@ template <int D> int expect_lone_feet(unsigned seed) {
     ElementBoxes<D> boxes;
     boxes.update(surface);
     for (int e = 0; e < surface.elements(); ++e) {
-      const double most = std::min(std::sqrt(boxes.lone2(e)), 10.0);
+      const double most = std::min(std::sqrt(boxes.unique_distance2(e)), 10.0);
       if (most == 0) continue;
       surface.locate(e, place<D>(surface, e, uniform(random, 0.0, 1.0), uniform(random, 0.0, 1.0)), 2, foot);
       const double distance = most * uniform(random, 0.5, 1.0);
@@ -99,8 +99,8 @@ TEST(LoneFoot, DistanceIsBelowTheRadiusOfACylinder) {
   ElementBoxes<2> boxes;
   boxes.update(arc);
   for (int e = 0; e < arc.elements(); ++e) {
-    EXPECT_LT(std::sqrt(boxes.lone2(e)), 2);
-    EXPECT_GT(std::sqrt(boxes.lone2(e)), 0.4);
+    EXPECT_LT(std::sqrt(boxes.unique_distance2(e)), 2);
+    EXPECT_GT(std::sqrt(boxes.unique_distance2(e)), 0.4);
   }
 }
 

@@ -14,8 +14,7 @@ public:
        const Region<D>& where = {})
       : setting_{std::move(slave), std::move(master), points, revolved, where},
         method_(std::visit([](const auto& constants) { return Method<D>(constants); }, law)),
-        formulation_(make_formulation(method_, setting_)),
-        accepted_(formulation_->points(), formulation_->multipliers(), !formulation_->bonds().empty()),
+        formulation_(make_formulation(method_, setting_)), accepted_(initial_history(*formulation_)),
         present_(accepted_) {}
   Pair(Surface<D> slave, Surface<D> master, const Law& law, int points, bool revolved = false,
        const Region<D>& where = {})
@@ -66,8 +65,8 @@ public:
     controls_.guessed = distance;
     controls_.onward = onward;
   }
-  void land(bool landing) { controls_.landing = landing; }
-  void augment() { formulation_->augment(present_); }
+  void land(bool landing) { controls_.all_stick = landing; }
+  void augment() { contact::augment(present_); }
   void scale_penalty(double factor) {
     factor_ = factor;
     for (History<D>* history : {&accepted_, &present_}) look_again(*history);
@@ -93,7 +92,7 @@ public:
   double stiffness() const { return formulation_->stiffness(present_, factor_); }
   double potential() const { return contact::potential(present_); }
   double dissipated() const { return accepted_.dissipated; }
-  std::vector<double> gaps() const { return formulation_->gaps(present_); }
+  std::vector<double> gaps() const { return contact::gaps(*formulation_, present_); }
 
 private:
   struct Place {

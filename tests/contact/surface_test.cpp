@@ -58,7 +58,7 @@ template <int D> void agrees_with_its_patch(Random& random, const nurbs::Discret
 
     // The element's box contains it.
     Vec<D> lower, upper;
-    surface.bounds(e, lower, upper);
+    bounds(surface.bezier(e), lower, upper);
     EXPECT_GE((point.position - lower).minCoeff(), -1e-14);
     EXPECT_GE((upper - point.position).minCoeff(), -1e-14);
   }
@@ -153,11 +153,11 @@ template <int D> void samples_its_grid(Random& random, const nurbs::Discretizati
   for (int e = 0; e < surface.elements(); ++e) {
     const int n = 3 * surface.degree(e, 0) + 3, m = D == 2 ? 1 : 3 * surface.degree(e, D - 2) + 3;
     std::vector<double> positions(D * n * m);
-    surface.sample(e, positions.data());
+    sample(surface.bezier(e), positions.data());
     Vec<D> lower, upper, direction;
-    surface.bounds(e, lower, upper);
+    bounds(surface.bezier(e), lower, upper);
     for (int d = 0; d < D; ++d) direction(d) = uniform(random, -1, 1);
-    const double least = surface.least_along(e, direction);
+    const double least = least_along(surface.bezier(e), direction);
     for (int k = 0; k < n * m; ++k) {
       FaceCoordinates<D> xi;
       for (int d = 0; d < D - 1; ++d) {

@@ -43,13 +43,13 @@ TEST(Unsettled, PairCountsAcceptedStatesOnly) {
   evaluate(-0.9);
   evaluate(0);
   EXPECT_FALSE(pair.results().front().settled);
-  EXPECT_EQ(pair.formulation().unsettled().count, 0u);
+  EXPECT_EQ(pair.formulation().counters.unsettled, 0);
   pair.accept();
-  EXPECT_EQ(pair.formulation().unsettled().count, 1u);
-  EXPECT_EQ(pair.formulation().unsettled().latest, Vec<2>(0, 0.1));
+  EXPECT_EQ(pair.formulation().counters.unsettled, 1);
+  EXPECT_EQ(pair.formulation().counters.unsettled_at, Vec<2>(0, 0.1));
   evaluate(0.7);
   pair.accept();
-  EXPECT_EQ(pair.formulation().unsettled().count, 1u);
+  EXPECT_EQ(pair.formulation().counters.unsettled, 1);
 }
 
 /// A roof: two planes that meet at a right angle above the y-axis, with the outside above.
@@ -80,11 +80,11 @@ std::size_t unsettled_across(double length) {
   };
   press(-0.4);
   EXPECT_EQ(pair.results().front().state, ContactState::stick);
-  EXPECT_EQ(pair.formulation().unsettled().count, 0u);
+  EXPECT_EQ(pair.formulation().counters.unsettled, 0);
   press(0.4);
   EXPECT_EQ(pair.results().front().state, ContactState::slip);
-  EXPECT_TRUE(pair.formulation().unsettled().count == 0 || pair.formulation().unsettled().latest.isApprox(start));
-  return pair.formulation().unsettled().count;
+  EXPECT_TRUE(pair.formulation().counters.unsettled == 0 || pair.formulation().counters.unsettled_at.isApprox(start));
+  return pair.formulation().counters.unsettled;
 }
 
 TEST(Unsettled, PairCountsSlipPointsNotFound) {

@@ -28,7 +28,7 @@ template <int D> VectorX seen(Model<D>& model) {
   const auto append = [&](const auto& values) { numbers.insert(numbers.end(), values.begin(), values.end()); };
   for (std::size_t s = 0; s < model.system.scene.supports.size(); ++s) append(reaction(model, static_cast<int>(s)));
   for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
-    append(model.system.contacts[k]->gaps(model.present.contacts[k]));
+    append(gaps(*model.system.contacts[k], model.present.contacts[k]));
     for (const auto& result : model.present.contacts[k].results) {
       append(result.position);
       append(result.friction);

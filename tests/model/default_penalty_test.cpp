@@ -133,8 +133,8 @@ TEST(DefaultPenalty, FilesKeepTheEnforcementAndTheDefault) {
     const auto loaded = std::get<std::shared_ptr<Model<2>>>(load(folder.file("a.sgn")));
     const auto* law = contact::penalty_law(loaded->system.scene.contacts[0].method);
     EXPECT_EQ(law->enforcement, Enforcement::augmented);
-    EXPECT_TRUE(loaded->system.contacts[0]->augmented());
-    EXPECT_EQ(law->normal, model.system.contacts[0]->penalty(model.accepted.contacts[0]));
+    EXPECT_TRUE(loaded->system.contacts[0]->parameters().augmented());
+    EXPECT_EQ(law->normal, model.system.contacts[0]->parameters().penalty(model.accepted.contacts[0].changes));
     EXPECT_TRUE(loaded->system.scene.contacts[0].default_penalty);
   }
   auto other = std::make_shared<Model<2>>(two_blocks({1}, region));

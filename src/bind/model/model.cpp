@@ -40,7 +40,7 @@ template <int D> std::vector<std::string> warnings(const model::Model<D>& model)
 }
 
 template <int D> void time_search(const model::Model<D>& model, bool wanted) {
-  for (const auto& contact : model.system.contacts) contact->time_search(wanted);
+  for (const auto& contact : model.system.contacts) contact->counters.times_search = wanted;
 }
 
 template <int D> int solver(const model::Model<D>& model, lua_State* L) {

@@ -76,7 +76,7 @@ template <int D> model::StepOptions read_step_options(const model::Model<D>& mod
   if (a.has("augmentation")) {
     const auto& contacts = model.system.contacts;
     require(
-        std::any_of(contacts.begin(), contacts.end(), [](const auto& one) { return one->augmented(); }),
+        std::any_of(contacts.begin(), contacts.end(), [](const auto& one) { return one->parameters().augmented(); }),
         "augmentation is for augmented contacts, but the model has none. Hint: write enforcement = \"augmented\" in "
         "a contact, or omit augmentation");
     const Arguments limits = a.table("augmentation");

@@ -67,14 +67,15 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   const model::Contact<D>& named = model.system.scene.contacts[contact];
   const contact::History<D>& history = model.present.contacts[contact];
   const contact::Formulation<D>& formulation = *model.system.contacts[contact];
-  push_fields(L, "points", named.points, "per", area_name<D>(named.method), "active", formulation.active(history));
+  push_fields(L, "points", named.points, "per", area_name<D>(named.method), "active",
+              formulation.parameters().active(history.changes));
   if (const auto* cohesive = std::get_if<contact::CohesiveLaw>(&named.method)) {
     const auto& [strength, energy, softening, stiffness] = cohesive->cohesion;
     const bool bilinear = softening == contact::Softening::bilinear;
     set_fields(L, "strength", strength, "energy", energy, "law", bilinear ? "bilinear" : "exponential");
     if (bilinear) set_field(L, "stiffness", stiffness);
-    const auto bonds = formulation.bonds();
-    const auto bonded = std::ranges::count_if(bonds, [](const auto& bond) { return bond.foot != contact::Foot::none; });
+    const auto bonded = std::ranges::count_if(formulation.bonds()->closest,
+                                              [&](const auto& bond) { return bond.foot != contact::Foot::none; });
     set_field(L, "bonded", static_cast<int>(bonded));
   }
   if (const auto* adhesion = std::get_if<contact::Adhesion>(&named.method)) {
@@ -85,8 +86,8 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   set_field(L, "method", named.other_pass >= 0 ? "half_passes" : mortar ? "mortar" : "gpts");
   if (mortar) set_field(L, "multipliers", mortar->multipliers == contact::MultiplierSpace::equal ? "equal" : "reduced");
   const contact::PenaltyLaw law = contact::changed(*contact::penalty_law(named.method), history.changes);
-  set_fields(L, "offset", formulation.offset(history), "enforcement", name_of(law.enforcement), "penalty", law.normal,
-             "default_penalty", named.default_penalty && !history.changes.normal);
+  set_fields(L, "offset", formulation.parameters().offset(history.changes), "enforcement", name_of(law.enforcement),
+             "penalty", law.normal, "default_penalty", named.default_penalty && !history.changes.normal);
   if (named.start.interference) set_field(L, "overlap", history.changes.overlap);
   if (contact::may_rub(law)) set_fields(L, "mu", law.friction, "friction_penalty", law.tangential);
   return 1;
@@ -116,8 +117,9 @@ template <int D> int contact_resultant(const model::Model<D>& model, const std::
     set_field(L, name, static_cast<int>(count));
     if (count > 0) set_field(L, place, VectorX(latest()));
   };
-  set_count("unsettled", "unsettled_at", formulation.unsettled().count, [&] { return formulation.unsettled().latest; });
-  const auto crossed = formulation.crossed(model.present.contacts[contact], model.accepted.contacts[contact]);
+  set_count("unsettled", "unsettled_at", formulation.counters.unsettled,
+            [&] { return formulation.counters.unsettled_at; });
+  const auto crossed = contact::crossed(formulation, model.present.contacts[contact], model.accepted.contacts[contact]);
   set_count("crossed", "crossed_at", crossed.size(), [&] { return formulation.points().reference[crossed.back()]; });
   return 1;
 }

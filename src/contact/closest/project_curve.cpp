@@ -46,7 +46,7 @@ Stop descend(const Surface<2>& surface, const Vec<2>& x, int element, double sta
     // does not end the search; at the element's end the slope decides.
     const bool done = (std::abs(step) <= last_step * (b - a) && next == xi + step) || iteration == most_foot_iterations;
     point.settled = std::abs(step) <= foot_tolerance * (b - a);
-    if (done && std::abs(next - xi) <= 1e-12 * (b - a)) {
+    if (done && std::abs(next - xi) <= exact_shift * (b - a)) {
       // A first-order shift is exact up to rounding error.
       point.position += (next - xi) * point.tangent[0];
       point.tangent[0] += (next - xi) * point.second[0];
@@ -91,11 +91,11 @@ Foot walk(const Surface<2>& surface, const Vec<2>& x, int element, double start,
 
 /// Calls search(ξ) at those of 3(degree+1) equidistant points of an element that are nearer to x than their neighbors,
 /// because the squared distance to one polynomial piece can have several minima.
-template <class Search> void each_dip(const Surface<2>& surface, const Vec<2>& x, int element, Search search) {
+template <class Search> void each_start(const Surface<2>& surface, const Vec<2>& x, int element, Search search) {
   const auto [a, b] = surface.interval(element, 0);
   const int count = 3 * surface.degree(element, 0) + 3;
-  double positions[2 * Surface<2>::grid_points], distances[Surface<2>::grid_points];
-  surface.sample(element, positions);
+  double positions[2 * grid_points], distances[grid_points];
+  sample(surface.bezier(element), positions);
   for (int k = 0; k < count; ++k) {
     const double u = positions[k] - x(0), v = positions[count + k] - x(1);
     distances[k] = u * u + v * v;
@@ -132,7 +132,7 @@ Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, c
   if (seed.element >= 0) {
     best.foot = walk(surface, x, seed.element, seed.xi(0), point);
     nearest = (x - point.position).squaredNorm();
-    settled = best.foot == Foot::regular && point.settled && nearest < boxes.lone2(point.element);
+    settled = best.foot == Foot::regular && point.settled && nearest < boxes.unique_distance2(point.element);
   }
   const int home = settled ? point.element : -1;
 
@@ -142,7 +142,7 @@ Projection<2> project(const Surface<2>& surface, const ElementBoxes<2>& boxes, c
       x, [&] { return nearest * (1 - same_distance); },
       [&](int e) {
         if (settled && smoothly_adjacent(surface, home, e)) return;
-        each_dip(surface, x, e, [&](double start) {
+        each_start(surface, x, e, [&](double start) {
           const Foot foot = walk(surface, x, e, start, candidate);
           const double distance2 = (x - candidate.position).squaredNorm();
           if (distance2 >= nearest * (1 - same_distance)) return;

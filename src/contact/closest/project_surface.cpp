@@ -14,8 +14,8 @@ using Interval = std::array<double, 2>;
 /// Active bound per direction: −1 (+1) if the element's start (end) stops the search, 0 if none does.
 using EdgeStop = std::array<int, 2>;
 
-/// Newton step for the squared distance in the directions without an active bound. Gauss–Newton step where the distance
-/// has negative curvature, or small curvature and the step exceeds a hundredth of the element's length `size`.
+/// Newton step for the squared distance in the directions without an active bound; the Gauss–Newton step where the
+/// distance has negative curvature, or small curvature and the step exceeds a hundredth of the element's length `size`.
 Coordinates newton_step(const Vec<3>& difference, const FaceGeometry<3>& point, const Coordinates& gradient,
                         const EdgeStop& active, const Coordinates& size) {
   // f = |x(ξ) − x|²/2,  f_,α = (x(ξ) − x)·τ_α,  f_,αβ = τ_α·τ_β + (x(ξ) − x)·x_,αβ
@@ -44,7 +44,7 @@ Coordinates newton_step(const Vec<3>& difference, const FaceGeometry<3>& point, 
       return step;
   }
   // Next to a pole the metric itself is close to singular.
-  metric += 1e-12 * metric.trace() * Mat<2>::Identity();
+  metric += pole_metric * metric.trace() * Mat<2>::Identity();
   return -metric.inverse() * gradient;
 }
 
@@ -58,9 +58,9 @@ double allowed(const Coordinates& xi, const Coordinates& step, const std::array<
   return fraction;
 }
 
-/// Whether the distance does not decrease from the bounds that stopped a search into the element, but for rounding
-/// error.
-bool holds(const EdgeStop& bounds, const Vec<3>& difference, const FaceGeometry<3>& point, const Coordinates& length) {
+/// True if moving inward from the active bounds does not reduce the distance, except by rounding error.
+bool is_least_at(const EdgeStop& bounds, const Vec<3>& difference, const FaceGeometry<3>& point,
+                 const Coordinates& length) {
   for (int a = 0; a < 2; ++a) {
     const Vec<3>& tangent = point.tangent[a];
     if (bounds[a] * difference.dot(tangent) > border_slack * length(a) * tangent.squaredNorm()) return false;
@@ -105,7 +105,8 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
       for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b) point.tangent[a] += step(b) * point.second[a + b];
       // A step along a border may turn the distance's slope across it: the minimum is then inside.
-      if (iteration == most_foot_iterations || holds(extended, point.position - x, point, length)) return extended;
+      if (iteration == most_foot_iterations || is_least_at(extended, point.position - x, point, length))
+        return extended;
       surface.locate(element, xi, 2, point);
       continue;
     }
@@ -131,10 +132,10 @@ EdgeStop descend(const Surface<3>& surface, const Vec<3>& x, int element, const 
   }
 }
 
-/// Whether an element's border at the start or end of direction α is collapsed to one point.
+/// True if an element's border at the start or end of direction α is collapsed to one point.
 bool collapsed(const Surface<3>& surface, int element, int alpha, bool at_end) {
   Vec<3> lower, upper;
-  surface.bounds(element, lower, upper);
+  bounds(surface.bezier(element), lower, upper);
   const auto along = surface.interval(element, 1 - alpha);
   Coordinates xi;
   xi(alpha) = surface.interval(element, alpha)[at_end ? 1 : 0];
@@ -152,7 +153,7 @@ bool collapsed(const Surface<3>& surface, int element, int alpha, bool at_end) {
 /// Unit normal at a point of an element, or slightly inward where the tangents do not span a plane.
 Vec<3> normal_near(const Surface<3>& surface, int element, Coordinates xi) {
   FaceGeometry<3> point;
-  for (double t : {0.0, 1e-6, 1e-3}) {
+  for (const double t : inward_probes) {
     Coordinates inward = xi;
     for (int a = 0; a < 2; ++a) {
       const auto [from, to] = surface.interval(element, a);
@@ -160,7 +161,7 @@ Vec<3> normal_near(const Surface<3>& surface, int element, Coordinates xi) {
     }
     surface.locate(element, inward, 1, point);
     const Vec<3> normal = surface.outward(point.tangent);
-    if (normal.norm() > 1e-9 * point.tangent[0].norm() * point.tangent[1].norm() && normal.norm() > 0)
+    if (normal.norm() > least_sine * point.tangent[0].norm() * point.tangent[1].norm() && normal.norm() > 0)
       return normal.normalized();
   }
   return Vec<3>::Zero();
@@ -187,14 +188,14 @@ double signed_gap(const Surface<3>& surface, const Vec<3>& x, Foot foot, const F
 /// distance to one polynomial piece can have several minima. Points from which all neighbors are too near to find a
 /// distance below √distance2() between them are left out, and those next to `found`, to which they lead.
 template <class Distance2, class Search>
-void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, const FaceGeometry<3>* found,
-              const Distance2& distance2, const Search& search) {
-  constexpr int most = Surface<3>::grid_points;
+void each_start(const Surface<3>& surface, const Vec<3>& x, int element, const FaceGeometry<3>* found,
+                const Distance2& distance2, const Search& search) {
+  constexpr int most = grid_points;
   const int n0 = 3 * surface.degree(element, 0) + 3, n1 = 3 * surface.degree(element, 1) + 3, size = n0 * n1;
   const auto [a, b] = surface.interval(element, 0);
   const auto [c, d] = surface.interval(element, 1);
   double positions[3 * most * most], distances[most * most];
-  surface.sample(element, positions);
+  sample(surface.bezier(element), positions);
   const double *px = positions, *py = positions + size, *pz = positions + 2 * size;
   const auto distance = [&](int k, double from_x, double from_y, double from_z) {
     const double u = px[k] - from_x, v = py[k] - from_y, w = pz[k] - from_z;
@@ -222,7 +223,7 @@ void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, const Fac
       for (int k = below; least && k <= above; ++k)
         for (int l = left; least && l <= right; ++l) {
           const int there = l + n0 * k;
-          // Of equal distances the first is taken.
+          // The first of equal distances is taken.
           least = distances[here] < distances[there] || (distances[here] == distances[there] && here <= there);
         }
       if (!least) continue;
@@ -241,7 +242,7 @@ void each_dip(const Surface<3>& surface, const Vec<3>& x, int element, const Fac
     }
 }
 
-/// Whether the tangents do not span a plane, as at the pole of a sphere.
+/// True if the tangents do not span a plane, as at the pole of a sphere.
 bool degenerate(const Surface<3>& surface, const ElementBoxes<3>& boxes, const FaceGeometry<3>& point) {
   double area = point.tangent[0].cross(point.tangent[1]).norm();
   for (int a = 0; a < 2; ++a) {
@@ -322,7 +323,7 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
     const EdgeStop active = approach(surface, x, seed.element, seed.xi, point);
     best.foot = kind_of(surface, boxes, active, point, best.along);
     nearest = (x - point.position).squaredNorm();
-    settled = best.foot == Foot::regular && point.settled && nearest < boxes.lone2(point.element);
+    settled = best.foot == Foot::regular && point.settled && nearest < boxes.unique_distance2(point.element);
   }
   const int home = settled ? point.element : -1;
 
@@ -334,9 +335,9 @@ Projection<3> project(const Surface<3>& surface, const ElementBoxes<3>& boxes, c
     // The plane through the point found, normal to the line to it, separates x from an element that lies behind it.
     if (nearest < std::numeric_limits<double>::infinity()) {
       const Vec<3> line = point.position - x;
-      if (surface.least_along(e, line) - line.dot(x) >= std::sqrt(nearest * within())) return;
+      if (least_along<3>(surface.bezier(e), line) - line.dot(x) >= std::sqrt(nearest * within())) return;
     }
-    each_dip(surface, x, e, best.foot == Foot::regular ? &point : nullptr, within, [&](const Coordinates& start) {
+    each_start(surface, x, e, best.foot == Foot::regular ? &point : nullptr, within, [&](const Coordinates& start) {
       const EdgeStop active = approach(surface, x, e, start, candidate);
       const double distance2 = (x - candidate.position).squaredNorm();
       if (distance2 >= nearest * (1 - same_distance)) return;

@@ -13,7 +13,7 @@ namespace {
 ///     |c|² − 2 d |c − J(ξ₁) δ|,   c = x(ξ₂) − x(ξ₁),   |c| ≥ (1 − ρ) |A δ|,   |c − J(ξ₁) δ| ≤ ½ max |x_,αβ δ^α δ^β|.
 /// In the lengths y_α = |A_α| |δ^α|: |A δ|² ≥ (1 − |cos|) |y|², cos that of the angle between A₁ and A₂, and
 /// |x_,αβ δ^α δ^β| ≤ κ |y|², κ the largest eigenvalue of |x_,αβ|/(|A_α| |A_β|). So d is (1 − ρ)² (1 − |cos|)/κ.
-template <int D> double lone_distance2(const DerivativeBounds<D>& bounds) {
+template <int D> double least_ambiguous2(const DerivativeBounds<D>& bounds) {
   std::array<Vec<D>, D - 1> tangent;
   double lengths[D - 1], spread2 = 0;
   for (std::size_t a = 0; a < D - 1; ++a) {
@@ -61,17 +61,17 @@ template <int D> bool smoothly_adjacent(const Surface<D>& surface, int element, 
          place[1] <= block.last[1];
 }
 
-template <int D> void ElementBoxes<D>::find_lone_distances(const Surface<D>& surface) {
+template <int D> void ElementBoxes<D>::find_unique_distances(const Surface<D>& surface) {
   const int n = surface.direction(0).elements();
   bounds_.clear();
-  for (int e = 0; e < surface.elements(); ++e) bounds_.push_back(surface.derivative_bounds(e));
-  lone2_.resize(bounds_.size());
+  for (int e = 0; e < surface.elements(); ++e) bounds_.push_back(derivative_bounds(surface.bezier(e)));
+  unique_distance2_.resize(bounds_.size());
   for (int e = 0; e < surface.elements(); ++e) {
     const Neighborhood block = smooth_neighborhood(surface, e);
     DerivativeBounds<D> all = bounds_[e];
     for (int j = block.first[1]; j <= block.last[1]; ++j)
       for (int i = block.first[0]; i <= block.last[0]; ++i) all.include(bounds_[i + n * j]);
-    lone2_[e] = lone_distance2(all);
+    unique_distance2_[e] = least_ambiguous2(all);
   }
 }
 
@@ -84,13 +84,13 @@ template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
     if (node.element >= 0) {
-      surface.bounds(node.element, node.box.lower, node.box.upper);
+      bounds(surface.bezier(node.element), node.box.lower, node.box.upper);
       continue;
     }
     const Box &a = nodes_[i + 1].box, &b = nodes_[node.second].box;
     node.box = {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
   }
-  find_lone_distances(surface);
+  find_unique_distances(surface);
 }
 
 /// Builds the tree of the elements first … last − 1 in both directions.

@@ -28,7 +28,7 @@ public:
     return (box.upper - box.lower).squaredNorm();
   }
   /// Squared distance below which a regular foot point on an element is the closest point of its smooth neighborhood.
-  double lone2(int element) const { return lone2_[element]; }
+  double unique_distance2(int element) const { return unique_distance2_[element]; }
 
   /// Calls visit(element) for the elements whose boxes are nearer to x than `distance2()` (a squared distance,
   /// evaluated again before every visit), boxes near x first.
@@ -48,7 +48,7 @@ private:
     int second;  ///< index of the second child
     Box box;
   };
-  void find_lone_distances(const Surface<D>& surface);
+  void find_unique_distances(const Surface<D>& surface);
   void build(const Surface<D>& surface, std::array<int, 2> first, std::array<int, 2> last);
 
   template <class Distance2, class Visit>
@@ -68,7 +68,7 @@ private:
 
   std::vector<Node> nodes_;
   std::vector<int> leaves_; ///< per element
-  std::vector<double> lone2_;
+  std::vector<double> unique_distance2_;
   std::vector<DerivativeBounds<D>> bounds_; ///< working space
 };
 

@@ -3,6 +3,7 @@
 #include "contact/constants.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace signorini::contact {
@@ -41,6 +42,87 @@ nurbs::Space1D extended(const nurbs::Space1D& space, std::array<double, 2> parts
   return {std::move(breaks), std::move(smoothness), elements};
 }
 
+/// True for the ends of direction α that are open.
+template <int D> std::array<bool, 2> open_ends(const Surface<D>& face, int alpha) {
+  const auto& reference = face.reference();
+  const int nu = face.direction(0).functions(), nv = D == 2 ? 1 : face.direction(D - 2).functions();
+  const int across = alpha == 0 ? nv : nu, step = alpha == 0 ? nu : 1, last = alpha == 0 ? nu - 1 : nu * (nv - 1);
+  const double size = (reference.rowwise().maxCoeff() - reference.rowwise().minCoeff()).norm();
+  const auto apart = [&](int i, int j) { return (reference.col(i) - reference.col(j)).norm() > same_place * size; };
+  bool seam = true;
+  std::array<bool, 2> points{D == 3, D == 3}; // borders that are collapsed to one point; never ends of curves
+  for (int i = 0; i < across; ++i) {
+    seam = seam && !apart(i * step, last + i * step);
+    points[0] = points[0] && !apart(0, i * step);
+    points[1] = points[1] && !apart(last, last + i * step);
+  }
+  return {!seam && !points[0], !seam && !points[1]};
+}
+
+/// Length of the last element at an end of direction α as its tangent at the end tells it, |x,_α| Δξ^α; of surfaces the
+/// longest at the ends and middles of the border's elements.
+template <int D> double last_length(const Surface<D>& face, int alpha, bool at_end) {
+  FaceGeometry<D> point;
+  double longest = 0;
+  for (int e = 0; e < face.elements(); ++e) {
+    if (face.neighbor(e, alpha, at_end) >= 0) continue;
+    const auto [from, to] = face.interval(e, alpha);
+    for (const double across : border_samples) {
+      FaceCoordinates<D> xi;
+      for (int a = 0; a < D - 1; ++a) {
+        const auto [first, last] = face.interval(e, a);
+        xi(a) = a == alpha ? (at_end ? to : from) : first + across * (last - first);
+      }
+      face.locate(e, xi, 1, point);
+      longest = std::max(longest, point.tangent[alpha].norm() * (to - from));
+    }
+  }
+  return longest;
+}
+
+/// Squared distance of a Bézier point from its earlier place.
+template <int D, int W> double moved2(bool polynomial, const double* before, const double* now) {
+  using Point = Eigen::Map<const Vec<D>>;
+  double change2 = (Point(now) - Point(before)).squaredNorm();
+  if constexpr (W == 4)
+    if (!polynomial) change2 /= now[D] * now[D]; // weights do not change
+  return change2;
+}
+
+constexpr int face_row = nurbs::max_degree + 1;
+
+/// w N_a and its first derivatives, w = 1 without weights: value, then one direction after the other.
+template <int P, int D>
+void weighted_functions(const Surface<D>& face, const VectorX* weights, FacePoint<D>& point, int order) {
+  const int* local = face.nodes(point.element);
+  Bernsteins<D> b;
+  bernsteins<P, 1>(face.bezier(point.element), point.xi, b);
+  double along[2][2 * face_row]; // N_a of one direction and their derivatives
+  int count[2] = {1, 1};
+  for (int d = 0; d < D - 1; ++d) {
+    const auto extraction = face.direction(d).extraction(face.index(point.element, d));
+    const double* c = extraction.data();
+    const int n = count[d] = static_cast<int>(extraction.rows());
+    const int points = P > 0 ? P + 1 : static_cast<int>(extraction.cols());
+    // N_a = Σ_l C(a, l) B_l
+    for (int k = 0; k <= order; ++k)
+      for (int a = 0; a < n; ++a) {
+        double sum = 0;
+        for (int l = 0; l < points; ++l) sum += c[a * points + l] * b[d][k * points + l];
+        along[d][k * n + a] = sum;
+      }
+  }
+  const int nu = count[0], nv = D == 2 ? 1 : count[1];
+  for (int j = 0, a = 0; j < nv; ++j)
+    for (int i = 0; i < nu; ++i, ++a) {
+      const double w = weights ? (*weights)(local[a]) : 1, v = D == 2 ? 1 : along[1][j];
+      point.value[a] = w * along[0][i] * v;
+      if (order == 0) continue;
+      point.derivative[0][a] = w * along[0][nu + i] * v;
+      if constexpr (D == 3) point.derivative[1][a] = w * along[0][i] * along[1][nv + j];
+    }
+}
+
 } // namespace
 
 template <int D>
@@ -59,102 +141,50 @@ Surface<D>::Surface(const nurbs::Patch& patch) : Surface(nurbs::make_row(patch),
 
 template <int D>
 Surface<D>::Surface(const nurbs::Row& row, std::vector<int> functions, double orientation)
-    : spaces_(row.directions()), functions_(std::move(functions)), weights_(row.weights()),
+    : FaceMesh<D>(row.directions()), functions_(std::move(functions)), weights_(row.weights()),
       polynomial_((weights_.array() == weights_(0)).all()), orientation_(orientation), reference_(row.points()),
       points_(reference_) {
-  for (std::size_t d = 0; d < spaces_.size(); ++d) ends_[d] = {spaces_[d].first(), spaces_[d].last()};
-  tabulate();
+  for (int d = 0; d < D - 1; ++d) extension_.ends[d] = {this->direction(d).first(), this->direction(d).last()};
+  set_mesh(row.directions());
 }
 
-/// Nodes of all elements, with the Bézier points in the reference configuration.
-template <int D> void Surface<D>::tabulate() {
-  const nurbs::Space1D &u = spaces_.front(), &v = spaces_.back();
-  elements_.clear();
-  nodes_.clear();
-  bezier_.clear();
-  for (int e = 0, count = D == 2 ? u.elements() : u.elements() * v.elements(); e < count; ++e) {
-    Element element{{}, 1, 1, nodes_.size(), bezier_.size()};
-    nurbs::ElementFunctions functions;
-    for (std::size_t d = 0; d < D - 1; ++d) {
-      element.index[d] = d == 0 ? e % u.elements() : e / u.elements();
-      functions.along[d] = spaces_[d].functions_on(element.index[d]);
-      functions.stride[d] = d == 0 ? 1 : u.functions();
-      element.functions *= std::ssize(functions.along[d]);
-      element.points *= spaces_[d].degree(element.index[d]) + 1;
-    }
-    bezier_.resize(element.bezier + width() * element.points, 0.0);
-    functions.each([&](int node, const std::array<int, 3>&) { nodes_.push_back(node); });
-    most_functions_ = std::max(most_functions_, element.functions);
-    elements_.push_back(element);
-  }
+/// Sets the elements, with the Bézier points in the reference configuration.
+template <int D> void Surface<D>::set_mesh(std::vector<nurbs::Space1D> directions) {
+  static_cast<FaceMesh<D>&>(*this) = FaceMesh<D>(std::move(directions));
+  bezier_.assign((D == 2 && polynomial_ ? 2 : 4) * this->first_bezier(this->elements()), 0.0);
   const int last = *std::max_element(functions_.begin(), functions_.end());
   move(std::vector<double>(D * (last + 1), 0.0).data());
 }
 
-template <int D> std::array<bool, 2> Surface<D>::open_ends(int alpha) const {
-  const int nu = spaces_[0].functions(), nv = D == 2 ? 1 : spaces_.back().functions();
-  const int across = alpha == 0 ? nv : nu, step = alpha == 0 ? nu : 1, last = alpha == 0 ? nu - 1 : nu * (nv - 1);
-  const double size = (reference_.rowwise().maxCoeff() - reference_.rowwise().minCoeff()).norm();
-  const auto apart = [&](int i, int j) { return (reference_.col(i) - reference_.col(j)).norm() > same_place * size; };
-  bool seam = true;
-  std::array<bool, 2> points{D == 3, D == 3}; // whether a border is collapsed to one point; false for ends of curves
-  for (int i = 0; i < across; ++i) {
-    seam = seam && !apart(i * step, last + i * step);
-    points[0] = points[0] && !apart(0, i * step);
-    points[1] = points[1] && !apart(last, last + i * step);
-  }
-  return {!seam && !points[0], !seam && !points[1]};
-}
-
-/// Length of the last element at an end of direction α as its tangent at the end tells it, |x,_α| Δξ^α; of surfaces the
-/// longest at the ends and middles of the border's elements.
-template <int D> double Surface<D>::last_length(int alpha, bool at_end) const {
-  FaceGeometry<D> point;
-  double longest = 0;
-  for (int e = 0; e < elements(); ++e) {
-    if (neighbor(e, alpha, at_end) >= 0) continue;
-    const auto [from, to] = interval(e, alpha);
-    for (const double across : border_samples) {
-      FaceCoordinates<D> xi;
-      for (int a = 0; a < D - 1; ++a) {
-        const auto [first, last] = interval(e, a);
-        xi(a) = a == alpha ? (at_end ? to : from) : first + across * (last - first);
-      }
-      locate(e, xi, 1, point);
-      longest = std::max(longest, point.tangent[alpha].norm() * (to - from));
-    }
-  }
-  return longest;
-}
-
 template <int D> void Surface<D>::extend(double part, double longest) {
-  const std::vector<nurbs::Space1D> own = spaces_;
-  std::array<std::array<double, 2>, D - 1> parts{};
-  for (int a = 0; a < D - 1; ++a)
+  std::vector<nurbs::Space1D> own, longer;
+  for (int a = 0; a < D - 1; ++a) {
+    own.push_back(this->direction(a));
+    std::array<double, 2> parts{};
     for (const bool at_end : {false, true}) {
-      if (!open_ends(a)[at_end]) continue;
+      if (!open_ends(*this, a)[at_end]) continue;
       const auto [from, to] = own[a].interval(at_end ? own[a].elements() - 1 : 0);
-      parts[a][at_end] = std::min(part, longest / last_length(a, at_end));
-      beyond_[a][at_end] = parts[a][at_end] * (to - from);
+      parts[at_end] = std::min(part, longest / last_length(*this, a, at_end));
+      extension_.lengths[a][at_end] = parts[at_end] * (to - from);
     }
-  for (std::size_t a = 0; a < D - 1; ++a) spaces_[a] = extended(own[a], parts[a], beyond_[a]);
-  tabulate();
+    longer.push_back(extended(own[a], parts, extension_.lengths[a]));
+  }
+  set_mesh(std::move(longer));
+  if (polynomial_) return;
   // Weights that decrease steeply towards an end become negative beyond it; then a shorter extension is tried.
-  for (const Element& element : elements_)
-    for (int k = 0; k < element.points && !polynomial_; ++k)
-      if (bezier_[element.bezier + width() * k + D] <= 0) {
-        spaces_ = own;
-        tabulate();
-        return extend(part / 2, longest / 2);
-      }
+  for (std::size_t q = D; q < bezier_.size(); q += 4)
+    if (bezier_[q] <= 0) {
+      set_mesh(std::move(own));
+      return extend(part / 2, longest / 2);
+    }
 }
 
-template <int D> double Surface<D>::fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const {
+template <int D> double Extension<D>::fade(const FaceCoordinates<D>& xi, FaceCoordinates<D>& rate) const {
   double product = 1;
   rate.setZero();
   for (int a = 0; a < D - 1; ++a) {
-    const bool behind = xi(a) > ends_[a][1];
-    const double length = beyond_[a][behind], out = behind ? xi(a) - ends_[a][1] : ends_[a][0] - xi(a);
+    const bool behind = xi(a) > ends[a][1];
+    const double length = lengths[a][behind], out = behind ? xi(a) - ends[a][1] : ends[a][0] - xi(a);
     if (out <= 0 || length == 0) continue;
     // w = (1 − s)² (1 + 2s),  s the distance from the end relative to the extension
     const double s = std::min(out / length, 1.0), w = (1 - s) * (1 - s) * (1 + 2 * s);
@@ -165,27 +195,25 @@ template <int D> double Surface<D>::fade(const FaceCoordinates<D>& xi, FaceCoord
   return product;
 }
 
-template <int D> int Surface<D>::find_element(const FaceCoordinates<D>& xi) const {
-  int element = 0;
-  for (int a = D - 2; a >= 0; --a) element = element * direction(a).elements() + direction(a).find_element(xi(a));
-  return element;
+template <int D> double Surface<D>::move(const double* displacement) {
+  for (int i = 0; i < functions(); ++i)
+    for (int k = 0; k < D; ++k) points_(k, i) = reference_(k, i) + displacement[D * body_function(i) + k];
+  double distance = 0;
+  with_width<D>(polynomial_, [&]<int W>() { distance = update_bezier<W>(); });
+  return distance;
 }
 
-template <int D> int Surface<D>::neighbor(int element, int alpha, bool at_end) const {
-  const int next = index(element, alpha) + (at_end ? 1 : -1);
-  if (next < 0 || next >= direction(alpha).elements()) return -1;
-  return element + (at_end ? 1 : -1) * (alpha == 0 ? 1 : spaces_.front().elements());
-}
-
-template <int D> typename Surface<D>::OwnElement Surface<D>::own_element(int element) const {
-  OwnElement own{0, {}};
+template <int D> OwnElement<D> own_element(const Surface<D>& surface, int element) {
+  OwnElement<D> own{0, {}};
   for (int a = 0; a < D - 1; ++a) {
-    const int before = beyond_[a][0] > 0, after = beyond_[a][1] > 0;
-    own.index[a] = std::clamp(index(element, a) - before, 0, direction(a).elements() - before - after - 1);
+    const auto [start, end] = surface.extension().lengths[a];
+    const int before = start > 0, after = end > 0;
+    own.index[a] =
+        std::clamp(surface.index(element, a) - before, 0, surface.direction(a).elements() - before - after - 1);
   }
-  for (std::size_t f = 0; f < places_.size(); ++f) {
-    const auto& [way, elements, first, width] = places_[f];
-    OwnElement found{static_cast<int>(f), {}};
+  for (std::size_t f = 0; f < surface.places().size(); ++f) {
+    const auto& [way, elements, first, width] = surface.places()[f];
+    OwnElement<D> found{static_cast<int>(f), {}};
     bool inside = true;
     for (int k = 0; k < D - 1; ++k) {
       const int there = own.index[way.to[k]] - first[way.to[k]];
@@ -197,7 +225,97 @@ template <int D> typename Surface<D>::OwnElement Surface<D>::own_element(int ele
   return own;
 }
 
+template <int D> double distance_moved(const Surface<D>& before, const Surface<D>& now) {
+  double largest2 = 0;
+  for (int e = 0; e < now.elements(); ++e) {
+    const BezierElement<D> first = before.bezier(e), last = now.bezier(e);
+    with_width<D>(last.polynomial, [&]<int W>() {
+      for (int q = 0; q < W * last.count(); q += W)
+        largest2 = std::max(largest2, moved2<D, W>(last.polynomial, first.points + q, last.points + q));
+    });
+  }
+  return std::sqrt(largest2);
+}
+
+template <int D> BezierElement<D> Surface<D>::bezier(int element) const {
+  BezierElement<D> result{nullptr, polynomial_, {}, {}};
+  for (int d = 0; d < D - 1; ++d) {
+    result.degree[d] = this->degree(element, d);
+    result.interval[d] = this->interval(element, d);
+  }
+  result.points = bezier_.data() + result.width() * this->first_bezier(element);
+  return result;
+}
+
+/// Q_kl = Σ_ab C(a, k) C(b, l) w_ab (x_ab, 1), one direction after the other. Returns the largest change of an x.
+template <int D> template <int W> double Surface<D>::update_bezier() {
+  using Row = Eigen::Matrix<double, W, 1>;
+  using Rows = Eigen::Matrix<double, W, Eigen::Dynamic>;
+  Rows homogeneous = Rows::Zero(W, functions());
+  if (polynomial_) {
+    homogeneous.template topRows<D>() = points_;
+  } else {
+    homogeneous.template topRows<D>() = points_ * weights_.asDiagonal();
+    homogeneous.row(W == 4 ? D : 0) = weights_.transpose();
+  }
+  double largest2 = 0;
+  const auto set = [&](double* q, const Row& row) {
+    largest2 = std::max(largest2, moved2<D, W>(polynomial_, q, row.data()));
+    std::copy_n(row.data(), W, q);
+  };
+  for (int e = 0; e < this->elements(); ++e) {
+    const int* local = this->nodes(e);
+    const auto c = this->direction(0).extraction(this->index(e, 0));
+    const int nu = static_cast<int>(c.cols()), mu = static_cast<int>(c.rows()), mv = this->functions_on(e) / mu;
+    double* q = bezier_.data() + W * this->first_bezier(e);
+    Row along[face_row * (D == 2 ? 1 : face_row)]; // of every row of functions
+    for (int b = 0; b < mv; ++b)
+      for (int k = 0; k < nu; ++k) {
+        Row sum = Row::Zero();
+        for (int a = 0; a < mu; ++a) sum += c(a, k) * homogeneous.col(local[b * mu + a]);
+        if constexpr (D == 2)
+          set(q + k * W, sum);
+        else
+          along[b * nu + k] = sum;
+      }
+    if constexpr (D == 3) {
+      const auto d = this->direction(1).extraction(this->index(e, 1));
+      for (int l = 0; l < d.cols(); ++l)
+        for (int k = 0; k < nu; ++k, q += W) {
+          Row sum = Row::Zero();
+          for (int b = 0; b < mv; ++b) sum += d(b, l) * along[b * nu + k];
+          set(q, sum);
+        }
+    }
+  }
+  return std::sqrt(largest2);
+}
+
+template <int D> void Surface<D>::functions(FacePoint<D>& point, int order) const {
+  with_degree(bezier(point.element),
+              [&]<int P>() { weighted_functions<P>(*this, polynomial_ ? nullptr : &weights_, point, order); });
+  if (polynomial_) return;
+  // R = wN/W,  R_,α = (w N_,α − R W_,α)/W
+  const int n = this->functions_on(point.element);
+  double total = 0;
+  for (int a = 0; a < n; ++a) total += point.value[a];
+  const double scale = 1 / total;
+  for (int a = 0; a < n; ++a) point.value[a] *= scale;
+  for (int d = 0; d < D - 1 && order > 0; ++d) {
+    auto& derivative = point.derivative[d];
+    double rate = 0;
+    for (int a = 0; a < n; ++a) rate += derivative[a];
+    for (int a = 0; a < n; ++a) derivative[a] = (derivative[a] - point.value[a] * rate) * scale;
+  }
+}
+
+template struct Extension<2>;
+template struct Extension<3>;
 template class Surface<2>;
 template class Surface<3>;
+template OwnElement<2> own_element(const Surface<2>&, int);
+template OwnElement<3> own_element(const Surface<3>&, int);
+template double distance_moved(const Surface<2>&, const Surface<2>&);
+template double distance_moved(const Surface<3>&, const Surface<3>&);
 
 } // namespace signorini::contact

@@ -11,12 +11,13 @@ AdhesiveContact<D>::AdhesiveContact(ContactSetting<D> setting, const Adhesion& l
   check(law);
 }
 
-template <int D> void AdhesiveContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) {
-  if (!this->active(trial.present) || !this->find_foot(i, trial, part, at)) return;
-  const LocalGeometry<D> geometry = this->geometry(i, trial, at);
+template <int D>
+void AdhesiveContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, SumPart<D>& part, FootPoints<D>& feet) {
+  if (!this->parameters_.active(trial.present.changes) || !this->find_foot(i, trial, part, feet)) return;
+  const LocalGeometry<D> geometry = this->geometry(i, trial, feet);
   LocalForce<D> force;
   adhesion_force(law_, geometry, force);
-  this->record(i, trial, geometry, force, part, at);
+  this->record(i, trial, geometry, force, part, feet);
 }
 
 template <int D> double AdhesiveContact<D>::stiffness(const History<D>& history, double /*penalty_factor*/) const {

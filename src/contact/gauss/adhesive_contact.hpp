@@ -15,10 +15,8 @@ public:
   double stiffness(const History<D>& history, double penalty_factor) const override;
 
 private:
-  using typename GaussPointContact<D>::Part;
-  using typename GaussPointContact<D>::Feet;
   /// Ignores the controls: adhesion acts at any gap.
-  void evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) override;
+  void evaluate_point(std::size_t i, const Trial<D>& trial, SumPart<D>& part, FootPoints<D>& feet) override;
 
   Adhesion law_;
 };

@@ -6,11 +6,11 @@
 
 namespace signorini::contact {
 
-/// Of two elements or of a group of multipliers. Rows belong to the degrees of freedom of the slave element's
+/// A block of two elements, or of a group of multipliers. Rows belong to the degrees of freedom of the slave element's
 /// functions, then of the master element's (the nodes of a rigid master are element 0), D each, then to the
 /// formulation's additional unknowns; columns belong to the same, then to the degrees of freedom of the slip element's
 /// functions. A half pass has rows for the slave element only. Rows and columns of a group's block belong to those of
-/// its slave nodes, then of its master nodes, then to additional unknowns. See Formulation::append_dofs.
+/// its slave nodes, then of its master nodes, then to additional unknowns. See block_dofs.hpp.
 struct Block {
   int slave_element, master_element;
   int slip_element = -1;       ///< −1 if the slip points lie in the master element or are not used

@@ -29,6 +29,49 @@ void combine(int nodes, const std::array<const double*, Count>& functions,
 } // namespace
 
 template <int D>
+ColumnNodes<D>::ColumnNodes(const double* own, int own_nodes, const FacePoint<D>& foot, int foot_nodes,
+                            const FacePoint<D>* slip_point, int slip_point_nodes)
+    : slip(slip_point ? slip_point->value.data() : nullptr), slave_nodes(own_nodes), master_nodes(foot_nodes),
+      slip_nodes(slip_point_nodes) {
+  for (int k = 0; k < D; ++k) {
+    slave[k] = own + k * own_nodes;
+    master[k] = k == 0 ? foot.value.data() : foot.derivative[k - 1].data();
+  }
+}
+
+template <int D> void ColumnNodes<D>::expand(const LocalRow<D>& row, double weight, double* out) const {
+  using Vector = Eigen::Matrix<double, 1, D>;
+  const auto segment = [&](int column) -> Vector { return weight * row.template segment<D>(column); };
+  std::array<Vector, D> vectors;
+  for (int k = 0; k < D; ++k) vectors[k] = segment(k * D);
+  combine<D>(slave_nodes, slave, vectors, out);
+  out += D * slave_nodes;
+  for (int k = 0; k < D; ++k) vectors[k] = segment(LocalForce<D>::master_column + k * D);
+  if (!slip || slip_nodes > 0) {
+    combine<D>(master_nodes, master, vectors, out);
+    if (slip) combine<D, 1>(slip_nodes, {slip}, {segment(LocalForce<D>::slip_column)}, out + D * master_nodes);
+  } else {
+    std::array<const double*, D + 1> functions;
+    std::array<Vector, D + 1> all;
+    std::copy_n(master.begin(), D, functions.begin());
+    std::copy_n(vectors.begin(), D, all.begin());
+    functions[D] = slip;
+    all[D] = segment(LocalForce<D>::slip_column);
+    combine<D>(master_nodes, functions, all, out);
+  }
+}
+
+template <int D> void ColumnNodes<D>::expand_shift(const LocalRow<D>& row, double weight, double* out) const {
+  using Vector = Eigen::Matrix<double, 1, D>;
+  std::array<Vector, D> vectors;
+  combine<D, 1>(slave_nodes, {slave[0]}, {Vector(weight * row.template segment<D>(0))}, out);
+  out += D * slave_nodes;
+  for (int k = 0; k < D; ++k) vectors[k] = weight * row.template segment<D>(LocalForce<D>::master_column + k * D);
+  combine<D>(master_nodes, master, vectors, out);
+  std::fill_n(out + D * master_nodes, D * slip_nodes, 0.0);
+}
+
+template <int D>
 BlockSums<D>::BlockSums(const Surface<D>& slave, const Master<D>& master, Pass pass)
     : slave_(slave), master_(master), pass_(pass),
       columns_(D == 2 ? D * (slave.most_functions() + 2 * master.most_functions()) * (2 * D - 1) : 0) {}
@@ -38,13 +81,7 @@ template <int D> std::size_t BlockSums<D>::find(int slave_element, int master_el
   // Points are added element by element, so only the last blocks need to be searched.
   for (std::size_t index = blocks_.size(); index-- > first_;)
     if (blocks_[index].master_element == master_element && blocks_[index].slip_element == slip_element) return index;
-  if (spare_.empty()) {
-    blocks_.emplace_back();
-  } else {
-    blocks_.push_back(std::move(spare_.back()));
-    spare_.pop_back();
-  }
-  Block& result = blocks_.back();
+  Block& result = reuse(spare_, blocks_);
   const int ns = slave_.functions_on(slave_element), nm = master_.functions_on(master_element);
   result.slave_element = slave_element;
   result.master_element = master_element;
@@ -61,56 +98,6 @@ template <int D> std::size_t BlockSums<D>::find(int slave_element, int master_el
   return blocks_.size() - 1;
 }
 
-/// ∂T/∂x_B and ∂ξ̄/∂x_B of every column node B times the point's weight, by the chain rule from the local variables. In
-/// 3D each array has room for one more value.
-template <int D>
-void BlockSums<D>::fill_columns(const Block& block, const double* r, double w, const FacePoint<D>& master,
-                                const FacePoint<D>* slip_point, const LocalForce<D>& force, double* dt,
-                                double* dxi) const {
-  using Force = LocalForce<D>;
-  const int ns = slave_.functions_on(block.slave_element), nm = master_.functions_on(block.master_element);
-  const bool own_columns = block.slip_element >= 0;
-  const int nl = own_columns ? master_.functions_on(block.slip_element) : 0, width = block.columns;
-  std::array<const double*, D> of_slave, of_master;
-  for (int k = 0; k < D; ++k) {
-    of_slave[k] = r + k * ns;
-    of_master[k] = k == 0 ? master.value.data() : master.derivative[k - 1].data();
-  }
-  const auto segment = [&](const auto& rows, int i, int column) -> Eigen::Matrix<double, 1, D> {
-    return w * rows.template block<1, D>(i, column);
-  };
-  std::array<Eigen::Matrix<double, 1, D>, D> vectors;
-  for (int i = 0; i < D; ++i, dt += width) {
-    for (int k = 0; k < D; ++k) vectors[k] = segment(force.tangent, i, k * D);
-    combine<D>(ns, of_slave, vectors, dt);
-    for (int k = 0; k < D; ++k) vectors[k] = segment(force.tangent, i, Force::master_column + k * D);
-    double* to = dt + D * ns;
-    if (slip_point) {
-      const Eigen::Matrix<double, 1, D> slip = segment(force.tangent, i, Force::slip_column);
-      if (own_columns) {
-        combine<D>(nm, of_master, vectors, to);
-        combine<D, 1>(nl, {slip_point->value.data()}, {slip}, to + D * nm);
-      } else {
-        std::array<const double*, D + 1> functions;
-        std::array<Eigen::Matrix<double, 1, D>, D + 1> all;
-        std::copy_n(of_master.begin(), D, functions.begin());
-        std::copy_n(vectors.begin(), D, all.begin());
-        functions[D] = slip_point->value.data();
-        all[D] = slip;
-        combine<D>(nm, functions, all, to);
-      }
-    } else {
-      combine<D>(nm, of_master, vectors, to);
-    }
-  }
-  for (int k = 0; k < D - 1; ++k, dxi += width) {
-    combine<D, 1>(ns, {r}, {segment(force.shift, k, 0)}, dxi);
-    for (int l = 0; l < D; ++l) vectors[l] = segment(force.shift, k, Force::master_column + l * D);
-    combine<D>(nm, of_master, vectors, dxi + D * ns);
-    std::fill_n(dxi + D * (ns + nm), D * nl, 0.0);
-  }
-}
-
 template <int D>
 void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const FacePoint<D>& master,
                        const FacePoint<D>* slip_point, const LocalForce<D>& force, bool tangent) {
@@ -123,8 +110,14 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
   const int width = block.columns, rows = master_rows(nm);
   const double* r = points.functions(point);
   const double w = points.list[point].weight;
+  const ColumnNodes<D> nodes(r, ns, master, nm, slip_point, own_columns ? master_.functions_on(block.slip_element) : 0);
+  // ∂T/∂x_B and ∂ξ̄/∂x_B of every column node B times the point's weight
+  const auto fill = [&](double* dt, double* dxi) {
+    for (int i = 0; i < D; ++i) nodes.expand(force.tangent.row(i), w, dt + i * width);
+    for (int k = 0; k < D - 1; ++k) nodes.expand_shift(force.shift.row(k), w, dxi + k * width);
+  };
 
-  // f_A = −R_A T on the slave, +R̄_A(ξ̄) T on the master
+  // f_A = −R_A T on the slave, +R̄_A(ξ̄) T on the master [theory 5.8]
   double* out = block.force.data();
   for (int a = 0; a < ns; ++a)
     for (int i = 0; i < D; ++i) *out++ -= w * r[a] * force.force(i);
@@ -132,10 +125,10 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
     for (int i = 0; i < D; ++i) *out++ += w * master.value[a] * force.force(i);
   if (!tangent) return;
 
-  // ∂f_A = −R_A ∂T on the slave, R̄_A ∂T + T R̄_A,α ∂ξ̄^α on the master
+  // ∂f_A = −R_A ∂T on the slave, R̄_A ∂T + T R̄_A,α ∂ξ̄^α on the master [theory 5.13]
   if constexpr (D == 3) {
     const Products::Factors factors = products_[index - first_].add();
-    fill_columns(block, r, w, master, slip_point, force, factors.traction, factors.shift);
+    fill(factors.traction, factors.shift);
     for (int a = 0; a < ns; ++a) factors.left[a] = -r[a];
     std::copy_n(master.value.data(), rows, factors.left + ns);
     double* rates = factors.rates;
@@ -145,7 +138,7 @@ void BlockSums<D>::add(const ContactPoints<D>& points, std::size_t point, const 
   } else {
     double* const dt = columns_.data();
     double* const dxi = dt + D * width;
-    fill_columns(block, r, w, master, slip_point, force, dt, dxi);
+    fill(dt, dxi);
     double* __restrict matrix = block.matrix.data();
     for (int a = 0; a < ns; ++a)
       for (int i = 0; i < D; ++i, matrix += width) {
@@ -176,12 +169,15 @@ template <int D> void BlockSums<D>::close_element(bool tangent) {
   first_ = blocks_.size();
 }
 
-template <int D> std::size_t BlockSums<D>::hand_over(std::vector<Block>& to) {
-  const std::size_t count = blocks_.size();
+template <int D> void BlockSums<D>::hand_over(std::vector<Block>& to) {
+  handed_over_ = std::ssize(blocks_);
   for (Block& block : blocks_) to.push_back(std::move(block));
   blocks_.clear();
   first_ = 0;
-  return count;
+}
+
+template <int D> void BlockSums<D>::take_back(std::vector<Block>::iterator& first) {
+  for (; handed_over_ > 0; --handed_over_) spare_.push_back(std::move(*first++));
 }
 
 template <int D> double BlockSums<D>::memory() const {
@@ -189,7 +185,27 @@ template <int D> double BlockSums<D>::memory() const {
   return bytes(spare_) + bytes(columns_) + bytes(products_);
 }
 
-template class BlockSums<2>;
-template class BlockSums<3>;
+template <int D> std::vector<SumPart<D>> parts_of(const Faces<D>& faces, const ContactPoints<D>& points, Pass pass) {
+  std::vector<SumPart<D>> parts;
+  for (const auto& [first, last] : pieces(points))
+    parts.push_back({first, last, BlockSums<D>(faces.slave, faces.master, pass)});
+  return parts;
+}
+
+template <int D> void hand_over(std::vector<SumPart<D>>& parts, std::vector<Block>& blocks, double& search_seconds) {
+  for (SumPart<D>& part : parts) {
+    part.sums.hand_over(blocks);
+    search_seconds += std::exchange(part.search_seconds, 0);
+  }
+}
+
+#define SIGNORINI_INSTANTIATE(D)                                                                                       \
+  template struct ColumnNodes<D>;                                                                                      \
+  template class BlockSums<D>;                                                                                         \
+  template std::vector<SumPart<D>> parts_of(const Faces<D>&, const ContactPoints<D>&, Pass);                           \
+  template void hand_over(std::vector<SumPart<D>>&, std::vector<Block>&, double&);
+SIGNORINI_INSTANTIATE(2)
+SIGNORINI_INSTANTIATE(3)
+#undef SIGNORINI_INSTANTIATE
 
 } // namespace signorini::contact

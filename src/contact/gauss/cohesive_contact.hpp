@@ -2,7 +2,6 @@
 // Gauss-point penalty contact between faces that are bonded in the initial state, with debonding and friction.
 
 #include "contact/gauss/penalty_contact.hpp"
-#include "contact/point/cohesion.hpp"
 
 namespace signorini::contact {
 
@@ -19,24 +18,20 @@ public:
   /// Throws Error if a constant is invalid, or no contact point is left or bonded.
   CohesiveContact(const ContactSetting<D>& setting, const CohesiveLaw& law);
 
-  std::span<const Projection<D>> bonds() const override { return bonds_; }
-  std::vector<double> damage(const History<D>& history) const override;
+  const Bonds<D>* bonds() const override { return &bonds_; }
+  void commit(History<D>& present, const History<D>& accepted, double penalty_factor) override;
   double stiffness(const History<D>& history, double penalty_factor) const override;
 
 private:
-  using typename GaussPointContact<D>::Part;
-  using typename GaussPointContact<D>::Feet;
-  void evaluate_point(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) override;
-  void commit_points(History<D>& present, const History<D>& accepted, double penalty_factor) override;
-  double rubbing(const History<D>& history, std::size_t i) const override;
+  using PenaltyContact<D>::faces_, PenaltyContact<D>::points_, PenaltyContact<D>::parameters_;
+  void evaluate_point(std::size_t i, const Trial<D>& trial, SumPart<D>& part, FootPoints<D>& feet) override;
+  double rubbing(const History<D>& history, std::size_t i) const override { return bonds_.damage(history, i); }
   Vec<D> friction_of(const History<D>& history, std::size_t i) const override;
   double pressure_of(const History<D>& history, std::size_t i) const override;
-  bool is_bonded(std::size_t i) const { return bonds_[i].foot != Foot::none; }
   void record_bond(std::size_t i, const Trial<D>& trial, const Bond<D>& bond, const Separation& separation,
-                   const FacePoint<D>& bonded, Part& part, const FacePoint<D>* foot = nullptr) const;
+                   const FacePoint<D>& bonded, SumPart<D>& part, const FacePoint<D>* foot = nullptr) const;
 
-  Cohesion law_;
-  std::vector<Projection<D>> bonds_;
+  Bonds<D> bonds_;
 };
 
 } // namespace signorini::contact

@@ -1,5 +1,6 @@
 #include "contact/gauss/contact_area.hpp"
 
+#include "contact/point/point_geometry.hpp"
 #include "contact/tie/polygon.hpp"
 #include "solid/quadrature.hpp"
 
@@ -76,7 +77,7 @@ private:
 };
 
 /// The part of the unit square inside, with straight borders between the zeros of values that are linear along its
-/// sides. Values counter-clockwise; is_inside(k): whether corner k is inside.
+/// sides. Values counter-clockwise; is_inside(k): true if corner k is inside.
 template <class Inside> double negative_part(const std::array<double, 4>& values, const Inside& is_inside) {
   constexpr std::array<std::array<double, 2>, 4> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   Polygon part;
@@ -132,13 +133,13 @@ private:
     if (result.state != ContactState::open) return gap = result.gap;
     FacePoint<D> foot;
     const Projection<D> found = formulation_.master().project(result.position, history_.points[i].projection, foot);
-    return gap = found.foot == Foot::none ? no_gap : found.gap - formulation_.offset(i, history_);
+    return gap = found.foot == Foot::none ? no_gap : found.gap - formulation_.parameters().offset(i, history_.changes);
   }
 
   /// Length of a point's element.
   double length_of(std::size_t i) const {
     Vec<D> lower, upper;
-    formulation_.slave().bounds(formulation_.points().list[i].element, lower, upper);
+    bounds(formulation_.slave().bezier(formulation_.points().list[i].element), lower, upper);
     return (upper - lower).norm();
   }
 
@@ -167,7 +168,7 @@ private:
     }
   }
 
-  /// Notes of each element whether none, all or some of its points are inside.
+  /// Sorts elements by whether none, all or some of their points are inside.
   void sort_elements() {
     elements_.assign(formulation_.slave().elements(), Inside::unknown);
     for (std::size_t i = 0; i < history_.results.size(); ++i) {
@@ -178,7 +179,7 @@ private:
     }
   }
 
-  /// Whether all points of an element and of its neighbors are inside, or none.
+  /// True if all points of an element and of its neighbors are inside, or none.
   bool is_uniform(int element) const {
     const Inside own = elements_[element];
     if (own == Inside::some) return false;
@@ -201,12 +202,7 @@ private:
     if (result.area != 0) return result.area;
     const ContactPoint& point = formulation_.points().list[i];
     if (reference_) return point.weight * point.reference_area;
-    LocalGeometry<D> geometry;
-    geometry.slave = result.position;
-    geometry.slave_tangent = tangents(formulation_.points(), formulation_.slave(), i);
-    geometry.revolved = formulation_.points().revolved;
-    LocalRow<D> derivative;
-    return point.weight * slave_measure(geometry, derivative);
+    return point.weight * slave_measure(formulation_.points(), formulation_.slave(), i, result.position);
   }
 
   /// The part of a point's area that is inside, by halves on a curve, by quarters on a surface.

@@ -1,11 +1,12 @@
 #pragma once
-// The area in contact: the part of the slave face inside g = 0, interpolated between the contact points.
+// The area in contact: the part of the slave face inside g = 0, interpolated between the contact points
+// [theory 5.16].
 
 #include "contact/gauss/formulation.hpp"
 
 namespace signorini::contact {
 
-/// Whether each contact point lies in the contact area, and that area.
+/// The contact points that lie in the contact area, and that area.
 ///
 /// Points that touch are inside, except those of a fringe: with multipliers, pressures extend over the whole support
 /// of the last closed ones, past the border, where the gap is open. The fringe are the touching points whose gap is

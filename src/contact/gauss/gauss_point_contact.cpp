@@ -1,81 +1,70 @@
 #include "contact/gauss/gauss_point_contact.hpp"
 
+#include "contact/gauss/history_transfer.hpp"
+#include "contact/point/point_choice.hpp"
 #include "os/timer.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
-#include <utility>
 
 namespace signorini::contact {
 
-template <int D>
-GaussPointContact<D>::GaussPointContact(ContactSetting<D> setting, Pass pass)
-    : Formulation<D>(std::move(setting)), pass_(pass) {
-  for (const auto& [first, last] : pieces(this->points_))
-    parts_.push_back({first, last, BlockSums<D>(this->slave(), this->master(), pass)});
-}
-
 template <int D> void GaussPointContact<D>::evaluate_part(int index, const Trial<D>& trial, bool tangent) {
-  Part& part = parts_[index];
+  SumPart<D>& part = parts_[index];
   part.tangent = tangent;
-  Feet feet;
+  FootPoints<D> feet;
   for (std::size_t i = part.first; i < part.last; ++i) {
-    const auto& list = this->points_.list;
-    if (i > part.first && list[i].element != list[i - 1].element) part.sums.close_element(tangent);
-    if (!acts(this->points_, trial.present, i)) continue;
+    if (i > part.first && points_.list[i].element != points_.list[i - 1].element) part.sums.close_element(tangent);
+    if (!acts(points_, trial.present, i)) continue;
     PointResult<D>& result = trial.present.results[i];
     result = {};
-    result.position = position(this->points_, this->slave(), i);
+    result.position = position(points_, faces_.slave, i);
     evaluate_point(i, trial, part, feet);
   }
   part.sums.close_element(tangent);
 }
 
+/// Evaluates the results of points at the displacements evaluated last, where the accepted state equals `present`.
 template <int D>
 void GaussPointContact<D>::evaluate_points(History<D>& present, const std::vector<std::size_t>& points,
                                            double penalty_factor) {
   const Controls controls;
   const Trial<D> trial{present, present, controls, penalty_factor};
-  Feet feet;
-  std::optional<Part> part; // of one element; its forces are not used
+  FootPoints<D> feet;
+  std::optional<SumPart<D>> part; // of one element; its forces are not used
   int element = -1;
   for (const std::size_t i : points) {
-    if (this->points_.list[i].element != element)
-      part.emplace(Part{0, 0, BlockSums<D>(this->slave(), this->master(), pass_)});
-    element = this->points_.list[i].element;
+    if (points_.list[i].element != element)
+      part.emplace(SumPart<D>{0, 0, BlockSums<D>(faces_.slave, faces_.master, parameters_.pass)});
+    element = points_.list[i].element;
     present.results[i] = {};
-    present.results[i].position = position(this->points_, this->slave(), i);
+    present.results[i].position = position(points_, faces_.slave, i);
     evaluate_point(i, trial, *part, feet);
   }
 }
 
 template <int D>
-bool GaussPointContact<D>::find_foot(std::size_t i, const Trial<D>& trial, Part& part, Feet& at) const {
-  PointResult<D>& result = trial.present.results[i];
-  Projection<D>& projection = trial.present.points[i].projection;
-  at.foot.settled = true;
-  {
-    const ScopedTimer timer(this->times_search_ ? &part.search_seconds : nullptr);
-    projection = this->master().project(result.position, projection, at.foot);
-  }
-  result.beyond = projection.foot == Foot::none;
-  result.settled = at.foot.settled;
-  return !result.beyond;
+bool GaussPointContact<D>::find_foot(std::size_t i, const Trial<D>& trial, SumPart<D>& part,
+                                     FootPoints<D>& feet) const {
+  const ScopedTimer timer(this->counters.times_search ? &part.search_seconds : nullptr);
+  return contact::find_foot(faces_.master, trial.present.points[i], trial.present.results[i], feet.foot);
 }
 
-template <int D> LocalGeometry<D> GaussPointContact<D>::geometry(std::size_t i, const Trial<D>& trial, Feet& at) const {
-  this->master().functions(at.foot, 1);
-  LocalGeometry<D> geometry =
-      point_geometry(this->points_, i, this->slave(), this->master(), trial.present.results[i].position,
-                     trial.present.points[i].projection, at.foot);
-  geometry.offset = this->offset(i, trial.present);
+template <int D>
+LocalGeometry<D> GaussPointContact<D>::geometry(std::size_t i, const Trial<D>& trial, FootPoints<D>& feet) const {
+  faces_.master.functions(feet.foot, 1);
+  LocalGeometry<D> geometry = point_geometry(points_, i, faces_, trial.present.results[i].position,
+                                             trial.present.points[i].projection, feet.foot);
+  geometry.offset = parameters_.offset(i, trial.present.changes);
   return geometry;
 }
 
 template <int D>
 void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const LocalGeometry<D>& geometry,
-                                  const LocalForce<D>& force, Part& part, const Feet& at) const {
+                                  const LocalForce<D>& force, SumPart<D>& part, const FootPoints<D>& feet) const {
   PointResult<D>& result = trial.present.results[i];
-  const double weight = this->points_.list[i].weight;
+  const double weight = points_.list[i].weight;
   result.state = force.state;
   result.gap = geometry.gap - geometry.offset;
   // Cauchy tractions, whatever the area on which the law's act: t da = T dA
@@ -85,27 +74,79 @@ void GaussPointContact<D>::record(std::size_t i, const Trial<D>& trial, const Lo
   result.force = weight * force.force;
   result.law_area = weight * force.measure;
   result.area = result.law_area * force.stretch;
-  result.potential = energy_share(pass_) * result.law_area * force.potential;
-  part.sums.add(this->points_, i, at.foot, geometry.slip_point ? &at.slip_point : nullptr, force, part.tangent);
+  result.potential = parameters_.energy_share() * result.law_area * force.potential;
+  part.sums.add(points_, i, feet.foot, geometry.slip_point ? &feet.slip_point : nullptr, force, part.tangent);
 }
 
 template <int D> void GaussPointContact<D>::gather(const Trial<D>&, bool) {
-  for (Part& part : parts_) {
-    part.blocks = part.sums.hand_over(this->blocks_);
-    this->search_seconds_ += std::exchange(part.search_seconds, 0);
-  }
+  hand_over(parts_, this->blocks_, this->counters.search_seconds);
 }
 
 template <int D> void GaussPointContact<D>::take_back(std::vector<Block>& blocks) {
   auto block = blocks.begin();
-  for (Part& part : parts_)
-    for (; part.blocks > 0; --part.blocks) part.sums.recycle(std::move(*block++));
+  for (SumPart<D>& part : parts_) part.sums.take_back(block);
   blocks.clear();
+}
+
+template <int D>
+void GaussPointContact<D>::commit(History<D>& present, const History<D>& accepted, double penalty_factor) {
+  double farthest = 0; // by which a point of the slave has approached the master
+  const double master_moved = points_.sparse > 0 ? faces_.master_moved() : 0;
+  for (std::size_t i = 0; i < points_.size() && points_.sparse > 0; ++i)
+    if (acts(points_, present, i))
+      farthest = std::max(farthest, (present.results[i].position - accepted.results[i].position).norm() + master_moved);
+  Formulation<D>::commit(present, accepted, penalty_factor);
+  if (points_.sparse > 0) choose_points(present, farthest, penalty_factor);
+}
+
+/// Changes the rules of elements for the next step. Points that begin to act take over histories and are evaluated;
+/// the energy of springs changes by the error of quadrature, which counts as growth.
+template <int D> void GaussPointContact<D>::choose_points(History<D>& present, double moved, double penalty_factor) {
+  const std::vector<char> sparse =
+      choose_sparse(points_, faces_.slave, present, moved, [&](std::span<const std::size_t> open, double distance) {
+        return is_near(present, open, distance, penalty_factor);
+      });
+  std::vector<std::size_t> all;
+  for (std::size_t first = 0, last; first < points_.size(); first = last) {
+    const int e = points_.list[first].element;
+    std::vector<std::size_t> before, after;
+    for (last = first; last < points_.size() && points_.list[last].element == e; ++last)
+      (acts(points_, present, last) ? before : after).push_back(last);
+    if (sparse[e] == present.sparse[e]) continue;
+    recall(memories<D>(*this, present, before), *this, after, present);
+    for (const std::size_t i : before) {
+      present.growth -= present.results[i].potential;
+      present.points[i] = {};
+      present.results[i] = {};
+    }
+    all.insert(all.end(), after.begin(), after.end());
+  }
+  present.sparse = sparse;
+  evaluate_points(present, all, penalty_factor);
+  for (const std::size_t i : all) present.growth += present.results[i].potential;
+}
+
+/// True if one of some open points is nearer to contact than a distance. Where its bound does not tell, the point is
+/// projected, so that the answer depends on the state alone: not on what a bound has been spent on, nor on a save.
+template <int D>
+bool GaussPointContact<D>::is_near(const History<D>& present, std::span<const std::size_t> points, double distance,
+                                   double penalty_factor) const {
+  FacePoint<D> foot;
+  return std::any_of(points.begin(), points.end(), [&](std::size_t i) {
+    const PointHistory<D>& point = present.points[i];
+    if (point.cleared - faces_.travel >= distance) return false;
+    const Projection<D> closest = faces_.master.project(present.results[i].position, point.projection, foot);
+    // The sign at an end or a kink does not matter: contact is |g| away. t_N > 0 below a gap of o + λ_N/ε_N
+    const double gap = closest.foot == Foot::regular ? closest.gap : std::abs(closest.gap);
+    return gap - parameters_.offset(i, present.changes) -
+               point.multiplier / (penalty_factor * parameters_.penalty(present.changes)) <
+           distance;
+  });
 }
 
 template <int D> double GaussPointContact<D>::memory() const {
   double sum = Formulation<D>::memory();
-  for (const Part& part : parts_) sum += part.sums.memory();
+  for (const SumPart<D>& part : parts_) sum += part.sums.memory();
   return sum;
 }
 

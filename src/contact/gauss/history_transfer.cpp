@@ -55,11 +55,6 @@ std::vector<double> weights(const std::vector<PointMemory<D>>& memories, const s
   return result;
 }
 
-template <int D> double reference_area(const Formulation<D>& contact, std::size_t i) {
-  const ContactPoint& point = contact.points().list[i];
-  return point.weight * point.reference_area;
-}
-
 } // namespace
 
 template <int D>
@@ -72,7 +67,7 @@ std::vector<PointMemory<D>> memories(const Formulation<D>& contact, const Histor
                           touches(history.results[i].state),
                           point.slips,
                           Vec<D>::Zero(),
-                          point.limit / reference_area(contact, i),
+                          point.limit / reference_area(contact.points().list[i]),
                           point.multiplier,
                           point.projection};
     if (point.slips) {
@@ -112,7 +107,7 @@ void recall(const std::vector<PointMemory<D>>& memories, const Formulation<D>& c
     for (std::size_t k = 0; k < some.size(); ++k) {
       const PointMemory<D>& from = memories[some[k]];
       point.multiplier += w[k] * from.multiplier;
-      point.limit += w[k] * from.limit * reference_area(contact, number);
+      point.limit += w[k] * from.limit * reference_area(contact.points().list[number]);
       stretch += w[k] * from.stretch;
     }
     point.multiplier = std::max(point.multiplier, 0.0);

@@ -2,10 +2,10 @@
 // Mortar contact: gaps and slips weighted by multiplier functions on the slave face, and pressures by penalty and
 // augmentation or as unknowns.
 
-#include "contact/gauss/block_sums.hpp"
 #include "contact/gauss/formulation.hpp"
-#include "contact/mortar/multiplier_blocks.hpp"
-#include "contact/point/point_geometry.hpp"
+#include "contact/mortar/element_sums.hpp"
+#include "contact/mortar/multiplier_coupling.hpp"
+#include "contact/mortar/unknown_multipliers.hpp"
 
 namespace signorini::contact {
 
@@ -24,80 +24,53 @@ public:
   /// Throws Error if a constant is invalid, no contact point is left, or the face has no such multipliers.
   MortarContact(const ContactSetting<D>& setting, const MortarLaw& law, Pass pass = Pass::full);
 
-  int multipliers() const override { return functions_.count(); }
-  int point_of(int constraint) const override { return std::max(functions_.largest(constraint), 0); }
-  int extra_unknowns() const override;
+  const Multipliers* multipliers() const override { return &multipliers_; }
+  int extra_unknowns() const override { return multipliers_.count() * multipliers_.unknowns; }
   /// Except beyond open ends of the master, where the area on which tractions act changes.
-  bool has_potential() const override { return !may_rub(law_) && !solves_multipliers() && pass_ == Pass::full; }
+  bool has_potential() const override {
+    return !may_rub(*parameters_.law) && !unknowns_ && parameters_.pass == Pass::full;
+  }
   int parts() const override { return std::ssize(parts_); }
   void evaluate_part(int part, const Trial<D>& trial, bool tangent) override;
   void gather(const Trial<D>& trial, bool tangent) override;
-  void augment(History<D>& history) const override;
-  double violation(const History<D>& history) const override;
+  void commit(History<D>& present, const History<D>& accepted, double penalty_factor) override;
   double stiffness(const History<D>& history, double penalty_factor) const override;
   double memory() const override;
   const MultiplierFunctions<D>& functions() const { return functions_; }
 
 private:
-  /// A piece of the slave face: whole elements.
-  struct Part {
-    std::size_t first, last; ///< points
-    BlockSums<D> sums;
-    MultiplierRows<D> rows;
-    CouplingSpace space;
-    double search_seconds = 0; ///< since the last gather()
-    std::size_t blocks = 0;    ///< number of element blocks in the last gather()
-  };
-  /// Working space: foot point and former foot point on the master.
-  struct Feet {
-    FacePoint<D> foot, slip_point;
-  };
-
-  const PenaltyLaw* law() const override { return &law_; }
-  double share() const override { return energy_share(pass_); }
-  /// The law in a state.
-  PenaltyLaw law(const History<D>& history, double penalty_factor) const {
-    return scaled(changed(law_, history.changes), penalty_factor);
-  }
-  /// Whether slips are weighted: with friction and, since its unknowns remain, where multipliers may have it later.
+  using Formulation<D>::faces_, Formulation<D>::points_, Formulation<D>::parameters_, Formulation<D>::blocks_;
+  /// True if slips are weighted: with friction and, since its unknowns remain, where multipliers may have it later.
   bool frictional(const History<D>& history) const {
-    return solves_multipliers() ? may_rub(law_) : changed(law_, history.changes).friction > 0;
+    return unknowns_ ? unknowns_->frictional() : parameters_.friction(history.changes) > 0;
   }
-  bool solves_multipliers() const { return law_.enforcement == Enforcement::multipliers; }
-  double measure(std::size_t i, const Vec<D>& position) const;
+  PenaltyLaw law_in(const Trial<D>& trial) const {
+    return parameters_.law_in(trial.present.changes, unknowns_ ? 1 : trial.penalty_factor);
+  }
+  double augmented_pressure(int multiplier, const Trial<D>& trial) const;
   bool is_far(int multiplier, const Trial<D>& trial) const;
-  void weigh(std::size_t i, const Trial<D>& trial, Part& part, Feet& at);
-  void remember_foot(std::size_t i, const Trial<D>& trial) const;
+  double measure(std::size_t i, const Vec<D>& position) const;
+  void weigh(std::size_t i, const Trial<D>& trial, FootPoints<D>& feet, double* seconds);
   double gap_before(std::size_t i, const Trial<D>& trial, double now) const;
-  void foresee_touch(int multiplier, const MultiplierSums<D>& sum, const Trial<D>& trial);
-  void move_feet(const Trial<D>& trial);
-  MultiplierSums<D> sum_up(int multiplier) const;
   void decide(const Trial<D>& trial);
-  void distribute(Part& part, const Trial<D>& trial, bool tangent);
-  void add_point(std::size_t i, const Trial<D>& trial, bool tangent, Part& part, Feet& at,
+  void distribute(int part, const Trial<D>& trial, bool tangent);
+  void add_point(std::size_t i, int part, const Trial<D>& trial, bool tangent, FootPoints<D>& feet,
                  std::vector<double>& weights);
-  Block& new_block();
-  void couple_all(bool frictional);
+  void move_slip_points(const Trial<D>& trial);
+  void couple(bool frictional);
   void add_conditions(bool tangent);
-  void commit_points(History<D>& present, const History<D>& accepted, double penalty_factor) override;
-  void release(History<D>& present, const History<D>& accepted, double penalty_factor) const;
+  void advance(History<D>& present, const History<D>& accepted) const;
+  void release(History<D>& present, const History<D>& accepted, double tangential) const;
   void take_back(std::vector<Block>& blocks) override;
 
-  PenaltyLaw law_; ///< of the scene
-  double scale_;   ///< of unknown multipliers
-  Pass pass_;
   MultiplierFunctions<D> functions_;
-  std::vector<Part> parts_;
-  std::vector<std::size_t> first_sum_;            ///< per slave element: offset into element_sums_
-  std::vector<MultiplierSums<D>> element_sums_;   ///< per slave element and multiplier on it
-  std::vector<char> is_skipped_;                  ///< per slave element: its points were not projected
-  std::vector<double> cleared_;                   ///< per slave element: least `cleared` of its points
-  std::vector<MultiplierSums<D>> sums_;           ///< per multiplier, as the next
-  std::vector<double> fractions_;                 ///< s*_A of a forecast, otherwise 0
-  std::vector<MultiplierTangent<D>> tangents_;    ///< without unknown multipliers
-  std::vector<ConditionRows<D>> conditions_;      ///< with unknown multipliers
-  std::vector<double> whole_;                     ///< their areas without open ends
-  std::vector<std::vector<const Strip*>> strips_; ///< per slave element
+  std::optional<UnknownMultipliers<D>> unknowns_; ///< none: they are eliminated
+  Multipliers multipliers_;
+  std::vector<SumPart<D>> parts_;
+  std::vector<MultiplierRows<D>> rows_; ///< by part
+  ElementSums<D> element_sums_;
+  std::vector<WeightedMultiplier<D>> weighted_; ///< by multiplier
+  MultiplierCoupling<D> coupling_;
   std::vector<Block> spare_;
 };
 

@@ -7,8 +7,8 @@ namespace signorini::contact {
 namespace {
 
 /// Plane normal to n_A with its directions, and their derivatives:
-///   δn = turn δN,   δe₁ = −(e₁·δn) n + φ e₂,   δe₂ = −(e₂·δn) n − φ e₁,   φ = spin_normal δn + spin_along δ(Σ w
-///   xˢ_,1).
+///   δn = turn δN,   δe₁ = −(e₁·δn) n + φ e₂,   δe₂ = −(e₂·δn) n − φ e₁,
+///   φ = spin_normal δn + spin_along δ(Σ w xˢ_,1).
 template <int D> struct Frame {
   Vec<D> normal;
   Eigen::Matrix<double, D, D - 1> axes;
@@ -45,7 +45,7 @@ template <int D> Vec<D> turned(const Frame<D>& frame, const FaceCoordinates<D>& 
 
 template <int D>
 void friction(const PenaltyLaw& law, const MultiplierSums<D>& sums, const MultiplierHistory<D>& history,
-              const MultiplierControl& control, MultiplierResult<D>& result, MultiplierTangent<D>& tangent) {
+              const FrictionControl& control, MultiplierResult<D>& result, MultiplierTangent<D>& tangent) {
   using Components = FaceCoordinates<D>;
   using Square = Eigen::Matrix<double, D - 1, D - 1>;
   const Frame<D> frame = frame_of(sums);
@@ -58,9 +58,7 @@ void friction(const PenaltyLaw& law, const MultiplierSums<D>& sums, const Multip
   Components traction = trial;
   Square scale = Square::Identity(); // ∂traction/∂trial
   result.state = ContactState::stick;
-  const bool slips = control.fixed_state == FixedContactState::slip ||
-                     (control.fixed_state != FixedContactState::stick && magnitude > limit + tie && magnitude > -tie);
-  if (slips && magnitude > 0) {
+  if (slips(control.fixed, magnitude, limit, tie) && magnitude > 0) {
     // t = μ z d,  δt = μ δz d + μ z/|trial| (I − d dᵀ) δtrial
     result.state = ContactState::slip;
     const Components d = trial / magnitude;
@@ -91,29 +89,21 @@ void friction(const PenaltyLaw& law, const MultiplierSums<D>& sums, const Multip
 
 template <int D>
 MultiplierTangent<D> mortar_law(const PenaltyLaw& law, const MultiplierSums<D>& sums,
-                                const MultiplierHistory<D>& history, const MultiplierControl& control,
+                                const MultiplierHistory<D>& history, const FrictionControl& control,
                                 MultiplierResult<D>& result) {
   MultiplierTangent<D> tangent;
-  result.area = sums.area;
-  result.gap = sums.gap / sums.area;
-  // z > 0 below a gap of λ/ε
-  const double distance = result.gap - history.pressure / law.normal;
-  FixedContactState fixed = control.fixed_state;
-  if (fixed == FixedContactState::free && std::abs(distance) < control.guessed) fixed = FixedContactState::stick;
-  if (fixed == FixedContactState::open || (fixed == FixedContactState::free && distance >= 0)) return tangent;
-  if (fixed == FixedContactState::free && control.landing) fixed = FixedContactState::stick;
   result.pressure = history.pressure - law.normal * result.gap;
   tangent.pressure = -law.normal;
   result.state = ContactState::stick;
   result.potential = 0.5 * law.normal * result.gap * result.gap * sums.area;
-  if (law.friction > 0 && (result.pressure > 0 || fixed == FixedContactState::stick))
-    friction(law, sums, history, {fixed, control.guessed, control.tie, control.landing}, result, tangent);
+  if (law.friction > 0 && (result.pressure > 0 || control.fixed == FixedContactState::stick))
+    friction(law, sums, history, control, result, tangent);
   return tangent;
 }
 
 template MultiplierTangent<2> mortar_law(const PenaltyLaw&, const MultiplierSums<2>&, const MultiplierHistory<2>&,
-                                         const MultiplierControl&, MultiplierResult<2>&);
+                                         const FrictionControl&, MultiplierResult<2>&);
 template MultiplierTangent<3> mortar_law(const PenaltyLaw&, const MultiplierSums<3>&, const MultiplierHistory<3>&,
-                                         const MultiplierControl&, MultiplierResult<3>&);
+                                         const FrictionControl&, MultiplierResult<3>&);
 
 } // namespace signorini::contact

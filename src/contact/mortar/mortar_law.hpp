@@ -1,5 +1,5 @@
 #pragma once
-// Law of one multiplier of mortar contact: penalty with augmentation, and Coulomb friction.
+// Law of one multiplier of mortar contact: penalty with augmentation, and Coulomb friction [theory 8.1].
 
 #include "contact/point/history.hpp"
 #include "contact/point/penalty.hpp"
@@ -15,14 +15,21 @@ template <int D> struct MultiplierSums {
   Vec<D> normal = Vec<D>::Zero(); ///< Σ w_k n̄_k; this and the following with friction only
   Vec<D> slip = Vec<D>::Zero();   ///< Σ w_k v_k
   Vec<D> along = Vec<D>::Zero();  ///< Σ w_k xˢ_,1
+
+  void add(double weight, const MultiplierSums& other) {
+    area += weight * other.area;
+    gap += weight * other.gap;
+    before += weight * other.before;
+    normal += weight * other.normal;
+    slip += weight * other.slip;
+    along += weight * other.along;
+  }
 };
 
-/// Rules of a step that take precedence, see Controls.
-struct MultiplierControl {
-  FixedContactState fixed_state = FixedContactState::free;
-  double guessed = 0; ///< contact tolerance of the gap
-  double tie = 0;     ///< of the elastic slip; negative: slips
-  bool landing = false;
+/// State to which a closed multiplier is fixed, and Controls::tie().
+struct FrictionControl {
+  FixedContactState fixed;
+  double tie;
 };
 
 /// Derivatives of z_A and t_A with respect to ḡ_A, Σ w n̄, V_A = Σ w v/a_A and Σ w xˢ_,1; zero if open.
@@ -32,14 +39,15 @@ template <int D> struct MultiplierTangent {
   Mat<D> of_normal = Mat<D>::Zero(), of_slip = Mat<D>::Zero(), of_along = Mat<D>::Zero();
 };
 
-/// z_A = λ_A − ε_N ḡ_A where positive, and with n_A = Σ w n̄/‖·‖ the friction t_A in the plane normal to n_A:
+/// The law of a closed multiplier, whose result has its area and gap: z_A = λ_A − ε_N ḡ_A > 0, and with n_A = Σ w n̄/‖·‖
+/// the friction t_A in the plane normal to n_A:
 ///   trial λ_TA + ε_T (η_A + V_A − V*_A), returned to |t_A| ≤ μ z_A,   η_A the elastic slip of the accepted state,
 /// V*_A the slip V_A of the step where the multiplier touches.
 /// λ_TA and η_A are components along e₁, the direction of Σ w xˢ_,1 in this plane, and e₂ = n_A × e₁ (3D), so that they
 /// turn with the slave.
 template <int D>
 MultiplierTangent<D> mortar_law(const PenaltyLaw& law, const MultiplierSums<D>& sums,
-                                const MultiplierHistory<D>& history, const MultiplierControl& control,
+                                const MultiplierHistory<D>& history, const FrictionControl& control,
                                 MultiplierResult<D>& result);
 
 } // namespace signorini::contact

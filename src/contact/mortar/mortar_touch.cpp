@@ -1,7 +1,7 @@
-// First touch of mortar contact: the slip of a step that multipliers leave out because they are open until then.
+// First touch of mortar contact: the slip of a step that multipliers leave out because they are open until then
+// [theory 7.2].
 
 #include "contact/mortar/mortar_contact.hpp"
-#include "contact/point/touch.hpp"
 
 namespace signorini::contact {
 
@@ -11,42 +11,33 @@ template <int D> double MortarContact<D>::gap_before(std::size_t i, const Trial<
   const Vec<D>&from = trial.accepted.results[i].position, &to = trial.present.results[i].position;
   Projection<D> before = trial.accepted.points[i].projection;
   FacePoint<D> foot, foot_before;
-  if (!trial.accepted.points[i].slips)
-    before = this->accepted_master_.project(from, before, foot); // not projected there
-  if (before.foot != Foot::none) return before.gap - this->offset(i, trial.accepted);
+  if (!trial.accepted.points[i].slips) before = faces_.accepted.project(from, before, foot); // not projected there
+  if (before.foot != Foot::none) return before.gap - parameters_.offset(i, trial.accepted.changes);
   const Projection<D>& present = trial.present.points[i].projection;
-  this->master().locate(present, foot);
-  this->accepted_master_.locate(present, foot_before);
+  faces_.master.locate(present, foot);
+  faces_.accepted.locate(present, foot_before);
   const Vec<D> way = (from - foot_before.position) - (to - foot.position);
   const Vec<D> out = to - foot.position;
-  const Vec<D> normal = present.foot == Foot::regular ? this->master().normal(foot) : Vec<D>(out / present.gap);
-  return now + this->offset(i, trial.present) - this->offset(i, trial.accepted) + normal.dot(way);
-}
-
-/// V*_A = s*_A V_A for a multiplier that is open in the accepted state and closed at the guess, with V_A of the guess
-/// and the fraction s*_A of the step at which its gap closes on the way to it.
-template <int D>
-void MortarContact<D>::foresee_touch(int multiplier, const MultiplierSums<D>& sum, const Trial<D>& trial) {
-  if (trial.accepted.multiplier_results[multiplier].state != ContactState::open || sum.gap >= 0) return;
-  fractions_[multiplier] = touch_fraction(sum.before, sum.gap);
-  trial.present.multipliers[multiplier].touch = fractions_[multiplier] * (sum.slip / sum.area);
+  const Vec<D> normal = present.foot == Foot::regular ? faces_.master.normal(foot) : Vec<D>(out / present.gap);
+  return now + parameters_.offset(i, trial.present.changes) - parameters_.offset(i, trial.accepted.changes) +
+         normal.dot(way);
 }
 
 /// Moves the former feet of the points to where they are at the fraction Σ M_A s*_A of the step, and reduces V*_A by
 /// the slip that V_A then lacks: it remains where multipliers with common points touch at different times. Feet deform
 /// with the master, which V*_A does not.
-template <int D> void MortarContact<D>::move_feet(const Trial<D>& trial) {
+template <int D> void MortarContact<D>::move_slip_points(const Trial<D>& trial) {
   FacePoint<D> foot, slip_point;
-  for (std::size_t i = 0; i < this->points_.size(); ++i) {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
     PointHistory<D>& point = trial.present.points[i];
     const PointResult<D>& result = trial.present.results[i];
-    const int element = this->points_.list[i].element;
+    const int element = points_.list[i].element;
     const auto on = functions_.on(element);
     const double* values = functions_.at_point(i);
     double fraction = 0;
-    for (std::size_t a = 0; a < on.size(); ++a) fraction += values[a] * fractions_[on[a]];
-    if (fraction == 0 || is_skipped_[element] || result.beyond || !point.slips) continue;
-    const Master<D>& master = this->master();
+    for (std::size_t a = 0; a < on.size(); ++a) fraction += values[a] * weighted_[on[a]].fraction;
+    if (fraction == 0 || element_sums_.skipped(element) || result.beyond || !point.slips) continue;
+    const Master<D>& master = faces_.master;
     master.locate(point.projection, foot);
     master.locate(point.slip, slip_point);
     const Vec<D> before = slip_point.position;
@@ -55,18 +46,16 @@ template <int D> void MortarContact<D>::move_feet(const Trial<D>& trial) {
     FaceCoordinates<D> rate;
     if (moved.foot == Foot::none) continue;
     point.slip = moved.point();
-    const double area =
-        this->points_.list[i].weight * measure(i, result.position) * master.fade(point.projection.xi, rate);
+    const double area = points_.list[i].weight * measure(i, result.position) * master.fade(point.projection.xi, rate);
     for (std::size_t a = 0; a < on.size(); ++a)
-      if (const double whole = sums_[on[a]].area; whole > 0)
+      if (const double whole = weighted_[on[a]].sums.area; whole > 0)
         trial.present.multipliers[on[a]].touch -= (values[a] * area / whole) * (slip_point.position - before);
   }
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template double MortarContact<D>::gap_before(std::size_t, const Trial<D>&, double) const;                            \
-  template void MortarContact<D>::foresee_touch(int, const MultiplierSums<D>&, const Trial<D>&);                       \
-  template void MortarContact<D>::move_feet(const Trial<D>&);
+  template void MortarContact<D>::move_slip_points(const Trial<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -35,7 +35,7 @@ MultiplierFunctions<D>::MultiplierFunctions(const Surface<D>& slave, const Conta
   const FaceMultipliers<D> face(slave, kind);
   const nurbs::Space1D& u = face.along.front();
   supports_.resize(face.count);
-  largest_.assign(face.count, -1);
+  largest_.assign(face.count, 0);
   std::vector<double> most(face.count, 0.0);
   std::size_t i = 0;
   for (int e = 0; e < slave.elements(); ++e) {

@@ -4,6 +4,7 @@
 #include "contact/face/multiplier_space.hpp"
 #include "contact/point/contact_points.hpp"
 
+#include <algorithm>
 #include <span>
 
 namespace signorini::contact {
@@ -25,13 +26,17 @@ public:
   int count() const { return std::ssize(supports_); }
   /// Multipliers that do not vanish on a slave element.
   std::span<const int> on(int element) const { return numbers_[element]; }
+  /// Index of a multiplier in on(element); the size of that list if it vanishes there.
+  int index_on(int element, int multiplier) const {
+    return static_cast<int>(std::ranges::find(numbers_[element], multiplier) - numbers_[element].begin());
+  }
   /// Slave elements on which a multiplier does not vanish, increasing.
   std::span<const int> support(int multiplier) const { return supports_[multiplier]; }
   const std::vector<MultiplierGroup>& groups() const { return groups_; }
   /// M_A of on(element) at contact point i.
   const double* at_point(std::size_t i) const { return values_.data() + offsets_[i]; }
-  /// The contact point at which a multiplier is largest; −1 if it has none.
-  int largest(int multiplier) const { return largest_[multiplier]; }
+  /// The contact point at which each multiplier is largest; 0 if it has none.
+  const std::vector<int>& largest() const { return largest_; }
   /// Reference areas of the multipliers, Σ w_k M_A over all points; the largest for those without points.
   std::vector<double> areas(const ContactPoints<D>& points) const;
   double memory() const;

@@ -11,7 +11,7 @@ namespace {
 
 template <int D>
 void add_friction(const PenaltyLaw& law, double s, const MultiplierSums<D>& sums, const MultiplierUnknowns<D>& unknowns,
-                  const Vec<D>& touch, const MultiplierControl& control, MultiplierResult<D>& result,
+                  const Vec<D>& touch, const FrictionControl& control, MultiplierResult<D>& result,
                   ConditionRows<D>& rows) {
   const double a = sums.area, length = sums.normal.norm();
   const Vec<D> n = sums.normal / length, slip = sums.slip / a;
@@ -25,9 +25,7 @@ void add_friction(const PenaltyLaw& law, double s, const MultiplierSums<D>& sums
   Vec<D> traction = y;
   Mat<D> part = Mat<D>::Identity(); // ∂P/∂y
   result.state = ContactState::stick;
-  const bool slips = control.fixed_state == FixedContactState::slip ||
-                     (control.fixed_state != FixedContactState::stick && magnitude > limit + tie && magnitude > -tie);
-  if (slips && magnitude > 0) {
+  if (slips(control.fixed, magnitude, limit, tie) && magnitude > 0) {
     // P = μ q d,  δP = μ (s δχ_N − ε_N δḡ) d + μ q/|y| (I − d dᵀ) δy
     result.state = ContactState::slip;
     const Vec<D> d = y / magnitude;
@@ -69,15 +67,7 @@ template <int D> ConditionRows<D> open_multiplier(double s, double whole, const 
 template <int D>
 ConditionRows<D> multiplier_law(const PenaltyLaw& law, double s, const MultiplierSums<D>& sums, double whole,
                                 const MultiplierUnknowns<D>& unknowns, const Vec<D>& touch,
-                                const MultiplierControl& control, MultiplierResult<D>& result) {
-  result.area = sums.area;
-  result.gap = sums.gap / sums.area;
-  const double distance = result.gap - s * unknowns.normal / law.normal; // −q/ε
-  FixedContactState fixed = control.fixed_state;
-  if (fixed == FixedContactState::free && std::abs(distance) < control.guessed) fixed = FixedContactState::stick;
-  if (fixed == FixedContactState::open || (fixed == FixedContactState::free && distance >= 0))
-    return open_multiplier(s, whole, unknowns);
-  if (fixed == FixedContactState::free && control.landing) fixed = FixedContactState::stick;
+                                const FrictionControl& control, MultiplierResult<D>& result) {
   ConditionRows<D> rows;
   result.state = ContactState::stick;
   result.pressure = s * unknowns.normal;
@@ -85,7 +75,7 @@ ConditionRows<D> multiplier_law(const PenaltyLaw& law, double s, const Multiplie
   rows.of_gap(0) = -s;
   rows.of_unknowns.diagonal().setConstant(-proximal * s * whole);
   if (law.friction > 0) {
-    add_friction(law, s, sums, unknowns, touch, {fixed, control.guessed, control.tie, control.landing}, result, rows);
+    add_friction(law, s, sums, unknowns, touch, control, result, rows);
   } else { // χ_T = 0, where it is an unknown because friction acts later
     rows.residual.template tail<D>() = -s * whole * unknowns.tangential;
     rows.of_unknowns.diagonal().template tail<D>().setConstant(-s * whole);
@@ -97,7 +87,7 @@ ConditionRows<D> multiplier_law(const PenaltyLaw& law, double s, const Multiplie
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template ConditionRows<D> open_multiplier(double, double, const MultiplierUnknowns<D>&);                             \
   template ConditionRows<D> multiplier_law(const PenaltyLaw&, double, const MultiplierSums<D>&, double,                \
-                                           const MultiplierUnknowns<D>&, const Vec<D>&, const MultiplierControl&,      \
+                                           const MultiplierUnknowns<D>&, const Vec<D>&, const FrictionControl&,        \
                                            MultiplierResult<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

@@ -1,5 +1,6 @@
 #pragma once
-// Contact conditions of one multiplier that is an unknown: normal contact and Coulomb friction as equations.
+// Contact conditions of one multiplier that is an unknown: normal contact and Coulomb friction as equations
+// [theory 8.2].
 
 #include "contact/mortar/mortar_law.hpp"
 
@@ -34,7 +35,7 @@ template <int D> struct ConditionRows {
 template <int D>
 ConditionRows<D> multiplier_law(const PenaltyLaw& law, double scale, const MultiplierSums<D>& sums, double whole,
                                 const MultiplierUnknowns<D>& unknowns, const Vec<D>& touch,
-                                const MultiplierControl& control, MultiplierResult<D>& result);
+                                const FrictionControl& control, MultiplierResult<D>& result);
 
 /// The conditions of an open multiplier.
 template <int D> ConditionRows<D> open_multiplier(double scale, double whole, const MultiplierUnknowns<D>& unknowns);

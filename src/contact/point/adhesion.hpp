@@ -1,5 +1,5 @@
 #pragma once
-// Van der Waals adhesion at one contact point, with its consistent tangent.
+// Van der Waals adhesion at one contact point, with its consistent tangent [theory 9.2].
 
 #include "contact/point/local.hpp"
 

@@ -9,7 +9,7 @@ namespace signorini::contact {
 struct Start {
   bool active = true;
   double offset = 0;         ///< gap at which the faces touch
-  bool interference = false; ///< whether the overlap of the initial shapes is allowed, to be closed along the path
+  bool interference = false; ///< the overlap of the initial shapes is allowed, to be closed along the path
 };
 
 /// Constants that differ from those of the scene. `overlap`: fraction of the initial overlap that remains allowed.

@@ -35,15 +35,14 @@ Separation separate_linearly(const Cohesion& law, double opening, double largest
 
 } // namespace
 
-const Cohesion& checked(const Cohesion& law) {
+void check(const Cohesion& law) {
   require(std::isfinite(law.strength) && law.strength > 0, "contact.cohesion.strength", {{"value", law.strength}});
   require(std::isfinite(law.energy) && law.energy > 0, "contact.cohesion.energy", {{"value", law.energy}});
-  if (law.softening == Softening::exponential) return law;
+  if (law.softening == Softening::exponential) return;
   require(std::isfinite(law.stiffness) && law.stiffness > 0, "contact.cohesion.stiffness", {{"value", law.stiffness}});
   // δ_f > δ₀:  K > σ_c²/(2 G_c)
   const double least = law.strength * law.strength / (2 * law.energy);
   require(law.stiffness > least, "contact.cohesion.snap_back", {{"stiffness", law.stiffness}, {"least", least}});
-  return law;
 }
 
 double strongest_opening(const Cohesion& law) {

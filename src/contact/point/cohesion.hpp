@@ -1,6 +1,6 @@
 #pragma once
 // Cohesive law of a bond at one contact point: traction over opening with irreversible damage, and its two shares in
-// the forces with their consistent tangents.
+// the forces with their consistent tangents [theory 9.3].
 
 #include "contact/point/local.hpp"
 
@@ -21,7 +21,7 @@ struct Cohesion {
 };
 
 /// Throws Error if a constant is invalid, or if a bilinear law would snap back: δ_f ≤ σ_c/K.
-const Cohesion& checked(const Cohesion& law);
+void check(const Cohesion& law);
 /// Opening at the largest traction: δ_c of the exponential law, δ₀ = σ_c/K of the bilinear one.
 double strongest_opening(const Cohesion& law);
 
@@ -40,7 +40,7 @@ Separation separate(const Cohesion& law, double opening, double largest);
 /// On a flat master δ² = ⟨Δ_n⟩² + |Δ_t|²: pressure neither opens the bond nor acts against it.
 template <int D> struct Bond {
   Vec<D> apart;                   ///< Δ
-  bool closed = false;            ///< whether the penalty acts
+  bool closed = false;            ///< the penalty acts
   double gap = 0;                 ///< g, if closed
   Vec<D> normal = Vec<D>::Zero(); ///< n̄ at the closest point, if closed
   double largest = 0;             ///< opening so far

@@ -8,7 +8,7 @@
 
 namespace signorini::contact {
 
-/// Predicate of a point in the reference configuration: whether the contact acts there; empty: everywhere.
+/// True where the contact acts, by position in the reference configuration; empty: everywhere.
 template <int D> using Region = std::function<bool(const Vec<D>&)>;
 
 struct ContactPoint {
@@ -19,6 +19,10 @@ struct ContactPoint {
   std::size_t values;    ///< offset into ContactPoints::values
   bool sparse = false;   ///< of the element's sparse rule
 };
+/// The area of a point's Gauss weight in the reference configuration.
+inline double reference_area(const ContactPoint& point) {
+  return point.weight * point.reference_area;
+}
 
 template <int D> struct ContactPoints {
   /// `per_direction` Gauss points per slave element and direction, element by element, without those outside `where`.

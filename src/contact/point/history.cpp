@@ -1,6 +1,7 @@
 #include "contact/point/history.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini::contact {
 
@@ -73,6 +74,27 @@ template <int D> void forget_touches(History<D>& present, const History<D>& acce
   for (MultiplierHistory<D>& multiplier : present.multipliers) multiplier.touch.setZero();
 }
 
+template <int D> void augment(History<D>& history) {
+  for (std::size_t a = 0; a < history.multipliers.size(); ++a) {
+    history.multipliers[a].pressure = history.multiplier_results[a].pressure;
+    history.multipliers[a].friction = history.multiplier_results[a].components;
+  }
+  if (!history.multipliers.empty()) return;
+  for (std::size_t i = 0; i < history.points.size(); ++i)
+    history.points[i].multiplier = history.results[i].pressure * stretch(history.results[i]);
+}
+
+template <int D> double violation(const History<D>& history) {
+  double farthest = 0;
+  for (const MultiplierResult<D>& result : history.multiplier_results)
+    if (result.state != ContactState::open)
+      farthest = std::max({farthest, std::abs(result.gap), result.elastic.norm()});
+  if (!history.multipliers.empty()) return farthest;
+  for (const PointResult<D>& point : history.results)
+    if (touches(point.state)) farthest = std::max(farthest, std::abs(point.gap));
+  return farthest;
+}
+
 template <int D> void change(History<D>& history, const Changes& changes) {
   history.changes = changes;
   look_everywhere(history);
@@ -96,6 +118,8 @@ template <int D> void change(History<D>& history, const Changes& changes) {
   template void look_again(History<D>&);                                                                               \
   template void look_everywhere(History<D>&);                                                                          \
   template void forget_touches(History<D>&, const History<D>&);                                                        \
+  template void augment(History<D>&);                                                                                  \
+  template double violation(const History<D>&);                                                                        \
   template void change(History<D>&, const Changes&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

@@ -16,7 +16,7 @@ template <int D> struct PointResult {
   bool settled = true;              ///< the searches for its closest point and, once accepted, its slip point converged
   double pressure = 0;
   double area = 0; ///< to which the tractions refer: current; adhesion: reference
-  /// Of the slave face at a touching point, current, not of unit length
+  /// Tangents of the slave face at a touching point, current, not of unit length
   Eigen::Matrix<double, D, D - 1> tangents = Eigen::Matrix<double, D, D - 1>::Zero();
   Vec<D> friction = Vec<D>::Zero(); ///< t_T; the traction on the slave is t_N n̄ − t_T
   Vec<D> force = Vec<D>::Zero();    ///< on the slave: traction × area
@@ -32,7 +32,7 @@ template <int D> double stretch(const PointResult<D>& point) {
 /// History of one contact point.
 template <int D> struct PointHistory {
   Projection<D> projection; ///< start of the next closest-point projection
-  double cleared = 0;       ///< value of Formulation::travel_ up to which an open point stays open
+  double cleared = 0;       ///< value of Faces::travel up to which an open point stays open
   bool slips = false;       ///< has a slip point
   MasterPoint<D> slip;
   double limit = 0;      ///< μ t_N times the area in the accepted state
@@ -63,7 +63,7 @@ template <int D> struct MultiplierResult {
 
 /// History of one multiplier.
 template <int D> struct MultiplierHistory {
-  double cleared = 0;  ///< value of Formulation::travel_ up to which all its points stay open
+  double cleared = 0;  ///< value of Faces::travel up to which all its points stay open
   double pressure = 0; ///< λ_A of the augmented Lagrangian method
   FaceCoordinates<D> friction = FaceCoordinates<D>::Zero(); ///< λ_TA
   FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero();  ///< slip of its spring in the accepted state
@@ -80,7 +80,7 @@ template <int D> struct History {
   std::vector<MultiplierHistory<D>> multipliers;
   std::vector<MultiplierResult<D>> multiplier_results;
   std::vector<PointBond<D>> bonds = {}; ///< one per point of a cohesive contact, otherwise none
-  std::vector<char> sparse = {};        ///< per slave element, whether its sparse rule acts; empty if there are none
+  std::vector<char> sparse = {};        ///< per slave element, true if its sparse rule acts; empty if there are none
   Changes changes = {};
   /// Sums over all accepted steps, by the trapezoidal rule over each: work of friction, ∫ μ t_N dγ da; ∫∫ φ dA, the
   /// law's energy φ per area times the growth of the area A on which its tractions act, which no force does; and the
@@ -89,7 +89,7 @@ template <int D> struct History {
   double debonding = 0; ///< energy that bonds have dissipated
 };
 
-/// Whether point i acts: it belongs to the rule of its element.
+/// True if point i acts: it belongs to the rule of its element.
 template <int D> bool acts(const ContactPoints<D>& points, const History<D>& history, std::size_t i) {
   return history.sparse.empty() || (history.sparse[points.list[i].element] != 0) == points.list[i].sparse;
 }
@@ -132,6 +132,14 @@ template <int D> void look_everywhere(History<D>& history);
 
 /// Drops the touches that another attempt of the step has foreseen.
 template <int D> void forget_touches(History<D>& present, const History<D>& accepted);
+
+/// Uzawa's step of the augmented Lagrangian method [theory 5.15] (J. C. Simo, T. A. Laursen, Comput. Struct. 42, 1992),
+/// for constraints whose multipliers are not unknowns: λ becomes the pressure of the last evaluation, of multipliers
+/// also the friction.
+template <int D> void augment(History<D>& history);
+/// Largest |gap| of the closed constraints as far as augmentation reduces it, positive gaps included: an opening point
+/// keeps its pressure until its multiplier is reduced. Multipliers that stick also have their elastic slip.
+template <int D> double violation(const History<D>& history);
 
 /// Changes constants. The next evaluation projects all points; a contact that is switched off loses its multipliers.
 template <int D> void change(History<D>& history, const Changes& changes);

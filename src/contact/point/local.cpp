@@ -71,7 +71,7 @@ template <int D> GapRows<D> gap_rows(const LocalGeometry<D>& geometry, LocalShif
       for (int b = 0; b < tangents; ++b) curvature(a, b) = n.dot(master.second[a + b]);
     const Mat<tangents> metric = basis.transpose() * basis;
 
-    // [τ_α·τ_β − g n̄·x_,αβ] δξ̄^β = (δxˢ − δx̄ᵐ)·τ_α + g n̄·δτ_α   (thesis A.17, A.18)
+    // [τ_α·τ_β − g n̄·x_,αβ] δξ̄^β = (δxˢ − δx̄ᵐ)·τ_α + g n̄·δτ_α   [theory 5.1]
     const Mat<tangents> inverse = (metric - g * curvature).inverse();
     const Eigen::Matrix<double, tangents, D> along = inverse * basis.transpose();
     shift.template leftCols<D>() = along;

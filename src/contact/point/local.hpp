@@ -11,7 +11,7 @@ namespace signorini::contact {
 /// not closed, held by a cohesive bond.
 enum class ContactState { open, stick, slip, adhesion, bonded };
 
-/// Whether the penalty acts.
+/// True if the penalty acts.
 constexpr bool touches(ContactState state) {
   return state == ContactState::stick || state == ContactState::slip;
 }
@@ -38,7 +38,7 @@ template <int D> struct LocalGeometry {
   double reference_measure; ///< reference area per parametric area
   double multiplier = 0;    ///< λ_N of the augmented Lagrangian method, a pressure
   FixedContactState fixed_state = FixedContactState::free;
-  /// A trial slip within this distance of Coulomb's cone sticks, if negative slips. See Controls::guessed.
+  /// A trial slip within this distance of Coulomb's cone sticks, if negative slips. See Controls::tie().
   double tie = 0;
   double fade = 1; ///< effective fraction of the area, below 1 beyond an open end of the master
   FaceCoordinates<D> fade_rate = FaceCoordinates<D>::Zero(); ///< ∂fade/∂ξ̄
@@ -67,14 +67,14 @@ template <int D> using LocalRow = Eigen::Matrix<double, 1, LocalForce<D>::column
 template <int D> using LocalBlock = Eigen::Matrix<double, D, LocalForce<D>::columns>;
 template <int D> using LocalShift = Eigen::Matrix<double, D - 1, LocalForce<D>::columns>;
 
-/// Derivatives of g and n̄ with respect to q, and ∂ξ̄/∂q in `shift` (thesis A.17, A.18).
+/// Derivatives of g and n̄ with respect to q, and ∂ξ̄/∂q in `shift` [theory 5.1] (thesis A.17, A.18).
 template <int D> struct GapRows {
   LocalRow<D> gap;
   LocalBlock<D> normal;
 };
 template <int D> GapRows<D> gap_rows(const LocalGeometry<D>& geometry, LocalShift<D>& shift);
 
-/// Multiplies an area by its effective fraction w: m ← w m, δm ← w δm + m w_,α δξ̄^α.
+/// Multiplies an area by its effective fraction w [theory 5.10]: m ← w m, δm ← w δm + m w_,α δξ̄^α.
 template <int D>
 void fade_area(const LocalGeometry<D>& geometry, const LocalShift<D>& shift, double& measure, LocalRow<D>& derivative);
 

@@ -3,22 +3,12 @@
 
 #include "contact/closest/projection.hpp"
 #include "contact/rigid/obstacle.hpp"
+#include "contact/rigid/rigid_motion.hpp"
 
 namespace signorini::contact {
 
-/// Rotation of a rigid master about a point that moves with it. `arm` is the length L that makes the displacements of
-/// its markers lengths: of the size of the shape, so that forces on markers and on the translation compare.
-template <int D> struct Turning {
-  Vec<D> center;
-  double arm;
-};
-
-/// Position, kinematics and functions of a master. A rigid one has a single node, its translation t, whose shape
-/// function is 1 everywhere, so that the same residual and tangent serve both. One that turns about c has D further
-/// nodes, the markers c + L e_i, e_i the unit vectors. With their displacements u_i = L (R − I) e_i relative to t, its
-/// points are at
-///     x = X + t + Σ_i N_i u_i,   N_i = (X − c)·e_i / L,
-/// linear in the nodes like the points of a face.
+/// Position, kinematics and functions of a master. A face has the functions of its body, a rigid one those of
+/// RigidMotion.
 ///
 /// If the traction ended with the face, it would jump whenever a point passes the end, where for example the edge of a
 /// block pressed into a slab carries most load; and a point at a plane of symmetry that rounding error or a small slope
@@ -36,15 +26,15 @@ public:
   /// The moving face, or the rigid NURBS curve or surface; null for a closed-form shape.
   const Surface<D>* surface() const { return surface_ ? &*surface_ : nullptr; }
   /// Number of functions on an element; the number of nodes when rigid.
-  int functions_on(int element) const { return rigid_ ? nodes() : surface_->functions_on(element); }
+  int functions_on(int element) const { return rigid_ ? motion_.nodes() : surface_->functions_on(element); }
   /// Largest number of functions on an element.
-  int most_functions() const { return rigid_ ? nodes() : surface_->most_functions(); }
+  int most_functions() const { return rigid_ ? motion_.nodes() : surface_->most_functions(); }
 
   /// Sets displacements, D values per function of the body, or per node of the obstacle. Returns an upper bound of the
   /// distance by which any point has come closer to the convex hull of `opposite` (D × points).
-  double move(const double* displacement, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite = {});
-  /// The same bound between another position of the master and this one.
-  double moved_since(const Master& before, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite) const;
+  double move(const double* displacement, const PointColumns<D>& opposite = {});
+  /// The bound of move() between another position of the master and this one.
+  double moved_since(const Master& before, const PointColumns<D>& opposite) const;
 
   /// The closest point to x, see projection.hpp; `point` receives the geometry there (order 2) without functions.
   /// Closed-form shapes have no ends.
@@ -63,19 +53,13 @@ public:
   MasterPoint<D> advance(const MasterPoint<D>& slip, const FaceGeometry<D>& foot, double length) const;
 
 private:
-  int nodes() const { return turning_ ? 1 + D : 1; }
   void place(FaceGeometry<D>& point) const;
-  double turned(const Mat<D>& before, const Eigen::Matrix<double, D, Eigen::Dynamic>& opposite) const;
-  Vec<D> pulled_back(const Vec<D>& x) const;
 
   bool rigid_;
   std::optional<Obstacle<D>> shape_; ///< a closed-form shape
   std::optional<Surface<D>> surface_;
   ElementBoxes<D> boxes_;
-  Vec<D> translation_ = Vec<D>::Zero(); ///< of a rigid master
-  std::optional<Turning<D>> turning_;
-  Mat<D> turn_ = Mat<D>::Zero();      ///< R − I, without rounding errors of R far from the center
-  std::vector<double> displacements_; ///< working space: of the control points of a rigid face
+  RigidMotion<D> motion_; ///< of a rigid master
 };
 
 } // namespace signorini::contact

@@ -6,11 +6,10 @@
 
 namespace signorini::contact {
 
-const PenaltyLaw& checked(const PenaltyLaw& law) {
+void check(const PenaltyLaw& law) {
   require(law.normal > 0, "contact.penalty.normal", {{"value", law.normal}});
   require(law.friction >= 0, "contact.penalty.friction", {{"value", law.friction}});
   require(!may_rub(law) || law.tangential > 0, "contact.penalty.tangential", {{"value", law.tangential}});
-  return law;
 }
 
 PenaltyLaw changed(PenaltyLaw law, const Changes& changes) {
@@ -80,10 +79,9 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
     trial_rows.template middleCols<D>(Force::slip_column).diagonal().setConstant(-law.tangential);
 
     const double magnitude = trial.norm(), limit = law.friction * result.pressure;
-    // (ε_T + μ ε_N) |tie|: change of |t| − μ t_N due to an error |tie| of gap and slip. Below it the direction of t is
-    // undefined.
+    // (ε_T + μ ε_N) |tie|: change of |t| − μ t_N due to an error |tie| of gap and slip
     const double tie = (law.tangential + law.friction * law.normal) * geometry.tie;
-    if (sticks || magnitude <= limit + tie || magnitude <= -tie) {
+    if (!slips(geometry.fixed_state, magnitude, limit, tie)) {
       result.friction = trial;
       traction_rows -= trial_rows;
     } else {

@@ -25,7 +25,7 @@ struct PenaltyLaw {
   bool frictional = false; ///< μ may change along the path, also if it is 0
 };
 
-/// Whether friction acts or may act later.
+/// True if friction acts or may act later.
 inline bool may_rub(const PenaltyLaw& law) {
   return law.frictional || law.friction > 0;
 }
@@ -33,7 +33,7 @@ inline bool may_rub(const PenaltyLaw& law) {
 PenaltyLaw changed(PenaltyLaw law, const Changes& changes);
 
 /// Throws Error if a constant is invalid.
-const PenaltyLaw& checked(const PenaltyLaw& law);
+void check(const PenaltyLaw& law);
 /// The law with its penalty parameters times a factor.
 PenaltyLaw scaled(PenaltyLaw law, double factor);
 /// The larger penalty parameter in use.
@@ -43,8 +43,15 @@ double largest_penalty(const PenaltyLaw& law);
 /// path has lowered μ, the friction `held` there, if it exceeds the lower limit.
 double limit_before(double limit, double mu_before, double mu, double held);
 
-/// Evaluates the law (return mapping) at a closed point, t_N = λ_N − ε_N (g − o) > 0 with the offset o, or at one with
-/// a fixed state.
+/// True if a trial friction exceeds Coulomb's limit by more than `tie`, or the state is fixed to slip. Below |tie| the
+/// direction of the friction is undefined.
+inline bool slips(FixedContactState fixed, double trial, double limit, double tie) {
+  if (fixed == FixedContactState::stick) return false;
+  return fixed == FixedContactState::slip || (trial > limit + tie && trial > -tie);
+}
+
+/// Evaluates the law (return mapping) [theory 5.3] [theory 7.1] at a closed point, t_N = λ_N − ε_N (g − o) > 0 with the
+/// offset o, or at one with a fixed state.
 template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D>& geometry, LocalForce<D>& result);
 
 } // namespace signorini::contact

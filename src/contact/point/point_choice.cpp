@@ -16,7 +16,7 @@ struct ElementState {
   int listed = 0;                    ///< number of points of both rules
   std::optional<ContactState> state; ///< of the first
   bool mixed = false;
-  bool touching = false, apart = false;                             ///< whether a point is
+  bool touching = false, apart = false;                             ///< one of the points is
   double least = std::numeric_limits<double>::infinity(), most = 0; ///< pressure
 };
 
@@ -54,7 +54,7 @@ std::vector<char> choose_sparse(const ContactPoints<D>& points, const Surface<D>
     if (!full && touches(*element.state)) full = element.least < caution * border_pressure * element.most;
     if (!full && !touches(*element.state)) {
       Vec<D> lower, upper;
-      slave.bounds(e, lower, upper);
+      bounds(slave.bezier(e), lower, upper);
       full =
           is_near(element.points, caution * std::max(border_motion * moved, border_distance * (upper - lower).norm()));
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Elements that need few contact points: those far from changes of the contact state.
+// Elements that need few contact points: those far from changes of the contact state [theory 5.12].
 
 #include "contact/point/history.hpp"
 
@@ -11,7 +11,7 @@ namespace signorini::contact {
 
 using IsNear = std::function<bool(std::span<const std::size_t> points, double distance)>;
 
-/// Per slave element of the history, whether its sparse rule suffices in the next step. The integrand of an element
+/// Per slave element of the history, true if its sparse rule suffices in the next step. The integrand of an element
 /// that is wholly open or closed is as smooth as the faces; at the border of the contact it has a kink,
 /// where Gauss rules lose their order (T. X. Duong, R. A. Sauer, Comput. Mech. 55, 2015, refine them there). An element
 /// has its full rule if
@@ -23,7 +23,7 @@ using IsNear = std::function<bool(std::span<const std::size_t> points, double di
 ///  - a point of a neighbor is open where it is closed, or the reverse;
 ///  - the region of the contact cuts it.
 /// Both limits are higher for elements that have their full rule (hysteresis), so that rules do not alternate.
-/// `is_near(points, distance)`: whether one of these open points is nearer to contact than the distance.
+/// `is_near(points, distance)`: true if one of these open points is nearer to contact than the distance.
 template <int D>
 std::vector<char> choose_sparse(const ContactPoints<D>& points, const Surface<D>& slave, const History<D>& history,
                                 double moved, const IsNear& is_near);

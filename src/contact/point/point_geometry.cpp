@@ -3,23 +3,41 @@
 namespace signorini::contact {
 
 template <int D>
-LocalGeometry<D> point_geometry(const ContactPoints<D>& points, std::size_t i, const Surface<D>& slave,
-                                const Master<D>& master, const Vec<D>& position, const Projection<D>& projection,
-                                const FacePoint<D>& foot) {
+bool find_foot(const Master<D>& master, PointHistory<D>& point, PointResult<D>& result, FacePoint<D>& foot) {
+  foot.settled = true;
+  point.projection = master.project(result.position, point.projection, foot);
+  result.beyond = point.projection.foot == Foot::none;
+  result.settled = foot.settled;
+  return !result.beyond;
+}
+
+template <int D>
+LocalGeometry<D> point_geometry(const ContactPoints<D>& points, std::size_t i, const Faces<D>& faces,
+                                const Vec<D>& position, const Projection<D>& projection, const FacePoint<D>& foot) {
   LocalGeometry<D> geometry;
   geometry.slave = position;
-  geometry.slave_tangent = tangents(points, slave, i);
+  geometry.slave_tangent = tangents(points, faces.slave, i);
   geometry.master = &foot;
   geometry.foot = projection.foot;
   geometry.along = projection.along;
   geometry.gap = projection.gap;
-  geometry.normal =
-      projection.foot == Foot::regular ? master.normal(foot) : Vec<D>((position - foot.position) / projection.gap);
+  geometry.normal = projection.foot == Foot::regular ? faces.master.normal(foot)
+                                                     : Vec<D>((position - foot.position) / projection.gap);
   geometry.slip_point = nullptr;
   geometry.revolved = points.revolved;
   geometry.reference_measure = points.list[i].reference_area;
-  geometry.fade = master.fade(projection.xi, geometry.fade_rate);
+  geometry.fade = faces.master.fade(projection.xi, geometry.fade_rate);
   return geometry;
+}
+
+template <int D>
+double slave_measure(const ContactPoints<D>& points, const Surface<D>& slave, std::size_t i, const Vec<D>& position) {
+  LocalGeometry<D> geometry;
+  geometry.slave = position;
+  geometry.slave_tangent = tangents(points, slave, i);
+  geometry.revolved = points.revolved;
+  LocalRow<D> derivative;
+  return slave_measure(geometry, derivative);
 }
 
 template <int D> std::vector<std::array<std::size_t, 2>> pieces(const ContactPoints<D>& points) {
@@ -35,8 +53,10 @@ template <int D> std::vector<std::array<std::size_t, 2>> pieces(const ContactPoi
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template LocalGeometry<D> point_geometry(const ContactPoints<D>&, std::size_t, const Surface<D>&, const Master<D>&,  \
-                                           const Vec<D>&, const Projection<D>&, const FacePoint<D>&);                  \
+  template bool find_foot(const Master<D>&, PointHistory<D>&, PointResult<D>&, FacePoint<D>&);                         \
+  template LocalGeometry<D> point_geometry(const ContactPoints<D>&, std::size_t, const Faces<D>&, const Vec<D>&,       \
+                                           const Projection<D>&, const FacePoint<D>&);                                 \
+  template double slave_measure(const ContactPoints<D>&, const Surface<D>&, std::size_t, const Vec<D>&);               \
   template std::vector<std::array<std::size_t, 2>> pieces(const ContactPoints<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

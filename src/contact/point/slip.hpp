@@ -1,6 +1,7 @@
 #pragma once
 // Update of the slip point at the end of an accepted step: it moves along the master until the trial traction is on the
-// Coulomb cone, ε_T |x̄ᵐ − xᵐ(ξ_sl)| = μ t_N (thesis 3.70, 3.71, without the first-order error of its Euler step).
+// Coulomb cone, ε_T |x̄ᵐ − xᵐ(ξ_sl)| = μ t_N [theory 7.1] (thesis 3.70, 3.71, without the first-order error of its Euler
+// step).
 
 #include "contact/closest/projection.hpp"
 
@@ -10,8 +11,8 @@ namespace signorini::contact {
 /// closed curve it follows the shorter path between them, if necessary across the seam.
 FaceCoordinates<2> advance_slip(const Surface<2>& surface, const FaceCoordinates<2>& slip, const FaceGeometry<2>& foot,
                                 double length);
-/// The same for the projection of the chord from `foot` to `slip`, that is along n_T, the direction of the trial
-/// traction.
+/// On a surface the path is the projection of the chord from `foot` to `slip`, that is along n_T, the direction of the
+/// trial traction.
 FaceCoordinates<3> advance_slip(const Surface<3>& surface, const FaceCoordinates<3>& slip, const FaceGeometry<3>& foot,
                                 double length);
 

@@ -1,6 +1,6 @@
 #pragma once
 // First touch: the point of the master at which an open slave point closes on the way to the guess of a step. Friction
-// acts from there.
+// acts from there [theory 7.2].
 
 #include "contact/point/master.hpp"
 

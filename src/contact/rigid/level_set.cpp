@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "contact/closest/chord.hpp"
+#include "contact/rigid/near_point.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +18,10 @@ constexpr double coordinate_rounding = 4 * std::numeric_limits<double>::epsilon(
 
 template <int D> using TangentBasis = Eigen::Matrix<double, D, D - 1>;
 
-/// Orthonormal tangents t of which the unit normal n is t rotated by −90° (2D) or t₁×t₂ (3D).
-TangentBasis<2> tangents_of(const Vec<2>& n) {
-  return {-n(1), n(0)};
-}
-TangentBasis<3> tangents_of(const Vec<3>& n) {
-  int least;
-  n.cwiseAbs().minCoeff(&least);
-  TangentBasis<3> t;
-  t.col(0) = (Vec<3>::Unit(least) - n(least) * n).normalized();
-  t.col(1) = n.cross(Vec<3>(t.col(0)));
+template <int D> TangentBasis<D> tangents_of(const Vec<D>& normal) {
+  TangentBasis<D> t;
+  const auto directions = across(normal);
+  for (int k = 0; k < D - 1; ++k) t.col(k) = directions[k];
   return t;
 }
 
@@ -140,7 +135,7 @@ template <int D> void find_closest(const LevelSet<D>& level_set, const Vec<D>& x
   for (int iteration = 0; iteration < most_foot_iterations; ++iteration) {
     const double slope = at.gradient.norm();
     const Vec<D> normal = at.gradient / slope, away = x - p;
-    const TangentBasis<D> t = tangents_of(normal);
+    const TangentBasis<D> t = tangents_of<D>(normal);
     const FaceCoordinates<D> descent = t.transpose() * away;
     // The surface over its tangent plane is p + t ξ − ½ (ξ·tᵀHt ξ)/|∇f| n, with H the second derivatives of f.
     Mat<D - 1> hessian = Mat<D - 1>::Identity() + (away.dot(normal) / slope) * (t.transpose() * at.second * t);
@@ -173,7 +168,7 @@ template <int D> void locate(const LevelSet<D>& level_set, FaceGeometry<D>& poin
   const LevelValue<D> at = (*level_set.compiled)(point.position);
   const double slope = at.gradient.norm();
   const Vec<D> normal = at.gradient / slope;
-  const TangentBasis<D> t = tangents_of(normal);
+  const TangentBasis<D> t = tangents_of<D>(normal);
   const Mat<D - 1> bend = t.transpose() * at.second * t / -slope;
   std::size_t next = 0;
   for (int a = 0; a < D - 1; ++a) {

@@ -49,7 +49,7 @@ template <int D> LevelSet<D> make_level_set(symbolic::Formula formula, const Vec
 template <int D> LevelMesh<D> march(const CompiledLevelSet<D>& f);
 
 /// Coordinates of the closest point to x, without the obstacle's translation, in point.xi, point.last; point.settled
-/// tells whether the search converged. It starts at the nearest point of the mesh.
+/// is true if the search converged. It starts at the nearest point of the mesh.
 template <int D> void find_closest(const LevelSet<D>& level_set, const Vec<D>& x, FaceGeometry<D>& point);
 /// Position, tangents of unit length and second derivatives at these coordinates, those of the surface over its tangent
 /// plane, see obstacle.hpp.

@@ -1,6 +1,7 @@
 // Marching tetrahedra (3D) or triangles (2D).
 
 #include "base/error.hpp"
+#include "contact/constants.hpp"
 #include "contact/rigid/level_set.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 template <int D> constexpr int most_cells = D == 2 ? 160 : 40;
 
 /// Corners of the simplices of a cell, the paths from corner 0 to its opposite along the axes; bit d of a corner's
-/// number tells whether it is at the end of axis d (H. W. Kuhn, IBM J. Res. Dev. 4, 1960).
+/// number is set at the end of axis d (H. W. Kuhn, IBM J. Res. Dev. 4, 1960).
 constexpr std::array<std::array<int, 3>, 2> triangles_of_cell = {{{0, 1, 3}, {0, 3, 2}}};
 constexpr std::array<std::array<int, 4>, 6> tetrahedra_of_cell = {
     {{0, 1, 3, 7}, {0, 1, 5, 7}, {0, 2, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 4, 6, 7}}};
@@ -33,7 +34,7 @@ public:
     spacing_ = sides.maxCoeff() / most_cells<D>;
     int nodes = 1;
     for (int d = 0; d < D; ++d) {
-      cells_[d] = std::max(1, static_cast<int>(std::ceil(sides(d) / spacing_ * (1 - 1e-12))));
+      cells_[d] = std::max(1, static_cast<int>(std::ceil(sides(d) / spacing_ * (1 - cell_rounding))));
       step_(d) = sides(d) / cells_[d];
       stride_[d] = nodes;
       nodes *= cells_[d] + 1;
@@ -126,21 +127,21 @@ private:
   Vec<D> root(const Vec<D>& inner, const Vec<D>& outer, double inner_value, double outer_value) const {
     double low = 0, high = 1, t = inner_value == 0 ? 0 : inner_value / (inner_value - outer_value);
     LevelValue<D> at;
-    for (int iteration = 0; iteration < 100; ++iteration) {
+    for (int iteration = 0; iteration < most_edge_iterations; ++iteration) {
       at = f_(inner + t * (outer - inner));
       if (at.value == 0) break;
       (at.value > 0 ? high : low) = t;
       const double newton = t - at.value / at.gradient.dot(outer - inner);
       const double next = newton > low && newton < high ? newton : 0.5 * (low + high), change = std::abs(next - t);
       t = next;
-      if (change <= 1e-14) break;
+      if (change <= edge_tolerance) break;
     }
     const Vec<D> place = inner + t * (outer - inner);
     at = f_(place);
     const double size = std::max(std::abs(inner_value), std::abs(outer_value));
-    require(std::abs(at.value) <= 1e-6 * size, "contact.level_set.jump",
+    require(std::abs(at.value) <= jump_value * size, "contact.level_set.jump",
             {{"at", place}, {"before", inner_value}, {"after", outer_value}});
-    require(at.gradient.norm() * spacing_ > 1e-8 * size, "contact.level_set.no_gradient", {{"at", place}});
+    require(at.gradient.norm() * spacing_ > least_gradient * size, "contact.level_set.no_gradient", {{"at", place}});
     return place;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Rigid obstacles: shapes without unknowns, with closed-form closest points except for NURBS patches and level sets.
+// Rigid obstacles: shapes without unknowns, with closed-form closest points except for NURBS patches and level sets
+// [theory 6.1].
 
 #include "contact/rigid/level_set.hpp"
 
@@ -56,7 +57,7 @@ FaceCoordinates<2> closest(const Ball<2>& ball, const Vec<2>& x);
 FaceCoordinates<3> closest(const Ball<3>& ball, const Vec<3>& x);
 FaceCoordinates<3> closest(const Cylinder& cylinder, const Vec<3>& x);
 FaceCoordinates<3> closest(const Torus& torus, const Vec<3>& x);
-/// The same coordinates in `point`, as for level sets.
+/// Writes these coordinates to `point`, as for level sets.
 template <class Shape, int D> void find_closest(const Shape& shape, const Vec<D>& x, FaceGeometry<D>& point) {
   point.xi = closest(shape, x);
 }

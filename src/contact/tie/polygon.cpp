@@ -22,7 +22,7 @@ Polygon cut(const Polygon& polygon, int d, double bound, double sign) {
   return inside;
 }
 
-/// Whether all corners are corners of the bounding box, up to rounding error.
+/// True if all corners are corners of the bounding box, up to rounding error.
 bool is_box(const Polygon& polygon, const Vec<2>& lower, const Vec<2>& upper) {
   constexpr double rounding = 1e-12;
   if (polygon.size() != 4) return false;

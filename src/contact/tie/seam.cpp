@@ -103,7 +103,7 @@ private:
     return cuts;
   }
 
-  /// Whether a piece may lie on an element whose Gauss points are not opposite the master.
+  /// True if a piece may lie on an element whose Gauss points are not opposite the master.
   bool any_piece(int element, const Cuts& cuts) const {
     if constexpr (D == 2) {
       const std::array<double, 2> ends = slave_.interval(element, 0);
@@ -177,7 +177,7 @@ private:
     return solid::tensor_product(rules);
   }
 
-  /// Finds the closest point of a slave point, and returns whether it lies opposite the master.
+  /// Finds the closest point of a slave point; true if it lies opposite the master.
   bool find(int element, const FaceCoordinates<D>& xi) {
     slave_.locate(element, xi, 1, own_);
     own_.element = element;

@@ -1,5 +1,6 @@
 #pragma once
-// A tie: two faces with nonmatching meshes that move as one, by mortar coupling with Lagrange multipliers.
+// A tie: two faces with nonmatching meshes that move as one, by mortar coupling with Lagrange multipliers
+// [theory 9.1].
 
 #include "contact/face/multiplier_space.hpp"
 #include "contact/tie/seam.hpp"

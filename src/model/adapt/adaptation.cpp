@@ -68,7 +68,7 @@ public:
       require(own.points().size() == old.points().size(), "model.adapt.points",
               {{"contact", from.scene.contacts[k].name}});
       auto before = multipliers_of(from.scene.contacts[k], old), after = multipliers_of(to.scene.contacts[k], own);
-      require(before || (old.multipliers() == 0 && old.extra_unknowns() == 0), "model.adapt.formulation",
+      require(before || (!old.multipliers() && old.extra_unknowns() == 0), "model.adapt.formulation",
               {{"contact", from.scene.contacts[k].name}});
       multipliers_.emplace_back();
       if (before) multipliers_.back().emplace(std::move(*before), std::move(*after));
@@ -94,7 +94,7 @@ public:
     for (std::size_t k = 0; k < multipliers_.size(); ++k) {
       const int count = from_.contacts[k]->extra_unknowns();
       if (count == 0) continue;
-      const int each = count / from_.contacts[k]->multipliers();
+      const int each = from_.contacts[k]->multipliers()->unknowns;
       const MatrixX part = values.segment(old.of_contact(k).extra, count).reshaped(each, count / each);
       const VectorX carried = (*multipliers_[k])(part).reshaped();
       result.segment(own.of_contact(k).extra, carried.size()) = carried;
@@ -120,8 +120,8 @@ public:
           area > 0 ? one.limit / area : 0;
     }
     const MatrixX carried = (*multipliers_[k])(values);
-    result.multipliers.assign(own.multipliers(), {});
-    result.multiplier_results.assign(own.multipliers(), {});
+    result.multipliers.assign(own.multipliers()->count(), {});
+    result.multiplier_results.assign(own.multipliers()->count(), {});
     for (std::size_t a = 0; a < result.multipliers.size(); ++a) {
       const auto column = carried.col(static_cast<Eigen::Index>(a));
       contact::MultiplierHistory<D>& one = result.multipliers[a];
@@ -199,7 +199,7 @@ template <int D> std::shared_ptr<Model<D>> with_bodies(const Model<D>& model, co
   other.system.return_to_accepted(other.accepted);
 
   for (std::size_t k = 0; k < other.system.contacts.size(); ++k)
-    other.system.contacts[k]->continue_from(*model.system.contacts[k]);
+    other.system.contacts[k]->counters = model.system.contacts[k]->counters;
   other.linear.continue_from(model.linear);
   other.timings = model.timings;
   other.scene_warnings = model.scene_warnings;

@@ -112,7 +112,7 @@ template <int D> void mark(const Model<D>& model, std::size_t k, bool measured, 
   for (std::size_t i = 0; i < history.results.size(); ++i) {
     const contact::PointResult<D>& result = history.results[i];
     if (!inside[i]) continue;
-    const auto [f, index] = formulation.slave().own_element(formulation.points().list[i].element);
+    const auto [f, index] = own_element(formulation.slave(), formulation.points().list[i].element);
     double value = 1;
     if (measured && contact.slave.size() == 1 && result.area > 0 && largest > 0) {
       const Vec<D> traction = result.force / result.area;
@@ -122,7 +122,7 @@ template <int D> void mark(const Model<D>& model, std::size_t k, bool measured, 
     marks.add(contact.slave[f], index, value);
     const int foot = history.points[i].projection.element;
     if (!master || foot < 0) continue;
-    const auto [g, there] = formulation.master().surface()->own_element(foot);
+    const auto [g, there] = own_element(*formulation.master().surface(), foot);
     marks.add((*master)[g], there, value);
   }
 }

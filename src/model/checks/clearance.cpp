@@ -38,13 +38,13 @@ template <int D> struct Overlap {
 /// Among all points that act: the mean gap of a multiplier may be open although some of its points are deep in the
 /// master.
 template <int D> Overlap<D> overlap_of(const contact::Formulation<D>& contact, const contact::History<D>& history) {
-  const double shim = std::max(0.0, contact.offset(history)); // on purpose
-  const std::vector<double> gaps = contact.gaps(history);
+  const double shim = std::max(0.0, contact.parameters().offset(history.changes)); // on purpose
+  const std::vector<double> gaps = contact::gaps(contact, history), &overlap = contact.parameters().overlap;
   Overlap<D> deepest{-std::numeric_limits<double>::infinity(), Vec<D>::Zero(), 0, 0};
   Vec<D> low = Vec<D>::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     if (!acts(contact.points(), history, i)) continue; // its position is unknown
-    const double depth = contact.overlap().empty() ? -gaps[i] - shim : contact.overlap()[i];
+    const double depth = overlap.empty() ? -gaps[i] - shim : overlap[i];
     const Vec<D>& position = history.results[i].position;
     if (depth > deepest.depth) deepest = {depth, position, i, 0};
     if (depth <= 0) continue;

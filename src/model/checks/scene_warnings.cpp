@@ -168,11 +168,11 @@ template <int D> std::set<std::pair<int, int>> places(const contact::Formulation
 template <int D>
 void warn_of_missing_bonds(const Scene<D>& scene, const Contact<D>& contact, const contact::Formulation<D>& formulation,
                            std::vector<Message>& warnings) {
-  if (formulation.bonds().empty()) return;
+  if (!formulation.bonds()) return;
   const double close = most_seam_distance * element_size(scene, contact.slave, 2);
   int count = 0;
   double farthest = 0;
-  for (const contact::Projection<D>& bond : formulation.bonds()) {
+  for (const contact::Projection<D>& bond : formulation.bonds()->closest) {
     const double distance = std::abs(bond.gap);
     if (bond.foot != contact::Foot::none || bond.element < 0 || distance > close) continue;
     ++count;
@@ -252,13 +252,13 @@ std::vector<Message> scene_warnings(const Scene<D>& scene, const contact::Formul
   warn_of_weights(scene, warnings);
   warn_of_areas(scene, warnings);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    warn_of_friction(scene.contacts[k].name, contacts[k]->friction(histories[k]), warnings);
-    warn_of_stiffness(scene, scene.contacts[k], contacts[k]->penalty(histories[k]), warnings);
+    warn_of_friction(scene.contacts[k].name, contacts[k]->parameters().friction(histories[k].changes), warnings);
+    warn_of_stiffness(scene, scene.contacts[k], contacts[k]->parameters().penalty(histories[k].changes), warnings);
     warn_of_stiff_slave(scene, scene.contacts[k], warnings);
     warn_of_few_points(scene.contacts[k], contacts[k]->slave(), warnings);
     warn_of_coarse_bonds(scene, scene.contacts[k], warnings);
     warn_of_missing_bonds(scene, scene.contacts[k], *contacts[k], warnings);
-    warn_of_offset(scene, scene.contacts[k], contacts[k]->offset(histories[k]), warnings);
+    warn_of_offset(scene, scene.contacts[k], contacts[k]->parameters().offset(histories[k].changes), warnings);
   }
   warn_of_twins(scene, contacts, warnings);
   warn_of_shapes(scene, warnings);

@@ -20,13 +20,14 @@ template <int D, class What>
 void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<PointIndex>& points, What what) {
   for (std::size_t k = 0; k < std::min(points.size(), most_places); ++k) {
     const std::size_t contact = points[k].contact;
-    const int i = model.system.contacts[contact]->point_of(points[k].point);
+    const contact::Multipliers* multipliers = model.system.contacts[contact]->multipliers();
+    const int i = multipliers ? multipliers->points[points[k].point] : points[k].point;
     const double gap = constraint(model.present.contacts[contact], points[k].point).gap;
     diagnosis.places.push_back(contact_point(model, contact, i, gap, what(points[k])));
   }
   if (points.empty()) return;
   const FailurePlace& first = diagnosis.places.front();
-  const bool weighted = model.system.contacts[points.front().contact]->multipliers() > 0;
+  const bool weighted = model.system.contacts[points.front().contact]->multipliers() != nullptr;
   diagnosis.messages.push_back(Message(
       weighted ? "model.diagnosis.multipliers" : "model.diagnosis.points",
       {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
@@ -38,7 +39,7 @@ template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
   const auto result = [&](const PointIndex& p) { return constraint(contacts[p.contact], p.point); };
   std::vector<PointIndex> points;
   for (int k = 0; k < std::ssize(contacts); ++k)
-    for (int i = 0; model.system.contacts[k]->augmented() && i < constraints(contacts[k]); ++i)
+    for (int i = 0; model.system.contacts[k]->parameters().augmented() && i < constraints(contacts[k]); ++i)
       if (result({k, i}).state != contact::ContactState::open) points.push_back({k, i});
   std::stable_sort(points.begin(), points.end(), [&](const PointIndex& a, const PointIndex& b) {
     return std::abs(result(a).gap) > std::abs(result(b).gap);
@@ -96,8 +97,8 @@ template <int D> void add_stiffness(Diagnosis& diagnosis, const Model<D>& model)
   PenaltyRatio worst{0, 0, ""};
   std::string name;
   for (std::size_t k = 0; k < scene.contacts.size(); ++k) {
-    PenaltyRatio penalty =
-        penalty_ratio(scene, scene.contacts[k], model.system.contacts[k]->penalty(model.present.contacts[k]));
+    PenaltyRatio penalty = penalty_ratio(
+        scene, scene.contacts[k], model.system.contacts[k]->parameters().penalty(model.present.contacts[k].changes));
     if (!(penalty.ratio > worst.ratio)) continue;
     worst = std::move(penalty);
     name = scene.contacts[k].name;
@@ -178,9 +179,9 @@ template <int D> std::vector<Message> find_crossed(Diagnosis& diagnosis, const F
   const Model<D>& model = failure.model;
   for (std::size_t k = 0; k < model.system.contacts.size() && diagnosis.places.empty(); ++k) {
     const contact::History<D>& history = model.present.contacts[k];
-    const std::vector<int> points = model.system.contacts[k]->crossed(history, model.accepted.contacts[k]);
+    const std::vector<int> points = crossed(*model.system.contacts[k], history, model.accepted.contacts[k]);
     if (points.empty()) continue;
-    const std::vector<double> gaps = model.system.contacts[k]->gaps(history);
+    const std::vector<double> gaps = contact::gaps(*model.system.contacts[k], history);
     for (std::size_t n = 0; n < std::min(points.size(), most_places); ++n) {
       const double gap = gaps[points[n]];
       diagnosis.places.push_back(

@@ -13,7 +13,7 @@ namespace {
 /// True if a displacement d of a body is tangential at all touching points of a frictionless contact.
 template <int D> bool slides(const Model<D>& model, std::size_t contact, std::size_t body, const Vec<D>& d) {
   const Contact<D>& named = model.system.scene.contacts[contact];
-  if (model.system.contacts[contact]->friction(model.present.contacts[contact]) > 0 ||
+  if (model.system.contacts[contact]->parameters().friction(model.present.contacts[contact].changes) > 0 ||
       !acts_on(named, static_cast<int>(body)))
     return false;
   bool touches = false;
@@ -31,8 +31,11 @@ template <int D> int only_contact(const Model<D>& model, int body) {
   int found = -1;
   for (std::size_t k = 0; k < model.system.contacts.size(); ++k) {
     const contact::History<D>& history = model.present.contacts[k];
-    if (!acts_on(model.system.scene.contacts[k], body) || !model.system.contacts[k]->active(history)) continue;
-    if (found >= 0 || !(model.system.contacts[k]->friction(history) > 0) || !history.bonds.empty()) return -1;
+    if (!acts_on(model.system.scene.contacts[k], body) ||
+        !model.system.contacts[k]->parameters().active(history.changes))
+      continue;
+    if (found >= 0 || !(model.system.contacts[k]->parameters().friction(history.changes) > 0) || !history.bonds.empty())
+      return -1;
     found = static_cast<int>(k);
   }
   return found;
@@ -100,7 +103,8 @@ template <int D> Message exhausted_friction(const Model<D>& model) {
     for (const Vec<D>& one : normals) spread = std::max(spread, std::acos(std::clamp(one.dot(n), -1.0, 1.0)));
     const bool sticks = std::ranges::any_of(
         present.results, [](const auto& point) { return point.state == contact::ContactState::stick; });
-    const double mu = contact.friction(present), angle = std::atan(mu) + (sticks ? spread : -spread);
+    const double mu = contact.parameters().friction(present.changes),
+                 angle = std::atan(mu) + (sticks ? spread : -spread);
     for (int i = 0; i < scene.bodies[b].body->functions(); ++i)
       force += model.external.template segment<D>(unknowns.offset(b) + D * i);
     const double normal = (scene.contacts[k].slave.on(b) ? 1 : -1) * force.dot(n);

@@ -70,7 +70,7 @@ template <int D> std::optional<Message> weak_hold(Model<D>& model) {
   System<D>& system = model.system;
   if (!settled(model) || !system.has_unconstrained()) return std::nullopt;
   for (std::size_t k = 0; k < system.contacts.size(); ++k)
-    if (system.contacts[k]->friction(model.present.contacts[k]) > 0) return std::nullopt;
+    if (system.contacts[k]->parameters().friction(model.present.contacts[k].changes) > 0) return std::nullopt;
 
   const FreeMotions motions = free_motions(system);
   const MatrixX m = orthonormal(motions.columns);

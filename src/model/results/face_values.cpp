@@ -39,12 +39,12 @@ template <int D> MatrixX contact_point_values(const Model<D>& model, FaceField f
   const Contact<D>& named = model.system.scene.contacts[contact];
   const int points = named.points;
   const contact::History<D>& history = model.present.contacts[contact];
-  const std::vector<double> damage = field == FaceField::damage ? formulation.damage(history) : std::vector<double>();
   MatrixX all = MatrixX::Zero(D == 3 ? points * points : points, formulation.slave().elements());
   for (std::size_t i = 0; i < formulation.points().size(); ++i) {
     if (!acts(formulation.points(), history, i)) continue;
     const contact::ContactPoint& point = formulation.points().list[i];
-    all(point.number, point.element) = field == FaceField::damage ? damage[i] : history.results[i].pressure;
+    all(point.number, point.element) =
+        field == FaceField::damage ? formulation.bonds()->damage(history, i) : history.results[i].pressure;
   }
   if (const int sparse = formulation.points().sparse; sparse > 0) {
     const MatrixX along = interpolation(sparse, points);

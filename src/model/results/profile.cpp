@@ -20,7 +20,7 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
   const contact::Formulation<D>& formulation = *model.system.contacts[contact];
   const contact::History<D>& history = model.present.contacts[contact];
   Profile result;
-  const std::vector<double> gaps = formulation.gaps(history), damage = formulation.damage(history);
+  const std::vector<double> gaps = contact::gaps(formulation, history);
   const std::vector<char> inside = contact_area(model, contact, history).inside;
   for (std::size_t i = 0; i < gaps.size(); ++i) {
     if (!acts(formulation.points(), history, i)) continue;
@@ -28,7 +28,7 @@ template <int D> Profile profile(const Model<D>& model, int contact) {
     append<D>(formulation.points().reference[i], {&result.reference_x, &result.reference_y, &result.reference_z});
     result.gap.push_back(gaps[i]);
     result.inside.push_back(inside[i]);
-    if (!damage.empty()) result.damage.push_back(damage[i]);
+    if (formulation.bonds()) result.damage.push_back(formulation.bonds()->damage(history, i));
     const bool is_held = touches(point.state) || point.state == contact::ContactState::bonded;
     append<D>(point.position, {&result.x, &result.y, &result.z});
     result.area.push_back(point.area);

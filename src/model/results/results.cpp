@@ -83,7 +83,7 @@ template <int D> double imbalance(const Model<D>& model, int pass) {
 
 template <int D> double search_seconds(const Model<D>& model) {
   double sum = 0;
-  for (const auto& contact : model.system.contacts) sum += contact->search_seconds();
+  for (const auto& contact : model.system.contacts) sum += contact->counters.search_seconds;
   return sum;
 }
 

@@ -13,7 +13,7 @@ template <int D> void check_changes(const Contact<D>& contact, const contact::Ch
   require(!(tangential || friction) || may_rub(*law), "model.contact.no_friction", {{"contact", contact.name}});
   require(overlap == 1 || contact.start.interference, "model.contact.no_interference", {{"contact", contact.name}});
   require(overlap >= 0 && overlap <= 1, "model.contact.overlap", {{"value", overlap}});
-  if (law) contact::checked(contact::changed(*law, changes));
+  if (law) contact::check(contact::changed(*law, changes));
 }
 
 template void check_changes(const Contact<2>&, const contact::Changes&);

@@ -34,7 +34,7 @@ template <int D> double reach_of(const nurbs::Discretization& space, nurbs::Side
   double longest = 0;
   Vec<D> low, high;
   for (int e = 0; e < face.elements(); ++e) {
-    face.bounds(e, low, high);
+    bounds(face.bezier(e), low, high);
     longest = std::max(longest, (high - low).norm());
   }
   return most_seam_distance * longest;

@@ -13,10 +13,10 @@ template <int D> RegionPoints<D> points_of_region(const contact::Formulation<D>&
 
 template <int D> RegionPoints<D> bonded_points(const contact::Formulation<D>& formulation) {
   std::vector<Vec<D>> bonded;
-  const auto bonds = formulation.bonds();
-  for (std::size_t i = 0; i < bonds.size(); ++i)
-    if (bonds[i].foot != contact::Foot::none) bonded.push_back(formulation.points().reference[i]);
-  RegionPoints<D> points(D, bonded.size() == bonds.size() ? 0 : static_cast<Eigen::Index>(bonded.size()));
+  const auto& positions = formulation.points().reference;
+  for (std::size_t i = 0; i < positions.size() && formulation.bonds(); ++i)
+    if (formulation.bonds()->bonded(i)) bonded.push_back(positions[i]);
+  RegionPoints<D> points(D, bonded.size() == positions.size() ? 0 : static_cast<Eigen::Index>(bonded.size()));
   for (Eigen::Index i = 0; i < points.cols(); ++i) points.col(i) = bonded[i];
   return points;
 }

@@ -54,8 +54,8 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
   fixed_.resize(contacts.size());
   int count = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    contacts_.push_back({count, contacts[k]->friction(histories[k]) > 0,
-                         contacts[k]->multipliers() > 0 && contacts[k]->extra_unknowns() > 0});
+    contacts_.push_back({count, contacts[k]->parameters().friction(histories[k].changes) > 0,
+                         contacts[k]->multipliers() && contacts[k]->extra_unknowns() > 0});
     count += constraints(histories[k]);
     for (int i = 0; phase_ == Phase::frozen && i < constraints(histories[k]); ++i)
       fixed_[k].push_back(touches(constraint(histories[k], i).state) ? contact::FixedContactState::touching

@@ -21,8 +21,8 @@ std::vector<contact::Controls> controls_of(const Model<D>& model, const InitialC
   std::vector<contact::Controls> controls(model.system.contacts.size(), all);
   for (std::size_t k = 0; k < controls.size() && model.step; ++k) {
     controls[k].fixed_states = model.active_set.fixed(static_cast<int>(k));
-    controls[k].landing = model.step->closing && model.step->closing->contacts[k];
-    controls[k].foresees = guess && !controls[k].landing;
+    controls[k].all_stick = model.step->closing && model.step->closing->contacts[k];
+    controls[k].foresees = guess && !controls[k].all_stick;
   }
   return controls;
 }
@@ -111,7 +111,7 @@ template <int D> solve::Outcome check_crossing(Model<D>& model, Message& why) {
   ScopedTimer timer(model.timings.contact);
   const auto& contacts = model.system.contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (!contacts[k]->crossed(model.present.contacts[k], model.accepted.contacts[k]).empty()) {
+    if (!crossed(*contacts[k], model.present.contacts[k], model.accepted.contacts[k]).empty()) {
       why = Message("model.step.crossed", {{"contact", model.system.scene.contacts[k].name}});
       return solve::Outcome::crossed;
     }

@@ -30,8 +30,8 @@ template <int D> std::optional<ClosingContacts> closing_contacts(Model<D>& model
   ClosingContacts found;
   for (std::size_t k = 0; k < system.contacts.size(); ++k) {
     const contact::History<D>& history = model.present.contacts[k];
-    found.contacts.push_back(system.contacts[k]->active(history) && resultant(history).active == 0 &&
-                             has_unconstrained(system, system.scene.contacts[k]));
+    found.contacts.push_back(system.contacts[k]->parameters().active(history.changes) &&
+                             resultant(history).active == 0 && has_unconstrained(system, system.scene.contacts[k]));
   }
   if (std::ranges::none_of(found.contacts, [](char closing) { return closing; })) return std::nullopt;
   return found;
@@ -90,7 +90,7 @@ template <int D> bool LoadStep<D>::has_closed() {
 /// where it is closed, its pressure where it is open.
 template <int D> double LoadStep<D>::violation(const PointIndex& index) const {
   const contact::Formulation<D>& contact = *model.system.contacts[index.contact];
-  const int each = contact.extra_unknowns() / contact.multipliers();
+  const int each = contact.multipliers()->unknowns;
   const int first = model.system.unknowns.of_contact(index.contact).extra;
   return model.residual.segment(first + each * index.point, each).norm();
 }
@@ -148,7 +148,7 @@ template <int D> solve::Outcome LoadStep<D>::augment(Message& why) {
   const AugmentationOptions& limits = options.augmentation;
   double farthest = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (contacts[k]->augmented()) farthest = std::max(farthest, contacts[k]->violation(model.present.contacts[k]));
+    if (contacts[k]->parameters().augmented()) farthest = std::max(farthest, violation(model.present.contacts[k]));
   const double tolerance = limits.penetration * model.system.extent;
   if (farthest <= tolerance) return solve::Outcome::converged;
   if (step_.augmentations == limits.loops) {
@@ -157,7 +157,7 @@ template <int D> solve::Outcome LoadStep<D>::augment(Message& why) {
     return solve::Outcome::penetration;
   }
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (contacts[k]->augmented()) contacts[k]->augment(model.present.contacts[k]);
+    if (contacts[k]->parameters().augmented()) augment(model.present.contacts[k]);
   ++step_.augmentations;
   return solve::Outcome::iterating;
 }
@@ -172,7 +172,7 @@ template <int D> bool LoadStep<D>::is_decisive() const {
   if (step_.guess_evaluated && !only_obstacles) return false;
   const auto& contacts = model.system.contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (contacts[k]->friction(model.present.contacts[k]) > 0) return true;
+    if (contacts[k]->parameters().friction(model.present.contacts[k].changes) > 0) return true;
   return false;
 }
 

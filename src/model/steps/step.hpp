@@ -9,7 +9,7 @@
 
 namespace signorini::model {
 
-/// Contacts of unconstrained bodies that are open at the start of a step, see contact::Controls::landing.
+/// Contacts of unconstrained bodies that are open at the start of a step, see contact::Controls::all_stick.
 struct ClosingContacts {
   std::vector<char> contacts; ///< by contact, true if it is one of them
   double largest_energy = 0;  ///< |f·Δu|, since any contact has closed

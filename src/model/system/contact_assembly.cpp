@@ -21,9 +21,10 @@ template <int D> std::vector<std::vector<int>> ContactAssembly<D>::groups() cons
     for (const contact::Block& block : contacts_[k]->blocks()) {
       const contact::Offsets& offsets = unknowns_.of_contact(k);
       std::vector<int> dofs;
-      contacts_[k]->append_dofs(block, offsets, dofs);
-      if (block.group < 0) contacts_[k]->append_master(block.master_element, offsets, dofs, true);
-      for (const int element : block.master_elements) contacts_[k]->append_master(element, offsets, dofs, true);
+      append_dofs(contacts_[k]->faces(), block, offsets, dofs);
+      if (block.group < 0) append_master(contacts_[k]->master(), block.master_element, offsets, dofs, true);
+      for (const int element : block.master_elements)
+        append_master(contacts_[k]->master(), element, offsets, dofs, true);
       for (int& dof : dofs) dof = unknowns_.independent(dof);
       groups.push_back(std::move(dofs));
     }
@@ -39,7 +40,7 @@ template <int D> bool ContactAssembly<D>::locate(const solve::Pattern& pattern) 
       Placement& placement = placements_[k][block.key()];
       if (!placement.positions.empty() && block.group < 0) continue;
       std::vector<int> dofs;
-      contacts_[k]->append_dofs(block, unknowns_.of_contact(k), dofs);
+      append_dofs(contacts_[k]->faces(), block, unknowns_.of_contact(k), dofs);
       if (!placement.positions.empty() && dofs == placement.columns) continue;
       if (!place(block, std::move(dofs), pattern, placement)) return false;
     }
@@ -98,9 +99,9 @@ template <int D> void ContactAssembly<D>::reset(int entries) {
     const contact::Formulation<D>& contact = *contacts_[k];
     const contact::Offsets& offsets = unknowns_.of_contact(k);
     std::vector<int> dofs;
-    for (int e = 0; e < contact.slave().elements(); ++e) contact.append_slave(e, dofs);
+    for (int e = 0; e < contact.slave().elements(); ++e) append_element(contact.slave(), e, 0, dofs);
     const int masters = contact.master().rigid() ? 1 : contact.master().surface()->elements();
-    for (int e = 0; e < masters; ++e) contact.append_master(e, offsets, dofs);
+    for (int e = 0; e < masters; ++e) append_master(contact.master(), e, offsets, dofs);
     for (int number = 0; number < contact.extra_unknowns(); ++number) dofs.push_back(offsets.extra + number);
     mark(dofs);
   }
@@ -136,7 +137,7 @@ template <int D> void ContactAssembly<D>::watch() {
           for (int i = 0, e = block.slave_element; e >= 0 && i < margin; ++i) {
             e = contact.slave().neighbor(e, alpha, at_end);
             if (e < 0) break;
-            contact.append_slave(e, dofs);
+            append_element(contact.slave(), e, 0, dofs);
           }
     }
     mark(dofs);

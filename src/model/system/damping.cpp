@@ -17,7 +17,7 @@ namespace {
 template <int D> double nearest_gap(const contact::Formulation<D>& contact, const contact::History<D>& history) {
   if (resultant(history).active > 0) return 0;
   double distance = std::numeric_limits<double>::infinity();
-  for (const double gap : contact.gaps(history)) distance = std::min(distance, std::abs(gap));
+  for (const double gap : contact::gaps(contact, history)) distance = std::min(distance, std::abs(gap));
   return distance;
 }
 

@@ -2,6 +2,7 @@
 // Numbering of degrees of freedom, and of unknowns: the free ones.
 
 #include "base/eigen.hpp"
+#include "contact/gauss/block_dofs.hpp"
 #include "model/scene/scene.hpp"
 
 namespace signorini::model {

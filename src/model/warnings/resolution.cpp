@@ -27,7 +27,8 @@ template <int D> std::optional<PressureSpace> pressure_space(const Model<D>& mod
     return std::nullopt;
   const auto multipliers = multiplier_space(contact);
   PressureSpace space{!multipliers, multipliers == contact::MultiplierSpace::reduced, model.system.stiffness[index]};
-  space.ratio = model.present.penalty_factor * formulation.penalty(model.present.contacts[index]) / space.stiffness;
+  space.ratio = model.present.penalty_factor * formulation.parameters().penalty(model.present.contacts[index].changes) /
+                space.stiffness;
   return space;
 }
 

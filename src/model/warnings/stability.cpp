@@ -89,8 +89,9 @@ template <int D> bool is_one_sided(const Model<D>& model) {
   for (const NamedBody<D>& named : model.system.scene.bodies)
     if (named.body->internal_variables() > 0) return true;
   for (std::size_t k = 0; k < model.system.contacts.size(); ++k)
-    for (const double damage : model.system.contacts[k]->damage(model.accepted.contacts[k]))
-      if (damage > 0 && damage < 1) return true;
+    if (const contact::Bonds<D>* bonds = model.system.contacts[k]->bonds())
+      for (std::size_t i = 0; i < bonds->closest.size(); ++i)
+        if (const double damage = bonds->damage(model.accepted.contacts[k], i); damage > 0 && damage < 1) return true;
   return false;
 }
 

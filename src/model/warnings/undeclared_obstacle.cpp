@@ -51,10 +51,10 @@ template <int D> bool crosses(const contact::Master<D>& master, const Facet<D>& 
 template <int D> Sides<D> crossing_sides(const contact::Master<D>& master, const Outline<D>& outline) {
   const contact::Surface<D>& surface = *master.surface();
   Vec<D> low, high;
-  surface.bounds(0, low, high);
+  bounds(surface.bezier(0), low, high);
   for (int e = 1; e < surface.elements(); ++e) {
     Vec<D> lower, upper;
-    surface.bounds(e, lower, upper);
+    bounds(surface.bezier(e), lower, upper);
     low = low.cwiseMin(lower);
     high = high.cwiseMax(upper);
   }
@@ -138,7 +138,7 @@ std::vector<Vec<D>> places_of(const contact::Master<D>& master, double radius, c
       std::size_t count = 1;
       for (int alpha = 0; alpha < D - 1; ++alpha) count *= 3 * (surface->degree(e, alpha) + 1);
       grid.resize(D * count);
-      surface->sample(e, grid.data());
+      sample(surface->bezier(e), grid.data());
       for (std::size_t k = 0; k < count; ++k) {
         Vec<D>& place = places.emplace_back();
         for (int i = 0; i < D; ++i) place(i) = grid[i * count + k];

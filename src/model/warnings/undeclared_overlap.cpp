@@ -17,8 +17,8 @@ namespace {
 /// shapes that are allowed.
 template <int D> double declared_overlap(const contact::Formulation<D>& contact, const contact::History<D>& history) {
   double overlap = 0;
-  for (const double depth : contact.overlap()) overlap = std::max(overlap, depth);
-  return contact::resultant(history).max_penetration + std::abs(contact.offset(history)) + overlap;
+  for (const double depth : contact.parameters().overlap) overlap = std::max(overlap, depth);
+  return contact::resultant(history).max_penetration + std::abs(contact.parameters().offset(history.changes)) + overlap;
 }
 
 /// True if a side lies on the axis of revolution, where the other half of the body is behind it.

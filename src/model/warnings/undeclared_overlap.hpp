@@ -54,7 +54,8 @@ template <int D, class Declares> DeclaredContacts declared_contacts(const Model<
     if (!declares(contact)) continue;
     if (declared.first.empty()) declared.first = contact.name;
     const contact::Formulation<D>& formulation = *model.system.contacts[k]; // the scene does not keep regions
-    if (formulation.points().whole && formulation.active(model.present.contacts[k])) declared.everywhere = true;
+    if (formulation.points().whole && formulation.parameters().active(model.present.contacts[k].changes))
+      declared.everywhere = true;
     declared.active += contact::resultant(model.present.contacts[k]).active;
   }
   return declared;

@@ -1,6 +1,6 @@
-// Bounds on the derivatives of a face over its elements.
+// Bounds on the derivatives of a face over an element.
 
-#include "contact/face/surface.hpp"
+#include "contact/face/bezier_element.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +17,6 @@ template <int D> void DerivativeBounds<D>::include(const DerivativeBounds& other
 }
 
 namespace {
-
-/// An element's nu × nv Bézier points (w x, w) or, if not `Rational`, x, filled up to W values; its parametric lengths.
-template <int D> struct BezierElement {
-  const double* points;
-  int nu, nv;
-  std::array<double, D - 1> lengths;
-};
 
 /// Largest length of X and largest |W| in the combinations row(k) of the points k = i + nu j, i < ni, j < nj.
 template <int D, bool Rational, class Combination>
@@ -51,8 +44,10 @@ template <int D> struct HomogeneousBounds {
 
 template <int D, int W, bool Rational> HomogeneousBounds<D> homogeneous_bounds(const BezierElement<D>& element) {
   using Row = Eigen::Matrix<double, W, 1>;
-  const auto& [q, nu, nv, lengths] = element;
-  const auto point = [q = q](int k) { return Eigen::Map<const Row>(q + k * W); };
+  const int nu = element.degree[0] + 1, nv = D == 2 ? 1 : element.degree[D - 2] + 1;
+  std::array<double, D - 1> lengths;
+  for (std::size_t a = 0; a < D - 1; ++a) lengths[a] = element.interval[a][1] - element.interval[a][0];
+  const auto point = [q = element.points](int k) { return Eigen::Map<const Row>(q + k * W); };
   HomogeneousBounds<D> bounds;
   for (std::size_t a = 0; a < D - 1; ++a) {
     const int step = a == 0 ? 1 : nu, p = (a == 0 ? nu : nv) - 1;
@@ -77,9 +72,8 @@ template <int D, int W, bool Rational> HomogeneousBounds<D> homogeneous_bounds(c
     bounds.weight_second[own] = scale2 * weight;
   }
   if constexpr (D == 3) {
-    const auto [length, weight] = largest<D, Rational>(nu - 1, nv - 1, nu, [&, nu = nu](int k) -> Row {
-      return point(k + nu + 1) - point(k + nu) - point(k + 1) + point(k);
-    });
+    const auto [length, weight] = largest<D, Rational>(
+        nu - 1, nv - 1, nu, [&](int k) -> Row { return point(k + nu + 1) - point(k + nu) - point(k + 1) + point(k); });
     const double scale = (nu - 1) * (nv - 1) / (lengths[0] * lengths[1]);
     bounds.position.second[1] = scale * length;
     bounds.weight_second[1] = scale * weight;
@@ -90,12 +84,13 @@ template <int D, int W, bool Rational> HomogeneousBounds<D> homogeneous_bounds(c
 /// Bounds of a rational element, in coordinates with the origin c amid the points: x − c = X/W.
 template <int D> DerivativeBounds<D> rational_bounds(BezierElement<D> element) {
   using Row = Eigen::Matrix<double, 4, 1>;
-  const int points = element.nu * element.nv;
+  const int points = element.count();
   const auto row = [&](int k) { return Eigen::Map<const Row>(element.points + 4 * k); };
   Vec<D> center = Vec<D>::Zero();
   for (int k = 0; k < points; ++k) center += row(k).template head<D>() / (row(k)(D) * points);
   double shifted[4 * most_face_functions<D>];
-  double least = std::numeric_limits<double>::infinity(), most = 0, reach = 0; // of W; largest |x − c|
+  double least = std::numeric_limits<double>::infinity(), most = 0,
+         reach = 0; // of W; largest |x − c|
   for (int k = 0; k < points; ++k) {
     Eigen::Map<Row> to(shifted + 4 * k);
     to = row(k);
@@ -125,20 +120,14 @@ template <int D> DerivativeBounds<D> rational_bounds(BezierElement<D> element) {
 
 } // namespace
 
-template <int D> DerivativeBounds<D> Surface<D>::derivative_bounds(int element) const {
-  BezierElement<D> own{
-      bezier_.data() + elements_[element].bezier, degree(element, 0) + 1, D == 2 ? 1 : degree(element, D - 2) + 1, {}};
-  for (int a = 0; a < D - 1; ++a) {
-    const auto [from, to] = interval(element, a);
-    own.lengths[a] = to - from;
-  }
-  if (!polynomial_) return rational_bounds<D>(own);
-  return homogeneous_bounds < D, D == 2 ? 2 : 4, false > (own).position;
+template <int D> DerivativeBounds<D> derivative_bounds(const BezierElement<D>& element) {
+  if (!element.polynomial) return rational_bounds<D>(element);
+  return homogeneous_bounds < D, D == 2 ? 2 : 4, false > (element).position;
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template struct DerivativeBounds<D>;                                                                                 \
-  template DerivativeBounds<D> Surface<D>::derivative_bounds(int) const;
+  template DerivativeBounds<D> derivative_bounds(const BezierElement<D>&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE

@@ -1,0 +1,39 @@
+#pragma once
+// Parameters of a contact along a load path: those of the scene, and what changes make of them.
+
+#include "contact/point/penalty.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace signorini::contact {
+
+/// Where forces act: on both faces, or in a half pass on the slave alone.
+enum class Pass : unsigned char { full, half };
+
+struct Parameters {
+  Start start;
+  std::optional<PenaltyLaw> law = {}; ///< of the scene, if the formulation has one
+  Pass pass = Pass::full;
+  /// Overlap of the initial shapes at the points, if the contact is an interference fit; otherwise empty.
+  std::vector<double> overlap = {};
+
+  bool active(const Changes& changes) const { return changes.active.value_or(start.active); }
+  /// The gap at which the faces touch [theory 5.7]; at point i, where an overlap is allowed.
+  double offset(const Changes& changes) const { return changes.offset.value_or(start.offset); }
+  double offset(std::size_t i, const Changes& changes) const {
+    return offset(changes) - (overlap.empty() ? 0 : changes.overlap * overlap[i]);
+  }
+  /// The penalty law in a state, with its penalty parameters times a factor. Requires a law.
+  PenaltyLaw law_in(const Changes& changes, double factor = 1) const { return scaled(changed(*law, changes), factor); }
+  /// Coulomb's μ and the penalty parameter ε_N (0: none), which warnings and the diagnosis compare with usual values.
+  double friction(const Changes& changes) const { return law ? changed(*law, changes).friction : 0; }
+  double penalty(const Changes& changes) const { return law ? changed(*law, changes).normal : 0; }
+  /// True if steps augment the contact until its violation() is small.
+  bool augmented() const { return law && law->enforcement == Enforcement::augmented; }
+  /// Both half passes compute the whole energy of the springs and the whole work of friction between the faces: each
+  /// counts half.
+  double energy_share() const { return pass == Pass::half ? 0.5 : 1; }
+};
+
+} // namespace signorini::contact
