@@ -1,6 +1,7 @@
 // Prescribed displacements by translation and rotation with their rates, moments, and the shared unknowns of a rotating
 // face.
 #include "model/bench.hpp"
+#include "model/scene/check.hpp"
 #include "model/scenes.hpp"
 
 #include <cmath>
@@ -163,7 +164,7 @@ TEST(Unknowns, RotatingFaceAllowsNoOtherSupport) {
     Scene<2> scene = busy({Constraint::free, Constraint::fixed});
     const Support<2> other{"bolt", {face_points(scene, 0, "west")}, constraint};
     scene.supports.insert(first ? scene.supports.begin() : scene.supports.end(), other);
-    Unknowns<2>{scene};
+    complete(scene);
   };
   EXPECT_ERROR(build({Constraint::fixed, Constraint::free}, false),
                "model.scene.constrained_twice: support = bolt, verb = (model.verb.fixes), component = x, other = edge, "

@@ -1,5 +1,6 @@
 // Supports, reactions, accept and roll-back, and independence of the solution of solver and history.
 #include "model/results/results.hpp"
+#include "model/scene/check.hpp"
 #include "model/steps/arc.hpp"
 #include "model/steps/load_step.hpp"
 
@@ -39,7 +40,10 @@ TEST(Unknowns, NumberFreeComponents) {
 }
 
 TEST(Unknowns, SupportsMustNotContradictEachOther) {
-  const auto build = [](const std::vector<Grip>& grips) { Unknowns<2>{square(grips)}; };
+  const auto build = [](const std::vector<Grip>& grips) {
+    Scene<2> scene = square(grips);
+    complete(scene);
+  };
   const Constraint fixed = Constraint::fixed, driven = Constraint::driven, free = Constraint::free;
   EXPECT_ERROR(build({{"bed", "south", {fixed, fixed}}, {"grip", "west", {driven, free}}}),
                "model.scene.constrained_twice: support = grip, verb = (model.verb.drives), component = x, other = bed, "
