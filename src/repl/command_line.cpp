@@ -182,9 +182,13 @@ CommandLine parse(const std::vector<std::string>& words) {
     const bool after_script = !line.script.empty();
     const std::size_t equals = word.starts_with("--") ? word.find('=') : std::string::npos;
     const Option* option = find_option(word == "-h" ? "--help" : word.substr(0, equals), after_script);
-    if (option && !option->value.empty())
-      option->set(line, equals == std::string::npos ? next(option->value) : word.substr(equals + 1));
-    else if (option && equals == std::string::npos)
+    if (option && !option->value.empty()) {
+      const std::string value = equals == std::string::npos ? next(option->value) : word.substr(equals + 1);
+      // An empty variable of a shell, as in --sandbox=$FOLDER, must not turn the sandbox off.
+      if (value.empty() && option->name != "-e")
+        throw UsageError(text(option->name, " must be followed by ", option->value, ", got ''"));
+      option->set(line, value);
+    } else if (option && equals == std::string::npos)
       option->set(line, "");
     else if (after_script)
       line.arguments.push_back(word);
@@ -250,6 +254,7 @@ std::string usage() {
               "\n",
               lines,
               "\n"
+              "The value of a long option may also follow `=`: --threads=4.\n"
               "Exit status: 0 on success, 1 after an error, also in a case of a study, 2 for an invalid command line, "
               "124 after the time of --time, 130 after Ctrl-C.\n"
               "SIGNORINI_HOME: the folder that contains lua/, if it differs from that of the installation.\n"

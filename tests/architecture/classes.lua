@@ -1,4 +1,4 @@
--- Checks that no class declares more than 25 data members and functions of its own: more have no shape that one sees.
+-- Checks that no class declares more than 25 data members and functions of its own: larger ones are hard to survey.
 -- Nested types, deleted and defaulted functions, constants and type names do not count.
 --   build/signorini tests/architecture/classes.lua [folder of the sources]
 

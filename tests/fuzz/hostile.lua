@@ -1,4 +1,4 @@
--- Values that no caller would mean, for tests/fuzz/calls.lua.
+-- Values that no caller would mean, for tests/fuzz/hostile_calls.lua.
 
 local hostile = {}
 

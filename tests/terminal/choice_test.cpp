@@ -18,7 +18,7 @@ Surroundings surroundings(const Variables& variables, const Answers& answers = {
 
 std::string chosen(const Variables& variables, const Answers& answers = {}, const std::string& outer = "") {
   const auto [protocol, through] = choose(surroundings(variables, answers, outer));
-  return protocol_names()[protocol] + (through ? " through tmux" : "");
+  return protocol_names()[static_cast<std::size_t>(protocol)] + (through ? " through tmux" : "");
 }
 
 Answers attributes(std::vector<int> numbers, bool kitty = false) {

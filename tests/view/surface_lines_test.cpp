@@ -86,15 +86,15 @@ TEST(MeshLine, ChangesItsToneOnDarkColors) {
 
 TEST(MeshLine, UsesTheValuesBeneathItAfterACut) {
   const Body block = mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 1, 1}, 4, along_x);
-  const Ground ground(block.skin);
+  const LineValues skin(block.skin);
   for (const SurfaceLine& line : block.mesh_lines) {
     SurfaceLine valued = line;
-    valued.values = ground.along(line.points);
+    valued.values = skin.along(line.points);
     ASSERT_EQ(valued.values.size(), line.points.cols());
     for (const SurfaceLine& part : cut(std::vector{valued}, {{0.7, 0.3, 0.4}, {1, 1, 1}}, 0))
       EXPECT_LT((part.values.transpose() - part.points.row(0)).cwiseAbs().maxCoeff(), 1e-12);
   }
-  EXPECT_EQ(ground.along(Points::Constant(3, 2, 0.123)).size(), 0);
+  EXPECT_EQ(skin.along(Points::Constant(3, 2, 0.123)).size(), 0);
 }
 
 TEST(Contours, AreOneLineAtTheGivenValue) {

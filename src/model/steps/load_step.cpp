@@ -148,7 +148,8 @@ template <int D> solve::Outcome LoadStep<D>::augment(Message& why) {
   const AugmentationOptions& limits = options.augmentation;
   double farthest = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (contacts[k]->parameters().augmented()) farthest = std::max(farthest, violation(model.present.contacts[k]));
+    if (contacts[k]->parameters().augmented())
+      farthest = std::max(farthest, contact::violation(model.present.contacts[k]));
   const double tolerance = limits.penetration * model.system.extent;
   if (farthest <= tolerance) return solve::Outcome::converged;
   if (step_.augmentations == limits.loops) {
@@ -157,7 +158,7 @@ template <int D> solve::Outcome LoadStep<D>::augment(Message& why) {
     return solve::Outcome::penetration;
   }
   for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (contacts[k]->parameters().augmented()) augment(model.present.contacts[k]);
+    if (contacts[k]->parameters().augmented()) contact::augment(model.present.contacts[k]);
   ++step_.augmentations;
   return solve::Outcome::iterating;
 }

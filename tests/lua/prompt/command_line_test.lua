@@ -99,6 +99,8 @@ check.case("a wrong command line ends with status 2 and a hint", function()
     [{ "study.lua", "--on" }] = "--on must be followed by slurm, local or hosts",
     [{ "--chunk" }] = "--chunk must be followed by the file of a job",
     [{ "-e" }] = "-e must be followed by code",
+    [{ "--sandbox=", "study.lua" }] = "--sandbox must be followed by the folder that the script may use, got ''",
+    [{ "--sandbox", "", "study.lua" }] = "--sandbox must be followed by the folder that the script may use, got ''",
   } do
     local result = run(arguments)
     check.equal(result.status, 2)

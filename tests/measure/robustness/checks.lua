@@ -1,7 +1,6 @@
 -- Solves generated scenes and judges what comes out: the outcome, finite results, equilibrium, and the comparison with
 -- the same scene in another frame.
 
-local sg = require "signorini"
 local build = require "robustness.build"
 local frames = require "robustness.frame"
 local oracles = require "robustness.oracles"

@@ -135,7 +135,7 @@ end
 
 -- ── Files ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-local note = "-- Generated from the help pages by scripts/reference; read by editors, not by the program."
+local note = "-- Generated from the help pages by the build; read by editors, not by the program."
 
 --- The table that a function or method belongs to, sg.csv or run; nil of globals.
 local function owner(name) return name:match "^(.*)[.:]" end

@@ -94,13 +94,15 @@ unless the program was started with -q. on_step and on_iteration of model:run re
   { "cluster, slurm, sbatch, queue, hpc, job array", [[signorini study.lua --on slurm submits the cases of a study to
 Slurm.]], "study:execute", "study:watch", "study:cancel" },
   { "parallel, mpi, cores, gpu, multithreading", [[The options --threads and --jobs of the program set the threads of
-assembly and the number of cases of a study solved in parallel; MPI and GPUs are not supported.]], "model:run",
+assembly and the number of cases of a study solved in parallel; linear = "mumps" factors in parallel under mpirun
+(share/doc/mumps.md). GPUs are not supported.]], "model:run",
     "study:execute" },
   -- Results and interfaces
   { "plot, plotting, graph, image, visualization, postprocessing, animation", [[sg.picture draws states, sg.chart
 curves, sg.heatmap maps, sg.film animations.]], "sg.picture", "sg.chart", "sg.heatmap", "sg.film" },
   { "export, output, write results, results file", [[Results are written as CSV tables, JSON, VTU files for ParaView,
-and pictures.]], "run:csv", "sg.csv.write", "sg.json.write", "sg.vtu", "sg.pvd", "picture:write", "sg.nurbs.write" },
+HDF5 and pictures.]], "run:csv", "run:hdf5", "sg.csv.write", "sg.json.write", "sg.vtu", "sg.pvd", "picture:write",
+    "sg.nurbs.write" },
   { "html page, web page, run report, dashboard, share results", [[A report is one HTML page with charts, tables,
 failures and the script.]], "study:report", "run:report", "map:report" },
   { "history output, history variable, field output, time history, output request", [[Every run has columns with one
@@ -108,8 +110,8 @@ value per step: forces, motions, contact areas and pressures; on_step adds own o
 for pictures.]], "run:column", "run:csv", "model:run" },
   { "reaction force, contact force, contact pressure, contact stress", [[Forces and pressures are results of the model,
 and columns of a run.]], "model:reaction", "model:contact_resultant", "model:profile", "run:column" },
-  { "python, numpy, matlab, julia, api", [[Scripts are in Lua only. CSV, JSON and VTU files of results can be read in
-Python and other programs.]], "run:csv", "sg.json.write", "sg.vtu" },
+  { "python, numpy, matlab, julia, api", [[Scripts are in Lua only. CSV, JSON, HDF5 and VTU files of results can be read
+in Python and other programs.]], "run:csv", "run:hdf5", "sg.json.write", "sg.vtu" },
   { "editor, ide, vscode, vs code, neovim, helix, language server, autocomplete, linter", [[Editors with a Lua language
 server complete and check scripts by the settings that signorini --new writes: share/doc/editor.md.]], "sg.help" },
   { "gui, graphical interface", [[A graphical interface is not available: use scripts or the prompt, and pictures or
