@@ -1,5 +1,5 @@
 #pragma once
-// Ctrl-C and the end of --time while Lua runs: the flag of base/interrupt.hpp for solves, and an error for loops in
+// Ctrl-C and the end of --time while Lua runs: the flag of os/interrupt.hpp for solves, and an error for loops in
 // user code.
 
 #include <lua.hpp>
@@ -13,7 +13,7 @@ namespace signorini::repl {
 /// program, unless survive_interrupts() was called.
 void catch_interrupts();
 
-/// Ends Lua in the same way when the time is over that start_time_limit() has started (base/limits.hpp). `written`: in
+/// Ends Lua in the same way when the time is over that start_time_limit() has started (os/limits.hpp). `written`: in
 /// the user's notation.
 void limit_time(double seconds, const std::string& written);
 

@@ -1,6 +1,6 @@
 #pragma once
 // Definition of a material law. A new law is a struct with these members in a separate file, a row in archive.cpp for
-// files, and a function in bind/material.cpp for scripts.
+// files, and a function in bind/scene/material.cpp for scripts.
 
 #include "base/eigen.hpp"
 

@@ -32,7 +32,7 @@ struct MacroElement {
   MatrixX box;                          ///< ends of the parameter intervals, one column per direction
   std::vector<int> degrees;             ///< of the polynomials, per direction
   MatrixX modes;   ///< φ_m at the Gauss points of all elements (rows), orthonormal: Σ_q w φ_m φ_n = δ_mn
-  VectorX weights; ///< of these points, see Body::weights_of
+  VectorX weights; ///< of these points, see GaussTables::weights_of
   MatrixX combine; ///< Legendre polynomials times this are the modes
 
   /// The modes at a parametric point.

@@ -29,7 +29,8 @@ constexpr Kind kinds[] = {
 };
 
 const Kind& row_of(LinearKind kind) {
-  return *std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& row) { return row.kind == kind; });
+  const auto row = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& one) { return one.kind == kind; });
+  return row == std::end(kinds) ? kinds[0] : *row; // the number of a removed solver
 }
 
 /// Factors every matrix.

@@ -5,6 +5,7 @@
 #include "base/message.hpp"
 #include "solve/line_search.hpp"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,7 +61,7 @@ public:
   virtual std::optional<double> advance() = 0;
   /// For line search: moves the state to a fraction of the last Δu, evaluates the residual there, and returns its norm
   /// and f·Δu; infinite if the state is invalid.
-  virtual Trial retreat(double /*part*/) { return {}; }
+  virtual Trial retreat(double /*part*/) { return {std::numeric_limits<double>::infinity(), 0}; }
 };
 
 struct NewtonReport {

@@ -144,6 +144,8 @@ public:
          LinearKind kind)
       : kind_(kind), pattern_(pattern), matrix_(pattern), preconditioner_(std::move(direct), std::move(symmetric_part)),
         renewal_(pattern_), forcing_(loosest), gmres_(pattern.size, most_iterations) {}
+  Reused(const Reused&) = delete; // renewal_ refers to pattern_
+  Reused& operator=(const Reused&) = delete;
 
   bool factor(const double* values) override;
   bool solve(double* b, bool fully) override;

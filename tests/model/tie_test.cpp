@@ -172,12 +172,12 @@ TEST(Ties, FacesThatDoNotFitAreErrors) {
                "model.tie.in_contact");
   EXPECT_ERROR(error_with([](auto& s) {
                  s.bodies[1].body = make_body(nurbs::rectangle(2, 1, Eigen::Vector2d(5, 1)), {5, 2}, "N2", "south",
-                                              solid::linear_elastic(1, 0.3));
+                                              solid::linear_elastic(1, 0.3), 2);
                }),
                "model.tie.apart");
   EXPECT_ERROR(error_with([](auto& s) {
                  s.bodies[1].body = make_body(nurbs::rectangle(2, 1, Eigen::Vector2d(0, 0)), {5, 2}, "N2", "north",
-                                              solid::linear_elastic(1, 0.3));
+                                              solid::linear_elastic(1, 0.3), 2);
                  s.ties[0].master[0].side = nurbs::side_of("north", 2);
                }),
                "model.tie.facing");

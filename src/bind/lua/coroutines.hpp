@@ -6,7 +6,7 @@
 namespace signorini::bind {
 
 /// Replaces coroutine.resume and coroutine.wrap by functions that note the coroutine, and that pass the hook of an
-/// interrupt (base/interrupt.hpp) on: hooks belong to one coroutine.
+/// interrupt (os/interrupt.hpp) on: hooks belong to one coroutine.
 void follow_coroutines(lua_State* L);
 
 /// The thread of Lua that runs; nullptr before follow_coroutines(). For signal handlers, too.

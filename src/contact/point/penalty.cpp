@@ -81,7 +81,7 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
     const double magnitude = trial.norm(), limit = law.friction * result.pressure;
     // (ε_T + μ ε_N) |tie|: change of |t| − μ t_N due to an error |tie| of gap and slip
     const double tie = (law.tangential + law.friction * law.normal) * geometry.tie;
-    if (!slips(geometry.fixed_state, magnitude, limit, tie)) {
+    if (magnitude == 0 || !slips(geometry.fixed_state, magnitude, limit, tie)) {
       result.friction = trial;
       traction_rows -= trial_rows;
     } else {

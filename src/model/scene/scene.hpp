@@ -27,7 +27,7 @@ struct FaceReference {
   bool operator==(const FaceReference&) const = default;
 };
 
-/// One face, or a list of faces with common borders that act as one (contact/face_grid.hpp).
+/// One face, or a list of faces with common borders that act as one (contact/face/face_grid.hpp).
 struct Faces : std::vector<FaceReference> {
   using std::vector<FaceReference>::vector;
   Faces(int body, nurbs::Side side) : Faces(FaceReference{body, side}) {}
@@ -128,7 +128,7 @@ template <int D> struct Contact {
   bool adaptive_points = false;   ///< see contact::ContactSetting::adaptive
 };
 
-/// Two faces that move as one, see contact/tie.hpp.
+/// Two faces that move as one, see contact/tie/tie.hpp.
 struct Tie {
   std::string name;
   Faces slave, master;

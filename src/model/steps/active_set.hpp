@@ -13,7 +13,7 @@
 
 namespace signorini::model {
 
-/// A constraint (contact/history.hpp): index of the contact, and index of the point or multiplier in it.
+/// A constraint (contact/point/history.hpp): index of the contact, and index of the point or multiplier in it.
 struct PointIndex {
   int contact, point;
 };

@@ -18,6 +18,8 @@ template <int D> class Assembly {
 public:
   Assembly(const Scene<D>& scene, const Unknowns<D>& unknowns, const contact::Formulations<D>& contacts,
            const contact::Ties<D>& ties, const FollowerLoads<D>& followers, const Springs<D>& springs);
+  Assembly(const Assembly&) = delete; // its parts refer to each other
+  Assembly& operator=(const Assembly&) = delete;
 
   /// Assembles the force f_int + f_c of all degrees of freedom, into the present state, and the tangent of the
   /// unknowns, with that of the loads that follow the deformation. Contacts write foot points and results into the

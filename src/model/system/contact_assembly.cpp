@@ -35,7 +35,7 @@ template <int D> bool ContactAssembly<D>::locate(const solve::Pattern& pattern) 
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     const auto& blocks = contacts_[k]->blocks();
     // On a long slide every pair of elements meets once.
-    if (placements_[k].size() > most_placements * (blocks.size() + 1)) placements_[k].clear();
+    if (!blocks.empty() && placements_[k].size() > most_placements * blocks.size()) placements_[k].clear();
     for (const contact::Block& block : blocks) {
       Placement& placement = placements_[k][block.key()];
       if (!placement.positions.empty() && block.group < 0) continue;

@@ -69,7 +69,7 @@ Drives<D>::Drives(const Scene<D>& scene, const Unknowns<D>& unknowns) : scene_(s
     const Load& load = scene.loads[drive.load];
     for (int k = 0; k < std::ssize(drive.components); ++k) {
       start_(drive.first + k) = load.start[k];
-      if (load.kind == LoadKind::follower_pressure) continue; // model/follower_loads.hpp
+      if (load.kind == LoadKind::follower_pressure) continue; // model/system/follower_loads.hpp
       add_unit_load(load, k, loads_.col(drive.first + k));
     }
   }

@@ -58,6 +58,7 @@ private:
 /// acts on all.
 template <int D> class Unknowns : public Dofs<D> {
 public:
+  /// Requires a scene that complete() accepts: of supports that contradict each other the last one counts.
   explicit Unknowns(const Scene<D>& scene, const contact::Formulations<D>& contacts = {},
                     const contact::Ties<D>& ties = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-// Contact forces that act beyond the ends of masters, where a face is only continued (contact/master.hpp).
+// Contact forces that act beyond the ends of masters, where a face is only continued (contact/point/master.hpp).
 
 #include "model/steps/model.hpp"
 

@@ -82,6 +82,6 @@ check.case("invalid arguments", function()
   check.fails(function() sg.picture{ patch = {}, file = file } end, "list of one or more patches")
   check.fails(function() sg.picture{ patch = ring, camera = "top", file = file } end, "camera is for")
   check.fails(function() sg.vtu{ patch = ring, deformed = true, file = folder .. "/n.vtu" } end,
-    "deformed is for models")
+    "deformed cannot be combined with patch, it is for models")
   check.equal(io.open(file), nil)
 end)
