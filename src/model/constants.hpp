@@ -135,9 +135,9 @@ inline constexpr double default_penalty_ratio = 10;
 /// and 0.3 % with 100, which doubles the width from which peaks are right (scripts/studies/contact_width.lua).
 inline constexpr double default_penalty_alone = 30;
 /// Least widths of a zone of contact from which peaks are within 10 % of Hertz's, in functions of the slave face:
-/// elements times p − k for degree p and continuity k (scripts/studies/contact_width.lua). At Gauss points with penalty ratio c
-/// peak_functions √(c/30), since a high penalty over-constrains, of degree 1 in proportion to c; of mortar contact
-/// with multipliers "equal" and "reduced" at any penalty.
+/// elements times p − k for degree p and continuity k (scripts/studies/contact_width.lua). At Gauss points with penalty
+/// ratio c peak_functions √(c/30), since a high penalty over-constrains, of degree 1 in proportion to c; of mortar
+/// contact with multipliers "equal" and "reduced" at any penalty.
 inline constexpr double peak_functions = 7, peak_functions_linear = 13;
 inline constexpr double peak_functions_mortar = 8, peak_functions_reduced = 6;
 /// The error of peaks at these widths, and the number of elements from which the mean over one is about as exact.

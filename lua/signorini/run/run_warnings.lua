@@ -182,7 +182,7 @@ local per_examination, first_examined = 100, 3
 --- after others that were not examined, it may have begun there.
 local function note_findings(run, model, state, everything)
   local unexamined = run.unexamined
-  for _, found in ipairs(core.state_warnings(model, everything)) do
+  for _, found in ipairs(core.state_warnings(model, everything) or {}) do
     if not lists.any(run.state_findings, function(earlier) return earlier.subject == found.subject end) then
       run.state_findings[#run.state_findings + 1] = lists.merged(found, state)
       unexamined.before[found.subject] = everything and unexamined.states
@@ -221,7 +221,7 @@ local function first_with(model, states, finding)
   while with - without > 1 do
     local middle = (without + with) // 2
     model:restore(states[middle].snapshot)
-    local found = lists.filter(core.state_warnings(model, true), again)[1]
+    local found = lists.filter(core.state_warnings(model, true) or {}, again)[1]
     if found then with, first = middle, found else without = middle end
   end
   model:restore(last)

@@ -66,6 +66,7 @@ int invoke(lua_State* L) {
   if (check == of_method) check_owner(L);
   if (check != unchecked) check_arguments(L, function_name(L), check == of_method ? 2 : 1);
   const bool two = !lua_isnone(L, lua_upvalueindex(second_key));
+  if (two && check == unchecked && lua_istable(L, 1)) return 0; // core.* of an object that imitates a model
   const bool second = two && luaL_testudata(L, 1, lua_tostring(L, lua_upvalueindex(second_key)));
   return lua_tocfunction(L, lua_upvalueindex(second ? second_function : first_function))(L);
 }

@@ -56,7 +56,8 @@ void register_type(lua_State* L, const char* name, std::span<const Implementatio
 
 /// Registers functions under a dotted name, "sg.nurbs" or "core"; missing tables are created.
 void register_functions(lua_State* L, const std::string& table, std::span<const Function> rows);
-/// Calls the one of two implementations that fits the C++ type of its first argument.
+/// Calls the one of two implementations that fits the C++ type of its first argument; of a table, an object that
+/// imitates a model, functions of core return nothing.
 void register_functions(lua_State* L, const std::string& table, std::span<const Implementation> implementations);
 
 template <class Plane, class Space>
