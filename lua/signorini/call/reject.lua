@@ -67,8 +67,9 @@ function reject.dependencies(row, value, where, prefix)
     end
   end
   if row.needs and not lists.any(row.needs, function(other) return rawget(value, other) ~= nil end) then
-    core.fail(("%s: %s%s has no effect without %s. Hint: add it, or leave %s out"):format(where, prefix, row[1],
-      describe.alternatives(row.needs), row[1]))
+    local example = row.needs.example and ", such as " .. row.needs.example or ""
+    core.fail(("%s: %s%s has no effect without %s. Hint: add it%s, or leave %s out"):format(where, prefix, row[1],
+      describe.alternatives(row.needs), example, row[1]))
   end
 end
 

@@ -67,10 +67,10 @@ for orders with a layer. Any face can be slave or master of a contact]], otherwi
       { "layer", layer, [[where the layer is, with elements that overlap it: parameters along the contact face; in
 space a range per direction, whose strips both have the layer's degree along them; or a function of the undeformed
 position X. With the degree the continuity changes: that of the bulk at the borders]], otherwise = "the whole face",
-        needs = { "contact" } },
+        needs = { "contact", example = 'contact = "south"' } },
       { "layer_knots", layer_knots, [[knots of the contact rows only: the number of equal parts of each element of the
 layer, or a list of knots; in space also a list with one of these per direction]], optional = true,
-        needs = { "contact" } },
+        needs = { "contact", example = 'contact = "south"' } },
       { "material", { kind = "object", name = "material",
                       cure = "for example material = sg.neo_hookean{ E = 1, nu = 0.3 }" }, "the material" },
       { "thickness_degree", patch_types.degree, [[Degree in the thickness direction, from the contact face to the

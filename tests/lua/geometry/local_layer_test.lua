@@ -128,6 +128,8 @@ check.case("wrong ranges, knots and labels", function()
   check.fails(function()
     sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
              layer = { 0, 0.5 }, layer_knots = 2, material = soft }
-  end, "layer has no effect without contact")
+  end, "layer has no effect without contact", 'contact = "south"')
+  check.fails(function() block{ layer = { 0, 0.5 } } end,
+    "layer[1] must be a list of 2 increasing numbers {low, high}, got the number 0")
   check.fails(function() block{ layer = { { 0, 0.5 }, { 0.5, 2 } } } end, "layer[2] must be in 0 … 1")
 end)
