@@ -17,11 +17,14 @@ local check = {}
 
 local failures, cases, folders = 0, 0, {}
 
---- Runs one case; a failure is reported and the rest goes on.
+--- Runs one case; a failure is reported and the rest goes on. Cases of studies that a case loses are expected; those
+--- lost outside of cases count for the exit status of the program.
 function check.case(name, body)
   cases = cases + 1
+  local lost = core.lost_cases
+  core.lost_cases = nil
   local ok, message = xpcall(body, debug.traceback)
-  core.lost_cases = nil -- of studies, by errors that are expected
+  core.lost_cases = lost
   if ok then return end
   failures = failures + 1
   io.stderr:write(("FAILED: %s\n%s\n"):format(name, message))
@@ -42,13 +45,17 @@ function check.done() end -- of tests that still call it
 
 local function process() return io.open "/proc/self/stat":read "n" end
 
---- The end of the program, not of one that it has forked: a test without cases fails, too.
+--- The end of the program, not of one that it has forked: a test without cases fails, too. Errors in a finalizer are
+--- silent, but must not hide failures.
 local test = process()
 setmetatable(check, { __gc = function()
-  if process() ~= test then return end
-  for _, name in ipairs(folders) do check.shell("rm -r " .. quoted(name)) end
-  print(("%d cases, %d failed"):format(cases, failures))
-  if failures > 0 or cases == 0 then os.exit(false) end
+  local known, now = pcall(process)
+  if known and now ~= test then return end
+  local whole = pcall(function()
+    for _, name in ipairs(folders) do check.shell("rm -r " .. quoted(name)) end
+    print(("%d cases, %d failed"):format(cases, failures))
+  end)
+  if not known or not whole or failures > 0 or cases == 0 then os.exit(false) end
 end })
 
 local function text(value)
@@ -214,14 +221,15 @@ function check.script(code, ...)
   return output:gsub(name:gsub("%p", "%%%0"), "study.lua"), status
 end
 
---- Cases { name, code, fragment, … }: the code behind `start` ends with an error that holds the fragments, at a line of
---- the script, `place` or the case's `line`, or behind words, if `place` is those.
+--- Cases { name, code, fragment, … }: the code behind `start` ends with an error that holds the fragments and begins
+--- with a line of the script, `place` or the case's `line`, or with words, if `place` is those.
 function check.refusals(start, place, wrong)
   for _, case in ipairs(wrong) do
     check.case("refused: " .. case[1], function()
       local line = case.line or place
-      check.fails(assert(load(start .. case[2], "=study.lua")),
-        math.type(line) and ("study.lua:%d: "):format(line) or line, table.unpack(case, 3))
+      local begins = math.type(line) and ("study.lua:%d: "):format(line) or line
+      local message = check.fails(assert(load(start .. case[2], "=study.lua")), table.unpack(case, 3))
+      check.equal(message:sub(1, #begins), begins)
     end)
   end
 end
