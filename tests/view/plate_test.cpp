@@ -237,6 +237,7 @@ TEST(Plate, IsTransparentOnRequest) {
 
 TEST(Series, IsRecognizedByItsFileName) {
   EXPECT_TRUE(is_series("a-%04d.png"));
+  EXPECT_TRUE(is_series("a.mp4"));
   EXPECT_TRUE(is_film("a.mp4"));
   EXPECT_FALSE(is_film("a-%d.png"));
   EXPECT_FALSE(is_series("a.png"));

@@ -61,6 +61,8 @@ check.case("named lists are columns, in the order asked for or of their names", 
 end)
 
 check.case("columns need names, rows no more values than there are columns", function()
+  check.fails(function() sg.csv.write(file, { columns = { "" }, rows = { { 1 } } }) end, "csv_test.lua",
+    "columns[1] must be a name")
   check.fails(function() sg.csv.write(file, { columns = { "a" }, rows = { { 1 }, { 1, 2 } } }) end,
     "rows[2] has an entry '2', but there is 1 column")
   sg.csv.write(file, { columns = { "a", "b" }, rows = { { 1, "" }, { 2 } } })
@@ -70,6 +72,8 @@ end)
 
 check.case("aligned tables show all kinds of cells, and no more than there are columns", function()
   check.equal(sg.table{ columns = { "a" }, rows = { { 1 }, {}, { "x" }, { true } } }, "   a\n   1\n   –\n   x\ntrue")
+  check.fails(function() sg.table{ columns = { "a" }, rows = { { {} } } } end, "csv_test.lua",
+    "sg.table: rows[1][1] must be a number, a string, true or false, got an empty table")
   check.fails(function() sg.table{ columns = { "a" }, rows = { { 2, 3 } } } end,
     "rows[1] has an entry '2', but there is 1 column")
 end)
@@ -101,7 +105,9 @@ check.case("invalid tables are not written, and the old file remains", function(
     { { columns = { "a" }, rows = { { math.huge } } }, "infinity" },
     { { columns = { "a" }, rows = { { 1, 2 } } }, "rows[1] has an entry '2', but there is 1 column" },
     { { columns = { "a" }, rows = { { a = 1 } } }, "an entry 'a'" },
+    { { columns = { "a" }, rows = { { {} } } }, "must be a number, a string" },
     { { columns = { "a", "a" }, rows = {} }, "the column 'a' occurs twice" },
+    { { rows = { { 1 } } }, "columns is missing" },
     { { a = { 1 }, b = { 1, 2 }, columns = { "a", "b" } }, "'b' has 2 values, the column 'a' has 1" },
     { { a = { 1 }, columns = { "a", "c" } }, "'c' has no list of values" },
   }

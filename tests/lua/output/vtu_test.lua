@@ -247,6 +247,7 @@ check.case("a series lists its states, also during the run", function()
   check.near(first.cells[7].points[1].displacement[2] * 2, second.cells[7].points[1].displacement[2], 0.01)
   check.fails(function() series:add { model = model, time = 0.2 } end, "vtu_test.lua:", "times must increase")
   check.fails(function() series.add { model = model, time = 1 } end, "with a colon")
+  check.fails(function() sg.pvd "a.vtu" end, "sg.pvd: file must be a name that ends with .pvd")
   check.fails(function() sg.pvd(folder .. "/none/a.pvd") end, "vtu_test.lua:", "sg.pvd: cannot write", "none",
     "sg.mkdir")
 end)

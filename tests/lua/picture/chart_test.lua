@@ -150,10 +150,14 @@ check.case("wrong arguments", function()
     { { [1] = { y = { 1, 2, 3 }, color = 0 } }, "[1].color must be the number of a curve", "give a value from 1" },
     { { [1] = { y = { 1, 2, 3 }, line = false, markers = true, marker = "none" } }, "without markers shows nothing" },
     { { xticks = { { 2, "b" }, { 1, "a" } } }, "xticks must increase" },
+    { { xticks = { { 1, 2 } } }, "xticks[1][2] must be a string" },
+    { { hlines = { { "4" } } }, "hlines[1][1] must be a number" },
+    { { hlines = { { 4, "four", 5 } } }, "hlines[1] must be a pair" },
     { { inset = { xrange = { 7, 8 } } }, "sg.chart", "inset: the chart has no curve between x = 7 and 8" },
     { { inset = { xrange = { 2, 1 } } }, "inset.xrange must be increasing" },
     { { inset = { xrange = { 1, 2 }, place = "middle" } }, "inset.place must be 'north-east', 'north-west'" },
   }
   for _, case in ipairs(wrong) do check.fails(function() sg.chart(chart(case[1])) end, table.unpack(case, 2)) end
   check.fails(function() sg.chart { file = "a.png" } end, "at least one curve is needed, got none")
+  check.fails(function() sg.chart { file = "a.png", { y = { 1 } } } end, "[1].x is missing")
 end)

@@ -109,6 +109,8 @@ end)
 
 check.case("wrong arguments", function()
   local wrong = {
+    { { x = {} }, "x must be a list of at least one name" },
+    { { x = { "a", {}, "c" } }, "x[2] must be a string or a number" },
     { { values = { { 1, 2, 3 } } }, "values must be a list of 2 rows, one for each y" },
     { { values = { { 1, 2, 3, 4 }, { 1 } } }, "values[1] must be a list of 3 entries, one for each x" },
     { { values = { { 1, 2, 3 }, 7 } }, "values[2] must be a list of 3 entries" },
@@ -124,10 +126,13 @@ check.case("wrong arguments", function()
       "did you mean 'converged'?" },
     { { categories = categories, values = outcomes, log = true },
       "log cannot be combined with categories, it is for maps of numbers" },
+    { { categories = {}, values = outcomes }, "categories must be a list of at least one category" },
     { { categories = { "converged", "converged" }, values = outcomes },
       "categories[2] has the name 'converged' of an earlier one" },
     { { categories = { { name = "a", color = "blue" } }, values = outcomes }, "categories[1].color", "#d55e00" },
     { { categories = { { name = "a", color = 22 } }, values = outcomes }, "categories[1].color", "from 1 to 21" },
+    { { categories = { { title = "converged" } }, values = outcomes }, "categories[1]: unknown argument 'title'" },
+    { { texts = { { {} }, {} } }, "texts[1][1] must be a string or a number" },
   }
   for _, case in ipairs(wrong) do
     check.fails(function() draw(case[1]) end, "heatmap_test.lua", "sg.heatmap", table.unpack(case, 2))
@@ -138,4 +143,5 @@ check.case("wrong arguments", function()
   map.values = { { 1 } }
   check.fails(function() sg.heatmap(map) end, "values cannot be combined with panels, each of which has its own")
   map.values, map.panels = nil, {}
+  check.fails(function() sg.heatmap(map) end, "panels must be a list of at least one map")
 end)

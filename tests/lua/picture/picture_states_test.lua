@@ -92,12 +92,24 @@ for last; do :; done
   check.equal({ output, status }, { "", 0 })
   check.holds(bytes "a b/;x'.mp4", "1.png\n2.png\n", "-framerate\n5.000000\n", "libx264")
   check.equal((check.shell(("ls -A '%s/a b'"):format(folder))), ";x'.mp4\n")
+  local first = bytes "a b/;x'.mp4"
+  core.write_file(folder .. "/fields.lua", code:gsub("model }\n.*", "model, field = arg[1] }\n") ..
+    "sg.film{ picture, fps = 5, file = arg[2] }")
+  for _, wrong in ipairs {
+    { "w", "a b/;x'.mp4", "unknown field 'w'" }, { "uy", "missing/x.mp4", "sg.film: cannot write" },
+  } do
+    output, status = check.program({ folder .. "/fields.lua", wrong[1], folder .. "/" .. wrong[2] }, nil,
+      "PATH=" .. folder .. "/bin:$PATH")
+    check.holds(output, wrong[3])
+    check.equal({ status, bytes "a b/;x'.mp4" == first, core.exists(folder .. "/missing") }, { 1, true, false })
+  end
   core.write_file(folder .. "/bin/ffmpeg", "#!/bin/sh\necho 'Unknown encoder' >&2\nexit 1\n")
   check.shell(("chmod +x %s/bin/ffmpeg"):format(folder))
   output, status = check.program({ folder .. "/film.lua" }, nil, "PATH=" .. folder .. "/bin:$PATH")
   check.holds(output, "film.lua:6: sg.film: cannot write the film '", "x-%04d.png",
               "ffmpeg failed with the message: Unknown encoder")
   check.equal({ status, (check.shell(("ls -A '%s/a b'"):format(folder))) }, { 1, ";x'.mp4\n" })
+  check.equal(bytes "a b/;x'.mp4" == first, true)
   output, status = check.program({ folder .. "/film.lua" }, nil, "PATH=/nowhere")
   check.holds(output, "film.lua:6: sg.film: file", "needs the program ffmpeg", "x-%04d.png")
   check.equal(status, 1)
@@ -154,12 +166,15 @@ check.case("wrong arguments", function()
   local other = sg.model{ bodies = { strip = body }, supports = { foot = { on = body:face "west", fix = "xy" } } }
   for _, case in ipairs {
     { { states = states, model = other }, "model is not the model of the stored state" },
+    { { states = {} }, "states must be a list of at least one state" },
     { { model = model, field = "uy", fields = { "ux" } }, "fields cannot be combined with field" },
+    { { model = model, fields = {} }, "fields must be a list of at least one name" },
     { { model = model, fields = { "ux", "uz" } }, "unknown field 'uz'" },
     { { model = model, fields = { "ux", "uy" }, label = "u" },
       "label cannot be combined with fields, each of which has its own color bar" },
     { { model = model, fps = 3 }, "fps has no effect without states" },
     { { model = model, scale = 9 }, "makes 14400 pixels of 1600" },
+    { { model = model, inset = { 0, 1 } }, "inset must be a list of 4 numbers" },
     { { states = states, size = 400, field = "uy", inset = { 0, 1, 0, 1 } }, "too small for an inset in each state",
       "fewer columns" },
     { { model = model, inset = { 2, 1, 0, 1 } }, "inset is {2, 1, 0, 1}", "with min below max" },

@@ -235,25 +235,32 @@ check.case("wrong arguments", function()
     { { model = model, field = "uu" }, "unknown field 'uu'" },
     { { model = model, factor = 2 }, "factor has no effect without field or fields" },
     { { model = model, label = "lift" }, "label has no effect without field" },
+    { { model = model, size = 20 }, "size must be a whole number from 160 to 5000" },
+    { { model = model, size = { 400 } }, "size must be a list of 2 whole numbers" },
     { { model = model, size = "large" }, "size must be" },
     { { model = model, columns = 2 }, "columns has no effect without states or fields" },
+    { { model = model, crop = { 0, 1 } }, "crop must be a list of 4 numbers" },
     { { model = model, crop = { 10, 11, 0, 1 } },
       "crop = {10, 11, 0, 1} shows nothing: everything drawn is within x = ", "y = " },
     { { model = model, inset = { 10, 11, 0, 1 } }, "inset = {10, 11, 0, 1} shows nothing" },
     { { model = model, inset = { 1, 0, 0, 1 } }, "inset is {1, 0, 0, 1}; expected {xmin, xmax, ymin, ymax}" },
     { { model = model, crop = { 0, 1, 0, 1 }, inset = { 2, 3, 0, 1 }, size = 1200 },
       "inset is outside of what the picture shows" },
+    { { model = model, marks = { { x = { 1, 2 } }, { x = { 1, 2, 3 } } } }, "marks[2].x must be a list of 2 numbers" },
     { { model = model, marks = { { x = { 1, 2 }, txt = "a" } } }, "marks[1]: unknown argument 'txt'", "'text'?" },
     { { model = model, marks = { { x = { 1, 2 } } }, deformed = false }, "marks are in the present state" },
     { { model = model, contours = true }, "contours has no effect without field or fields" },
+    { { model = model, field = "uy", contours = false }, "contours must be true, a whole number from 1 to 100 or" },
     { { model = model, field = "uy", contours = 0 }, "contours must be" },
     { { model = model, field = "uy", contours = {} }, "contours must be" },
     { { model = model, field = "uy", contours = { 7 } }, "contours must contain a value of the field" },
     { { model = model, vectors = "traction" }, "needs a contact, and the model has none" },
     { { model = model, vectors = "traction", deformed = false }, "tractions act in the present state" },
+    { { model = model, axes = { "x" } }, "axes must be a list of 2 names" },
   }
   for _, case in ipairs(wrong) do check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2)) end
   check.fails(function() sg.sheet{ {}, title = "none" } end, "sg.sheet: at least one picture is needed")
+  check.fails(function() sg.sheet{ pictures, range = "all" } end, "sg.sheet: range must be 'shared' or 'own'")
   check.fails(function() sg.sheet{ pictures, colums = 2 } end, "sg.sheet: unknown argument 'colums'", "'columns'?")
   check.fails(function() pictures[1]:write "a.gif" end, "picture:write: file 'a.gif' of a figure must end in .png")
 end)

@@ -321,6 +321,12 @@ check.case("invalid options are rejected before the first step, at the user's li
   for _, case in ipairs {
     { { predicter = "linear" }, "options: unknown argument 'predicter'", "did you mean 'predictor'?" },
     { { newton = { line_search = "enrgy" } }, "newton.line_search must be 'none', 'residual' or 'energy'" },
+    { { newton = { freeze_active_set = 2 } }, "newton.freeze_active_set must be true, false or a number from 0 to 1" },
+    { { augmentation = { penetration = 0 } }, "augmentation.penetration must be a number above 0 and at most 1" },
+    { { augmentation = { loops = 0 } }, "augmentation.loops must be a whole number from 1 to 1000000" },
+    { { penalty = { start = 2, steps = 3 } }, "penalty.start must be a number above 0 and at most 1" },
+    { { threads = 0 }, "threads must be a whole number from 1 to 1024", "got the number 0" },
+    { { threads = 100000 }, "threads must be a whole number from 1 to 1024", "got the number 100000" },
     { { resume = true }, "resume = true needs a checkpoint file", "add checkpoint =" },
   } do
     check.fails(function() model:run(one_step, case[1]) end, "controls_test.lua:", "model:run: ", table.unpack(case, 2))
@@ -328,6 +334,10 @@ check.case("invalid options are rejected before the first step, at the user's li
   check.equal({ model.spent, #model.calls }, { 0, 0 })
 end)
 
-check.case("without a step there is nothing to diagnose", function()
-  check.fails(function() ironing{}:diagnose() end, "controls_test.lua:", "no step to diagnose: call diagnose after")
+check.case("so are those of a real model's methods, and there is nothing to diagnose without a step", function()
+  local model = ironing{}
+  local wrong = { freeze_active_set = -1 }
+  check.fails(function() model:solve_step(wrong) end, "controls_test.lua:", "freeze_active_set")
+  check.fails(function() model:iterate(wrong) end, "controls_test.lua:", "freeze_active_set")
+  check.fails(function() model:diagnose() end, "controls_test.lua:", "no step to diagnose: call diagnose after")
 end)

@@ -29,6 +29,9 @@ check.case("a grid holds all combinations, the last name fastest", function()
   check.fails(function() sg.grid{ { 1, 2 } } end, "every entry of parameters needs a name")
   check.fails(function() sg.grid({ a = { 1 } }, { a = { 2 } }) end, "the parameter 'a' occurs twice")
   check.fails(function() sg.grid() end, "sg.grid: parameters", "missing")
+  check.fails(function() sg.grid({ a = { 1 } }, {}) end, "parameters must be a table of names")
+  check.fails(function() sg.grid{ a = { 1, 0 / 0 } } end,
+    "sg.grid: parameters.a[2] must be a value (a finite number", "got nan")
   check.fails(function() sg.grid{ a = { { name = "m1", 1 } } } end,
     "it mixes names and a list in one table: put the list")
   check.equal(tostring(sg.grid{ a = { 0.5 }, mesh = { { 6, 2 }, { name = "m1", die = 1 } } }),
@@ -42,6 +45,8 @@ check.case("wrong arguments are errors at the user's line", function()
   local function run() return {} end
   for _, wrong in ipairs {
     { { cases = sg.grid{ a = { 1 } }, run = run }, "name (name in tables, charts and of the folder) is missing" },
+    { { name = "s", cases = {}, run = run }, "cases must be a list of at least one value", "got an empty table" },
+    { { name = "s", cases = { 3 }, run = run }, "cases[1] must be a table of parameters", "the number 3" },
     { { name = "s", cases = sg.grid{ wall = { 1 } }, run = run }, "cannot be called 'wall'" },
     { { name = "s", cases = { { a = print } }, run = run }, "cases[1].a", "function" },
     { { name = "s", cases = { { a = 0 / 0 } }, run = run }, "cases[1].a", "nan" },
@@ -56,6 +61,8 @@ check.case("wrong arguments are errors at the user's line", function()
     check.fails(function() sg.study(wrong[1]) end, "study_test.lua", table.unpack(wrong, 2))
   end
   local study = sg.study{ name = "s", cases = sg.grid{ a = { 1 } }, run = run, folder = new_folder() }
+  check.fails(function() study:execute{ rerun = "all" } end,
+    "rerun must be true or false, 'failed' or a function", "the string 'all'")
   check.fails(function() study:where{ b = 1 } end, "study:where: no case has 'b': none of its cases is done yet")
   check.fails(function() study:where{}:execute{} end, "part of a study")
   check.fails(function() study:exeute{} end, "study_test.lua", "a study has no 'exeute'; did you mean 'execute'?")
