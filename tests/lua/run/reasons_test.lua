@@ -101,11 +101,12 @@ end)
 
 check.case("interrupted: Ctrl-C ends the run at its last step, and the model can be used further", function()
   local output, status = check.program({}, ("file = %q\n"):format(check.folder() .. "/run.sgn") .. [==[
-    b = scenes.body{ elements = {16, 16}, contact = "south", thickness_degree = 1 }
+    b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {16, 16}, order = "N2",
+      contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
     m = sg.model{ bodies = { block = b },
       supports = { bed = { on = b:face "south", fix = "xy" }, top = { on = b:face "north", drive = "xy" } } }
     -- Once the file was written twice steps have been accepted.
-    timer = io.popen(([=[until [ -e %s ]; do sleep 0.02; done; first=$(stat -c %%y %s)
+    timer = io.popen(([=[until [ -e %s ]; do kill -0 $PPID || exit; sleep 0.02; done; first=$(stat -c %%y %s)
       while [ "$(stat -c %%y %s)" = "$first" ]; do sleep 0.02; done; kill -INT $PPID]=]):format(file, file, file))
     m:run({ { name = "shear", steps = 1000000, top = {0.3, 0} } }, { checkpoint = { file = file, every = 2 } })
     first = _
