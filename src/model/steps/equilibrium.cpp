@@ -182,7 +182,7 @@ template <int D> void begin_contacts(Model<D>& model, const ActiveSetOptions& op
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
-  template class StepProblem<D>;                                                                                       \
+  template struct StepProblem<D>;                                                                                      \
   template solve::Outcome evaluate(Model<D>&, const EvaluationOptions&, Message&);                                     \
   template void set_loads(Model<D>&, const VectorX&);                                                                  \
   template void take_residual(Model<D>&);                                                                              \
