@@ -26,7 +26,7 @@ function scenes.floor(y) return sg.rigid.plane{ point = { 0, y or 0 }, normal = 
 function scenes.ceiling(y) return sg.rigid.plane{ point = { 0, y or 0 }, normal = { 0, -1 } } end
 
 --- What a word names: a face or corner of the only body ("south", "south-west") or of one of several ("lower.north"),
---- or a body. Lists of words are lists of such; what is no word stays.
+--- or a body. Lists of words give lists of these; anything else is returned as it is.
 local function named(bodies, word)
   if type(word) == "table" and not getmetatable(word) then
     return lists.map(word, function(one) return named(bodies, one) end)
