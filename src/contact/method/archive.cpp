@@ -106,8 +106,9 @@ template <int D> auto members(PointBond<D>& bond) {
   return std::tie(opening, largest, pressure, shear);
 }
 
+/// `trial` belongs to an iteration.
 template <int D> auto members(MultiplierResult<D>& result) {
-  auto& [state, beyond, area, gap, pressure, potential, friction, components, elastic, slipped] = result;
+  auto& [state, beyond, area, gap, pressure, potential, friction, components, trial, elastic, slipped] = result;
   return std::tie(state, area, gap, pressure, potential, friction, components, elastic, slipped);
 }
 

@@ -50,8 +50,14 @@ void add_friction(const PenaltyLaw& law, double s, const MultiplierSums<D>& sums
   result.friction = s * unknowns.tangential;
   result.slipped = (plane * (slip - touch)).norm();
   const Vec<D> along = sums.along - n.dot(sums.along) * n;
-  result.components(0) = along.dot(result.friction) / along.norm();
-  if constexpr (D == 3) result.components(1) = n.cross(along).dot(result.friction) / along.norm();
+  const auto components = [&](const Vec<D>& vector) {
+    FaceCoordinates<D> parts;
+    parts(0) = along.dot(vector) / along.norm();
+    if constexpr (D == 3) parts(1) = n.cross(along).dot(vector) / along.norm();
+    return parts;
+  };
+  result.components = components(result.friction);
+  result.trial = components(y);
 }
 
 } // namespace

@@ -80,38 +80,37 @@ bool ActiveSet<D>::record(const Histories& histories, double residual,
   entry.states.reserve(counts_.size());
   for (const auto& history : histories)
     for (int i = 0; i < constraints(history); ++i) entry.states.push_back(code(constraint(history, i)));
-  stick_where_reversed(histories);
   if (phase_ == Phase::free) fix_changing(histories, entry.states);
   entries_.push_back(std::move(entry));
   if (entries_.size() > remembered_evaluations) entries_.pop_front();
-  return violation && phase_ == Phase::free && hold(violation);
+  return violation && (stick_reversed(histories) || (phase_ == Phase::free && hold(violation)));
 }
 
-/// A multiplier whose slip reverses sticks in the next evaluation: Newton's method has passed over a state of stick,
-/// and would return, because the tangent of slip has no stiffness that stops it.
-template <int D> void ActiveSet<D>::stick_where_reversed(const Histories& histories) {
+/// Multipliers whose trial friction opposes that of the last iteration stick in this evaluation: Newton's method has
+/// passed over a state of stick, and would return, because the tangent of slip has no stiffness that stops it. They are
+/// freed in the next iteration. Returns true if there are any.
+template <int D> bool ActiveSet<D>::stick_reversed(const Histories& histories) {
   using contact::ContactState, contact::FixedContactState;
-  for (const auto& [index, before] : std::exchange(reversed_, {})) {
-    std::vector<FixedContactState>& fixed = fixed_[index.contact];
-    if (fixed.empty()) continue; // freed meanwhile
-    fixed[index.point] = before;
-    if (std::ranges::all_of(fixed, [](auto state) { return state == FixedContactState::free; })) fixed.clear();
-  }
+  if (phase_ != Phase::free) return false;
   for (std::size_t k = 0; k < histories.size(); ++k) {
     const auto& results = histories[k].multiplier_results;
-    auto& frictions = contacts_[k].frictions;
-    frictions.resize(results.size(), contact::FaceCoordinates<D>::Zero());
+    auto& trials = contacts_[k].trials;
+    trials.resize(results.size(), contact::FaceCoordinates<D>::Zero());
+    const bool free = fixed_[k].empty();
     for (std::size_t a = 0; a < results.size(); ++a) {
-      const contact::FaceCoordinates<D> last = frictions[a];
-      frictions[a].setZero();
-      if (results[a].state == ContactState::slip) frictions[a] = results[a].components;
-      if (!(frictions[a].dot(last) < 0)) continue;
-      std::vector<FixedContactState>& fixed = fixed_[k];
-      fixed.resize(results.size(), FixedContactState::free);
-      reversed_.push_back({{static_cast<int>(k), static_cast<int>(a)}, fixed[a]});
-      fixed[a] = FixedContactState::stick;
+      const contact::FaceCoordinates<D> last = trials[a];
+      trials[a].setZero();
+      if (results[a].state != ContactState::slip) continue;
+      trials[a] = results[a].trial;
+      if (!free || !(trials[a].dot(last) < 0)) continue;
+      fixed_[k].resize(results.size(), FixedContactState::free);
+      fixed_[k][a] = FixedContactState::stick;
+      trials[a].setZero();
+      entries_.back().states[contacts_[k].first + a] = static_cast<unsigned char>(ContactState::stick);
+      phase_ = Phase::held;
     }
   }
+  return phase_ == Phase::held;
 }
 
 template <int D> void ActiveSet<D>::fix_changing(const Histories& histories, const std::vector<unsigned char>& states) {

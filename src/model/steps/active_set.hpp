@@ -9,7 +9,6 @@
 #include <deque>
 #include <functional>
 #include <string>
-#include <utility>
 
 namespace signorini::model {
 
@@ -56,7 +55,7 @@ private:
   enum class Phase {
     free,   ///< states follow the contact conditions, except for constraints that change too often
     frozen, ///< constraints stay open or closed as in the accepted state, from begin() until the rule ends it
-    held    ///< states of multipliers are held in one evaluation, see hold()
+    held    ///< states of multipliers are held in one evaluation, see hold() and stick_reversed()
   };
   struct Entry {
     double residual;
@@ -65,10 +64,10 @@ private:
   struct ContactEntry {
     int first;                                               ///< index of its first constraint
     bool frictional, solved;                                 ///< `solved`: its multipliers are unknowns
-    std::vector<contact::FaceCoordinates<D>> frictions = {}; ///< by multiplier, in the last evaluation
+    std::vector<contact::FaceCoordinates<D>> trials = {}; ///< trial frictions by slipping multiplier, otherwise 0
   };
   void release();
-  void stick_where_reversed(const Histories& histories);
+  bool stick_reversed(const Histories& histories);
   void fix_changing(const Histories& histories, const std::vector<unsigned char>& states);
   bool hold(const std::function<double(const PointIndex&)>& violation);
   std::vector<PointIndex> changing_points(bool past_end) const;
@@ -81,8 +80,6 @@ private:
   std::vector<ContactEntry> contacts_;
   std::vector<int> counts_; ///< changes of each constraint in this step
   int rounds_ = 0;          ///< in which points that change too often were fixed
-  /// Multipliers that stick in the next evaluation, with the fixed states to which they return.
-  std::vector<std::pair<PointIndex, contact::FixedContactState>> reversed_;
 };
 
 } // namespace signorini::model
