@@ -46,7 +46,6 @@ local options = sg.arguments{
   out = "out/formulations/hertz_pressure",
 }
 local part = 0.8 -- of the half-width
-local augmented = { penetration = 1e-8, loops = 500 }
 
 -- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -57,8 +56,7 @@ local function solve(case)
                                       penalty = case.penalty ~= "none" and case.penalty or nil,
                                       formulation = case.formulation }
   stage.steps = options.steps
-  local run = model:run({ stage }, sg.plain(formulations.options(case.formulation,
-    { step = { adaptive = true } }, augmented)))
+  local run = model:run({ stage }, sg.plain{ step = { adaptive = true } })
   case.run, case.outcome = run, run.cause or run.reason
   if run.failed then return case end
   case.profile, case.force = model:profile "ground", run:column "ground.fy"[run.steps]

@@ -12,7 +12,7 @@
 --          and that of all following ones. Moved: the largest displacement of a contact point during the hold. Step:
 --          the drag at the end of the slide with twice as many steps, relative difference, and the order of convergence
 --          from three numbers of steps.
--- Source: J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992) for augmented friction; the scene: V. Agrawal, An
+-- Source: of the scene: V. Agrawal, An
 --         Accurate and Efficient Varying Order NURBS Discretization Method for Isogeometric Analysis of Contact
 --         Problems, PhD thesis, IIT Guwahati, 2020, section 7.1.
 -- Units: mm, N, N/mm².

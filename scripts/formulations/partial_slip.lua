@@ -36,7 +36,6 @@ local options = sg.arguments{
   formulations = formulations.argument(formulations.names), penalty = { 10.0, above = 0 },
   press = { 16, at_least = 1 }, steps = { 10, at_least = 1 }, out = "out/formulations/partial_slip",
 }
-local augmented = { penetration = 1e-8, loops = 200 }
 local along = { 5.2e-5, 1.255e-4, 1.75e-4 }
 
 -- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -47,8 +46,7 @@ local function solve(case)
   local model = problem.scene{ order = case.order, count = case.count, penalty = options.penalty,
                                formulation = case.formulation }
   local function run(stage)
-    local done = model:run({ stage }, sg.plain(formulations.options(case.formulation, { step = { adaptive = true } },
-      augmented)))
+    local done = model:run({ stage }, sg.plain{ step = { adaptive = true } })
     case.iterations = case.iterations + done.iterations
     if done.failed then case.reason = done.cause or done.reason end
     return not done.failed

@@ -20,7 +20,7 @@ local sg = require "signorini"
 local formulations = require "formulations.rows"
 
 local names = { "deep_ironing", "friction_steps", "penalty_hertz", "first_touch" }
-local others = formulations.where(function(row) return row.keys.enforcement ~= "augmented" and row.name ~= "gpts" end)
+local others = formulations.where(function(row) return row.name ~= "gpts" end)
 local options = sg.arguments{
   maps = { names, choices = names }, formulations = { others, choices = others }, coarse = false,
   jobs = { 2, at_least = 1 }, out = "out/formulations/recovered_cells",

@@ -6,15 +6,10 @@ local rows = {}
 --- of a body; swapped: exchanges slave and master (multipliers should be on the softer body).
 local list = {
   { name = "gpts", label = "GPTS", keys = {} },
-  { name = "gpts-augmented", label = "GPTS, augmented", keys = { enforcement = "augmented" } },
   { name = "equal", label = "mortar equal", keys = { method = "mortar", multipliers = "equal" } },
-  { name = "equal-augmented", label = "mortar equal, augmented",
-    keys = { method = "mortar", multipliers = "equal", enforcement = "augmented" } },
   { name = "equal-multipliers", label = "mortar equal, multipliers",
     keys = { method = "mortar", multipliers = "equal", enforcement = "multipliers" } },
   { name = "reduced", label = "mortar reduced", keys = { method = "mortar", multipliers = "reduced" } },
-  { name = "reduced-augmented", label = "mortar reduced, augmented",
-    keys = { method = "mortar", multipliers = "reduced", enforcement = "augmented" } },
   { name = "reduced-multipliers", label = "mortar reduced, multipliers",
     keys = { method = "mortar", multipliers = "reduced", enforcement = "multipliers" } },
   { name = "equal-multipliers-swapped", label = "mortar equal, multipliers, swapped", two_faces = true, swapped = true,
@@ -64,12 +59,6 @@ function rows.contact(row, contact, chosen)
     contact.friction = contact.friction and { mu = contact.friction.mu }
   end
   return contact
-end
-
---- The options of model:run; `augmentation`: tolerance and loops of augmented formulations, if not the default ones.
-function rows.options(row, options, augmentation)
-  if row and row.keys.enforcement == "augmented" then options.augmentation = augmentation end
-  return options
 end
 
 return rows

@@ -16,8 +16,7 @@
 -- Expected: two half passes are uniform to rounding error (below 1e-12) for any number of points. In one pass the error
 --           is that of the quadrature of the master's functions and falls with the number n of points, as n^-3 (N2 and
 --           N2-N2.2) on straight meshes and as n^-2 on skewed ones. With the coarser block as slave mortar has at most
---           a third of the error of Gauss points. Augmented Gauss points are over-constrained: their error is larger
---           than with a penalty, or the augmentation does not end ("penetration").
+--           a third of the error of Gauss points.
 -- Run: signorini -q formulations/uniform_pressure.lua [dimensions=2,3] [orders=N2,N2-N2.2] [formulations=…]
 --      [skews=0,0.2] [points=20] [points_3d=8] [out=out/formulations/uniform_pressure]; points, points_3d: largest
 --      number of points per element and direction, from p + 1 on, p the degree on the face; in 3D the first order only.
@@ -32,7 +31,6 @@ local options = sg.arguments{
   formulations = formulations.argument(formulations.names), skews = { { 0.0, 0.2 }, at_least = 0, below = 0.5 },
   points = 20, points_3d = 8, out = "out/formulations/uniform_pressure",
 }
-local augmented = { penetration = 1e-12, loops = 1000 }
 
 -- ── Solving ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -46,7 +44,7 @@ end
 local function solve(case)
   case.lower, case.upper = 3, 5
   local model = problem.scene(case)
-  local run = model:run({ problem.stage }, sg.plain(formulations.options(case.formulation, {}, augmented)))
+  local run = model:run({ problem.stage }, sg.plain{})
   if run.failed then
     case.reason = run.cause or run.reason
     return case

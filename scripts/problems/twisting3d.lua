@@ -129,8 +129,7 @@ local function twist(o, options)
                            contacts = friction(options.friction == "always" and mu or 0) },
                          { name = "twist", steps = o.twist, ring = { -depth, options.angle },
                            contacts = friction(mu) } },
-                       sg.plain(formulations.options(formulations[options.formulation], {
-                         linear = options.linear, step = { adaptive = true }, on_step = keep })))
+                       sg.plain{ linear = options.linear, step = { adaptive = true }, on_step = keep })
   local least, most, sum, torque, off, count = math.huge, 0, 0, 0, 0, 0
   for _, row in ipairs(case.rows) do
     if row.angle > 0 and row.stick == 0 and not case.slips_from then case.slips_from = row.angle end

@@ -74,7 +74,7 @@ end
 --- Draws the last state of plain Newton with an order, and the places in its report. Returns the run.
 local function draw_places(order)
   local model = scene(order, multiples[points[1]])
-  local run = model:run(ironing.path(set_up, coarser[1]), sg.plain(formulations.options(formulation, {})))
+  local run = model:run(ironing.path(set_up, coarser[1]), sg.plain({}))
   if not run.failed then
     print(("\n%s with %s contact points completes the path: nothing to mark"):format(order, points[1]))
     return run

@@ -73,7 +73,7 @@ function study.solve(problem, options, files)
       jobs = options.jobs, limit = options.limit, file = name,
       path = function(model, x, y)
         local stages, overrides = path(model, x, y)
-        return stages, controls[kind](formulations.options(formulation, overrides or {}))
+        return stages, controls[kind](overrides or {})
       end,
     }
   end

@@ -126,9 +126,7 @@ inline constexpr double across_part = 0.1;
 
 // ── Contacts ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// ε h/E of contacts whose results do not depend on the penalty ε. Augmented Hertz contact (m3; Gauss points and
-/// mortar, N2 and N2-N2.2) takes 37, 41, 20 and 25 iterations, 1.0 to 1.3 times the least of any penalty; with 2, 1.2
-/// to 1.4 times as many, with 20 to 200, 0.8 to 1.8 times as many.
+/// ε h/E of contacts with multipliers, whose results do not depend on the penalty ε.
 inline constexpr double default_penalty_ratio = 10;
 /// ε h/E of contacts that are enforced by the penalty alone. In Hertz's line and point contact over 5 elements (N2)
 /// penetration is 0.4 and 1.0 % of the approach with 30 (forces 0.4 and 1.5 % too small), 1.2 and 2.7 % with 10, 0.1

@@ -14,9 +14,9 @@ namespace signorini::solve {
 
 std::string name_of(Outcome outcome) {
   // In the order of the enumeration
-  constexpr const char* names[] = {"iterating",       "converged",   "iterations", "diverged",   "cycling",
-                                   "lost_projection", "inverted",    "singular",   "indefinite", "nan",
-                                   "line_search",     "penetration", "crossed",    "interrupted"};
+  constexpr const char* names[] = {"iterating",       "converged", "iterations", "diverged",   "cycling",
+                                   "lost_projection", "inverted",  "singular",   "indefinite", "nan",
+                                   "line_search",     "crossed",   "interrupted"};
   static_assert(std::size(names) == static_cast<std::size_t>(Outcome::interrupted) + 1);
   return names[static_cast<std::size_t>(outcome)];
 }

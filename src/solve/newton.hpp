@@ -25,13 +25,12 @@ enum class Outcome {
   indefinite, ///< no convergence where the tangent has negative eigenvalues
   not_finite,
   line_search, ///< no length of the move reduces the residual
-  penetration, ///< augmentation does not reduce it below its tolerance
   crossed,     ///< contact points have passed through the master
   interrupted
 };
 
 /// "iterating", "converged", "iterations", "diverged", "cycling", "lost_projection", "inverted", "singular",
-/// "indefinite", "nan", "line_search", "penetration", "crossed", "interrupted".
+/// "indefinite", "nan", "line_search", "crossed", "interrupted".
 std::string name_of(Outcome outcome);
 
 struct NewtonOptions {

@@ -35,7 +35,7 @@ template <int D> struct Situation {
   Second<D> second;
   Foot foot = Foot::regular;
   bool slips = false, revolved = false;
-  double reference_measure = 1, multiplier = 0;
+  double reference_measure = 1;
   FixedContactState fixed_state = FixedContactState::free;
 };
 
@@ -119,7 +119,6 @@ template <int D, class Law> Outcome<D> evaluate(const Law& law, const Variables<
   geometry.slip_point = situation.slips ? &slip : nullptr;
   geometry.revolved = situation.revolved;
   geometry.reference_measure = situation.reference_measure;
-  geometry.multiplier = situation.multiplier;
   geometry.fixed_state = situation.fixed_state;
   outcome.gap = geometry.gap;
   apply(law, geometry, outcome.force);

@@ -1,4 +1,4 @@
-// Mortar contact with friction and augmentation, in 2D and 3D: tangent against finite differences in every state,
+// Mortar contact with friction, in 2D and 3D: tangent against finite differences in every state,
 // Coulomb's law, history, objectivity, dissipation.
 #include "contact/couple3d.hpp"
 #include "contact/mortar_discs.hpp"
@@ -29,25 +29,6 @@ TEST(MortarFriction, TangentIsTheForcesDerivativeInEveryState) {
   sum.expect({.states = 25, .stick = 100, .slip = 100});
 }
 
-TEST(MortarFriction, TangentIsTheForcesDerivativeWithAugmentation) {
-  Random random(21);
-  Census census;
-  for (const MultiplierSpace space : multiplier_spaces)
-    for (int trial = 0; trial < 3; ++trial) {
-      Couple couple = pressed_disc("N2", trial % 2 == 0 ? slab("N2") : wavy(random, 3, 0.1, 3, 6), mortar(space, 0.3),
-                                   1.3, trial % 2 == 0 ? 1.0 : 0.1);
-      couple.shake(random, 0.003).touch().move_die(1e-3, -0.05).evaluate();
-      couple.pair.augment();
-      couple.pair.accept();
-      for (const auto& [x, y] : {std::pair{2e-4, 0.0}, {0.03, 0.02}, {0.0, 0.02}}) {
-        couple.move_die(x, y).shake(random, 0.0003);
-        compare_with_differences(couple, census);
-      }
-      EXPECT_GT(couple.pair.resultant().active, 3); // although lifted
-    }
-  census.expect({.states = 12, .stick = 30, .slip = 30});
-}
-
 TEST(MortarFriction, TangentIsTheForcesDerivativeIn3D) {
   Random random(1);
   Census census;
@@ -63,7 +44,6 @@ TEST(MortarFriction, TangentIsTheForcesDerivativeIn3D) {
         drag_and_compare(couple, random, {{3e-4, 1e-4, 0}, {0.02, 0.03, 0}, {-0.3, 0.2, 0}}, census);
         couple.turn_die(0.1, {1.5, 1.5, 0});
         compare_with_differences(couple, random, census);
-        couple.pair.augment();
         couple.move_die({1e-3, 0, 0.01});
         compare_with_differences(couple, random, census);
       }
@@ -176,38 +156,6 @@ TEST(MortarFriction, StartsAtTheAcceptedPosition) {
     if (multiplier.state == ContactState::stick) {
       EXPECT_NEAR(multiplier.friction(0), 80 * 1e-3, 1e-12);
     }
-}
-
-/// Augmentation of a sticking flat block: pressures and frictions of the last evaluation become multipliers.
-TEST(MortarFriction, AugmentationAddsPressureAndFriction) {
-  const auto block = discretize(nurbs::rectangle(2, 0.5, Eigen::Vector2d(0, 0)), {5, 1}, "N2", "south");
-  for (const MultiplierSpace space : multiplier_spaces) {
-    Couple couple(block, "south", make_plane<2>({0, 0}, {0, 1}), mortar(space, 0.5), 4);
-    couple.evaluate().accept().move_die(1e-3, -0.02);
-    for (int loop = 1; loop <= 3; ++loop) {
-      couple.evaluate();
-      for (const auto& multiplier : couple.pair.multipliers()) {
-        EXPECT_NEAR(multiplier.pressure, loop * 2, 1e-12);
-        EXPECT_NEAR(multiplier.friction(0), loop * 0.08, 1e-12);
-      }
-      EXPECT_NEAR(violation(couple.pair.present()), 0.02, 1e-14);
-      couple.pair.augment();
-    }
-    couple.pair.accept();
-    // Lifted to zero gap and back to zero slip it carries the multipliers.
-    couple.move_die(-1e-3, 0.02).evaluate();
-    for (const auto& multiplier : couple.pair.multipliers()) {
-      EXPECT_NEAR(multiplier.pressure, 6, 1e-12);
-      EXPECT_NEAR(multiplier.friction(0), 0.24, 1e-12);
-    }
-    EXPECT_NEAR(violation(couple.pair.present()), 0, 1e-14);
-    // Multipliers that change after the accepted state are rolled back.
-    couple.pair.augment();
-    couple.pair.augment();
-    couple.pair.rollback();
-    couple.move_die(1e-3, -0.02).evaluate();
-    EXPECT_NEAR(couple.pair.multipliers()[2].pressure, 8, 1e-12);
-  }
 }
 
 } // namespace mortar_friction_test

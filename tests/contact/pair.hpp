@@ -66,11 +66,7 @@ public:
     controls_.onward = onward;
   }
   void land(bool landing) { controls_.all_stick = landing; }
-  void augment() { contact::augment(present_); }
-  void scale_penalty(double factor) {
-    factor_ = factor;
-    for (History<D>* history : {&accepted_, &present_}) look_again(*history);
-  }
+  void scale_penalty(double factor) { factor_ = factor; }
   const History<D>& history() const { return accepted_; }
   const History<D>& present() const { return present_; }
   void restore(const History<D>& history) {

@@ -83,20 +83,18 @@ TEST(Penalty, FrictionOpposesTheMotion) {
   }
 }
 
-// ── Points with a fixed state or a multiplier ────────────────────────────────────────────────────────────────────────
+// ── Points with a fixed state ────────────────────────────────────────────────────────────────────────────────────────
 
 /// Checks state and force at a given gap, with the slip point at distance `reach`.
-template <int D>
-void fixed_or_augmented(Foot foot, double gap, double reach, FixedContactState fixed_state, double multiplier,
-                        ContactState expected) {
+template <int D> void fixed(Foot foot, double gap, double reach, FixedContactState fixed_state, ContactState expected) {
   Random random(static_cast<unsigned>(D));
   const PenaltyLaw law{100, 80, 0.3};
   for (int trial = 0; trial < 20; ++trial) {
     const Variables<D> q = random_variables<D>(random, foot, gap, reach);
-    const Situation<D> situation{random_curvature<D>(random), foot, reach > 0, false, 1, multiplier, fixed_state};
+    const Situation<D> situation{random_curvature<D>(random), foot, reach > 0, false, 1, fixed_state};
     const Outcome<D> at = evaluate<D>(law, q, situation);
     EXPECT_EQ(at.force.state, expected);
-    EXPECT_NEAR(at.force.pressure, multiplier - 100 * at.gap, 1e-14 * (multiplier + 100));
+    EXPECT_NEAR(at.force.pressure, -100 * at.gap, 1e-12);
     if (at.force.state == ContactState::slip) {
       EXPECT_NEAR(at.force.friction.norm(), 0.3 * std::abs(at.force.pressure), 1e-12);
     } else if (fixed_state == FixedContactState::touching && at.force.pressure < 0) {
@@ -111,10 +109,10 @@ void fixed_or_augmented(Foot foot, double gap, double reach, FixedContactState f
 template <int D> void points_with_fixed_state() {
   const ContactState stick = ContactState::stick;
   for (Foot foot : {Foot::regular, Foot::corner}) {
-    fixed_or_augmented<D>(foot, 0.05, 0.01, FixedContactState::touching, 0, stick);
-    fixed_or_augmented<D>(foot, 0.05, 0.3, FixedContactState::touching, 0, stick);
+    fixed<D>(foot, 0.05, 0.01, FixedContactState::touching, stick);
+    fixed<D>(foot, 0.05, 0.3, FixedContactState::touching, stick);
     for (double gap : {-0.05, 0.05}) // beyond Coulomb's cone
-      fixed_or_augmented<D>(foot, gap, 0.3, FixedContactState::stick, 0, stick);
+      fixed<D>(foot, gap, 0.3, FixedContactState::stick, stick);
   }
 }
 
@@ -124,21 +122,10 @@ TEST(Penalty, PointsWithAFixedStateMayPullAndStick) {
 }
 
 TEST(Penalty, FixedTouchingPointsFollowCoulombsLaw) {
-  fixed_or_augmented<2>(Foot::regular, -0.05, 0.01, FixedContactState::touching, 0, ContactState::stick);
-  fixed_or_augmented<2>(Foot::regular, -0.05, 0.3, FixedContactState::touching, 0, ContactState::slip);
-  fixed_or_augmented<3>(Foot::regular, -0.05, 0.01, FixedContactState::touching, 0, ContactState::stick);
-  fixed_or_augmented<3>(Foot::regular, -0.05, 0.3, FixedContactState::touching, 0, ContactState::slip);
-}
-
-/// λ = 9 closes the contact up to a gap of 0.09.
-TEST(Penalty, AMultiplierAddsToPressureAndFrictionLimit) {
-  for (Foot foot : {Foot::regular, Foot::corner})
-    for (double gap : {-0.03, 0.03}) {
-      fixed_or_augmented<2>(foot, gap, 0.005, FixedContactState::free, 9, ContactState::stick);
-      fixed_or_augmented<2>(foot, gap, 0.3, FixedContactState::free, 9, ContactState::slip);
-      fixed_or_augmented<3>(foot, gap, 0.005, FixedContactState::free, 9, ContactState::stick);
-      fixed_or_augmented<3>(foot, gap, 0.3, FixedContactState::free, 9, ContactState::slip);
-    }
+  fixed<2>(Foot::regular, -0.05, 0.01, FixedContactState::touching, ContactState::stick);
+  fixed<2>(Foot::regular, -0.05, 0.3, FixedContactState::touching, ContactState::slip);
+  fixed<3>(Foot::regular, -0.05, 0.01, FixedContactState::touching, ContactState::stick);
+  fixed<3>(Foot::regular, -0.05, 0.3, FixedContactState::touching, ContactState::slip);
 }
 
 } // namespace penalty_test

@@ -7,10 +7,8 @@ local contact_keys = {}
 
 local all = {
   ["points"] = { penalty = 1 }, ["points per reference area"] = { penalty = 1, per = "reference" },
-  ["augmented points"] = { penalty = 1, enforcement = "augmented" },
   ["mortar"] = { method = "mortar", penalty = 1 },
   ["reduced mortar"] = { method = "mortar", multipliers = "reduced", penalty = 1 },
-  ["augmented mortar"] = { method = "mortar", enforcement = "augmented", penalty = 1 },
   ["multipliers"] = { method = "mortar", enforcement = "multipliers", penalty = 1 },
   ["half passes"] = { method = "half_passes", penalty = 1 },
   ["mortar half passes"] = { method = "half_passes", multipliers = "equal", penalty = 1 },
@@ -27,12 +25,6 @@ function contact_keys.penetrates(name) return all[name].enforcement == nil end
 --- Further keys with those of a name, whose penalties are `penalty`; with the coefficient of friction mu, if given.
 function contact_keys.of(name, penalty, mu, further)
   return lists.merged(further or {}, all[name], { penalty = penalty, friction = mu and { mu = mu, penalty = penalty } })
-end
-
---- Options of a run, without tolerance for penetrations where these are augmented.
-function contact_keys.options(name)
-  local augmented = all[name].enforcement == "augmented"
-  return sg.robust{ augmentation = augmented and { penetration = 1e-10, loops = 500 } or nil }
 end
 
 return contact_keys

@@ -204,7 +204,7 @@ end
 --- at the guess of a step, which a move is not.
 function Walk:follow()
   local model, other = self.model, self.other
-  if self.scene.mu > 0 or self.scene.law:find("augmented", 1, true) then
+  if self.scene.mu > 0 then
     if not other:solve_step(self.solver).converged then return false end
     other:accept()
     return true
@@ -328,9 +328,7 @@ function walk.run(scene, options)
     scene = scene, model = model, target = target, roll = dice(scene.seed + 1000000), found = {}, history = {},
     states = 0, smooth = 0, step = 0, trial = 0, trials = options.trials or 2, checks_tangent = options.tangent,
     other = options.fresh and scenes.build(scene), at = { x = 0, depth = 0, angle = 0 },
-    solver = { iterations = 40, augmentation = scene.law:find("augmented", 1, true)
-                                                and { penetration = 1e-4, loops = 30 } or nil },
-    tolerance = scene.law:find("augmented", 1, true) and 1e-7 or 1e-10, accepted = 0,
+    solver = { iterations = 40 }, tolerance = 1e-10, accepted = 0,
   }, Walk)
   for step, move in ipairs(scene.walk) do
     self.step = step

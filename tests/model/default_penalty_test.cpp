@@ -1,4 +1,4 @@
-// Penalty parameters from material and mesh, and contacts of one model that are enforced in different ways.
+// Penalty parameters from material and mesh, and files that keep them.
 #include "model/files/checkpoint.hpp"
 #include "model/scene/default_penalty.hpp"
 #include "model/scenes.hpp"
@@ -19,7 +19,7 @@ using contact::PenaltyLaw;
 const nurbs::Side south = nurbs::side_of("south", 2), north = nurbs::side_of("north", 2);
 
 /// A stiff block, 4 elements along its south face of length 1, over a soft one with 8 elements.
-Scene<2> two_blocks(const PenaltyLaw& law, contact::Region<2> where = {}) {
+Scene<2> two_blocks(const contact::Method<2>& law, contact::Region<2> where = {}) {
   Scene<2> scene;
   const auto block = [](double y) { return nurbs::rectangle(1, 1, Eigen::Vector2d(0, y)); };
   scene.bodies.push_back({"upper", make_body(block(0), {4, 2}, "N2", "south", solid::neo_hookean(20, 0.3))});
@@ -32,6 +32,10 @@ PenaltyLaw default_law(Enforcement enforcement, double mu = 0) {
   return {.normal = 0, .friction = mu, .enforcement = enforcement};
 }
 
+contact::MortarLaw multipliers(double mu = 0) {
+  return {default_law(Enforcement::multipliers, mu)};
+}
+
 PenaltyLaw filled(Scene<2> scene) {
   set_default_penalties(scene);
   return *contact::penalty_law(scene.contacts[0].method);
@@ -39,7 +43,7 @@ PenaltyLaw filled(Scene<2> scene) {
 
 TEST(DefaultPenalty, IsAMultipleOfTheSofterModulusPerSlaveElement) {
   // h = 1/4 on the upper block's face, 1/8 on the lower one's; E = 3 is the softer modulus.
-  Scene<2> scene = two_blocks(default_law(Enforcement::augmented, 0.2));
+  Scene<2> scene = two_blocks(multipliers(0.2));
   EXPECT_NEAR(filled(scene).normal, 10 * 3 * 4, 1e-10);
   EXPECT_EQ(filled(scene).tangential, filled(scene).normal);
   EXPECT_NEAR(filled(two_blocks(default_law(Enforcement::penalty, 0.2))).normal, 30 * 3 * 4, 1e-10);
@@ -48,7 +52,7 @@ TEST(DefaultPenalty, IsAMultipleOfTheSofterModulusPerSlaveElement) {
   scene.contacts[0].master = FaceReference{0, south};
   EXPECT_NEAR(filled(scene).normal, 10 * 3 * 8, 1e-10);
   // Of an obstacle's slave; the part of the face in the contact has elements of the same size.
-  scene = two_blocks(default_law(Enforcement::augmented), [](const Vec<2>& X) { return X(0) < 0.4; });
+  scene = two_blocks(multipliers(), [](const Vec<2>& X) { return X(0) < 0.4; });
   scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
   scene.contacts[0].master = ObstacleReference{0};
   EXPECT_NEAR(filled(scene).normal, 10 * 20 * 4, 1e-10);
@@ -68,7 +72,7 @@ TEST(DefaultPenalty, IsEqualForBothHalfPasses) {
 }
 
 TEST(DefaultPenalty, DoesNotReplaceGivenParameters) {
-  PenaltyLaw law = default_law(Enforcement::augmented, 0.2);
+  PenaltyLaw law = default_law(Enforcement::penalty, 0.2);
   law.normal = 7;
   EXPECT_EQ(filled(two_blocks(law)).normal, 7);
   EXPECT_EQ(filled(two_blocks(law)).tangential, 7);
@@ -80,7 +84,7 @@ TEST(DefaultPenalty, DoesNotReplaceGivenParameters) {
 
 /// Graded to elements of sizes 1/16, 1/16, 1/8, 1/4, 1/2 whose mean of 1/h is (16 + 16 + 8 + 4 + 2)/5.
 TEST(DefaultPenalty, CountsElementsOfAGradedMesh) {
-  Scene<2> scene = two_blocks(default_law(Enforcement::augmented));
+  Scene<2> scene = two_blocks(multipliers());
   nurbs::Patch patch = nurbs::rectangle(1, 1, Eigen::Vector2d(0, 0));
   patch = nurbs::insert_knots(patch, 0, {0.0625, 0.125, 0.25, 0.5});
   scene.bodies[0].body = make_body(patch, {5, 2}, "N2", "south", solid::neo_hookean(20, 0.3));
@@ -88,73 +92,31 @@ TEST(DefaultPenalty, CountsElementsOfAGradedMesh) {
   EXPECT_NEAR(filled(scene).normal, 10 * 3 * 46 / 5.0, 1e-9);
 }
 
-/// Two blocks, each between walls and on its own plane, of which one contact is augmented.
-TEST(DefaultPenalty, OnlyAugmentedContactsAreAugmented) {
-  const auto pressed = [](Enforcement first, Enforcement second) {
-    Scene<2> scene;
-    scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
-    for (int b = 0; b < 2; ++b) {
-      const nurbs::Patch block = nurbs::rectangle(1, 1, Eigen::Vector2d(2.0 * b, 0));
-      scene.bodies.push_back({text("block", b), make_body(block, {2, 2}, "N2", "south", solid::neo_hookean(2, 0.3))});
-      scene.supports.push_back({text("grip", b), {}, {Constraint::fixed, Constraint::driven}});
-      scene.supports.back().on = {face_points(scene, b, "north")};
-      const PenaltyLaw law{.normal = 20, .enforcement = b == 0 ? first : second};
-      scene.contacts.push_back({text("floor", b), {b, south}, ObstacleReference{0}, law, 4});
-    }
-    Model<2> model(std::move(scene));
-    for (int b = 0; b < 2; ++b) set_target(model, b, 0, -0.1);
-    StepOptions options;
-    options.augmentation.penetration = 1e-8;
-    options.newton.tolerance = 1e-12;
-    const solve::NewtonReport report = solve_step(model, options);
-    EXPECT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
-    return std::array{resultant(model.present.contacts[0]), resultant(model.present.contacts[1])};
-  };
-  const auto both = pressed(Enforcement::penalty, Enforcement::penalty);
-  const auto one = pressed(Enforcement::augmented, Enforcement::penalty);
-  EXPECT_LE(one[0].max_penetration, 2e-8 * std::sqrt(10.0));
-  EXPECT_GT(both[0].max_penetration, 1e-3);
-  EXPECT_GT(one[0].force(1), 1.05 * both[0].force(1));
-  // The other contact keeps its penetration.
-  EXPECT_NEAR(one[1].max_penetration, both[1].max_penetration, 1e-9);
-  EXPECT_NEAR(one[1].force(1), both[1].force(1), 1e-9);
-}
-
 TEST(DefaultPenalty, FilesKeepTheEnforcementAndTheDefault) {
   const signorini::test::ScratchFolder folder;
   const auto region = [](const Vec<2>& X) { return X(0) < 0.4; };
   for (const contact::Method<2>& method :
-       {contact::Method<2>(default_law(Enforcement::augmented, 0.1)),
-        contact::Method<2>(contact::MortarLaw{default_law(Enforcement::augmented, 0.1)})}) {
-    Scene<2> scene = two_blocks({1}, region);
+       {contact::Method<2>(default_law(Enforcement::penalty, 0.1)), contact::Method<2>(multipliers(0.1))}) {
+    Scene<2> scene = two_blocks(PenaltyLaw{1}, region);
     scene.contacts[0].method = method;
     Model<2> model(std::move(scene));
     save(model, folder.file("a.sgn"));
     const auto loaded = std::get<std::shared_ptr<Model<2>>>(load(folder.file("a.sgn")));
     const auto* law = contact::penalty_law(loaded->system.scene.contacts[0].method);
-    EXPECT_EQ(law->enforcement, Enforcement::augmented);
-    EXPECT_TRUE(loaded->system.contacts[0]->parameters().augmented());
+    EXPECT_EQ(law->enforcement, contact::penalty_law(method)->enforcement);
     EXPECT_EQ(law->normal, model.system.contacts[0]->parameters().penalty(model.accepted.contacts[0].changes));
     EXPECT_TRUE(loaded->system.scene.contacts[0].default_penalty);
   }
-  auto other = std::make_shared<Model<2>>(two_blocks({1}, region));
+  auto other = std::make_shared<Model<2>>(two_blocks(PenaltyLaw{1}, region));
   EXPECT_ERROR(restore(other, folder.file("a.sgn")), "contact 'joint'");
 }
 
 TEST(DefaultPenalty, CombinationsThatDoNotExistAreErrors) {
-  EXPECT_ERROR(Model<2>(two_blocks({.normal = 1, .enforcement = Enforcement::multipliers})),
+  EXPECT_ERROR(Model<2>(two_blocks(PenaltyLaw{.normal = 1, .enforcement = Enforcement::multipliers})),
                "contact.enforcement.points");
-  for (const Enforcement enforcement : {Enforcement::augmented, Enforcement::multipliers}) {
-    Scene<2> scene = two_blocks({1});
-    scene.contacts[0].method = contact::HalfPass{{.normal = 1, .enforcement = enforcement}};
-    EXPECT_ERROR(Model<2>(std::move(scene)), "contact.enforcement.half_passes");
-  }
-  Scene<2> scene = square({{"top", "north", {Constraint::fixed, Constraint::driven}}});
-  scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
-  scene.contacts = {{"floor", {0, south}, ObstacleReference{0}, default_law(Enforcement::augmented), 4}};
-  Model<2> model(std::move(scene));
-  set_target(model, 0, 0, -0.1);
-  EXPECT_ERROR(solve_arc(model, {}, 0.1), "model.arc.augmented: contact = floor");
+  Scene<2> scene = two_blocks(PenaltyLaw{1});
+  scene.contacts[0].method = contact::HalfPass{{.normal = 1, .enforcement = Enforcement::multipliers}};
+  EXPECT_ERROR(Model<2>(std::move(scene)), "contact.enforcement.half_passes");
 }
 
 } // namespace default_penalty_test

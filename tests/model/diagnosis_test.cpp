@@ -312,30 +312,6 @@ TEST(Diagnosis, PointsThatLeaveTheMasterAreNamed) {
   EXPECT_TRUE(holds(text_of(diagnosis.remedies), "model.remedy.extend_master"));
 }
 
-TEST(Diagnosis, RemainingPenetrationIsNamedWithItsPoints) {
-  Scene<2> scene = square({{"top", "north", {fixed, driven}}});
-  scene.obstacles = {contact::make_plane<2>({0, 0}, {0, 1})};
-  scene.contacts = {{"floor",
-                     {0, nurbs::side_of("south", 2)},
-                     ObstacleReference{0},
-                     contact::PenaltyLaw{.normal = 10, .enforcement = contact::Enforcement::augmented},
-                     4}};
-  Model<2> model(std::move(scene));
-  set_target(model, 0, 0, -0.1);
-  StepOptions options;
-  options.augmentation = {1e-9, 1};
-  const solve::NewtonReport report = solve_step(model, options);
-  ASSERT_EQ(report.outcome, Outcome::penetration);
-  const Diagnosis diagnosis = diagnose(model, report);
-  ASSERT_EQ(diagnosis.places.size(), 5u);
-  double farthest = 0;
-  for (const auto& point : model.present.contacts[0].results)
-    if (point.state != contact::ContactState::open) farthest = std::max(farthest, std::abs(point.gap));
-  EXPECT_EQ(std::abs(diagnosis.places[0].value), farthest);
-  for (const FailurePlace& spot : diagnosis.places) EXPECT_EQ(spot.kind, "contact point");
-  EXPECT_TRUE(holds(text_of(diagnosis.remedies), "model.remedy.penalty"));
-}
-
 TEST(Diagnosis, LineSearchAndNonfiniteNumbers) {
   Scene<2> scene = square({{"bed", "south", {fixed, fixed}}});
   scene.loads = {{"wind", {{0, nurbs::side_of("north", 2)}}, LoadKind::traction, {0, 0}}};

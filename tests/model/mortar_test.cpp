@@ -1,4 +1,4 @@
-// Models with mortar contact: convergence, augmentation, energy, reversal of slip, checkpoints.
+// Models with mortar contact: convergence, energy, reversal of slip, checkpoints.
 #include "model/scenes.hpp"
 
 #include "model/bench.hpp"
@@ -75,28 +75,6 @@ Scene<2> pressed_block(const contact::Method<2>& method, bool spreads = false) {
   return scene;
 }
 
-/// Uniaxial strain on an impenetrable plane: p = −P_yy = −μ f − (λ ln f − μ)/f with f = 1 − depth.
-TEST(MortarModel, AugmentedPressureIsExact) {
-  StepOptions options;
-  options.augmentation = {1e-10, 100};
-  const contact::PenaltyLaw law{.normal = 40, .enforcement = contact::Enforcement::augmented};
-  for (const MultiplierSpace space : spaces) {
-    Model<2> model(pressed_block(MortarLaw{law, space}));
-    set_target(model, 0, 0, -0.2);
-    const solve::NewtonReport report = solve_step(model, options);
-    ASSERT_EQ(report.outcome, solve::Outcome::converged) << text_of(report.messages);
-    const double f = 0.8, p = -(material.mu * f + (material.lambda * std::log(f) - material.mu) / f);
-    for (const auto& multiplier : model.present.contacts[0].multiplier_results) {
-      EXPECT_NEAR(multiplier.pressure, p, 1e-8);
-      EXPECT_NEAR(multiplier.gap, 0, 2e-10);
-    }
-    accept(model);
-    set_target(model, 0, 0, 0.01);
-    ASSERT_EQ(solve_step(model, options).outcome, solve::Outcome::converged);
-    EXPECT_NEAR(reaction(model, 1).norm(), 0, 1e-9);
-  }
-}
-
 /// Tractions per reference area have a potential: what is missing from the energy balance is the error of the
 /// trapezoidal rule, of second order in the step, also where the face stretches. Per current area 1 % is missing.
 TEST(MortarModel, EnergyBalancesInTheLimitOfSmallSteps) {
@@ -142,16 +120,13 @@ TEST(MortarModel, EnergyOfAHalfPassBalancesWithTheGrowthOfItsArea) {
 TEST(MortarModel, TheSavedAndTheLoadedModelContinueBitwiseEqual) {
   const signorini::test::ScratchFolder folder;
   const auto iron = [](Model<2>& model, int from, int to) {
-    StepOptions options;
-    options.augmentation = {1e-3, 100};
     for (int step = from; step <= to; ++step) {
-      const solve::NewtonReport report = ironing_step(model, 6 * step, options);
+      const solve::NewtonReport report = ironing_step(model, 6 * step);
       ASSERT_EQ(report.outcome, solve::Outcome::converged) << step << ": " << text_of(report.messages);
       accept(model);
     }
   };
-  const contact::PenaltyLaw law{100, 100, 0.2, contact::TractionArea::reference, contact::Enforcement::augmented};
-  Model<2> model(mortar_ironing("N4", MultiplierSpace::equal, law));
+  Model<2> model(mortar_ironing("N4", MultiplierSpace::equal, {100, 100, 0.2}));
   iron(model, 1, 10);
   save(model, folder.file("a.sgn"));
   const auto loaded = std::get<std::shared_ptr<Model<2>>>(load(folder.file("a.sgn")));

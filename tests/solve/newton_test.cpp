@@ -282,11 +282,11 @@ TEST(Newton, ConcludeIsCalledOnlyOnConvergenceAndMayFail) {
 
   problem.end = [](Message& why) {
     why = Message("test.too_deep");
-    return Outcome::penetration;
+    return Outcome::crossed;
   };
   problem.x = 1;
   const NewtonReport failed = problem.solve({1e-10, 25});
-  EXPECT_EQ(failed.outcome, Outcome::penetration);
+  EXPECT_EQ(failed.outcome, Outcome::crossed);
   EXPECT_EQ(text_of(failed.messages), "test.too_deep");
   EXPECT_EQ(failed.residuals, report.residuals);
 
@@ -336,7 +336,7 @@ TEST(Newton, OutcomesHaveNames) {
       {Outcome::interrupted, "interrupted"},   {Outcome::iterating, "iterating"},
       {Outcome::cycling, "cycling"},           {Outcome::lost_projection, "lost_projection"},
       {Outcome::indefinite, "indefinite"},     {Outcome::line_search, "line_search"},
-      {Outcome::penetration, "penetration"},   {Outcome::crossed, "crossed"},
+      {Outcome::crossed, "crossed"},
   };
   for (const auto& [outcome, name] : names) EXPECT_EQ(name_of(outcome), name);
 }

@@ -49,7 +49,7 @@ support or a traction, {"angle"} of a support that rotates (after its driven com
 accepted one) to the targets, without accepting the result. Returns { converged, reason, iterations, message, residuals,
 energies, parts }: residuals: norms of f; energies: |f·Δu| of each iteration; parts: fractions of the corrections that a
 line search took; reason: "converged", "iterations" (the limit was reached), "diverged", "cycling", "lost_projection",
-"inverted", "singular", "nan", "line_search", "penetration", "crossed" or "interrupted".]],
+"inverted", "singular", "nan", "line_search", "crossed" or "interrupted".]],
     named = rows.step, may_be_empty = true,
     more = "Source of freeze_active_set: V. Agrawal, thesis, IIT Guwahati 2020, 4.5.2.",
     returns = t.record(table.unpack(outcome)), example = [[

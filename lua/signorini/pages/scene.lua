@@ -1,7 +1,6 @@
 -- Pages: a scene and its parts.
 
 local rows = require "signorini.pages.contact_rows"
-local describe = require "signorini.call.describe"
 local lists = require "signorini.call.lists"
 local t = require "signorini.call.types"
 
@@ -36,14 +35,12 @@ softer body, h the (harmonic) mean size of the slave's elements in the contact; 
 contacts the force is then right to 1 or 2 %, and at Gauss points the peak pressure to 10 % where at least 7 control
 points of the slave face (with N2 elements) touch across the contact; 100 E / h needs 13, 1000 E / h 40, since a high
 penalty over-constrains the face. Mortar contact needs 8 ("reduced": 6) at any penalty. Penetration increases as the
-penalty decreases: model:contact_resultant(name).max_penetration. With enforcement = "augmented" the penalty determines
-the number of augmentations, not the result, and with "multipliers" it only scales the equations; it is then 10 E / h by
-default]], unit = "pressure per length", otherwise = "from material and mesh" },
+penalty decreases: model:contact_resultant(name).max_penetration. With enforcement = "multipliers" it only scales the
+equations; it is then 10 E / h by default]], unit = "pressure per length", otherwise = "from material and mesh" },
   { "friction", t.named {
     { "mu", t.non_negative, [[Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for a
 contact whose friction begins in a later stage]] },
-    { "penalty", t.positive, [[tangential penalty, stiffness of elastic slip, which remains with
-method = "gpts" also where pressures are augmented]], unit = "pressure per length",
+    { "penalty", t.positive, "tangential penalty, stiffness of elastic slip", unit = "pressure per length",
       otherwise = "that of the contact" },
   }, "Coulomb friction", otherwise = "none" },
   { "method", t.choice { "gpts", "mortar", "half_passes" }, [[gpts: Gauss-point-to-surface, penalty at the contact
@@ -52,11 +49,9 @@ then does not over-constrain. half_passes: as gpts, with `multipliers` as mortar
 once and receives only the force of its own pass: no choice of slave biases the result, twice the points, unsymmetric
 tangents, and action equals reaction only up to the discretization error, imbalance in model:contact_resultant]],
     default = "gpts" },
-  { "enforcement", t.choice { "penalty", "augmented", "multipliers" }, [[penalty: penetrations in proportion to the
-pressure remain. augmented: augmented Lagrangian method (Uzawa), the pressures are corrected until penetrations are
-below a tolerance, augmentation.penetration of model:run; with method = "gpts" every contact point becomes a constraint,
-and friction keeps its penalty. multipliers: Lagrange multipliers as unknowns, no penetration of the weighted gaps. gpts
-has penalty and augmented, mortar all, half_passes penalty]], default = "penalty" },
+  { "enforcement", t.choice { "penalty", "multipliers" }, [[penalty: penetrations in proportion to the pressure remain.
+multipliers: with method = "mortar", Lagrange multipliers as unknowns, no penetration in the weighted mean]],
+    default = "penalty" },
   { "multipliers", t.choice { "equal", "reduced" }, [[functions of the multipliers of mortar contact, in half
 passes of either face. equal: those of the slave face. reduced: of degree p - 2 on its elements, continuity two less
 (N2: constant per element), proven stable (inf-sup); for degree p >= 2]],
@@ -94,20 +89,7 @@ linearly over the first stage of model:run in which the contact is active]], def
 position of the slave face, with half passes of either face. Called when the model is made]],
     otherwise = "everywhere" },
 }
-contact.hints = { augmented = 'write enforcement = "augmented"' }
-
---- Enforcements of each method, and a message for one that a method does not have.
-local enforcements = { gpts = { "penalty", "augmented" }, mortar = { "penalty", "augmented", "multipliers" },
-                       half_passes = { "penalty" } }
-local function quoted(names)
-  return describe.alternatives(lists.map(names, function(name) return ('"%s"'):format(name) end))
-end
-local function conflict_of_enforcement(method, enforcement)
-  local function offers(one) return lists.holds(enforcements[one], enforcement) end
-  if offers(method) then return nil end
-  return ('method = "%s" has enforcement = %s, not "%s": change it, or use method = %s'):format(method,
-    quoted(enforcements[method]), enforcement, quoted(lists.filter({ "gpts", "mortar" }, offers)))
-end
+contact.hints = { augmented = 'write method = "mortar", enforcement = "multipliers"' }
 
 local function conflict_of_adhesion(values)
   local function both(other, why)
@@ -149,8 +131,10 @@ contact.conflict = function(values)
     return ('it has both points = "auto" and %s, whose points must stay the same in all steps: give points as a '
       .. "number, or omit them for 3 (p + 1)"):format(fixed)
   end
-  local unknown = conflict_of_enforcement(values.method, values.enforcement)
-  if unknown then return unknown end
+  if values.enforcement == "multipliers" and values.method ~= "mortar" then
+    return ('it has enforcement = "multipliers" and method = "%s", but Lagrange multipliers need mortar contact: write '
+      .. 'method = "mortar", or enforcement = "penalty"'):format(values.method)
+  end
   if values.multipliers and values.method == "gpts" then
     return ('multipliers = "%s" is for method = "mortar" or "half_passes": add one of these, or remove multipliers')
       :format(values.multipliers)

@@ -79,7 +79,6 @@ model keeps the last accepted state. Reasons:
   friction_exhausted  the loads on a body that one contact alone holds exceed its friction
   nan              the residual is not a finite number
   line_search      no step length reduces the residual
-  penetration      augmentation does not reduce the penetration to its tolerance
   turning_point    the prescribed quantity cannot increase further on this path: see arc_length
   left_path        an arc-length increment converged on another part of the path
 run:column "grip.fx" is a list over the steps; print(run) is a short table; run:csv(file) writes all columns: step,
@@ -87,7 +86,7 @@ increments, iterations, wall; <support>.fx, .fy, in 3D .fz, .moment if it rotate
 free of an obstacle; <load>.fx …, .tx …, .pressure, .bx …, .px …, .moment or .factor; <contact>.fx … (force on the
 slave), .area, .max_pressure, .max_penetration.
 Source: Newton's steps (4.33) to (4.35), freeze_active_set 4.5.2 of V. Agrawal, thesis, IIT Guwahati, 2020;
-augmentation: J. C. Simo, T. A. Laursen, Comput. Struct. 42 (1992); arc_length: E. Riks, J. Appl. Mech. 39 (1972), H. B.
+arc_length: E. Riks, J. Appl. Mech. 39 (1972), H. B.
 Keller, in Applications of Bifurcation Theory, Academic Press, 1977.]],
     returns = t.object "run", example = "model:run{ { name = \"press\", steps = 46, grip = {0, -0.23} } }" },
   { "stage", "A part of the load path: leads in equal steps to the values at its end.",

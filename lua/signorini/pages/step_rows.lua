@@ -35,19 +35,9 @@ fraction of its first value; true is 0.01]], default = false },
 in a step is fixed in it (a slipping one as sticking) until the others have converged; 0: never]], default = 0 },
 }
 
-local augmentation = { "augmentation", t.named {
-  { "penetration", t.share, "largest penetration, as a fraction of the largest body's diagonal", default = 1e-6 },
-  { "loops", t.integer(1, 1000000), "maximum number of augmentations per step", default = 100 },
-}, [[limits of contacts with enforcement = "augmented": their pressures are augmented (Uzawa) until penetration and
-separation of closed points are within the tolerance; in mortar contact those of the multipliers, whose friction is
-augmented as well. With method = "gpts" on a deformable master, curved under the slave, the default tolerance is often
-not reached, and the step fails (run.cause "penetration"). An error if no contact is augmented]],
-  otherwise = "{ penetration = 1e-6, loops = 100 }" }
-
 --- Hints for keys that are not options.
 local hints = {
-  augmented = 'write enforcement = "augmented" in the contact; augmentation = { penetration = …, loops = … } sets its '
-    .. "limits",
+  augmentation = 'omit it: contact without penetration has method = "mortar", enforcement = "multipliers"',
   enforcement = "write it in the contact, in sg.model",
 }
 
@@ -75,11 +65,11 @@ end
 local verbose = { "verbose", t.flag, [[prints each iteration when it ends: the residual, relative to the forces so that
 newton.tolerance is its goal; the energy |f·Δu| of the correction; contact points that are active, that slip and that
 have changed their state; the linear solver, where it has factored, or iterations of GMRES; a factor on the correction,
-augmentations, the reason of the end]], default = false }
+the reason of the end]], default = false }
 
 --- model:solve_step.
 rows.step = joined(loop, { { "predictor", predictors, first_guess, default = "tangent" }, linear, mumps,
-                           augmentation, damping, pseudo_transient, verbose })
+                           damping, pseudo_transient, verbose })
 rows.step.conflict = function(values) return conflict_of_moves(values, values) or conflict_of_solver(values) end
 rows.step.hints = hints
 
@@ -159,7 +149,7 @@ active set. run.fallbacks counts their
 successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions]]),
   control("predictor", predictors, first_guess),
   { "newton", t.named(loop), "Newton's method in each attempt", default = {} },
-  linear, mumps, augmentation, damping, pseudo_transient, verbose,
+  linear, mumps, damping, pseudo_transient, verbose,
   { "adapt", t.named {
     { "every", t.count, "steps between two looks at the contact", default = 1 },
     { "margin", t.integer(0), [[elements of the face next to those in contact that have the layer, too; ahead of a

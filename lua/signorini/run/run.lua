@@ -37,28 +37,11 @@ local function controls_on(options)
   return lists.filter(lists.sorted_names(is_on), function(name) return is_on[name] end)
 end
 
---- The name of an augmented contact, if any. Raises an error where an option does not suit.
-local function augmented_contact(model, options)
-  local name = lists.filter(model:contact_names(), function(contact)
-    return model:contact_law(contact).enforcement == "augmented"
-  end)[1]
-  if name and options.arc_length then
-    core.fail(('%s: arc_length does not work with augmented contacts, such as contacts.%s. Hint: use enforcement = '
-      .. '"penalty", or remove arc_length'):format(where, name))
-  end
-  if options.augmentation and not name then
-    core.fail(('%s: augmentation is for augmented contacts, but the model has none. Hint: write enforcement = '
-      .. '"augmented" in a contact, or omit augmentation'):format(where))
-  end
-  return name
-end
-
 --- The options with { solver (arguments of model:solve_step), tries (see controls.lua), policy (see steps.lua), on
---- (controls that are on), checkpoints (see checkpoint.lua), states (to be stored), augmented (see above) }.
+--- (controls that are on), checkpoints (see checkpoint.lua), states (to be stored) }.
 local function read_options(model, options, path, total)
-  options.augmented = augmented_contact(model, options)
   options.solver = lists.merged(options.newton)
-  for _, key in ipairs { "predictor", "linear", "mumps", "augmentation", "damping", "pseudo_transient", "verbose" } do
+  for _, key in ipairs { "predictor", "linear", "mumps", "damping", "pseudo_transient", "verbose" } do
     options.solver[key] = options[key]
   end
   options.on, options.checkpoints = controls_on(options), checkpoint(options)
@@ -299,7 +282,7 @@ end
 
 --- Records why a step failed; searches for a turning point, by arc length, unless the reason is known.
 local function fail(run, step, result)
-  local began, known = core.now(), steps.is_wanted(result) or steps.is_hopeless(result) or step.options.augmented
+  local began, known = core.now(), steps.is_wanted(result) or steps.is_hopeless(result)
   known = known or contact_changes.ramps(step.stage) or not step:changes_targets()
   local turn = not known and arc_length.turning_point(step)
   run:account("wall", core.now() - began)

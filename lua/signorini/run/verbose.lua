@@ -27,7 +27,6 @@ local function remarks(now)
   add("%d GMRES", now.gmres)
   add("factor %.3g", now.part)
   add("pseudo-time damping %.2g", now.damping)
-  add("augmentation %d", now.augmentation)
   local outcome = outcomes[now.reason] or "ends: " .. now.reason
   if outcome ~= "" then parts[#parts + 1] = outcome end
   return table.concat(parts, ", ")

@@ -94,7 +94,7 @@ function problem.solve(case)
   local options = { linear = case.linear, step = case.step,
                     on_step = case.on_step and function(info) return case.on_step(model, info) end }
   local run = model:run(case.stages or problem.path(set_up, case.coarser or 1),
-    (case.controls or sg.plain)(formulations.options(case.formulation, options)))
+    (case.controls or sg.plain)(options))
   return { order = case.order, mesh = case.mesh, run = run, model = model,
            die_dofs = die:dofs(), slab_dofs = slab:dofs() }
 end

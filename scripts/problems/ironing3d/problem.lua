@@ -86,10 +86,10 @@ end
 function problem.solve(case)
   local model, indenter, slab = problem.scene(case, case.from)
   local stages = problem.stages(case)
-  local run = model:run(stages, (case.controls or sg.plain)(formulations.options(case.formulation, {
+  local run = model:run(stages, (case.controls or sg.plain){
     linear = case.linear, step = case.step or { adaptive = true }, adapt = case.adapt,
     on_step = case.on_step and function(info) return case.on_step(model, info) end,
-  })))
+  })
   case.model, case.run = model, run
   case.dofs = { indenter = indenter:dofs(), slab = slab:dofs() }
   local fx, fz, ux = run:column "grip.fx", run:column "grip.fz", run:column "grip.ux"

@@ -7,7 +7,6 @@
 -- tolerance (of Newton's method), linear }; see study.solve.
 
 local sg = require "signorini"
-local formulations = require "formulations.rows"
 local plane = require "problems.ironing2d.measure"
 
 local study = {}
@@ -68,10 +67,10 @@ function study.solve(problem, case)
   case.run = model:run({
     { name = "press", steps = case.press, grip = { 0, -problem.depth } },
     { name = "slide", steps = case.slide, grip = { problem.distance, -problem.depth } },
-  }, sg.plain(formulations.options(case.formulation, {
+  }, sg.plain{
     linear = case.linear, step = { adaptive = true },
     newton = { line_search = case.line_search, tolerance = case.tolerance },
-    on_step = case.on_step and function(info) return case.on_step(model, info) end })))
+    on_step = case.on_step and function(info) return case.on_step(model, info) end })
   case.user = os.clock() - began
   case.dofs = { die = die:dofs().total, slab = slab:dofs().total }
   case.dofs.total = case.dofs.die + case.dofs.slab

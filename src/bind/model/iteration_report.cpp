@@ -16,7 +16,6 @@ template <int D> IterationMarks marks_of(const model::Model<D>& model) {
   marks.residuals = report.residuals.size();
   marks.parts = report.parts.size();
   marks.iterations = report.iterations;
-  marks.augmentations = model.step->augmentations;
   return marks;
 }
 
@@ -40,7 +39,6 @@ void push_iteration(lua_State* L, const model::Model<D>& model, double goal, con
   if (solved && now.factorizations > before.factorizations) set_field(L, "factored", true);
   if (solved && now.gmres > before.gmres) set_field(L, "gmres", now.gmres - before.gmres);
   if (now.parts > before.parts) set_field(L, "part", report.parts.back());
-  if (now.augmentations > before.augmentations) set_field(L, "augmentation", now.augmentations);
   if (solved && step.pseudo_damping() > 0) set_field(L, "damping", step.pseudo_damping());
 }
 
@@ -62,7 +60,7 @@ template <int D> void IterationPrinter<D>::print(lua_State* L, const model::Mode
   const IterationMarks now = marks_of(model);
   if (now.residuals < before_.residuals || now.iterations < before_.iterations) { // a new step has begun
     before_.residuals = before_.parts = 0;
-    before_.iterations = before_.augmentations = 0;
+    before_.iterations = 0;
   }
   push_require(L);
   push(L, "signorini.run.verbose");

@@ -8,7 +8,7 @@ namespace signorini::bind {
 /// What an iteration changes.
 struct IterationMarks {
   std::size_t residuals = 0, parts = 0;
-  int iterations = 0, augmentations = 0, factorizations = 0, gmres = 0;
+  int iterations = 0, factorizations = 0, gmres = 0;
   std::vector<contact::ContactState> states; ///< of all contact points or multipliers
 };
 

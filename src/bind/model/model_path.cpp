@@ -67,21 +67,12 @@ model::StepOptions read_newton(const Arguments& a) {
   return options;
 }
 
-template <int D> model::StepOptions read_step_options(const model::Model<D>& model, const Arguments& a) {
+model::StepOptions read_step_options(const Arguments& a) {
   model::StepOptions options = read_newton(a);
   options.newton.line_search = solve::line_search_kind(a.get<std::string>("line_search"));
   options.predictor =
       choice<model::Predictor>(a.get<std::string>("predictor"), {"tangent", "constant", "linear", "quadratic"});
   options.active_set = {.freeze = a.get("freeze_active_set", 0.0), .changes = a.get<int>("active_set_changes")};
-  if (a.has("augmentation")) {
-    const auto& contacts = model.system.contacts;
-    require(
-        std::any_of(contacts.begin(), contacts.end(), [](const auto& one) { return one->parameters().augmented(); }),
-        "augmentation is for augmented contacts, but the model has none. Hint: write enforcement = \"augmented\" in "
-        "a contact, or omit augmentation");
-    const Arguments limits = a.table("augmentation");
-    options.augmentation = {.penetration = limits.get<double>("penetration"), .loops = limits.get<int>("loops")};
-  }
   options.damping = a.get<bool>("damping");
   options.pseudo_transient = a.get<bool>("pseudo_transient");
   return options;
@@ -104,13 +95,13 @@ auto printed(const model::Model<D>& model, const Arguments& a, lua_State* L, con
 
 template <int D> int solve_step(model::Model<D>& model, const Arguments& a, lua_State* L) {
   return push_report(L, printed(model, a, L, [&](const model::AfterIteration& after) {
-                       return model::solve_step(model, read_step_options(model, a), after);
+                       return model::solve_step(model, read_step_options(a), after);
                      }));
 }
 
 template <int D> int iterate(model::Model<D>& model, const Arguments& a, lua_State* L) {
   return push_report(L, printed(model, a, L, [&](const model::AfterIteration& after) {
-                       return model::iterate(model, read_step_options(model, a), after);
+                       return model::iterate(model, read_step_options(a), after);
                      }));
 }
 

@@ -52,14 +52,7 @@ template <int D> const char* area_name(const contact::Method<D>& method) {
 }
 
 const char* name_of(contact::Enforcement enforcement) {
-  switch (enforcement) {
-  case contact::Enforcement::augmented:
-    return "augmented";
-  case contact::Enforcement::multipliers:
-    return "multipliers";
-  default:
-    return "penalty";
-  }
+  return enforcement == contact::Enforcement::multipliers ? "multipliers" : "penalty";
 }
 
 template <int D> int contact_law(const model::Model<D>& model, const std::string& name, lua_State* L) {

@@ -65,8 +65,7 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
     law.tangential = friction.get("penalty", 0.0);
     law.frictional = true;
   }
-  law.enforcement =
-      choice<contact::Enforcement>(a.get<std::string>("enforcement"), {"penalty", "augmented", "multipliers"});
+  law.enforcement = choice<contact::Enforcement>(a.get<std::string>("enforcement"), {"penalty", "multipliers"});
   if (a.has("cohesive")) {
     law.per = contact::TractionArea::reference;
     return contact::CohesiveLaw{law, read_cohesion(a.table("cohesive"), law.normal)};

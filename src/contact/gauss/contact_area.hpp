@@ -1,6 +1,6 @@
 #pragma once
 // The area in contact: the part of the slave face inside g = 0, interpolated between the contact points
-// [theory 5.16].
+// [theory 5.15].
 
 #include "contact/gauss/formulation.hpp"
 

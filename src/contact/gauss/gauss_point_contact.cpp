@@ -104,7 +104,7 @@ void GaussPointContact<D>::commit(History<D>& present, const History<D>& accepte
 template <int D> void GaussPointContact<D>::choose_points(History<D>& present, double moved, double penalty_factor) {
   const std::vector<char> sparse =
       choose_sparse(points_, faces_.slave, present, moved, [&](std::span<const std::size_t> open, double distance) {
-        return is_near(present, open, distance, penalty_factor);
+        return is_near(present, open, distance);
       });
   std::vector<std::size_t> all;
   for (std::size_t first = 0, last; first < points_.size(); first = last) {
@@ -129,18 +129,16 @@ template <int D> void GaussPointContact<D>::choose_points(History<D>& present, d
 /// True if one of some open points is nearer to contact than a distance. Where its bound does not tell, the point is
 /// projected, so that the answer depends on the state alone: not on what a bound has been spent on, nor on a save.
 template <int D>
-bool GaussPointContact<D>::is_near(const History<D>& present, std::span<const std::size_t> points, double distance,
-                                   double penalty_factor) const {
+bool GaussPointContact<D>::is_near(const History<D>& present, std::span<const std::size_t> points,
+                                   double distance) const {
   FacePoint<D> foot;
   return std::any_of(points.begin(), points.end(), [&](std::size_t i) {
     const PointHistory<D>& point = present.points[i];
     if (point.cleared - faces_.travel >= distance) return false;
     const Projection<D> closest = faces_.master.project(present.results[i].position, point.projection, foot);
-    // The sign at an end or a kink does not matter: contact is |g| away. t_N > 0 below a gap of o + λ_N/ε_N
+    // The sign at an end or a kink does not matter: contact is |g| away.
     const double gap = closest.foot == Foot::regular ? closest.gap : std::abs(closest.gap);
-    return gap - parameters_.offset(i, present.changes) -
-               point.multiplier / (penalty_factor * parameters_.penalty(present.changes)) <
-           distance;
+    return gap - parameters_.offset(i, present.changes) < distance;
   });
 }
 

@@ -14,11 +14,11 @@ public:
   using Formulation<D>::Formulation;
 
   int parts() const final { return std::ssize(parts_); }
-  void evaluate_part(int part, const Trial<D>& trial, bool tangent) final;
-  void gather(const Trial<D>& trial, bool tangent) final;
+  void evaluate_part(int part, const Trial<D>& trial, bool tangent) override;
+  void gather(const Trial<D>& trial, bool tangent) override;
   /// Also chooses the rules of elements for the next step.
   void commit(History<D>& present, const History<D>& accepted, double penalty_factor) override;
-  double memory() const final;
+  double memory() const override;
 
 protected:
   using Formulation<D>::faces_, Formulation<D>::points_, Formulation<D>::parameters_;
@@ -33,14 +33,14 @@ protected:
   void record(std::size_t i, const Trial<D>& trial, const LocalGeometry<D>& geometry, const LocalForce<D>& force,
               SumPart<D>& part, const FootPoints<D>& feet) const;
 
-private:
-  void choose_points(History<D>& present, double moved, double penalty_factor);
-  bool is_near(const History<D>& present, std::span<const std::size_t> points, double distance,
-               double penalty_factor) const;
-  void evaluate_points(History<D>& present, const std::vector<std::size_t>& points, double penalty_factor);
-  void take_back(std::vector<Block>& blocks) final;
+  void take_back(std::vector<Block>& blocks) override;
 
   std::vector<SumPart<D>> parts_ = parts_of(faces_, points_, parameters_.pass);
+
+private:
+  void choose_points(History<D>& present, double moved, double penalty_factor);
+  bool is_near(const History<D>& present, std::span<const std::size_t> points, double distance) const;
+  void evaluate_points(History<D>& present, const std::vector<std::size_t>& points, double penalty_factor);
 };
 
 } // namespace signorini::contact

@@ -68,7 +68,6 @@ std::vector<PointMemory<D>> memories(const Formulation<D>& contact, const Histor
                           point.slips,
                           Vec<D>::Zero(),
                           point.limit / reference_area(contact.points().list[i]),
-                          point.multiplier,
                           point.projection};
     if (point.slips) {
       FacePoint<D> slip, foot;
@@ -106,11 +105,9 @@ void recall(const std::vector<PointMemory<D>>& memories, const Formulation<D>& c
     Vec<D> stretch = Vec<D>::Zero();
     for (std::size_t k = 0; k < some.size(); ++k) {
       const PointMemory<D>& from = memories[some[k]];
-      point.multiplier += w[k] * from.multiplier;
       point.limit += w[k] * from.limit * reference_area(contact.points().list[number]);
       stretch += w[k] * from.stretch;
     }
-    point.multiplier = std::max(point.multiplier, 0.0);
     point.limit = std::max(point.limit, 0.0);
     point.slips = closest.slips;
     if (!point.slips) continue;

@@ -13,8 +13,7 @@ template <int D> struct PointMemory {
   Vec<D> place; ///< in the reference configuration
   bool touches, slips;
   Vec<D> stretch; ///< x(ξ_slip) − x̄, which friction t_T = ε_T (x̄ − x(ξ_slip)) remembers; zero without a slip point
-  double limit;      ///< per reference area
-  double multiplier; ///< λ_N
+  double limit; ///< per reference area
   Projection<D> projection;
 };
 

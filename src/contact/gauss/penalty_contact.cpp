@@ -30,10 +30,7 @@ std::optional<FixedContactState> PenaltyContact<D>::close(std::size_t i, const T
   if (fixed == FixedContactState::free && faces_.travel + controls.guessed < point.cleared) return {};
   const bool opposite = this->find_foot(i, trial, part, feet);
   const Foot foot = point.projection.foot;
-  // t_N = λ_N − ε_N (g − o) > 0 below a gap of o + λ_N/ε_N
-  const double penalty = trial.penalty_factor * parameters_.penalty(trial.present.changes);
-  const double distance =
-      point.projection.gap - parameters_.offset(i, trial.present.changes) - point.multiplier / penalty;
+  const double distance = point.projection.gap - parameters_.offset(i, trial.present.changes);
   // A point beyond an end of the master comes behind it without a way when the end turns.
   const bool clear = foot == Foot::regular && feet.foot.settled && distance > 0;
   point.cleared = clear ? faces_.travel + distance : 0;
@@ -46,14 +43,13 @@ LocalGeometry<D> PenaltyContact<D>::closed_geometry(std::size_t i, const Trial<D
                                                     FixedContactState fixed, FootPoints<D>& feet) const {
   PointHistory<D>& point = trial.present.points[i];
   LocalGeometry<D> geometry = this->geometry(i, trial, feet);
-  geometry.multiplier = point.multiplier;
   geometry.fixed_state = fixed;
   geometry.tie = trial.controls.tie();
   if (law.friction == 0) return geometry;
   if (!point.slips) {
     // A newly closed point slips from where it touches or, without a forecast, from its foot in the accepted state.
     std::optional<MasterPoint<D>> from;
-    if (trial.controls.foresees) from = foresee_touch(i, trial, law);
+    if (trial.controls.foresees) from = foresee_touch(i, trial);
     if (!from) from = faces_.accepted_foot(trial.accepted.results[i].position, point.projection);
     point.slips = from.has_value();
     if (from) point.slip = *from;
@@ -67,15 +63,12 @@ LocalGeometry<D> PenaltyContact<D>::closed_geometry(std::size_t i, const Trial<D
 
 /// Where a point that the guess of the step closes touches on the way to it.
 template <int D>
-std::optional<MasterPoint<D>> PenaltyContact<D>::foresee_touch(std::size_t i, const Trial<D>& trial,
-                                                               const PenaltyLaw& law) const {
-  const PointHistory<D>& point = trial.present.points[i];
-  const double pressed = point.multiplier / law.normal; // t_N > 0 below a gap of o + λ_N/ε_N
+std::optional<MasterPoint<D>> PenaltyContact<D>::foresee_touch(std::size_t i, const Trial<D>& trial) const {
   const auto touching = [&](const History<D>& history) -> Touching<D> {
-    return {history.results[i].position, parameters_.offset(i, history.changes) + pressed};
+    return {history.results[i].position, parameters_.offset(i, history.changes)};
   };
   return touch_point<D>(faces_.accepted, faces_.master, touching(trial.accepted), touching(trial.present),
-                        point.projection);
+                        trial.present.points[i].projection);
 }
 
 template <int D>

@@ -1,5 +1,5 @@
 #pragma once
-// Gauss-point penalty contact with Coulomb friction, optionally with the augmented Lagrangian method.
+// Gauss-point penalty contact with Coulomb friction.
 
 #include "contact/gauss/gauss_point_contact.hpp"
 
@@ -35,7 +35,7 @@ protected:
   virtual double pressure_of(const History<D>& history, std::size_t i) const { return history.results[i].pressure; }
 
 private:
-  std::optional<MasterPoint<D>> foresee_touch(std::size_t i, const Trial<D>& trial, const PenaltyLaw& law) const;
+  std::optional<MasterPoint<D>> foresee_touch(std::size_t i, const Trial<D>& trial) const;
   void release(History<D>& present, const History<D>& accepted, double tangential) const;
   void advance_slip_point(std::size_t i, History<D>& history, const History<D>& accepted, const PenaltyLaw& law) const;
 };

@@ -96,9 +96,9 @@ template <int D> auto members(PointResult<D>& result) {
 
 /// `cleared` is not stored, because settling resets it.
 template <int D> auto members(PointHistory<D>& point) {
-  auto& [projection, cleared, slips, slip, limit, multiplier] = point;
+  auto& [projection, cleared, slips, slip, limit] = point;
   auto& [foot, element, along, xi, gap, last] = projection;
-  return std::tie(foot, element, along, xi, gap, last, slips, slip.xi, slip.last, limit, multiplier);
+  return std::tie(foot, element, along, xi, gap, last, slips, slip.xi, slip.last, limit);
 }
 
 template <int D> auto members(PointBond<D>& bond) {
@@ -114,8 +114,8 @@ template <int D> auto members(MultiplierResult<D>& result) {
 
 /// `cleared` is not stored, because settling resets it, nor `touch`, which belongs to a step.
 template <int D> auto members(MultiplierHistory<D>& multiplier) {
-  auto& [cleared, pressure, friction, elastic, limit, touch] = multiplier;
-  return std::tie(pressure, friction, elastic, limit);
+  auto& [cleared, elastic, limit, touch] = multiplier;
+  return std::tie(elastic, limit);
 }
 
 namespace {

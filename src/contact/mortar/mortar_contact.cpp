@@ -25,9 +25,9 @@ MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLa
 
 // ── Gaps and slips weighted by multiplier ────────────────────────────────────────────────────────────────────────────
 
-/// λ_A, or the unknown pressure s χ_N: z_A at a gap of zero.
+/// z_A at a gap of zero: the unknown pressure s χ_N.
 template <int D> double MortarContact<D>::augmented_pressure(int multiplier, const Trial<D>& trial) const {
-  return unknowns_ ? unknowns_->pressure(trial.extra, multiplier) : trial.present.multipliers[multiplier].pressure;
+  return unknowns_ ? unknowns_->pressure(trial.extra, multiplier) : 0;
 }
 
 /// True if a multiplier is open without a look at its gap.
@@ -307,7 +307,6 @@ template <int D> void MortarContact<D>::advance(History<D>& present, const Histo
     history.limit = limit;
     history.elastic = result.elastic;
     history.touch.setZero();
-    if (open) history.friction.setZero();
   }
   for (std::size_t i = 0; i < present.points.size(); ++i) {
     PointHistory<D>& point = present.points[i];
@@ -327,7 +326,6 @@ void MortarContact<D>::release(History<D>& present, const History<D>& accepted, 
     history.limit = 0;
     history.elastic.setZero();
     history.touch.setZero();
-    history.friction.setZero();
   }
   for (PointHistory<D>& point : present.points) point.slips = false;
 }

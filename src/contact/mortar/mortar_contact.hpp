@@ -1,6 +1,6 @@
 #pragma once
-// Mortar contact: gaps and slips weighted by multiplier functions on the slave face, and pressures by penalty and
-// augmentation or as unknowns.
+// Mortar contact: gaps and slips weighted by multiplier functions on the slave face, and pressures by a penalty or
+// as unknowns.
 
 #include "contact/gauss/formulation.hpp"
 #include "contact/mortar/element_sums.hpp"

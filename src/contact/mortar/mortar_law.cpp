@@ -51,8 +51,8 @@ void friction(const PenaltyLaw& law, const MultiplierSums<D>& sums, const Multip
   const Frame<D> frame = frame_of(sums);
   const auto& e = frame.axes;
   const Vec<D> v = sums.slip / sums.area - history.touch;
-  // Trial λ_TA + ε_T (η_A + e·V), V = V_A − V*_A
-  const Components slip = e.transpose() * v, trial = history.friction + law.tangential * (history.elastic + slip);
+  // Trial ε_T (η_A + e·V), V = V_A − V*_A
+  const Components slip = e.transpose() * v, trial = law.tangential * (history.elastic + slip);
   const double magnitude = trial.norm(), limit = law.friction * result.pressure;
   const double tie = (law.tangential + law.friction * law.normal) * control.tie;
   Components traction = trial;
@@ -68,7 +68,7 @@ void friction(const PenaltyLaw& law, const MultiplierSums<D>& sums, const Multip
   }
   result.trial = trial;
   result.components = traction;
-  result.elastic = (traction - history.friction) / law.tangential;
+  result.elastic = traction / law.tangential;
   result.slipped = (slip + history.elastic - result.elastic).norm();
   result.friction = e * traction;
   result.potential += 0.5 * law.tangential * result.elastic.squaredNorm() * sums.area;
@@ -93,7 +93,7 @@ MultiplierTangent<D> mortar_law(const PenaltyLaw& law, const MultiplierSums<D>& 
                                 const MultiplierHistory<D>& history, const FrictionControl& control,
                                 MultiplierResult<D>& result) {
   MultiplierTangent<D> tangent;
-  result.pressure = history.pressure - law.normal * result.gap;
+  result.pressure = -law.normal * result.gap;
   tangent.pressure = -law.normal;
   result.state = ContactState::stick;
   result.potential = 0.5 * law.normal * result.gap * result.gap * sums.area;

@@ -1,5 +1,5 @@
 #pragma once
-// Law of one multiplier of mortar contact: penalty with augmentation, and Coulomb friction [theory 8.1].
+// Law of one multiplier of mortar contact: penalty, and Coulomb friction [theory 8.1].
 
 #include "contact/point/history.hpp"
 #include "contact/point/penalty.hpp"
@@ -39,12 +39,12 @@ template <int D> struct MultiplierTangent {
   Mat<D> of_normal = Mat<D>::Zero(), of_slip = Mat<D>::Zero(), of_along = Mat<D>::Zero();
 };
 
-/// The law of a closed multiplier, whose result has its area and gap: z_A = λ_A − ε_N ḡ_A > 0, and with n_A = Σ w n̄/‖·‖
+/// The law of a closed multiplier, whose result has its area and gap: z_A = −ε_N ḡ_A > 0, and with n_A = Σ w n̄/‖·‖
 /// the friction t_A in the plane normal to n_A:
-///   trial λ_TA + ε_T (η_A + V_A − V*_A), returned to |t_A| ≤ μ z_A,   η_A the elastic slip of the accepted state,
+///   trial ε_T (η_A + V_A − V*_A), returned to |t_A| ≤ μ z_A,   η_A the elastic slip of the accepted state,
 /// V*_A the slip V_A of the step where the multiplier touches.
-/// λ_TA and η_A are components along e₁, the direction of Σ w xˢ_,1 in this plane, and e₂ = n_A × e₁ (3D), so that they
-/// turn with the slave.
+/// η_A has components along e₁, the direction of Σ w xˢ_,1 in this plane, and e₂ = n_A × e₁ (3D), so that it
+/// turns with the slave.
 template <int D>
 MultiplierTangent<D> mortar_law(const PenaltyLaw& law, const MultiplierSums<D>& sums,
                                 const MultiplierHistory<D>& history, const FrictionControl& control,

@@ -1,7 +1,6 @@
 #include "contact/point/history.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace signorini::contact {
 
@@ -59,11 +58,6 @@ template <int D> double memory(const History<D>& history) {
       history.multiplier_results.capacity() * sizeof(MultiplierResult<D>));
 }
 
-template <int D> void look_again(History<D>& history) {
-  for (PointHistory<D>& point : history.points)
-    if (point.multiplier > 0) point.cleared = 0;
-}
-
 template <int D> void look_everywhere(History<D>& history) {
   for (PointHistory<D>& point : history.points) point.cleared = 0;
   for (MultiplierHistory<D>& multiplier : history.multipliers) multiplier.cleared = 0;
@@ -74,36 +68,9 @@ template <int D> void forget_touches(History<D>& present, const History<D>& acce
   for (MultiplierHistory<D>& multiplier : present.multipliers) multiplier.touch.setZero();
 }
 
-template <int D> void augment(History<D>& history) {
-  for (std::size_t a = 0; a < history.multipliers.size(); ++a) {
-    history.multipliers[a].pressure = history.multiplier_results[a].pressure;
-    history.multipliers[a].friction = history.multiplier_results[a].components;
-  }
-  if (!history.multipliers.empty()) return;
-  for (std::size_t i = 0; i < history.points.size(); ++i)
-    history.points[i].multiplier = history.results[i].pressure * stretch(history.results[i]);
-}
-
-template <int D> double violation(const History<D>& history) {
-  double farthest = 0;
-  for (const MultiplierResult<D>& result : history.multiplier_results)
-    if (result.state != ContactState::open)
-      farthest = std::max({farthest, std::abs(result.gap), result.elastic.norm()});
-  if (!history.multipliers.empty()) return farthest;
-  for (const PointResult<D>& point : history.results)
-    if (touches(point.state)) farthest = std::max(farthest, std::abs(point.gap));
-  return farthest;
-}
-
 template <int D> void change(History<D>& history, const Changes& changes) {
   history.changes = changes;
   look_everywhere(history);
-  if (changes.active != false) return;
-  for (PointHistory<D>& point : history.points) point.multiplier = 0;
-  for (MultiplierHistory<D>& multiplier : history.multipliers) {
-    multiplier.pressure = 0;
-    multiplier.friction.setZero();
-  }
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
@@ -115,11 +82,8 @@ template <int D> void change(History<D>& history, const Changes& changes) {
   template double growth(const PointResult<D>&, const PointResult<D>&);                                                \
   template double growth(const MultiplierResult<D>&, const MultiplierResult<D>&);                                      \
   template double memory(const History<D>&);                                                                           \
-  template void look_again(History<D>&);                                                                               \
   template void look_everywhere(History<D>&);                                                                          \
   template void forget_touches(History<D>&, const History<D>&);                                                        \
-  template void augment(History<D>&);                                                                                  \
-  template double violation(const History<D>&);                                                                        \
   template void change(History<D>&, const Changes&);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

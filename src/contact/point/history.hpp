@@ -35,8 +35,7 @@ template <int D> struct PointHistory {
   double cleared = 0;       ///< value of Faces::travel up to which an open point stays open
   bool slips = false;       ///< has a slip point
   MasterPoint<D> slip;
-  double limit = 0;      ///< μ t_N times the area in the accepted state
-  double multiplier = 0; ///< λ_N of the augmented Lagrangian method, a pressure
+  double limit = 0; ///< μ t_N times the area in the accepted state
 };
 
 /// Bond of one contact point: history and result.
@@ -64,11 +63,9 @@ template <int D> struct MultiplierResult {
 
 /// History of one multiplier.
 template <int D> struct MultiplierHistory {
-  double cleared = 0;  ///< value of Faces::travel up to which all its points stay open
-  double pressure = 0; ///< λ_A of the augmented Lagrangian method
-  FaceCoordinates<D> friction = FaceCoordinates<D>::Zero(); ///< λ_TA
-  FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero();  ///< slip of its spring in the accepted state
-  double limit = 0;                                         ///< μ z_A a_A in the accepted state
+  double cleared = 0; ///< value of Faces::travel up to which all its points stay open
+  FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero(); ///< slip of its spring in the accepted state
+  double limit = 0;                                        ///< μ z_A a_A in the accepted state
   Vec<D> touch = Vec<D>::Zero(); ///< V*_A: the part of V_A before the multiplier touches in the present step
 };
 
@@ -123,10 +120,6 @@ template <int D> double potential(const History<D>& history);
 /// Bytes in memory.
 template <int D> double memory(const History<D>& history);
 
-/// Makes the next evaluation project all points with a multiplier: after a change of the penalty parameter the gap at
-/// which they touch differs.
-template <int D> void look_again(History<D>& history);
-
 /// Makes the next evaluation project all points: `cleared` of a history that is kept is worthless once settle() has
 /// started the travel of its formulation again, or in another formulation.
 template <int D> void look_everywhere(History<D>& history);
@@ -134,15 +127,7 @@ template <int D> void look_everywhere(History<D>& history);
 /// Drops the touches that another attempt of the step has foreseen.
 template <int D> void forget_touches(History<D>& present, const History<D>& accepted);
 
-/// Uzawa's step of the augmented Lagrangian method [theory 5.15] (J. C. Simo, T. A. Laursen, Comput. Struct. 42, 1992),
-/// for constraints whose multipliers are not unknowns: λ becomes the pressure of the last evaluation, of multipliers
-/// also the friction.
-template <int D> void augment(History<D>& history);
-/// Largest |gap| of the closed constraints as far as augmentation reduces it, positive gaps included: an opening point
-/// keeps its pressure until its multiplier is reduced. Multipliers that stick also have their elastic slip.
-template <int D> double violation(const History<D>& history);
-
-/// Changes constants. The next evaluation projects all points; a contact that is switched off loses its multipliers.
+/// Changes constants. The next evaluation projects all points.
 template <int D> void change(History<D>& history, const Changes& changes);
 
 } // namespace signorini::contact

@@ -36,7 +36,6 @@ template <int D> struct LocalGeometry {
   const Vec<D>* slip_point; ///< xᵐ(ξ_sl) on the current master; null: no friction at this point yet
   bool revolved = false;    ///< axisymmetric: the first coordinate is the radius, areas are those of the full circle
   double reference_measure; ///< reference area per parametric area
-  double multiplier = 0;    ///< λ_N of the augmented Lagrangian method, a pressure
   FixedContactState fixed_state = FixedContactState::free;
   /// A trial slip within this distance of Coulomb's cone sticks, if negative slips. See Controls::tie().
   double tie = 0;

@@ -29,8 +29,6 @@ struct Parameters {
   /// Coulomb's μ and the penalty parameter ε_N (0: none), which warnings and the diagnosis compare with usual values.
   double friction(const Changes& changes) const { return law ? changed(*law, changes).friction : 0; }
   double penalty(const Changes& changes) const { return law ? changed(*law, changes).normal : 0; }
-  /// True if steps augment the contact until its violation() is small.
-  bool augmented() const { return law && law->enforcement == Enforcement::augmented; }
   /// Both half passes compute the whole energy of the springs and the whole work of friction between the faces: each
   /// counts half.
   double energy_share() const { return pass == Pass::half ? 0.5 : 1; }

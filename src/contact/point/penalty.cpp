@@ -51,8 +51,8 @@ template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D
   const double g = geometry.gap - geometry.offset;
   const GapRows<D> rows = gap_rows(geometry, result.shift);
 
-  // t_N = λ_N − ε_N g,  δ(t_N n̄) = −ε_N δg n̄ + t_N δn̄
-  result.pressure = geometry.multiplier - law.normal * g;
+  // t_N = −ε_N g,  δ(t_N n̄) = −ε_N δg n̄ + t_N δn̄
+  result.pressure = -law.normal * g;
   Vec<D> traction = result.pressure * n;
   LocalBlock<D> traction_rows = LocalBlock<D>::Zero();
   each_range<D>([&]<int From, int Count>() {

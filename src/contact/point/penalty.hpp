@@ -9,9 +9,8 @@ namespace signorini::contact {
 /// The slave's area on which the tractions of a law act.
 enum class TractionArea : unsigned char { current, reference };
 
-/// How the contact conditions are enforced: by penalty alone, by the augmented Lagrangian method (Uzawa), or with
-/// Lagrange multipliers as unknowns (mortar contact).
-enum class Enforcement : unsigned char { penalty, augmented, multipliers };
+/// How the contact conditions are enforced: by a penalty, or with Lagrange multipliers as unknowns (mortar contact).
+enum class Enforcement : unsigned char { penalty, multipliers };
 
 /// Penalty parameters are pressure per length. Those of a scene may be 0, which stands for values from material and
 /// mesh. With multipliers as unknowns they are the c of semi-smooth Newton methods, on which results do not
@@ -50,7 +49,7 @@ inline bool slips(FixedContactState fixed, double trial, double limit, double ti
   return fixed == FixedContactState::slip || (trial > limit + tie && trial > -tie);
 }
 
-/// Evaluates the law (return mapping) [theory 5.3] [theory 7.1] at a closed point, t_N = λ_N − ε_N (g − o) > 0 with the
+/// Evaluates the law (return mapping) [theory 5.3] [theory 7.1] at a closed point, t_N = −ε_N (g − o) > 0 with the
 /// offset o, or at one with a fixed state.
 template <int D> void penalty_force(const PenaltyLaw& law, const LocalGeometry<D>& geometry, LocalForce<D>& result);
 

@@ -111,13 +111,12 @@ public:
     if (old.multipliers.empty()) return result;
     // Multipliers carry the friction; slips of the next step start at the feet on the new shape, at all points.
     for (contact::PointHistory<D>& point : result.points) point.slips = false;
-    // Pressure, friction and slip of each multiplier, of its history
-    MatrixX values(2 * D, old.multipliers.size());
+    // Elastic slip and limit of each multiplier
+    MatrixX values(D, old.multipliers.size());
     for (std::size_t a = 0; a < old.multipliers.size(); ++a) {
       const contact::MultiplierHistory<D>& one = old.multipliers[a];
       const double area = old.multiplier_results[a].area;
-      values.col(static_cast<Eigen::Index>(a)) << one.pressure, one.friction, one.elastic,
-          area > 0 ? one.limit / area : 0;
+      values.col(static_cast<Eigen::Index>(a)) << one.elastic, area > 0 ? one.limit / area : 0;
     }
     const MatrixX carried = (*multipliers_[k])(values);
     result.multipliers.assign(own.multipliers()->count(), {});
@@ -125,10 +124,8 @@ public:
     for (std::size_t a = 0; a < result.multipliers.size(); ++a) {
       const auto column = carried.col(static_cast<Eigen::Index>(a));
       contact::MultiplierHistory<D>& one = result.multipliers[a];
-      one.pressure = std::max(0.0, column(0));
-      one.friction = column.template segment<D - 1>(1);
-      one.elastic = column.template segment<D - 1>(D);
-      one.limit = std::max(0.0, column(2 * D - 1)); // μ z_A; times a_A once that is evaluated
+      one.elastic = column.template head<D - 1>();
+      one.limit = std::max(0.0, column(D - 1)); // μ z_A; times a_A once that is evaluated
     }
     return result;
   }

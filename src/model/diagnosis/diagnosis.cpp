@@ -33,20 +33,6 @@ void add_points(Diagnosis& diagnosis, const Model<D>& model, const std::vector<P
       {{"count", points.size()}, {"contact", first.where}, {"element", first.index}, {"place", first.reference}}));
 }
 
-/// The points of augmented contacts that are not open, those with the largest |gap| first.
-template <int D> std::vector<PointIndex> farthest(const Model<D>& model) {
-  const auto& contacts = model.present.contacts;
-  const auto result = [&](const PointIndex& p) { return constraint(contacts[p.contact], p.point); };
-  std::vector<PointIndex> points;
-  for (int k = 0; k < std::ssize(contacts); ++k)
-    for (int i = 0; model.system.contacts[k]->parameters().augmented() && i < constraints(contacts[k]); ++i)
-      if (result({k, i}).state != contact::ContactState::open) points.push_back({k, i});
-  std::stable_sort(points.begin(), points.end(), [&](const PointIndex& a, const PointIndex& b) {
-    return std::abs(result(a).gap) > std::abs(result(b).gap);
-  });
-  return points;
-}
-
 template <int D> void add_direction(Diagnosis& diagnosis, const Model<D>& model, const WeakDirection& weak) {
   if (weak.direction.norm() == 0) return;
   diagnosis.places = largest_shares(model, weak.direction, [](double part) {
@@ -79,7 +65,7 @@ constexpr Remedy damped{"damping", "model.remedy.damping"};
 constexpr Remedy limit_point{"arc_length", "model.remedy.arc_length", "model.remedy.stability"};
 constexpr Remedy arc_length{"arc_length", "model.remedy.arc_length"};
 constexpr Remedy extended_master{"", "model.remedy.extend_master"}, end_of_path{"", "model.remedy.end_path"};
-constexpr Remedy penalty{"", "model.remedy.penalty"}, augmented{"", "model.remedy.augmented"};
+constexpr Remedy penalty{"", "model.remedy.penalty"};
 /// Before the first accepted step there is no path to a limit point, and arc length has no direction.
 constexpr Remedy first_step{"", "model.remedy.first_step"}, no_arc_yet{"", "model.remedy.no_arc_yet"};
 constexpr Remedy penalty_growth{"penalty", "model.remedy.penalty_growth"};
@@ -195,14 +181,6 @@ template <int D> std::vector<Message> find_crossed(Diagnosis& diagnosis, const F
   return {};
 }
 
-template <int D> std::vector<Message> find_penetration(Diagnosis& diagnosis, const Failure<D>& failure) {
-  const Model<D>& model = failure.model;
-  add_points(diagnosis, model, farthest(model), [&](const PointIndex& point) {
-    return Message("model.place.gap", {{"gap", constraint(model.present.contacts[point.contact], point.point).gap}});
-  });
-  return {};
-}
-
 template <int D> std::vector<Message> find_null_direction(Diagnosis& diagnosis, const Failure<D>& failure) {
   if (!failure.has_tangent()) return {};
   const Model<D>& model = failure.model;
@@ -252,7 +230,6 @@ template <int D> const Reason<D>& reason_of(Outcome outcome) {
       {Outcome::not_finite, nullptr, {smaller_steps, line_search}, false, true},
       {Outcome::lost_projection, find_lost_points<D>, {extended_master, end_of_path}, false, false},
       {Outcome::crossed, find_crossed<D>, {smaller_steps, penalty, arc_length}, false, false},
-      {Outcome::penetration, find_penetration<D>, {penalty, augmented}, false, false},
   };
   static const Reason<D> other{Outcome::converged, nullptr, {}, false, true};
   const auto found = std::ranges::find(reasons, outcome, &Reason<D>::outcome);

@@ -23,7 +23,7 @@ namespace model {
 
 namespace {
 
-const ArchiveKind kind{"checkpoint", 8, 8};
+const ArchiveKind kind{"checkpoint", 9, 9};
 
 using Parts = std::vector<ScenePart>;
 

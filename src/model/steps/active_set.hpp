@@ -62,8 +62,8 @@ private:
     std::vector<unsigned char> states; ///< of all constraints, contact after contact; see code()
   };
   struct ContactEntry {
-    int first;                                               ///< index of its first constraint
-    bool frictional, solved;                                 ///< `solved`: its multipliers are unknowns
+    int first;                                            ///< index of its first constraint
+    bool frictional, solved;                              ///< `solved`: its multipliers are unknowns
     std::vector<contact::FaceCoordinates<D>> trials = {}; ///< trial frictions by slipping multiplier, otherwise 0
   };
   void release();

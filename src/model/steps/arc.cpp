@@ -78,9 +78,6 @@ template <int D>
 ArcReport solve_arc(Model<D>& model, const StepOptions& options, double length, const AfterIteration& after) {
   require(model.targets != model.accepted.targets, "model.arc.no_path");
   require(length > 0, "model.arc.length", {{"length", length}});
-  for (std::size_t k = 0; k < model.system.contacts.size(); ++k)
-    require(!model.system.contacts[k]->parameters().augmented(), "model.arc.augmented",
-            {{"contact", model.system.scene.contacts[k].name}});
   begin_contacts(model, {});
   model.step = Step{{}, true};
   ArcStep<D> problem(model, options, length);

@@ -14,7 +14,7 @@ struct ArcReport : solve::NewtonReport {
 /// The constraint is t·(u − u₀) = length in the inner product of path_norm.hpp, t the unit tangent of the solution
 /// curve at the accepted state, in the sense of the last accepted step (pseudo-arclength: E. Riks, J. Appl. Mech. 39,
 /// 1972; H. B. Keller, 1977). Sets the targets to those reached. Calls `after` after each iteration, if given. Does not
-/// accept. Throws Error if no target changes, `length` is not positive, or a contact is augmented.
+/// accept. Throws Error if no target changes, or `length` is not positive.
 template <int D>
 ArcReport solve_arc(Model<D>& model, const StepOptions& options, double length, const AfterIteration& after = {});
 

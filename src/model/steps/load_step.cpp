@@ -68,7 +68,6 @@ private:
   bool has_closed();
   double violation(const PointIndex& index) const;
   bool is_decisive() const;
-  solve::Outcome augment(Message& why);
 
   Step& step_;
   const bool waiting_;    ///< for the first solution, which applies the prescribed displacements
@@ -126,8 +125,8 @@ template <int D> solve::Outcome LoadStep<D>::evaluate(bool tangent, Message& why
   return outcome;
 }
 
-/// Ends the treatment of unconstrained bodies, frees fixed states, or augments; converged if nothing remains and no
-/// point has passed through a master.
+/// Ends the treatment of unconstrained bodies, or frees fixed states; converged if nothing remains and no point has
+/// passed through a master.
 template <int D> solve::Outcome LoadStep<D>::conclude(Message& why) {
   if (step_.closing) {
     step_.closing.reset();
@@ -138,29 +137,7 @@ template <int D> solve::Outcome LoadStep<D>::conclude(Message& why) {
     why = Message("model.step.frozen_points");
     return solve::Outcome::cycling;
   }
-  const solve::Outcome augmented = augment(why);
-  return augmented == solve::Outcome::converged ? check_crossing(model, why) : augmented;
-}
-
-/// [theory 5.15] Returns converged if no contact penetrates by more than the tolerance, otherwise augments all.
-template <int D> solve::Outcome LoadStep<D>::augment(Message& why) {
-  const auto& contacts = model.system.contacts;
-  const AugmentationOptions& limits = options.augmentation;
-  double farthest = 0;
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (contacts[k]->parameters().augmented())
-      farthest = std::max(farthest, contact::violation(model.present.contacts[k]));
-  const double tolerance = limits.penetration * model.system.extent;
-  if (farthest <= tolerance) return solve::Outcome::converged;
-  if (step_.augmentations == limits.loops) {
-    why =
-        Message("model.step.penetration", {{"distance", farthest}, {"loops", limits.loops}, {"tolerance", tolerance}});
-    return solve::Outcome::penetration;
-  }
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (contacts[k]->parameters().augmented()) contact::augment(model.present.contacts[k]);
-  ++step_.augmentations;
-  return solve::Outcome::iterating;
+  return check_crossing(model, why);
 }
 
 /// True if an error of the next correction is not removed by those after it: friction starts where the guess of the

@@ -50,8 +50,6 @@ template <int D> double accepted_target(const Model<D>& model, int drive, int co
 
 template <int D> void set_penalty_factor(Model<D>& model, double factor) {
   require(std::isfinite(factor) && factor > 0, "model.penalty.factor", {{"factor", factor}});
-  for (State<D>* state : {&model.accepted, &model.present})
-    for (auto& history : state->contacts) look_again(history);
   model.present.penalty_factor = factor;
   model.step.reset(); // as for new targets: the present state is not in equilibrium any more
 }
@@ -121,7 +119,6 @@ template <int D> void rollback(Model<D>& model) {
   model.step.reset();
   model.definite = false;
   model.inversion.reset();
-  for (auto& history : model.accepted.contacts) look_again(history); // the penalty factor may have changed
   model.present = model.accepted;
   model.targets = model.accepted.targets;
   set_loads(model, model.targets);

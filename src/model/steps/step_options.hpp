@@ -1,5 +1,5 @@
 #pragma once
-// Options of a step: Newton's method, predictor, active set, augmentation.
+// Options of a step: Newton's method, predictor, active set.
 
 #include "solve/linear.hpp"
 #include "solve/newton.hpp"
@@ -28,19 +28,12 @@ struct ActiveSetOptions {
   int changes = 0;
 };
 
-/// Augmented Lagrangian method: augmented contacts are augmented (Uzawa) until penetrations are below a tolerance.
-struct AugmentationOptions {
-  double penetration = 1e-6; ///< tolerance relative to the bodies' extent
-  int loops = 100;           ///< limit of augmentations in a step
-};
-
 struct StepOptions {
   solve::NewtonOptions newton = {};
   solve::LinearKind linear = solve::LinearKind::automatic;
   solve::MumpsOptions mumps = {}; ///< of linear = `mumps`
   Predictor predictor = Predictor::tangent;
   ActiveSetOptions active_set = {};
-  AugmentationOptions augmentation = {};
   bool damping = false; ///< of unconstrained bodies, see damping.hpp
   /// Pseudo-transient continuation (solve/pseudo_time.hpp), with up to 40 times newton.iterations moves; not combined
   /// with line search.

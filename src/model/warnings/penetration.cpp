@@ -86,16 +86,13 @@ template <int D> void warn_of_springs(const Model<D>& model, int index, std::vec
   // Springs in series: part/(1 − part) is inversely proportional to the penalty.
   const double series = strain > 0 ? law.normal * (sum.normal / strain) * (1 - small_part) / small_part : 0;
   const double enough = std::max(usual, series);
-  const Message remedy = law.enforcement == contact::Enforcement::augmented
-                             ? Message("model.soft.augmented")
-                             : Message("model.soft.penalty", {{"penalty", enough}});
   const bool narrow = is_narrow(model, index);
   const bool soft = penetrates && !(law.normal >= usual && narrow);
   if (soft)
     warnings.push_back(Message("model.warning.penetration", {{"contact", contact.name},
                                                              {"percent", 100 * part},
                                                              {"penetration", 2 * sum.normal / sum.force},
-                                                             {"remedy", remedy}}));
+                                                             {"penalty", enough}}));
   if (slips)
     warnings.push_back(
         Message("model.warning.elastic_slip",

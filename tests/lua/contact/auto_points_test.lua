@@ -8,50 +8,45 @@ local elements = { die = { 24, 2 }, slab = { 24, 4 } }
 local stages = { { name = "press", steps = 8, grip = { 0, -0.2 } },
                  { name = "slide", steps = 12, grip = { 0.3, -0.2 } } }
 
-local function solve(points, enforcement)
-  local model = ironing{ elements = elements, points = points, mu = 0.3, enforcement = enforcement,
-                         penalty = enforcement == "penalty" and 100 or 20 }
-  local run = model:run(stages, sg.robust{
-    augmentation = enforcement == "augmented" and { penetration = 1e-3 } or nil })
+local function solve(points)
+  local model = ironing{ elements = elements, points = points, mu = 0.3, penalty = 100 }
+  local run = model:run(stages, sg.robust{})
   check.equal(run.failed and run.failure, false)
   return model, run
 end
 
-for _, enforcement in ipairs { "penalty", "augmented" } do
-  check.case(("ironing with friction, enforcement = %q"):format(enforcement), function()
-    local full, reference = solve(nil, enforcement)
-    local model, run = solve("auto", enforcement)
-    check.equal(#full:profile("interface").pressure, 24 * 9)
-    local acting = #model:profile("interface").pressure
-    check.at_most("points that act", acting, 24 * 9 - 3 * 6)
-    check.equal(model:cost().contacts.interface.points, acting)
-    for _, name in ipairs { "grip.fx", "grip.fy" } do
-      local largest = 0
-      for _, value in ipairs(reference:column(name)) do largest = math.max(largest, math.abs(value)) end
-      for step = 1, reference.steps do
-        check.within(name, run:column(name)[step], reference:column(name)[step], 0.003 * largest)
-      end
+check.case("ironing with friction", function()
+  local full, reference = solve()
+  local model, run = solve "auto"
+  check.equal(#full:profile("interface").pressure, 24 * 9)
+  local acting = #model:profile("interface").pressure
+  check.at_most("points that act", acting, 24 * 9 - 3 * 6)
+  check.equal(model:cost().contacts.interface.points, acting)
+  for _, name in ipairs { "grip.fx", "grip.fy" } do
+    local largest = 0
+    for _, value in ipairs(reference:column(name)) do largest = math.max(largest, math.abs(value)) end
+    for step = 1, reference.steps do
+      check.within(name, run:column(name)[step], reference:column(name)[step], 0.003 * largest)
     end
-    local energy, other = model:energy(), full:energy()
-    for _, name in ipairs { "stored", "friction", "work" } do
-      check.within_share(name, energy[name], other[name], 0.002)
-    end
-    -- Changes of rules do not disturb the balance.
-    local function rest(e) return math.abs(e.work + e.area_growth - e.stored - e.contact - e.friction) / e.work end
-    check.within("balance", rest(energy), rest(other), 2e-3)
-  end)
-end
+  end
+  local energy, other = model:energy(), full:energy()
+  for _, name in ipairs { "stored", "friction", "work" } do
+    check.within_share(name, energy[name], other[name], 0.002)
+  end
+  -- Changes of rules do not disturb the balance.
+  local function rest(e) return math.abs(e.work + e.area_growth - e.stored - e.contact - e.friction) / e.work end
+  check.within("balance", rest(energy), rest(other), 2e-3)
+end)
 
-check.case("an obstacle, an augmented contact without friction, axisymmetric", function()
+check.case("an obstacle, without friction, axisymmetric", function()
   local forces = {}
   for _, points in ipairs { false, "auto" } do
     local ball = sg.rigid.sphere{ radius = 1, center = { 0, 2 } }
     local model = scenes.model{ kind = "axisymmetric", bodies = { punch = { elements = { 16, 4 }, contact = "north" } },
       supports = { bed = { on = "south", fix = "xy" }, axis = { on = "west", fix = "x" },
         tool = { on = ball, drive = "xy" } },
-      contacts = { touch = { slave = "north", master = ball, enforcement = "augmented", points = points or nil } } }
-    local run = model:run({ { steps = 6, tool = { 0, -0.1 } } },
-      sg.robust{ augmentation = { penetration = 1e-4 } })
+      contacts = { touch = { slave = "north", master = ball, penalty = 100, points = points or nil } } }
+    local run = model:run({ { steps = 6, tool = { 0, -0.1 } } }, sg.robust{})
     check.equal(run.failed and run.failure, false)
     forces[#forces + 1] = run:column "tool.fy"[run.steps]
   end

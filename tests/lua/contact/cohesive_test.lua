@@ -227,7 +227,7 @@ check.refusals(start, "study.lua:", {
   { "mortar", "with(bond, { method = 'mortar' })", "it has both cohesive and method = \"mortar\"",
     "write method = \"gpts\"" },
   { "half passes", "with(bond, { method = 'half_passes' })", "it has both cohesive and method = \"half_passes\"" },
-  { "augmented", "with(bond, { enforcement = 'augmented' })", "it has both cohesive and enforcement = \"augmented\"",
+  { "multipliers", "with(bond, { enforcement = 'multipliers' })", "cohesive and enforcement = \"multipliers\"",
     "write enforcement = \"penalty\"" },
   { "per current area", "with(bond, { per = 'current' })", "it has both cohesive and per = \"current\"" },
   { "inactive", "with(bond, { active = false })", "it has both cohesive and active = false", "cohesive.where" },

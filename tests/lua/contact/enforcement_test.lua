@@ -30,13 +30,13 @@ local function law(keys, on_plane) return scene(keys, on_plane):contact_law "joi
 check.case("combinations that do not exist are errors that name those that do", function()
   local wrong = {
     { { method = "gpts", enforcement = "multipliers", penalty = 1 },
-      'method = "gpts" has enforcement = "penalty" or "augmented", not "multipliers"', 'use method = "mortar"' },
-    { { enforcement = "multipliers" }, 'method = "gpts" has enforcement = "penalty" or "augmented"' },
-    { { method = "half_passes", enforcement = "augmented", penalty = 1 },
-      'method = "half_passes" has enforcement = "penalty", not "augmented"', 'use method = "gpts" or "mortar"' },
-    { { method = "half_passes", enforcement = "multipliers" }, 'not "multipliers"', 'use method = "mortar"' },
-    { { augmented = true, penalty = 1 }, "unknown argument 'augmented'", 'Hint: write enforcement = "augmented"' },
-    { { adhesion = { hamaker = 1, r0 = 1 }, enforcement = "augmented" }, "adhesion", 'enforcement = "augmented"' },
+      'it has enforcement = "multipliers" and method = "gpts"', 'write method = "mortar"' },
+    { { enforcement = "multipliers" }, 'Lagrange multipliers need mortar contact' },
+    { { method = "half_passes", enforcement = "multipliers" }, 'method = "half_passes"', 'method = "mortar"' },
+    { { method = "mortar", enforcement = "augmented" }, "enforcement must be 'penalty' or 'multipliers'" },
+    { { augmented = true, penalty = 1 }, "unknown argument 'augmented'",
+      'Hint: write method = "mortar", enforcement = "multipliers"' },
+    { { adhesion = { hamaker = 1, r0 = 1 }, enforcement = "multipliers" }, "adhesion", 'enforcement = "multipliers"' },
   }
   for _, case in ipairs(wrong) do
     check.fails(function() scene(case[1]) end, here, "sg.model: contacts.joint", table.unpack(case, 2))
@@ -45,37 +45,22 @@ end)
 
 check.case("options that no contact can use are errors", function()
   local path = { { steps = 1, grip = -0.01 } }
-  local plain, augmented = scene{ penalty = 10 }, scene{ enforcement = "augmented" }
+  local plain = scene{ penalty = 10 }
   check.fails(function() plain:run(path, { augmentation = { loops = 5 } }) end, here,
-    "model:run: augmentation is for augmented contacts",
-    'Hint: write enforcement = "augmented" in a contact')
-  check.fails(function() plain:run(path, { enforcement = "augmented" }) end, here, "unknown argument 'enforcement'",
+    "unknown argument 'augmentation'", 'method = "mortar", enforcement = "multipliers"')
+  check.fails(function() plain:run(path, { enforcement = "multipliers" }) end, here, "unknown argument 'enforcement'",
     "Hint: write it in the contact")
-  check.fails(function() plain:solve_step{ augmentation = {} } end, here,
-    "model:solve_step: augmentation is for augmented contacts", 'Hint: write enforcement = "augmented" in a contact')
-  check.fails(function() plain:iterate{ augmented = true } end, here, "unknown argument 'augmented'",
-    'Hint: write enforcement = "augmented" in the contact')
-  check.fails(function() plain:run(path, sg.robust{ augmented = true }) end, here, "unknown argument 'augmented'",
-    'Hint: write enforcement = "augmented" in the contact')
-  check.fails(function() augmented:run(path, { arc_length = true }) end, here, "arc_length", "contacts.joint",
-    'enforcement = "penalty"')
-  check.fails(function()
-    augmented:set_target("grip", { -0.01 })
-    augmented:solve_arc{ length = 0.1 }
-  end, here, "arc length does not work with augmented contacts, such as contacts.joint")
 end)
 
 -- ── Default penalties ────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("by default the penalty is 10 E/h of the softer body and the slave's elements, alone 30 E/h", function()
-  local joint = law{ enforcement = "augmented", friction = { mu = 0.3 } }
+  local joint = law{ method = "mortar", enforcement = "multipliers", friction = { mu = 0.3 } }
   check.near({ joint.penalty, joint.friction_penalty }, { 10 * 3 * 4, 10 * 3 * 4 }, 1e-9)
-  check.equal({ joint.default_penalty, joint.enforcement, joint.method, joint.mu }, { true, "augmented", "gpts", 0.3 })
-  check.near(law({ enforcement = "augmented" }, true).penalty, 10 * 20 * 4, 1e-9)
-  check.near(law{ enforcement = "augmented", where = function(X) return X[1] < 0.3 end }.penalty, 10 * 3 * 4, 1e-9)
-  local mortar = law{ method = "mortar", enforcement = "augmented" }
-  check.near(mortar.penalty, 10 * 3 * 4, 1e-9)
-  check.equal({ mortar.multipliers, mortar.per }, { "equal", "reference" })
+  check.equal({ joint.default_penalty, joint.enforcement, joint.method, joint.mu }, { true, "multipliers", "mortar", 0.3 })
+  check.near(law({ method = "mortar", enforcement = "multipliers" }, true).penalty, 10 * 20 * 4, 1e-9)
+  check.near(law{ method = "mortar", enforcement = "multipliers", where = function(X) return X[1] < 0.3 end }.penalty, 10 * 3 * 4, 1e-9)
+  check.equal({ joint.multipliers, joint.per }, { "equal", "reference" })
   for _, alone in ipairs { {}, { method = "mortar" }, { method = "half_passes" } } do
     alone.friction = { mu = 0.3 }
     local joint = law(alone)
@@ -83,7 +68,7 @@ check.case("by default the penalty is 10 E/h of the softer body and the slave's 
     check.equal(joint.default_penalty, true)
   end
   check.equal(law{ penalty = 7, friction = { mu = 0.3 } }.friction_penalty, 7.0)
-  local given = law{ enforcement = "augmented", penalty = 50, friction = { mu = 0.3 } }
+  local given = law{ method = "mortar", enforcement = "multipliers", penalty = 50, friction = { mu = 0.3 } }
   check.equal({ given.penalty, given.friction_penalty, given.default_penalty }, { 50.0, 50.0, false })
 end)
 
@@ -91,19 +76,22 @@ check.case("in 3D h is the square root of an element's area, in an axisymmetric 
   local cube = scenes.body{ size = { 2, 3, 1 }, elements = { 4, 3, 1 }, contact = "front",
     material = sg.linear_elastic{ E = 5, nu = 0.3 } }
   local solid = sg.model{ bodies = { cube = cube }, contacts = { floor = { slave = cube:face "front",
-    enforcement = "augmented", master = sg.rigid.plane{ point = { 0, 0, -1 }, normal = { 0, 0, 1 } } } } }
+    method = "mortar", enforcement = "multipliers", master = sg.rigid.plane{ point = { 0, 0, -1 }, normal = { 0, 0, 1 } } } } }
   check.near(solid:contact_law("floor").penalty, 10 * 5 / math.sqrt(0.5 * 1), 1e-9)
   local puck = block(0, 4, 20, "south")
   local round = scenes.model{ kind = "axisymmetric", bodies = { puck = puck },
-    contacts = { floor = { slave = "south", enforcement = "augmented", master = scenes.floor(-1) } } }
+    contacts = { floor = { slave = "south",
+      method = "mortar", enforcement = "multipliers", master = scenes.floor(-1) } } }
   check.near(round:contact_law("floor").penalty, 10 * 20 * 4, 1e-9)
 end)
 
 check.case("print shows them", function()
-  local default = 'method = "gpts", enforcement = "augmented", penalty = 120 (from material and mesh)'
-  check.holds(show.text(scene{ enforcement = "augmented" }), "contact joint: open\n    " .. default)
-  check.holds(show.text(scene{ enforcement = "augmented", friction = { mu = 0.3 } }), default,
-    ", mu = 0.3, friction.penalty = 120")
+  local default = 'method = "mortar", multipliers = "equal", enforcement = "multipliers", penalty = 120 (from material '
+    .. "and mesh)"
+  local keys = { method = "mortar", enforcement = "multipliers" }
+  check.holds(show.text(scene(keys)), "contact joint: open\n    " .. default)
+  keys.friction = { mu = 0.3 }
+  check.holds(show.text(scene(keys)), default, ", mu = 0.3, friction.penalty = 120")
   check.holds(show.text(scene{ method = "mortar", multipliers = "reduced", penalty = 5 }),
     'method = "mortar", multipliers = "reduced", enforcement = "penalty", penalty = 5')
   check.holds(show.text(scene{ method = "half_passes", penalty = 5 }),
@@ -113,40 +101,16 @@ end)
 
 -- ── Runs ─────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
---- Presses the upper block into the other by 0.05, with friction, augmented if the keys say nothing else.
-local function press(keys, options)
+--- Presses the upper block into the other by 0.05, with friction.
+local function press(keys)
   keys.friction = { mu = 0.2 }
-  keys.enforcement = keys.enforcement or "augmented"
   local model = scene(keys)
-  local run = model:run({ { steps = 2, grip = -0.05 } }, options)
+  local run = model:run{ { steps = 2, grip = -0.05 } }
   assert(not run.failed, run.failure)
   return model
 end
 
-check.case("the tolerance of augmentation is 1e-6 by default, also with sg.robust", function()
-  for _, method in ipairs { "gpts", "mortar" } do
-    local default = press{ method = method }
-    local now = default:contact_resultant "joint"
-    check.at_most("penetration", now.weighted_penetration or now.max_penetration, 1e-6 * 2 ^ 0.5)
-    for _, options in ipairs { sg.robust{}, { augmentation = { penetration = 1e-6, loops = 100 } },
-                               sg.robust{ augmentation = {} } } do
-      check.equal(press({ method = method }, options):reaction "grip", default:reaction "grip")
-    end
-  end
-end)
-
-check.case("augmented forces hardly depend on the penalty", function()
-  local forces = {}
-  for i, penalty in ipairs { 40, 120, 400 } do
-    local model = press({ method = "mortar", penalty = penalty },
-      { augmentation = { penetration = 1e-9, loops = 500 } })
-    forces[i] = model:reaction("grip").fy
-  end
-  check.within_share("40", forces[1], forces[2], 1e-7)
-  check.within_share("400", forces[3], forces[2], 1e-7)
-end)
-
-check.case("with multipliers they do not depend on it", function()
+check.case("with multipliers forces do not depend on the penalty", function()
   local forces = {}
   for i, penalty in ipairs { 0.1, 120, 1e4 } do
     forces[i] = press{ method = "mortar", enforcement = "multipliers", penalty = penalty }:reaction("grip").fy
@@ -160,13 +124,12 @@ check.case("saved models keep enforcement and defaults, and continue bitwise equ
   local half, most = function(X) return X[1] < 0.5 end, function(X) return X[1] < 0.8 end
   for _, keys in ipairs { { method = "gpts", where = half }, { method = "mortar", where = half },
                           { method = "mortar", enforcement = "multipliers", where = most } } do
-    local options = not keys.enforcement and { augmentation = { penetration = 1e-4 } } or nil
-    local model = press(keys, options)
+    local model = press(keys)
     model:save(file)
     local loaded = sg.load(file)
     check.equal(loaded:contact_law "joint", model:contact_law "joint")
     for _, one in ipairs { model, loaded } do
-      check.equal(one:run({ { steps = 1, grip = -0.06 } }, options).failed, false)
+      check.equal(one:run{ { steps = 1, grip = -0.06 } }.failed, false)
     end
     check.equal(loaded:reaction "grip", model:reaction "grip")
     check.equal(loaded:contact_resultant "joint", model:contact_resultant "joint")

@@ -280,5 +280,5 @@ check.case("wrong combinations are errors that name the argument", function()
   check.fails(contacts{ floor = { method = "half_pass" } }, here, "method", "half_passes")
   check.fails(contacts{ floor = { method = "half_passes" }, ["floor.master"] = {} }, here, "floor.master",
     "name of a contact")
-  check.fails(contact{ enforcement = "augmented" }, here, "contacts.floor", "half_passes", "augmented", "mortar")
+  check.fails(contact{ enforcement = "multipliers" }, here, "contacts.floor", "half_passes", "multipliers", "mortar")
 end)

@@ -1,5 +1,5 @@
 -- Contacts with method = "mortar": contact patch test next to Gauss points, Hertz's line and point contact, ironing
--- with friction, augmentation, and what else a run offers.
+-- with friction, and what else a run offers.
 
 require "check"
 local problem = require "problems.hertz2d.problem"
@@ -135,16 +135,6 @@ check.case("Hertz 2D: at a high penalty Gauss points over-constrain, multipliers
     end
   end
   check.at_most("equal m4: oscillation inside 0.8 a", line_contact("N2", "m4", 1e5, equal).off, 0.015)
-end)
-
-check.case("Hertz 2D: augmentation removes the weighted penetration at a low penalty", function()
-  for _, keys in ipairs { equal, reduced } do
-    local augmented, options = { enforcement = "augmented" }, { augmentation = { penetration = 1e-9, loops = 2000 } }
-    for key, value in pairs(keys) do augmented[key] = value end
-    local case = line_contact("N2-N2.2", "m2", 1000, augmented, options)
-    check.at_most("weighted penetration", case.penetration, 3e-9) -- a fraction of the ring's size, about 2
-    check.within("peak", case.peak, line_contact("N2-N2.2", "m2", 1e8, keys).peak, 1e-3)
-  end
 end)
 
 --- Hertz's point contact as an axisymmetric scene; scripts/problems/hertz_sphere.lua.

@@ -154,18 +154,6 @@ check.case("profiles, pictures and resultants show pressures per current area", 
   check.holds(show.text(model), "; tractions per reference area")
 end)
 
-check.case("augmented runs converge to the same state, whichever the area", function()
-  local force, pressure = {}, {}
-  for i, per in ipairs { "reference", "current" } do
-    local model = block{ kind = "plane", per = per, enforcement = "augmented" }
-    check.equal(model:run({ { steps = 2, grip = -0.3 } }, { augmentation = { penetration = 1e-9 } }).failed, false)
-    force[i], pressure[i] = model:reaction("grip")[2], model:profile("touch").pressure[1]
-    check.at_most("balance of a state without penetration", model:energy().contact, 1e-12)
-  end
-  check.near(force[1], force[2], 1e-6)
-  check.near(pressure[1], pressure[2], 1e-6)
-end)
-
 check.case("a load path with friction slips at mu times the pressure", function()
   local model = disc{ mu = 0.2 }
   check.equal(model:run(path(12)).failed, false)

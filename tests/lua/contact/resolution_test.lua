@@ -84,8 +84,7 @@ end
 check.case("faces that touch as a whole are not narrow, and their mean pressure is the pressure", function()
   for _, elements in ipairs { { 1, 1 }, { 2, 1 }, { 4, 2 } } do
     for _, order in ipairs { "N1", "N2", "N2-N2.2" } do
-      for _, contact in ipairs { {}, { penalty = 1000 }, { method = "mortar", enforcement = "multipliers" },
-                                 { enforcement = "augmented" } } do
+      for _, contact in ipairs { {}, { penalty = 1000 }, { method = "mortar", enforcement = "multipliers" } } do
         local run, model = pressed(contact, elements, order)
         check.equal(run.warnings, {})
         local now = model:contact_resultant "floor"
@@ -142,7 +141,7 @@ end
 -- Pressure acts on the whole face where a contact of Hertz's width 4 (F R/(π E'))^½ is expected.
 check.case("mortar contact whose elements cannot follow the master is reported, with the depth", function()
   local uneven, expected = "the means of its gaps over functions", 4 * math.sqrt(0.02 * 2 / math.pi)
-  for _, how in ipairs { {}, { enforcement = "multipliers" }, { enforcement = "augmented" },
+  for _, how in ipairs { {}, { enforcement = "multipliers" },
                          { enforcement = "multipliers", multipliers = "reduced" } } do
     for _, count in ipairs { 1, 2 } do
       local run, model = resting({ enforcement = how.enforcement, multipliers = how.multipliers }, { count, 3 })
@@ -161,15 +160,11 @@ check.case("mortar contact whose elements cannot follow the master is reported, 
   end
 end)
 
-check.case("a stage that lowers the penalty, and a loose tolerance of augmentation, are reported", function()
+check.case("a stage that lowers the penalty is reported", function()
   local run, model = pressed({}, { 2, 2 }, "N2")
   check.equal(run.warnings, {})
   local lowered = model:run{ { name = "lower", steps = 1, lid = -0.01, contacts = { floor = { penalty = 2 } } } }
   check.holds(about(lowered, soft)[1], "at the end of stage 'lower'", "33.3 %")
-  local block, augmented = pressed({ enforcement = "augmented", penalty = 1 }, { 2, 2 }, "N2")
-  check.equal(block.warnings, {})
-  local loosely = augmented:run({ { steps = 1, lid = -0.02 } }, { augmentation = { penetration = 0.1 } })
-  check.holds(about(loosely, soft)[1], "lower augmentation.penetration of model:run, or raise the penalty")
 end)
 
 check.case("the default penalty is right to 1 % of Hertz's force, and does not give rise to its warning", function()

@@ -70,7 +70,7 @@ local penalty = 1e5 -- 25 E/h
 --- The pressure of an offset of this size, relative to Lamé's of the rings in a row with the penalty's springs.
 local function of_offset(scene, name, softness, offset)
   local model = scene(contact_keys.of(name, penalty))
-  local run = model:run({ { steps = 4, contacts = { seat = { offset = offset } } } }, contact_keys.options(name))
+  local run = model:run({ { steps = 4, contacts = { seat = { offset = offset } } } }, sg.robust{})
   check.equal({ run.reason, #run.warnings }, { "completed", 0 })
   local springs = contact_keys.penetrates(name) and 1 / penalty or 0
   return mean_pressure(model) * (softness + springs) / offset, model
@@ -99,7 +99,7 @@ check.case("an interference fit of the shapes is that of an offset, closed over 
       check.equal({ #fit:warnings(), fit:contact_law("seat").overlap }, { 0, 1 })
       check.near(fit:contact_resultant("seat").max_pressure, 0, 1e-9)
       local left = {}
-      local options = contact_keys.options(form)
+      local options = sg.robust{}
       function options.on_step(info)
         left[info.step] = fit:contact_law("seat").overlap
         return { pressure = mean_pressure(fit) }
@@ -111,7 +111,7 @@ check.case("an interference fit of the shapes is that of an offset, closed over 
       check.near(pressure[5] / pressure[4], 1, 1e-8)
       check_balance(form, fit, 1e-3, 0.04)
       -- The overlap stays closed.
-      check.equal(fit:run({ { steps = 1 } }, contact_keys.options(form)).reason, "completed")
+      check.equal(fit:run({ { steps = 1 } }, sg.robust{}).reason, "completed")
       check.near(mean_pressure(fit) / pressure[4], 1, 1e-8)
     end
   end
@@ -124,14 +124,14 @@ check.case("a contact that is off at first closes its overlap in the stage that 
       return on_ring(contact_keys.of(form, penalty, nil, { overlap = "interference", active = active }), 0.04)
     end
     local late, left = fit(false), {}
-    local options = contact_keys.options(form)
+    local options = sg.robust{}
     function options.on_step(info) left[info.step] = late:contact_law("seat").overlap end
     local on = { seat = { active = true } }
     local run = late:run({ { steps = 1 }, { steps = 2, contacts = on } }, options)
     check.equal({ run.failure or run.reason, left, run.fallback_steps }, { "completed", { 1, 0.5, 0 }, 0 })
     check_balance(form, late, 1e-3, 0.04)
     local first = fit(true)
-    first:run({ { steps = 2 } }, contact_keys.options(form))
+    first:run({ { steps = 2 } }, sg.robust{})
     check.near(mean_pressure(late) / mean_pressure(first), 1, 1e-8)
     check.fails(function() fit(false):run({ { steps = 1, contacts = on } }, { arc_length = true }) end,
       "arc_length cannot follow")
@@ -222,12 +222,12 @@ end)
 check.case("no work is counted for an offset of sg.model, where all supports are at rest", function()
   for _, form in ipairs(contact_keys.names(true)) do
     local model = block(2, contact_keys.of(form, 1e4, nil, { offset = 0.02 }))
-    local run = model:run({ { steps = 1 } }, contact_keys.options(form))
+    local run = model:run({ { steps = 1 } }, sg.robust{})
     check.equal({ run.reason, #other_warnings(run) }, { "completed", 0 })
     local pressed = model:energy()
     check.near(pressed.work, 0, 1e-12)
     assert(pressed.stored > 1e-3)
-    model:run({ { steps = 4, grip = { 0, -0.001 } } }, contact_keys.options(form))
+    model:run({ { steps = 4, grip = { 0, -0.001 } } }, sg.robust{})
     local e = model:energy()
     check.within(form, e.work + e.area_growth - pressed.area_growth,
       e.stored + e.contact - pressed.stored - pressed.contact, 0.01 * e.work)

@@ -101,8 +101,6 @@ check.case("a disc as a level set, with all kinds of contact", function()
   local level = sg.rigid.level_set{ f = disc_formula, box = disc_box }
   for _, contact in ipairs{ rubbing, { penalty = 100, friction = rubbing.friction, method = "mortar" },
                             { friction = { mu = 0.3 }, method = "mortar", enforcement = "multipliers" },
-                            { penalty = 100, friction = rubbing.friction, method = "mortar",
-                              enforcement = "augmented" },
                             { adhesion = { hamaker = 0.05, r0 = 0.1 } } } do
     local expected = forces(disc, contact, {})
     assert(math.abs(expected[#expected]) > 1e-3)

@@ -153,19 +153,6 @@ check.case("cost: controls take no more iterations where nothing fails; the pred
   check_files(result, 1)
 end)
 
-check.case("augmented: no penetration remains; the effect on the pressure depends on the layer", function()
-  local result = study("augmented", "penalties=1e2", "reference=m4")
-  local function results(order)
-    local plain, augmented = result.cases[order .. " 100 penalty"], result.cases[order .. " 100 augmented"]
-    check.equal({ plain.outcome, augmented.outcome }, { "completed", "completed" })
-    check.equal({ plain.penetration > 1e-4, augmented.penetration <= 5 ^ 0.5 * 1e-6 }, { true, true })
-    check.equal({ plain.force_percent < -3, math.abs(augmented.force_percent) < 0.2 }, { true, true })
-    return augmented.error / plain.error
-  end
-  check.near({ results "N2-N2.2", results "N2" }, { 0.105, 0.40 }, 0.05)
-  check_files(result, 3)
-end)
-
 check.case("single controls: for an unconstrained body cutting alone fails, fallbacks converge", function()
   local words = { "under=plane", "friction=0", "gaps=1e-3", "loads=1e-3" }
   local function outcome(way)

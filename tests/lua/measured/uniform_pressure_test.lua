@@ -67,17 +67,6 @@ check.case("one pass: the error falls with the number of points", function()
   end
 end)
 
-check.case("augmentation converges to the solution with multipliers, augmented Gauss points over-constrain", function()
-  for _, name in ipairs { "equal", "reduced" } do
-    for _, skew in ipairs { 0, 0.2 } do
-      check.within_share(name, mean(series(plane, name .. "-augmented", "upper", skew), 3, 12),
-        mean(series(plane, name .. "-multipliers", "upper", skew), 3, 12), 1e-3)
-    end
-  end
-  local points = series(plane, "gpts-augmented", "lower", 0)
-  check.equal(mean(points, 3, 5) > mean(series(plane, "gpts", "lower", 0), 3, 5), true)
-end)
-
 check.case("files and wrong arguments", function()
   check.pictures(folder, { "2d_N2_lower", "2d_N2_upper", "3d_N2_lower", "3d_N2_upper" })
   check.refused(script, { ["formulations=mortar"] = "formulations must be values among 'gpts'",

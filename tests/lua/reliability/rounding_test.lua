@@ -45,7 +45,7 @@ function cases.rigid_plane(offset, angle)
   }, { { steps = 2, grip = turned(angle, 0, -0.05) }, { steps = 3, grip = turned(angle, 0.1, -0.05) } }
 end
 
-function cases.augmented_disc(offset, angle)
+function cases.disc_with_multipliers(offset, angle)
   local slab = scenes.body{ patch = placed(rectangle(2, 1, {-1, -1}), angle, offset), elements = {8, 4},
     thickness_degree = 2, contact = "north" }
   local above = turned(angle, 0, 0.5)
@@ -53,8 +53,8 @@ function cases.augmented_disc(offset, angle)
   return sg.model{
     bodies = { slab = slab },
     supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = disc, drive = "xy" } },
-    contacts = { c = { slave = slab:face "north", master = disc, penalty = 100, enforcement = "augmented" } },
-  }, { { steps = 3, grip = turned(angle, 0, -0.1) } }, { augmentation = { penetration = 1e-3 } }
+    contacts = { c = { slave = slab:face "north", master = disc, method = "mortar", enforcement = "multipliers" } },
+  }, { { steps = 3, grip = turned(angle, 0, -0.1) } }
 end
 
 function cases.arch_by_arc_length(offset, angle)

@@ -101,7 +101,6 @@ end
 check.case("contact holds the end of a column by penalties and by multipliers", function()
   decides("penalty", pressed{ penalty = 1e3 })
   decides("penalty with a potential", pressed{ penalty = 1e3, per = "reference" })
-  decides("augmented", pressed{ penalty = 1e2, enforcement = "augmented" })
   decides("multipliers", pressed{ method = "mortar", enforcement = "multipliers" })
 end)
 

@@ -305,17 +305,6 @@ check.case("line_search: no part of the move helps where a point opens and close
   check.near(place.X, { 0, 0 }, 1e-9) -- its end
 end)
 
-check.case("penetration: one augmentation is not enough", function()
-  local body = block()
-  local model = scenes.model{ bodies = { block = body }, supports = { top = { on = "north", fix = "x", drive = "y" } },
-    contacts = { floor = { slave = "south", penalty = 10, enforcement = "augmented", master = scenes.floor() } } }
-  local run = model:run({ { name = "press", steps = 2, top = -0.1 } }, sg.plain{ augmentation = { loops = 1 } })
-  local place = expect(run, "penetration", 0, "off the master after 1 augmentation; the tolerance is 1.41421",
-    "Worst places: contact point in slave element", "raise the penalty; allow more augmentations")
-  check.equal({ place.kind, place.contact, place.text }, { "contact point", "floor", ("gap %.6g"):format(place.value) })
-  check.equal({ place.X[2], math.abs(place.value) > 1e-6 }, { 0.0, true })
-end)
-
 -- ── Paths ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("turning_point: an arch under a load above its limit load", function()

@@ -95,7 +95,7 @@ check.case("iterate prints one line per call, solve_arc those of its increment",
   check.holds(arc[#arc], "converged")
 end)
 
-check.case("arc length and the search for a turning point have titles, augmentations are told", function()
+check.case("arc length and the search for a turning point have titles", function()
   local model = scene()
   model:run(path)
   local lines = table.concat((printed(function()
@@ -108,9 +108,6 @@ check.case("arc length and the search for a turning point have titles, augmentat
     return model:run({ { name = "on", steps = 1, grip = {0.2, -0.12} } },
       sg.plain{ verbose = true, newton = { iterations = 1 } })
   end)), "\n"), ", step 1 of 1, from 0, search for a turning point: arc length ")
-  check.holds(table.concat((printed(function()
-    return scene "augmented":run({ path[1] }, { verbose = true })
-  end)), "\n"), "augmentation 1\n", "augmentation 2\n")
 end)
 
 check.case("on_iteration sees the line of its iteration already in the output", function()

@@ -141,11 +141,6 @@ function laws.draw_options(scene, roll)
   end
   if scene:odd(0.1, "few iterations") then options.newton = { iterations = roll.integer(1, 3) } end
   if scene:odd(0.1, "odd tolerance") then options.newton = { tolerance = roll.one_of{ 1e-16, 1e-3, 0.5, 1e5 } } end
-  for _, contact in ipairs(scene.contacts) do
-    if contact.law.formulation and contact.law.formulation:find("augmented", 1, true) then
-      options.augmentation = { penetration = 1e-4, loops = 20 }
-    end
-  end
   return options
 end
 

@@ -35,8 +35,8 @@ available. Models start from the stress-free reference shape.]], "sg.model" },
 one body per patch.]], "tie", "sg.model" },
   { "mortar, segment to segment, node to surface, nts, gpts, contact formulation", [[Contact is Gauss-point-to-surface
 with a penalty, or mortar: method = "mortar". Node-to-surface contact is not available.]], "contact" },
-  { "lagrange multiplier, augmented lagrangian, uzawa", [[The key `enforcement` of a contact chooses between a penalty,
-the augmented Lagrangian method (Uzawa) and, in mortar contact, Lagrange multipliers.]], "contact", "model:run" },
+  { "lagrange multiplier, augmented lagrangian, uzawa", [[The key `enforcement` of a contact chooses between a penalty
+and, in mortar contact, Lagrange multipliers as unknowns of one semi-smooth Newton method.]], "contact" },
   { "interference fit, shrink fit, press fit, overclosure, shim, clearance", [[`overlap = "interference"` of a contact
 closes the overlap of the shapes over the first stage in which it is active; `offset` is a shim or a clearance, which
 stages change.]], "contact", "stage" },

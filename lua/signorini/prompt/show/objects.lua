@@ -54,7 +54,7 @@ local function driven_text(model, name)
   end), ", "))
 end
 
---- 'method = "mortar", multipliers = "equal", enforcement = "augmented", penalty = 40 (from material and mesh)'.
+--- 'method = "mortar", multipliers = "equal", enforcement = "multipliers", penalty = 40 (from material and mesh)'.
 local function law_text(law)
   local parts = {}
   for _, key in ipairs { "method", "multipliers", "enforcement", "law" } do

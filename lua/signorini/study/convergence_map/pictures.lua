@@ -12,7 +12,7 @@ local pictures = {}
 -- and determines the color of each in every picture.
 local outcomes = {
   "completed", "stopped", "interrupted", "cut", "iterations", "diverged", "cycling", "lost_projection", "inverted",
-  "singular", "indefinite", "nan", "line_search", "penetration", "turning_point", "minimum_step", "left_path",
+  "singular", "indefinite", "nan", "line_search", "turning_point", "minimum_step", "left_path",
   "error", "crashed", "time", "crossed", "friction_exhausted",
 }
 
