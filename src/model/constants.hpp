@@ -72,9 +72,6 @@ inline constexpr int most_trials = 30;
 /// Relative difference below which residuals repeat: far below the effect of a change of state, far above rounding
 /// error.
 inline constexpr double same_residual = 1e-9;
-/// Relative difference below which violated conditions of multipliers are equal, by symmetry: residuals at which states
-/// cycle are at least a million times their rounding errors.
-inline constexpr double same_violation = 1e-6;
 /// Number of recorded evaluations, three times the longest period detected; and of those searched for cycling points.
 inline constexpr std::size_t remembered_evaluations = 24, recent_evaluations = 8;
 /// Limit of rounds in which points that change too often are fixed and freed.
@@ -126,7 +123,9 @@ inline constexpr double across_part = 0.1;
 
 // ── Contacts ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-/// ε h/E of contacts with multipliers, whose results do not depend on the penalty ε.
+/// ε h/E of contacts with multipliers, whose results hardly depend on the penalty ε, with E and h of the softer body.
+/// In 2D ironing with dies of 9 to 36 elements on a slab of 24 (N2-N2.2) 3.2 to 3.9 iterations per step; with h of a
+/// stiff slave, up to 5.2.
 inline constexpr double default_penalty_ratio = 10;
 /// ε h/E of contacts that are enforced by the penalty alone. In Hertz's line and point contact over 5 elements (N2)
 /// penetration is 0.4 and 1.0 % of the approach with 30 (forces 0.4 and 1.5 % too small), 1.2 and 2.7 % with 10, 0.1
@@ -147,10 +146,8 @@ inline constexpr double noticeable_part = 0.05, small_part = 0.01, contact_round
 /// Under a penalty below this multiple of E/h pressures below this fraction of E strain bodies so little that their
 /// energy is rounding error: the springs take up all of the approach.
 inline constexpr double far_too_soft = 1e-3, lost_strain = 1e-8;
-/// Ratio of Young's moduli above which a slave is stiff compared with its master, and of element sizes up to which it
-/// is not coarse, for a warning about multipliers. In 2D ironing (E = 1000 on 1, elements 0.7 times as large)
-/// multipliers on the die fail from m2 on, and those on the slab converge at all meshes.
-inline constexpr double stiff_slave = 3, coarse_slave = 1.5;
+/// Ratio of Young's moduli above which a slave is stiff compared with its master, for a warning about its multipliers.
+inline constexpr double stiff_slave = 3;
 
 /// Least number of elements in the cohesive zone, below which a warning is given (A. Turon et al., Eng. Fract. Mech.
 /// 74, 2007). In share/doc/problems/debonding.md forces of the bilinear law oscillate by 2 % with 3.4, by 6 % with 2.3.

@@ -20,14 +20,14 @@ MortarLaw multipliers(MultiplierSpace space, double mu = 0) {
 template <class AnyCouple> void set_multipliers(AnyCouple& couple, Random& random, int each, double mu) {
   for (int i = couple.first_extra(); i < couple.u.size(); ++i)
     couple.u(i) =
-        (i - couple.first_extra()) % each == 0 ? uniform(random, -0.02, 0.06) : uniform(random, -mu, mu) * 0.03;
+        (i - couple.first_extra()) % each == each - 1 ? uniform(random, -0.02, 0.06) : uniform(random, -mu, mu) * 0.03;
 }
 
 /// Presses, then drags, with a comparison in each state.
 Census press_and_slide(Couple couple, unsigned seed, double depth, double mu, const std::vector<double>& drags) {
   Random random(seed);
   Census census;
-  const int each = mu > 0 ? 3 : 1;
+  const int each = mu > 0 ? 2 : 1;
   couple.shake(random, 0.003).touch().move_die(0, -depth);
   set_multipliers(couple, random, each, mu);
   compare_with_differences(couple, census);
@@ -67,7 +67,7 @@ TEST(MultiplierContact, TangentIsTheResidualsDerivativeAtTheEndsOfTheMaster) {
       for (int trial = 0; trial < 3; ++trial) {
         Couple couple = block_beyond_ends(random, multipliers(space, mu));
         couple.move_die(0.004, -0.03);
-        set_multipliers(couple, random, mu > 0 ? 3 : 1, mu);
+        set_multipliers(couple, random, mu > 0 ? 2 : 1, mu);
         compare_with_differences(couple, census);
         EXPECT_GT(beyond(couple.pair), 2);
       }
@@ -81,7 +81,7 @@ TEST(MultiplierContact, TangentIsTheResidualsDerivativeIn3D) {
     for (double mu : {0.0, 0.3})
       for (int kind = 0; kind < 3; ++kind) {
         const MortarLaw law = multipliers(space, mu);
-        const int each = mu > 0 ? 4 : 1;
+        const int each = mu > 0 ? 3 : 1;
         Couple3 couple = kind < 2 ? Couple3("N2", wavy_plate(random, 3, 0.02, 2 + kind, 4), law, {1.4, 1.5, 0.1}, 5)
                                   : Couple3("N2", Obstacle<3>(make_ball<3>({1.5, 1.5, -2}, 2)), law, {1.5, 1.5, 0.1});
         couple.shake(random, 0.003).touch().move_die({0, 0, -0.08});
@@ -106,7 +106,7 @@ TEST(MultiplierContact, TangentIsSymmetricWithoutFriction) {
       couple.touch().move_die(0, -0.07);
       set_multipliers(couple, random, 1, 0);
       couple.evaluate();
-      ASSERT_GT(count(couple.pair, ContactState::stick), 1);
+      ASSERT_GT(couple.pair.resultant().active, 1);
       const Dense at = couple.dense();
       EXPECT_LE((at.tangent - at.tangent.transpose()).norm(), 1e-13 * at.tangent.norm());
     }

@@ -71,7 +71,7 @@ struct Strip {
     fix(set);
   }
   void record(ActiveSet<2>& set, double residual) {
-    set.record(present, residual, {});
+    set.record(present, residual, true);
     fix(set);
   }
   bool release_all(ActiveSet<2>& set) {

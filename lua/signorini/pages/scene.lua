@@ -24,7 +24,8 @@ region.cure = "write a function of a reference position of the slave face, as in
 
 local contact = {
   { "slave", slave, [[face over which contact is integrated; pressures are computed at its contact points. Use the finer
-mesh, of equal meshes the softer body (the published ironing studies use the stiff die). A list of adjacent faces, of
+mesh, of equal meshes the softer body (the published ironing studies use the stiff die); with enforcement =
+"multipliers" the softer body, whose functions can follow all multipliers of its face. A list of adjacent faces, of
 joined bodies or of one, acts as one face: a chain in the plane, a row or a full grid in 3D]] },
   { "master", t.either(obstacle, t.flat(face)), [[face of the other body onto which these points are projected, a
 list of adjacent faces, or an obstacle. Points slide across the borders of a list; only its ends are edges. Beyond its
@@ -35,8 +36,8 @@ softer body, h the (harmonic) mean size of the slave's elements in the contact; 
 contacts the force is then right to 1 or 2 %, and at Gauss points the peak pressure to 10 % where at least 7 control
 points of the slave face (with N2 elements) touch across the contact; 100 E / h needs 13, 1000 E / h 40, since a high
 penalty over-constrains the face. Mortar contact needs 8 ("reduced": 6) at any penalty. Penetration increases as the
-penalty decreases: model:contact_resultant(name).max_penetration. With enforcement = "multipliers" it only scales the
-equations; it is then 10 E / h by default]], unit = "pressure per length", otherwise = "from material and mesh" },
+penalty decreases: model:contact_resultant(name).max_penetration. With enforcement = "multipliers" it affects
+results by the discretization error alone; it is then 10 E / h by default, h of the softer body]], unit = "pressure per length", otherwise = "from material and mesh" },
   { "friction", t.named {
     { "mu", t.non_negative, [[Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for a
 contact whose friction begins in a later stage]] },
@@ -50,12 +51,15 @@ once and receives only the force of its own pass: no choice of slave biases the 
 tangents, and action equals reaction only up to the discretization error, imbalance in model:contact_resultant]],
     default = "gpts" },
   { "enforcement", t.choice { "penalty", "multipliers" }, [[penalty: penetrations in proportion to the pressure remain.
-multipliers: with method = "mortar", Lagrange multipliers as unknowns, no penetration in the weighted mean]],
+multipliers: with method = "mortar", Lagrange multipliers as unknowns; the contact conditions hold in the mean weighted
+by their functions, and are integrated point by point]],
     default = "penalty" },
-  { "multipliers", t.choice { "equal", "reduced" }, [[functions of the multipliers of mortar contact, in half
+  { "multipliers", t.choice { "equal", "reduced", "linear" }, [[functions of the multipliers of mortar contact, in half
 passes of either face. equal: those of the slave face. reduced: of degree p - 2 on its elements, continuity two less
-(N2: constant per element), proven stable (inf-sup); for degree p >= 2]],
-    otherwise = '"equal" with method = "mortar"; without it half passes act at contact points' },
+(N2: constant per element), proven stable (inf-sup); for degree p >= 2. linear: of degree 1, one per element of the
+slave or, where a softer master has fewer functions, per so many elements that it can follow them]],
+    otherwise = [["equal" with method = "mortar", with enforcement = "multipliers" on a slave stiffer than the master
+"linear"; without it half passes act at contact points]] },
   { "per", t.choice { "current", "reference" }, [[area of the slave face on which tractions act, and to which penalty
 and friction.penalty refer. "current" is that of the published studies; with "reference" and without friction the forces
 derive from an energy, and the tangent is symmetric. method = "mortar", adhesion and cohesive act per reference area,

@@ -55,6 +55,12 @@ const char* name_of(contact::Enforcement enforcement) {
   return enforcement == contact::Enforcement::multipliers ? "multipliers" : "penalty";
 }
 
+const char* name_of(contact::MultiplierSpace space) {
+  return space == contact::MultiplierSpace::equal    ? "equal"
+         : space == contact::MultiplierSpace::linear ? "linear"
+                                                     : "reduced";
+}
+
 template <int D> int contact_law(const model::Model<D>& model, const std::string& name, lua_State* L) {
   const std::size_t contact = find(model.system.scene.contacts, name, "contact");
   const model::Contact<D>& named = model.system.scene.contacts[contact];
@@ -77,7 +83,7 @@ template <int D> int contact_law(const model::Model<D>& model, const std::string
   }
   const auto* mortar = std::get_if<contact::MortarLaw>(&named.method);
   set_field(L, "method", named.other_pass >= 0 ? "half_passes" : mortar ? "mortar" : "gpts");
-  if (mortar) set_field(L, "multipliers", mortar->multipliers == contact::MultiplierSpace::equal ? "equal" : "reduced");
+  if (mortar) set_field(L, "multipliers", name_of(mortar->multipliers));
   const contact::PenaltyLaw law = contact::changed(*contact::penalty_law(named.method), history.changes);
   set_fields(L, "offset", formulation.parameters().offset(history.changes), "enforcement", name_of(law.enforcement),
              "penalty", law.normal, "default_penalty", named.default_penalty && !history.changes.normal);

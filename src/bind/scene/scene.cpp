@@ -43,7 +43,7 @@ template <int D> int default_points(const model::Scene<D>& scene, const model::F
 }
 
 contact::MultiplierSpace read_multipliers(const Arguments& a) {
-  return choice<contact::MultiplierSpace>(a.get<std::string>("multipliers"), {"equal", "reduced"});
+  return choice<contact::MultiplierSpace>(a.get<std::string>("multipliers"), {"equal", "reduced", "linear"});
 }
 
 contact::Cohesion read_cohesion(const Arguments& a, double penalty) {
@@ -78,7 +78,9 @@ template <int D> contact::Method<D> read_method(const Arguments& a) {
   if (points == Points::mortar || (a.has("per") && a.get<std::string>("per") == "reference"))
     law.per = contact::TractionArea::reference;
   if (points == Points::gauss) return law;
-  return contact::MortarLaw{law, space.value_or(contact::MultiplierSpace::equal)};
+  using contact::MultiplierSpace;
+  const bool solved = law.enforcement == contact::Enforcement::multipliers;
+  return contact::MortarLaw{law, space.value_or(solved ? MultiplierSpace::automatic : MultiplierSpace::equal)};
 }
 
 /// The user's function of the reference position, below a path of keys. It is called only while the model is created,

@@ -33,10 +33,9 @@ template <int D> struct Trial {
   const double* extra = nullptr; ///< values of the formulation's additional unknowns
 };
 
-/// Multipliers of a formulation, eliminated or unknowns; their histories are then the constraints of history.hpp.
+/// Multipliers of a formulation that are eliminated; their histories are then the constraints of history.hpp.
 struct Multipliers {
   std::vector<int> points; ///< the contact point where each is largest, for messages
-  int unknowns = 0;        ///< additional unknowns of each; 0: eliminated
   int count() const { return std::ssize(points); }
 };
 
@@ -71,7 +70,7 @@ public:
   virtual bool has_potential() const = 0;
   /// Number of unknowns added to the displacements. Their rows of the residual must be forces.
   virtual int extra_unknowns() const { return 0; }
-  /// Null without multipliers.
+  /// Null without eliminated multipliers.
   virtual const Multipliers* multipliers() const { return nullptr; }
   /// Null unless cohesive.
   virtual const Bonds<D>* bonds() const { return nullptr; }

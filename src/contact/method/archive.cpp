@@ -78,7 +78,7 @@ auto members(CohesiveLaw& law) {
 }
 
 auto members(MortarLaw& law) {
-  auto& [penalty, multipliers, scale] = law; // the scale follows from material and mesh
+  auto& [penalty, multipliers, scale, joined] = law; // the last two follow from material and mesh
   return std::tuple_cat(members(penalty), std::tie(multipliers));
 }
 
@@ -106,9 +106,8 @@ template <int D> auto members(PointBond<D>& bond) {
   return std::tie(opening, largest, pressure, shear);
 }
 
-/// `trial` belongs to an iteration.
 template <int D> auto members(MultiplierResult<D>& result) {
-  auto& [state, beyond, area, gap, pressure, potential, friction, components, trial, elastic, slipped] = result;
+  auto& [state, beyond, area, gap, pressure, potential, friction, components, elastic, slipped] = result;
   return std::tie(state, area, gap, pressure, potential, friction, components, elastic, slipped);
 }
 

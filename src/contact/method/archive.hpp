@@ -12,7 +12,7 @@ Obstacle<2> read(ArchiveReader& from, std::type_identity<Obstacle<2>>);
 Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>);
 
 constexpr MultiplierSpace last_value(std::type_identity<MultiplierSpace>) {
-  return MultiplierSpace::reduced;
+  return MultiplierSpace::automatic;
 }
 
 inline auto members(Start& start) {

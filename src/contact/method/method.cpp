@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "contact/gauss/adhesive_contact.hpp"
 #include "contact/gauss/penalty_contact.hpp"
+#include "contact/mortar/multiplier_contact.hpp"
 
 #include <utility>
 
@@ -20,6 +21,8 @@ template <int D> std::unique_ptr<Formulation<D>> make(const Adhesion& law, Conta
 }
 
 template <int D> std::unique_ptr<Formulation<D>> make(const MortarLaw& law, ContactSetting<D> setting) {
+  if (law.penalty.enforcement == Enforcement::multipliers)
+    return std::make_unique<MultiplierContact<D>>(std::move(setting), law);
   return std::make_unique<MortarContact<D>>(setting, law);
 }
 

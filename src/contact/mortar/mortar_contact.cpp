@@ -17,27 +17,16 @@ MortarContact<D>::MortarContact(const ContactSetting<D>& setting, const MortarLa
       functions_(faces_.slave, points_, setting.points, law.multipliers), multipliers_{functions_.largest()},
       parts_(parts_of(faces_, points_, pass)), rows_(parts_.size(), MultiplierRows<D>(faces_, functions_)),
       element_sums_(functions_, faces_.slave.elements()), weighted_(functions_.count()),
-      coupling_(faces_, functions_, pass, parts_.size()) {
-  if (law.penalty.enforcement != Enforcement::multipliers) return;
-  unknowns_.emplace(law.scale > 0 ? law.scale : law.penalty.normal, may_rub(law.penalty), functions_, points_);
-  multipliers_.unknowns = unknowns_->each();
-}
+      coupling_(faces_, functions_, pass, parts_.size()) {}
 
 // ── Gaps and slips weighted by multiplier ────────────────────────────────────────────────────────────────────────────
-
-/// z_A at a gap of zero: the unknown pressure s χ_N.
-template <int D> double MortarContact<D>::augmented_pressure(int multiplier, const Trial<D>& trial) const {
-  return unknowns_ ? unknowns_->pressure(trial.extra, multiplier) : 0;
-}
 
 /// True if a multiplier is open without a look at its gap.
 template <int D> bool MortarContact<D>::is_far(int multiplier, const Trial<D>& trial) const {
   if (!parameters_.active(trial.present.changes)) return true;
   const FixedContactState state = trial.controls.fixed(multiplier);
   if (state != FixedContactState::free) return state == FixedContactState::open;
-  // A multiplier with a pressure remains closed up to the gap pressure/ε.
-  const double closed = augmented_pressure(multiplier, trial) / law_in(trial).normal;
-  return faces_.travel + trial.controls.guessed + std::max(closed, 0.0) < trial.present.multipliers[multiplier].cleared;
+  return faces_.travel + trial.controls.guessed < trial.present.multipliers[multiplier].cleared;
 }
 
 template <int D> void MortarContact<D>::evaluate_part(int index, const Trial<D>& trial, bool /*tangent*/) {
@@ -107,7 +96,7 @@ void MortarContact<D>::weigh(std::size_t i, const Trial<D>& trial, FootPoints<D>
 // ── Pressures ────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
-  const PenaltyLaw law = law_in(trial);
+  const PenaltyLaw law = parameters_.law_in(trial.present.changes, trial.penalty_factor);
   const Controls& controls = trial.controls;
   for (int a = 0; a < functions_.count(); ++a) {
     MultiplierResult<D>& result = trial.present.multiplier_results[a];
@@ -129,16 +118,10 @@ template <int D> void MortarContact<D>::decide(const Trial<D>& trial) {
         own.fraction = touch_fraction(own.sums.before, own.sums.gap);
         history.touch = own.fraction * (own.sums.slip / own.sums.area);
       }
-      // z > 0 below a gap of λ/ε
-      closed = controls.closed(a, result.gap - augmented_pressure(a, trial) / law.normal);
+      closed = controls.closed(a, result.gap);
     }
-    if (unknowns_ && closed)
-      unknowns_->close(a, trial.extra, law, own.sums, history.touch, {*closed, controls.tie()}, result);
-    else if (unknowns_)
-      unknowns_->open(a, trial.extra);
-    else if (closed)
-      own.tangent = mortar_law(law, own.sums, history, {*closed, controls.tie()}, result);
-    if (!unknowns_) result.potential *= parameters_.energy_share();
+    if (closed) own.tangent = mortar_law(law, own.sums, history, {*closed, controls.tie()}, result);
+    result.potential *= parameters_.energy_share();
   }
 }
 
@@ -226,15 +209,7 @@ void MortarContact<D>::add_point(std::size_t i, int part, const Trial<D>& trial,
                   PointRows<D>::count(slides), ratio, weights);
 }
 
-// ── Coupling of a multiplier's unknowns ──────────────────────────────────────────────────────────────────────────────
-
-/// Appends the blocks of multipliers that are unknowns.
-template <int D> void MortarContact<D>::add_conditions(bool tangent) {
-  for (int a = 0; a < functions_.count(); ++a) unknowns_->fill_conditions(a, tangent, reuse(spare_, blocks_));
-  if (!tangent) return;
-  for (const MultiplierRows<D>& part : rows_)
-    for (const Strip& strip : part.strips()) unknowns_->fill_coupling(strip, reuse(spare_, blocks_));
-}
+// ── Coupling below a multiplier ──────────────────────────────────────────────────────────────────────────────────────
 
 /// Appends a block for each group with a multiplier that is not open.
 template <int D> void MortarContact<D>::couple(bool frictional) {
@@ -259,10 +234,7 @@ template <int D> void MortarContact<D>::gather(const Trial<D>& trial, bool tange
   decide(trial);
   parallel(parts(), [&](int part) { distribute(part, trial, tangent); });
   hand_over(parts_, blocks_, this->counters.search_seconds);
-  if (unknowns_)
-    add_conditions(tangent);
-  else if (tangent)
-    couple(frictional(trial.present));
+  if (tangent) couple(frictional(trial.present));
   if (trial.controls.foresees && frictional(trial.present)) move_slip_points(trial);
 }
 
@@ -331,8 +303,7 @@ void MortarContact<D>::release(History<D>& present, const History<D>& accepted, 
 }
 
 template <int D> double MortarContact<D>::stiffness(const History<D>& history, double penalty_factor) const {
-  const double penalty =
-      unknowns_ ? unknowns_->scale() : largest_penalty(parameters_.law_in(history.changes, penalty_factor));
+  const double penalty = largest_penalty(parameters_.law_in(history.changes, penalty_factor));
   double sum = 0;
   for (const MultiplierResult<D>& result : history.multiplier_results)
     if (result.state != ContactState::open) sum += result.area * penalty * result.area * penalty;

@@ -1,11 +1,9 @@
 #pragma once
-// Mortar contact: gaps and slips weighted by multiplier functions on the slave face, and pressures by a penalty or
-// as unknowns.
+// Mortar contact: gaps and slips weighted by multiplier functions on the slave face, and pressures by a penalty.
 
 #include "contact/gauss/formulation.hpp"
 #include "contact/mortar/element_sums.hpp"
 #include "contact/mortar/multiplier_coupling.hpp"
-#include "contact/mortar/unknown_multipliers.hpp"
 
 namespace signorini::contact {
 
@@ -13,23 +11,20 @@ struct MortarLaw {
   PenaltyLaw penalty; ///< at multipliers; per reference area, in a half pass per current area, whatever its `per`
   MultiplierSpace multipliers = MultiplierSpace::equal;
   double scale = 0; ///< of multipliers that are unknowns, pressure per length; 0: that of `penalty`
+  int joined = 1;   ///< elements per function of MultiplierSpace::linear
 };
 
 /// Tractions Σ M_A (z_A n̄ − t_A) per reference area with the pressures z_A and frictions t_A of mortar_law.hpp. Without
 /// friction the virtual work is Σ z_A a_A δḡ_A, which has a potential. In a half pass tractions act per current area,
 /// with which gaps and slips are weighted as well: a_A and ḡ_A of a face do not depend on its reference shape.
-/// With Enforcement::multipliers z_A and t_A are unknowns with the equations of multiplier_law.hpp.
 template <int D> class MortarContact final : public Formulation<D> {
 public:
   /// Throws Error if a constant is invalid, no contact point is left, or the face has no such multipliers.
   MortarContact(const ContactSetting<D>& setting, const MortarLaw& law, Pass pass = Pass::full);
 
   const Multipliers* multipliers() const override { return &multipliers_; }
-  int extra_unknowns() const override { return multipliers_.count() * multipliers_.unknowns; }
   /// Except beyond open ends of the master, where the area on which tractions act changes.
-  bool has_potential() const override {
-    return !may_rub(*parameters_.law) && !unknowns_ && parameters_.pass == Pass::full;
-  }
+  bool has_potential() const override { return !may_rub(*parameters_.law) && parameters_.pass == Pass::full; }
   int parts() const override { return std::ssize(parts_); }
   void evaluate_part(int part, const Trial<D>& trial, bool tangent) override;
   void gather(const Trial<D>& trial, bool tangent) override;
@@ -40,14 +35,7 @@ public:
 
 private:
   using Formulation<D>::faces_, Formulation<D>::points_, Formulation<D>::parameters_, Formulation<D>::blocks_;
-  /// True if slips are weighted: with friction and, since its unknowns remain, where multipliers may have it later.
-  bool frictional(const History<D>& history) const {
-    return unknowns_ ? unknowns_->frictional() : parameters_.friction(history.changes) > 0;
-  }
-  PenaltyLaw law_in(const Trial<D>& trial) const {
-    return parameters_.law_in(trial.present.changes, unknowns_ ? 1 : trial.penalty_factor);
-  }
-  double augmented_pressure(int multiplier, const Trial<D>& trial) const;
+  bool frictional(const History<D>& history) const { return parameters_.friction(history.changes) > 0; }
   bool is_far(int multiplier, const Trial<D>& trial) const;
   double measure(std::size_t i, const Vec<D>& position) const;
   void weigh(std::size_t i, const Trial<D>& trial, FootPoints<D>& feet, double* seconds);
@@ -58,13 +46,11 @@ private:
                  std::vector<double>& weights);
   void move_slip_points(const Trial<D>& trial);
   void couple(bool frictional);
-  void add_conditions(bool tangent);
   void advance(History<D>& present, const History<D>& accepted) const;
   void release(History<D>& present, const History<D>& accepted, double tangential) const;
   void take_back(std::vector<Block>& blocks) override;
 
   MultiplierFunctions<D> functions_;
-  std::optional<UnknownMultipliers<D>> unknowns_; ///< none: they are eliminated
   Multipliers multipliers_;
   std::vector<SumPart<D>> parts_;
   std::vector<MultiplierRows<D>> rows_; ///< by part

@@ -66,7 +66,6 @@ void friction(const PenaltyLaw& law, const MultiplierSums<D>& sums, const Multip
     scale = (limit / magnitude) * (Square::Identity() - d * d.transpose());
     tangent.of_gap = (law.friction * tangent.pressure) * (e * d);
   }
-  result.trial = trial;
   result.components = traction;
   result.elastic = traction / law.tangential;
   result.slipped = (slip + history.elastic - result.elastic).norm();

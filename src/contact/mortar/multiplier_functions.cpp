@@ -30,9 +30,9 @@ MatrixX values_on(const nurbs::Space1D& space, int element, int points) {
 
 template <int D>
 MultiplierFunctions<D>::MultiplierFunctions(const Surface<D>& slave, const ContactPoints<D>& points, int per_direction,
-                                            MultiplierSpace kind)
+                                            MultiplierSpace kind, int joined)
     : numbers_(slave.elements()) {
-  const FaceMultipliers<D> face(slave, kind);
+  const FaceMultipliers<D> face(slave, kind, joined);
   const nurbs::Space1D& u = face.along.front();
   supports_.resize(face.count);
   largest_.assign(face.count, 0);

@@ -21,7 +21,8 @@ struct MultiplierGroup {
 template <int D> class MultiplierFunctions {
 public:
   /// `points` has `per_direction` Gauss points per element and direction. Throws Error as multiplier_space().
-  MultiplierFunctions(const Surface<D>& slave, const ContactPoints<D>& points, int per_direction, MultiplierSpace kind);
+  MultiplierFunctions(const Surface<D>& slave, const ContactPoints<D>& points, int per_direction, MultiplierSpace kind,
+                      int joined = 1);
 
   int count() const { return std::ssize(supports_); }
   /// Multipliers that do not vanish on a slave element.

@@ -56,7 +56,6 @@ template <int D> struct MultiplierResult {
   double potential = 0;             ///< energy of its springs
   Vec<D> friction = Vec<D>::Zero(); ///< t_A; the traction on the slave is Σ M_A (z_A n̄ − t_A)
   FaceCoordinates<D> components = FaceCoordinates<D>::Zero(); ///< of t_A
-  FaceCoordinates<D> trial = FaceCoordinates<D>::Zero();      ///< friction before the return to Coulomb's cone
   FaceCoordinates<D> elastic = FaceCoordinates<D>::Zero();    ///< slip of its spring
   double slipped = 0;                                         ///< since the accepted state
 };

@@ -30,7 +30,8 @@ std::optional<contact::FaceMultipliers<D>> multipliers_of(const Contact<D>& cont
                                                           const contact::Formulation<D>& formulation) {
   const auto kind = multiplier_space(contact);
   if (!kind) return {};
-  return contact::FaceMultipliers<D>(formulation.slave(), *kind);
+  const auto* mortar = std::get_if<contact::MortarLaw>(&contact.method);
+  return contact::FaceMultipliers<D>(formulation.slave(), *kind, mortar ? mortar->joined : 1);
 }
 
 /// The map of values of one face's multipliers to those of another one with other rows.
@@ -40,6 +41,8 @@ public:
       : from_(std::move(from)), to_(std::move(to)) {
     for (std::size_t d = 0; d < from_.along.size(); ++d) along_[d] = nurbs::projection(from_.along[d], to_.along[d]);
   }
+  /// Multipliers of the first face.
+  int count() const { return from_.count; }
   /// One column per multiplier.
   MatrixX operator()(const MatrixX& values) const {
     const auto& [first, second] = along_;
@@ -94,8 +97,8 @@ public:
     for (std::size_t k = 0; k < multipliers_.size(); ++k) {
       const int count = from_.contacts[k]->extra_unknowns();
       if (count == 0) continue;
-      const int each = from_.contacts[k]->multipliers()->unknowns;
-      const MatrixX part = values.segment(old.of_contact(k).extra, count).reshaped(each, count / each);
+      const int multipliers = multipliers_[k]->count();
+      const MatrixX part = values.segment(old.of_contact(k).extra, count).reshaped(count / multipliers, multipliers);
       const VectorX carried = (*multipliers_[k])(part).reshaped();
       result.segment(own.of_contact(k).extra, carried.size()) = carried;
     }

@@ -89,8 +89,8 @@ void warn_of_stiff_slave(const Scene<D>& scene, const Contact<D>& contact, std::
   const auto* face = std::get_if<Faces>(&contact.master);
   if (!face || !law || law->enforcement != contact::Enforcement::multipliers) return;
   const double ratio = youngs_modulus(scene, contact.slave) / youngs_modulus(scene, *face);
-  if (ratio < stiff_slave || element_size(scene, contact.slave, 2) > coarse_slave * element_size(scene, *face, 2))
-    return;
+  const bool linear = multiplier_space(contact) == contact::MultiplierSpace::linear;
+  if (linear || ratio < stiff_slave || pitch(scene, *face) < pitch(scene, contact.slave)) return;
   warnings.push_back(Message("model.warning.stiff_slave", {{"contact", contact.name},
                                                            {"slave", scene.bodies[contact.slave.front().body].name},
                                                            {"master", scene.bodies[face->front().body].name},

@@ -1,10 +1,12 @@
 #include "model/scene/default_penalty.hpp"
 
 #include "model/constants.hpp"
+#include "model/scene/contact_faces.hpp"
 #include "model/scene/element_size.hpp"
 #include "model/scene/thickness.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini::model {
 
@@ -21,6 +23,30 @@ template <int D> double penalty_alone(const Scene<D>& scene, const Contact<D>& c
   return default_penalty_alone * std::max(contact_stiffness(scene, contact), softer);
 }
 
+/// True if the slave is the stiffer one of two bodies.
+template <int D> bool has_stiffer_slave(const Scene<D>& scene, const Contact<D>& contact) {
+  const auto* master = std::get_if<Faces>(&contact.master);
+  return master && youngs_modulus(scene, contact.slave) > youngs_modulus(scene, *master);
+}
+
+/// E/h of the softer body.
+template <int D> double softer_stiffness(const Scene<D>& scene, const Contact<D>& contact) {
+  if (!has_stiffer_slave(scene, contact)) return contact_stiffness(scene, contact);
+  const auto& master = std::get<Faces>(contact.master);
+  return youngs_modulus(scene, master) / element_size(scene, master, contact.points);
+}
+
+/// Chooses functions that the softer body can follow: the slave's own if it is not the stiffer body, otherwise linear
+/// ones, each on so many elements that they are not more than the functions of the master.
+template <int D> void choose_multipliers(const Scene<D>& scene, const Contact<D>& contact, contact::MortarLaw& law) {
+  const bool stiffer = has_stiffer_slave(scene, contact);
+  if (law.multipliers == contact::MultiplierSpace::automatic)
+    law.multipliers = stiffer ? contact::MultiplierSpace::linear : contact::MultiplierSpace::equal;
+  if (law.multipliers != contact::MultiplierSpace::linear || !stiffer) return;
+  const double elements = pitch(scene, std::get<Faces>(contact.master)) / element_size(scene, contact.slave, 2);
+  law.joined = std::max(1, static_cast<int>(std::ceil(elements - 1e-6)));
+}
+
 } // namespace
 
 template <int D> double default_penalty(const Scene<D>& scene, const Contact<D>& contact) {
@@ -34,9 +60,12 @@ template <int D> void set_default_penalties(Scene<D>& scene) {
     if (!law) continue;
     const bool alone = law->enforcement == contact::Enforcement::penalty;
     auto* mortar = alone ? nullptr : std::get_if<contact::MortarLaw>(&contact.method);
-    if (mortar) mortar->scale = default_penalty_ratio * contact_stiffness(scene, contact);
+    if (mortar) {
+      mortar->scale = default_penalty_ratio * softer_stiffness(scene, contact);
+      choose_multipliers(scene, contact, *mortar);
+    }
     if (law->normal == 0) {
-      law->normal = alone ? default_penalty(scene, contact) : default_penalty_ratio * contact_stiffness(scene, contact);
+      law->normal = alone ? default_penalty(scene, contact) : default_penalty_ratio * softer_stiffness(scene, contact);
       contact.default_penalty = true;
     }
     if (law->tangential == 0 && (!alone || contact::may_rub(*law))) law->tangential = law->normal;

@@ -33,6 +33,14 @@ double element_size(const Scene<D>& scene, const Faces& faces, int points, const
   return elements / inverse;
 }
 
+template <int D> double pitch(const Scene<D>& scene, const Faces& faces) {
+  const contact::Surface<D> face = surface_of(scene, faces);
+  double per_element = 1;
+  for (int d = 0; d < D - 1; ++d)
+    per_element *= static_cast<double>(face.direction(d).functions()) / face.direction(d).elements();
+  return element_size(scene, faces, 2) / std::pow(per_element, 1.0 / (D - 1));
+}
+
 template <int D> double youngs_modulus(const Scene<D>& scene, const Faces& faces) {
   double least = std::numeric_limits<double>::infinity();
   for (const FaceReference& face : faces)
@@ -48,6 +56,7 @@ template <int D> double softer_modulus(const Scene<D>& scene, const Contact<D>& 
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template double element_size(const Scene<D>&, const Faces&, int, const contact::Region<D>&);                         \
+  template double pitch(const Scene<D>&, const Faces&);                                                                \
   template double youngs_modulus(const Scene<D>&, const Faces&);                                                       \
   template double softer_modulus(const Scene<D>&, const Contact<D>&);
 SIGNORINI_INSTANTIATE(2)

@@ -11,6 +11,9 @@ namespace signorini::model {
 template <int D>
 double element_size(const Scene<D>& scene, const Faces& faces, int points, const contact::Region<D>& where = {});
 
+/// Length of a face per function along it.
+template <int D> double pitch(const Scene<D>& scene, const Faces& faces);
+
 /// Small-strain Young's modulus of the face's body.
 template <int D> double youngs_modulus(const Scene<D>& scene, const Faces& faces);
 /// Young's modulus of the softer body of a contact.

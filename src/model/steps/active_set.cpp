@@ -33,16 +33,6 @@ contact::FixedContactState fixed_state_for(contact::ContactState state) {
   return touches(state) ? contact::FixedContactState::stick : contact::FixedContactState::open;
 }
 
-/// Keeps the state in the next evaluation.
-contact::FixedContactState held_state(unsigned char code) {
-  using contact::ContactState, contact::FixedContactState;
-  if (code == beyond) return FixedContactState::free;
-  const auto state = static_cast<ContactState>(code);
-  return state == ContactState::open   ? FixedContactState::open
-         : state == ContactState::slip ? FixedContactState::slip
-                                       : FixedContactState::stick;
-}
-
 } // namespace
 
 template <int D>
@@ -55,7 +45,7 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
   int count = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     contacts_.push_back({count, contacts[k]->parameters().friction(histories[k].changes) > 0,
-                         contacts[k]->multipliers() && contacts[k]->extra_unknowns() > 0});
+                         contacts[k]->multipliers() || contacts[k]->extra_unknowns() > 0});
     count += constraints(histories[k]);
     for (int i = 0; phase_ == Phase::frozen && i < constraints(histories[k]); ++i)
       fixed_[k].push_back(touches(constraint(histories[k], i).state) ? contact::FixedContactState::touching
@@ -73,9 +63,7 @@ template <int D> void ActiveSet<D>::update(const std::vector<double>& energies) 
   if (phase_ == Phase::held || (phase_ == Phase::frozen && !freezes(options_, energies))) release();
 }
 
-template <int D>
-bool ActiveSet<D>::record(const Histories& histories, double residual,
-                          const std::function<double(const PointIndex&)>& violation) {
+template <int D> bool ActiveSet<D>::record(const Histories& histories, double residual, bool begins) {
   Entry entry{residual, {}};
   entry.states.reserve(counts_.size());
   for (const auto& history : histories)
@@ -83,29 +71,31 @@ bool ActiveSet<D>::record(const Histories& histories, double residual,
   if (phase_ == Phase::free) fix_changing(histories, entry.states);
   entries_.push_back(std::move(entry));
   if (entries_.size() > remembered_evaluations) entries_.pop_front();
-  return violation && (stick_reversed(histories) || (phase_ == Phase::free && hold(violation)));
+  return !begins && stick_reversed(histories);
 }
 
-/// Multipliers whose trial friction opposes that of the last iteration stick in this evaluation: Newton's method has
+/// Slipping constraints whose friction opposes that of the last iteration stick in this evaluation: Newton's method has
 /// passed over a state of stick, and would return, because the tangent of slip has no stiffness that stops it. They are
-/// freed in the next iteration. Returns true if there are any.
+/// freed in the next iteration. Of contacts without multipliers pressures change less. Returns true if there are any.
 template <int D> bool ActiveSet<D>::stick_reversed(const Histories& histories) {
   using contact::ContactState, contact::FixedContactState;
   if (phase_ != Phase::free) return false;
   for (std::size_t k = 0; k < histories.size(); ++k) {
-    const auto& results = histories[k].multiplier_results;
-    auto& trials = contacts_[k].trials;
-    trials.resize(results.size(), contact::FaceCoordinates<D>::Zero());
+    if (!contacts_[k].multipliers) continue;
+    const contact::History<D>& history = histories[k];
+    auto& frictions = contacts_[k].frictions;
+    frictions.resize(constraints(history), Vec<D>::Zero());
     const bool free = fixed_[k].empty();
-    for (std::size_t a = 0; a < results.size(); ++a) {
-      const contact::FaceCoordinates<D> last = trials[a];
-      trials[a].setZero();
-      if (results[a].state != ContactState::slip) continue;
-      trials[a] = results[a].trial;
-      if (!free || !(trials[a].dot(last) < 0)) continue;
-      fixed_[k].resize(results.size(), FixedContactState::free);
+    for (int a = 0; a < constraints(history); ++a) {
+      const bool slips = constraint(history, a).state == ContactState::slip;
+      const Vec<D> now = !slips                        ? Vec<D>::Zero()
+                         : history.multipliers.empty() ? history.results[a].friction
+                                                       : history.multiplier_results[a].friction;
+      const bool reversed = free && now.dot(frictions[a]) < 0;
+      frictions[a] = reversed ? Vec<D>::Zero() : now;
+      if (!reversed) continue;
+      fixed_[k].resize(constraints(history), FixedContactState::free);
       fixed_[k][a] = FixedContactState::stick;
-      trials[a].setZero();
       entries_.back().states[contacts_[k].first + a] = static_cast<unsigned char>(ContactState::stick);
       phase_ = Phase::held;
     }
@@ -124,40 +114,6 @@ template <int D> void ActiveSet<D>::fix_changing(const Histories& histories, con
     for (int i = 0; i < count; ++i)
       if (often(counts_[first + i])) fixed_[k][i] = fixed_state_for(constraint(histories[k], i).state);
   }
-}
-
-/// Principal pivoting for multipliers that are unknowns (J. J. Júdice, F. M. Pires, Comput. Oper. Res. 21, 1994): all
-/// states change at once until those of an earlier evaluation return; then states are held so that only the one changes
-/// whose conditions are violated most, with those that equal it by symmetry: a choice that neither the direction of the
-/// face nor rounding error affects. With a penalty pressures are continuous in the gaps, and held states lead away from
-/// the solution.
-template <int D> bool ActiveSet<D>::hold(const std::function<double(const PointIndex&)>& violation) {
-  if (entries_.size() < 2) return false;
-  const std::vector<unsigned char>& before = entries_[entries_.size() - 2].states;
-  std::vector<unsigned char>& now = entries_.back().states;
-  std::vector<PointIndex> changed;
-  for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    if (!contacts_[k].solved) continue;
-    if (!fixed_[k].empty()) return false;
-    for (int i = contacts_[k].first; i < end(k); ++i)
-      if (now[i] != before[i] && now[i] != beyond && before[i] != beyond)
-        changed.push_back({static_cast<int>(k), i - contacts_[k].first});
-  }
-  if (changed.size() <= 1) return false;
-  // States that return are the beginning of a cycle, unless they are those of the accepted state, at the front.
-  if (std::none_of(entries_.begin() + 1, entries_.end() - 1, [&](const Entry& one) { return one.states == now; }))
-    return false;
-  std::vector<double> violations;
-  for (const PointIndex& index : changed) violations.push_back(violation(index));
-  const double least = (1 - same_violation) * *std::max_element(violations.begin(), violations.end());
-  for (std::size_t c = 0; c < changed.size(); ++c) {
-    const int i = contacts_[changed[c].contact].first + changed[c].point;
-    if (violations[c] < least) now[i] = before[i];
-  }
-  for (std::size_t k = 0; k < contacts_.size(); ++k)
-    for (int i = contacts_[k].first; i < end(k) && contacts_[k].solved; ++i) fixed_[k].push_back(held_state(now[i]));
-  phase_ = Phase::held;
-  return true;
 }
 
 template <int D> bool ActiveSet<D>::release_all() {

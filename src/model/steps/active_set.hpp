@@ -29,9 +29,8 @@ public:
   /// |f·Δu| of the iterations so far.
   void update(const std::vector<double>& energies);
   /// Records the states of an evaluation with its residual, and decides which are fixed in the next one. Returns true
-  /// if states are held: then evaluate again. `violation` returns the norm of the residual of a constraint's
-  /// conditions; without it no states are held.
-  bool record(const Histories& histories, double residual, const std::function<double(const PointIndex&)>& violation);
+  /// if states are held: then evaluate again. `begins`: the evaluation is that of the accepted state, which holds none.
+  bool record(const Histories& histories, double residual, bool begins);
   /// Frees all constraints; returns true if any was fixed. Points that change too often may be fixed again in
   /// `most_rounds` rounds.
   bool release_all();
@@ -55,21 +54,20 @@ private:
   enum class Phase {
     free,   ///< states follow the contact conditions, except for constraints that change too often
     frozen, ///< constraints stay open or closed as in the accepted state, from begin() until the rule ends it
-    held    ///< states of multipliers are held in one evaluation, see hold() and stick_reversed()
+    held    ///< states of multipliers are held in one evaluation, see stick_reversed()
   };
   struct Entry {
     double residual;
     std::vector<unsigned char> states; ///< of all constraints, contact after contact; see code()
   };
   struct ContactEntry {
-    int first;                                            ///< index of its first constraint
-    bool frictional, solved;                              ///< `solved`: its multipliers are unknowns
-    std::vector<contact::FaceCoordinates<D>> trials = {}; ///< trial frictions by slipping multiplier, otherwise 0
+    int first; ///< index of its first constraint
+    bool frictional, multipliers;
+    std::vector<Vec<D>> frictions = {}; ///< of slipping constraints in the last evaluation, otherwise 0
   };
   void release();
   bool stick_reversed(const Histories& histories);
   void fix_changing(const Histories& histories, const std::vector<unsigned char>& states);
-  bool hold(const std::function<double(const PointIndex&)>& violation);
   std::vector<PointIndex> changing_points(bool past_end) const;
   int end(std::size_t contact) const;
 

@@ -66,7 +66,6 @@ public:
 private:
   using StepProblem<D>::model, StepProblem<D>::options;
   bool has_closed();
-  double violation(const PointIndex& index) const;
   bool is_decisive() const;
 
   Step& step_;
@@ -83,15 +82,6 @@ template <int D> bool LoadStep<D>::has_closed() {
   double& largest = step_.closing->largest_energy;
   largest = std::max(largest, energy);
   return energy < closed_energy * largest;
-}
-
-/// The residual of the conditions of a multiplier that is an unknown, a force: its gap in the springs of the penalty
-/// where it is closed, its pressure where it is open.
-template <int D> double LoadStep<D>::violation(const PointIndex& index) const {
-  const contact::Formulation<D>& contact = *model.system.contacts[index.contact];
-  const int each = contact.multipliers()->unknowns;
-  const int first = model.system.unknowns.of_contact(index.contact).extra;
-  return model.residual.segment(first + each * index.point, each).norm();
 }
 
 /// Reason for the end of an iteration whose states repeat.
@@ -111,9 +101,7 @@ template <int D> solve::Outcome LoadStep<D>::evaluate(bool tangent, Message& why
   solve::Outcome outcome = model::evaluate(model, wanted, why);
   if (waiting_) model.unbalanced += model.system.unknowns.gather(model.system.assembly.product());
   if (outcome != solve::Outcome::converged || std::exchange(recorded_, true)) return outcome;
-  std::function<double(const PointIndex&)> violated;
-  if (!waiting_) violated = [&](const PointIndex& index) { return violation(index); };
-  if (set.record(model.present.contacts, model.unbalanced.norm(), violated)) {
+  if (set.record(model.present.contacts, model.unbalanced.norm(), waiting_)) {
     outcome = model::evaluate(model, {tangent}, why);
     if (outcome != solve::Outcome::converged) return outcome;
   }

@@ -36,11 +36,15 @@ template <class Result> void add_spring(SpringSums& sum, const Result& one, doub
 
 template <int D> SpringSums springs_of(const contact::History<D>& history, const contact::PenaltyLaw& law) {
   SpringSums sum;
+  const bool solved = law.enforcement == contact::Enforcement::multipliers; // without springs
   for (const auto& multiplier : history.multiplier_results) add_spring(sum, multiplier, multiplier.elastic.norm());
-  if (!history.multipliers.empty()) {
-    for (const auto& point : history.results)
-      if (contact::touches(point.state) && point.pressure > 0)
-        sum.uneven += point.pressure * point.area * std::abs(point.gap);
+  if (solved || !history.multipliers.empty()) {
+    for (const auto& point : history.results) {
+      if (!contact::touches(point.state) || point.pressure <= 0) continue;
+      const double force = point.pressure * point.area;
+      sum.uneven += force * std::abs(point.gap);
+      if (solved) sum.force += force, sum.area += point.area;
+    }
     sum.uneven = std::max(sum.uneven - 2 * sum.normal, 0.0);
     return sum;
   }
