@@ -1,8 +1,8 @@
 #include "model/warnings/stiff_bending.hpp"
 
 #include "model/checks/constants.hpp"
+#include "nurbs/basis_grid.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace signorini::model {
@@ -29,21 +29,27 @@ template <int D> struct BentPoint {
   std::array<Vec<D>, D> normal, traction;
 };
 
+/// Σ_A c_A ⊗ ∂R_A/∂ξ.
+template <int D> Mat<D> derivatives(const MatrixX& values, const nurbs::ElementBasis& basis) {
+  Mat<D> sum = Mat<D>::Zero();
+  for (Eigen::Index a = 0; a < basis.values.size(); ++a)
+    sum += values.block<D, 1>(0, basis.functions[a]) * basis.gradients.block<D, 1>(0, a).transpose();
+  return sum;
+}
+
+/// `volume`: of the point; with the circumference in a body of revolution.
 template <int D>
-BentPoint<D> bent_point(const solid::Body<D>& body, const nurbs::ElementBasis& basis, double weight,
+BentPoint<D> bent_point(const solid::Body<D>& body, const nurbs::ElementBasis& basis, double volume,
                         const MatrixX& points, const MatrixX& displacements, const ElasticModuli& moduli) {
-  const Mat<D> jacobian = points(Eigen::all, basis.functions) * basis.gradients.transpose();
-  const Mat<D> inverse = jacobian.inverse();
-  const Mat<D> gradient = displacements(Eigen::all, basis.functions) * basis.gradients.transpose() * inverse;
+  const Mat<D> inverse = derivatives<D>(points, basis).inverse();
+  const Mat<D> gradient = derivatives<D>(displacements, basis) * inverse;
   Mat<D> strain = (gradient + gradient.transpose()) / 2;
   if (!body.linear()) strain += gradient.transpose() * gradient / 2;
   double hoop = 0;
-  BentPoint<D> point{weight * jacobian.determinant(), 0, {}, {}};
+  BentPoint<D> point{volume, 0, {}, {}};
   if (body.kind() == solid::Kind::axisymmetric) {
-    const double radius = basis.combine(points)(0);
-    hoop = basis.combine(displacements)(0) / radius;
+    hoop = basis.combine(displacements)(0) / basis.combine(points)(0);
     if (!body.linear()) hoop += hoop * hoop / 2;
-    point.volume *= radius;
   }
   const double trace = strain.trace() + hoop;
   const Mat<D> stress = moduli.lame * trace * Mat<D>::Identity() + 2 * moduli.shear * strain;
@@ -63,13 +69,23 @@ template <int D> double locked_part(const solid::Body<D>& body, const MatrixX& d
   const ElasticModuli moduli = moduli_of(body);
   double locked = 0, energy = 0, volume = 0;
   std::vector<BentPoint<D>> bent;
+  nurbs::BasisGrid grid(space);
+  nurbs::ElementBasis basis;
+  std::vector<std::vector<double>> places(D);
   for (int e = 0; e < space.elements(); ++e) {
     // Two points along directions of degree 1, where strains vary linearly
-    const solid::ElementQuadrature rule = solid::element_quadrature(space, e);
+    for (int d = 0; d < D; ++d) {
+      const auto [from, to] = space.interval(e, d);
+      places[d] = solid::gauss_legendre(space.degree(e, d) + 1, from, to).points;
+    }
+    grid.choose(e, places);
     bent.clear();
-    for (Eigen::Index q = 0; q < rule.weights.size(); ++q) {
-      bent.push_back(
-          bent_point(body, space.basis(e, rule.points.col(q)), rule.weights(q), points, displacements, moduli));
+    for (int q = 0; q < body.tables().element(e).points; ++q) {
+      std::array<int, 3> index{};
+      for (int d = 0, rest = q; d < D; rest /= static_cast<int>(places[d++].size()))
+        index[d] = rest % static_cast<int>(places[d].size());
+      grid.evaluate(index, basis);
+      bent.push_back(bent_point(body, basis, body.tables().weights_of(e)[q], points, displacements, moduli));
       energy += bent.back().volume * bent.back().energy;
       volume += bent.back().volume;
     }
