@@ -24,7 +24,7 @@ using namespace signorini;
 
 namespace {
 
-constexpr int kept_memory = 64 << 20, large_block = 16 << 20; // bytes
+constexpr int kept_memory = 256 << 20, large_block = 32 << 20; // bytes
 
 enum Status { success = 0, failure = 1, wrong_usage = 2, out_of_time_limit = 124, stopped_by_user = 130 };
 
