@@ -64,8 +64,10 @@ private:
   int interior_ = 0;
   std::vector<char> last_; ///< marks the border
   struct {
-    std::vector<int> order; ///< METIS' ordering of all unknowns
-    double operations = 0;  ///< with it, for the pattern it was made for
+    std::vector<int> order;     ///< METIS' ordering of all unknowns
+    std::vector<int> postorder; ///< made of it
+    std::vector<char> last;     ///< the border then
+    double operations = 0;      ///< with it, for the pattern it was made for
   } dissection_;
   std::vector<int> order_;
   Pattern ordered_;          ///< lower triangle of P A Pᵀ
@@ -126,12 +128,17 @@ bool BorderedFactor::order_by_degree(cholmod_sparse& matrix) {
 void BorderedFactor::dissect(cholmod_sparse& matrix) {
   // Postordering forms supernodes but moves the border forward, so the order is corrected and analyzed again.
   const auto analyze_dissection = [&] {
-    analyze_in_order(dissection_.order, true);
-    analyze_in_order(order_, false);
+    if (dissection_.last != last_) {
+      analyze_in_order(dissection_.order, true);
+      dissection_.postorder = order_;
+      dissection_.last = last_;
+    }
+    analyze_in_order(dissection_.postorder, false);
   };
   if (!dissection_.order.empty()) analyze_dissection();
   if (!dissection_.order.empty() && common_.fl <= stale_dissection * dissection_.operations) return;
   dissection_.order.resize(size());
+  dissection_.last.clear();
   require(cholmod_metis(&matrix, nullptr, 0, true, dissection_.order.data(), &common_), "solve.cholmod.order",
           {{"status", common_.status}});
   analyze_dissection();
