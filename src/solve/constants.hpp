@@ -41,9 +41,9 @@ inline constexpr double operations_per_entry = 10;
 /// Cost of ordering and permuting an entry of the matrix, relative to reading one.
 inline constexpr double preparation = 50;
 /// Entries of a matrix above which the factors of its preconditioner are rounded to single precision: those of smaller
-/// ones fit into caches, so that it saves nothing, and with exact factors the last correction is far below its
-/// tolerance.
-inline constexpr int single_above = 1000000;
+/// ones fit into caches, and the dense block of their contact unknowns is small, so that it saves nothing, and with
+/// exact factors the last correction is far below its tolerance.
+inline constexpr int single_above = 300000;
 /// Largest tolerance of Newton's corrections, relative to the residual. Larger ones cost Newton iterations. An error of
 /// a multiplier may change a contact state: at 1e-3 two of seven cases of ironing fail that converge at 1e-4 and below.
 inline constexpr double loosest_tolerance = 1e-3, loosest_for_multipliers = 1e-4;
