@@ -165,17 +165,25 @@ function reads.points(of, value, where, name, row)
   return value
 end
 
+--- By rows of a page: the set of their keys.
+local keys_of = setmetatable({}, { __mode = "k", __index = function(all, rows)
+  local keys = {}
+  for _, row in ipairs(rows) do keys[type(row) == "table" and row[1] or 0] = true end
+  all[rows] = keys
+  return keys
+end })
+
 --- Raises an error unless all keys of a table are those of rows. `count`: number of entries without a name.
 local function check_keys(rows, value, where, name, count)
-  local known, unknown = {}, {}
-  for _, row in ipairs(rows) do known[type(row) == "table" and row[1] or 0] = true end
-  for i = 1, count or 0 do known[i] = true end
+  local known, unknown = keys_of[rows], {}
   for key, entry in next, value do
-    if type(key) ~= "string" and not known[key] then
-      core.fail(("%s%s takes named arguments, got %s without a name; known: %s"):format(where,
-        name == "" and "" or ": " .. name, core.describe(entry), reject.known(rows)))
+    if not known[key] and not (math.type(key) == "integer" and key >= 1 and key <= (count or 0)) then
+      if type(key) ~= "string" then
+        core.fail(("%s%s takes named arguments, got %s without a name; known: %s"):format(where,
+          name == "" and "" or ": " .. name, core.describe(entry), reject.known(rows)))
+      end
+      unknown[#unknown + 1] = key
     end
-    if not known[key] then unknown[#unknown + 1] = key end
   end
   if #unknown > 0 then reject.unknown(where, name, value, unknown, rows) end
 end
@@ -342,6 +350,10 @@ function check.call(name, owner, ...)
   end
   local rows = page.arguments or {}
   if count > #rows and not page.repeats then reject.excess(page, (select(#rows + 1, ...))) end
+  if count == 0 and #rows == 0 then return end
+  if count == 1 and #rows == 1 then
+    return (read(type_in_call(rows[1], owner), (...), name, rows[1][1], rows[1]))
+  end
   local given, last = { ... }, math.max(count, #rows)
   for i = 1, last do
     local row = rows[math.min(i, #rows)]

@@ -73,6 +73,7 @@ end
 local function record_motion(run, model, name)
   local free = model:free_motion(name)
   local keys = lists.filter({ "ux", "uy", "uz", "angle" }, function(key) return free[key] ~= nil end)
+  if #keys == 0 then return end
   record_list(run, add_columns(run, name, keys), function()
     local motion = model:free_motion(name)
     return lists.map(keys, function(key) return motion[key] end)
