@@ -22,7 +22,7 @@ end
 local words = "Normal pressure ΔP_max of the leading edge, with σ_xx / E = 1.5·10⁹ and many more words"
 local numbers = { 1e-12, 123456789 }
 local sizes = { { 300, 200 }, { 560, 200 }, { 300, 700 }, { 900, 600 }, { 560 } }
-local large = { { 3000, 2000 } }
+local large = { { 2000, 1400 } }
 
 --- The smallest size at which a kind of figure has to fit: all at 900 x 600.
 local function must_fit(size) return #size == 2 and math.min(size[1] / 900, size[2] / 600) >= 1 end

@@ -53,7 +53,7 @@ check.case("every option changes the picture", function()
 end)
 
 check.case("two fields of a solid are drawn side by side", function()
-  local pair = draw{ model = model, fields = { "uz", "szz" }, size = 1200 }
+  local pair = draw{ model = model, fields = { "uz", "szz" }, size = 700 }
   check.equal(pair.width > 1.5 * pair.height, true)
 end)
 
@@ -120,7 +120,7 @@ end)
 
 check.case("pictures of solids share a sheet and keep their cut and camera", function()
   local function draw_sheet(arguments)
-    arguments.file, arguments.size = file, 800
+    arguments.file, arguments.size = file, 500
     sg.sheet(arguments)
     return check.png(file)
   end
@@ -204,7 +204,7 @@ check.case("wrong arguments", function()
   }
   for _, case in ipairs(wrong) do check.fails(function() draw(case[1]) end, "sg.picture", table.unpack(case, 2)) end
   local flat, solid = sg.picture{ model = plane }, sg.picture{ model = model }
-  sg.sheet{ solid, flat, file = file }
+  sg.sheet{ solid, flat, file = file, size = 500 }
   check.equal(check.png(file).width > check.png(file).height, true)
   check.fails(function() sg.film{ solid, flat, file = folder .. "/x-%d.png" } end,
     "sg.film: the pictures of a film must have the same contents and arrangement")

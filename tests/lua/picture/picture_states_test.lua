@@ -26,7 +26,7 @@ local function size(name) return { string.unpack(">I4I4", bytes(name), 17) } end
 
 --- The bytes of the picture that these arguments draw.
 local function draw(arguments)
-  arguments.file = folder .. "/one.png"
+  arguments.file, arguments.size = folder .. "/one.png", arguments.size or 500
   sg.picture(arguments)
   return bytes "one.png"
 end
@@ -55,10 +55,10 @@ check.case("a sheet of states is the sheet of their pictures, and does not chang
   end)
   local tip = model:sample("strip", "uy", { 1, 0.5 })
   local sheet = draw{ states = stored:states(), field = "uy", model = model }
-  sg.sheet{ pictures, file = folder .. "/sheet.png" }
+  sg.sheet{ pictures, size = 500, file = folder .. "/sheet.png" }
   check.equal(bytes "sheet.png" == sheet, true)
   for i, state in ipairs(stored:states()) do pictures[i] = sg.picture{ state = state, field = "uy" } end
-  sg.sheet{ pictures, file = folder .. "/sheet.png" }
+  sg.sheet{ pictures, size = 500, file = folder .. "/sheet.png" }
   check.equal(bytes "sheet.png" == sheet, true)
   check.near(model:sample("strip", "uy", { 1, 0.5 }), tip, 0)
   check.near(tip, 0.5)
@@ -83,7 +83,7 @@ for last; do :; done
     local body = sg.body{ patch = sg.shapes.rectangle{ width = 4, height = 1 }, elements = { 4, 2 }, order = "N2",
       contact = "south", material = sg.neo_hookean{ E = 2, nu = 0.3 } }
     local model = sg.model{ bodies = { a = body }, supports = { foot = { on = body:face "west", fix = "xy" } } }
-    local picture = sg.picture{ model = model }
+    local picture = sg.picture{ model = model, size = 400 }
     sg.film{ picture, picture, fps = 5, file = "%s/a b/;x'.mp4" }]]):format(folder)
   core.write_file(folder .. "/film.lua", code)
   -- A killed process has left this.
@@ -93,7 +93,7 @@ for last; do :; done
   check.holds(bytes "a b/;x'.mp4", "1.png\n2.png\n", "-framerate\n5.000000\n", "libx264")
   check.equal((check.shell(("ls -A '%s/a b'"):format(folder))), ";x'.mp4\n")
   local first = bytes "a b/;x'.mp4"
-  core.write_file(folder .. "/fields.lua", code:gsub("model }\n.*", "model, field = arg[1] }\n") ..
+  core.write_file(folder .. "/fields.lua", code:gsub("model, size = 400 }\n.*", "model, size = 400, field = arg[1] }\n") ..
     "sg.film{ picture, fps = 5, file = arg[2] }")
   for _, wrong in ipairs {
     { "w", "a b/;x'.mp4", "unknown field 'w'" }, { "uy", "missing/x.mp4", "sg.film: cannot write" },
@@ -173,7 +173,7 @@ check.case("wrong arguments", function()
     { { model = model, fields = { "ux", "uy" }, label = "u" },
       "label cannot be combined with fields, each of which has its own color bar" },
     { { model = model, fps = 3 }, "fps has no effect without states" },
-    { { model = model, scale = 9 }, "makes 14400 pixels of 1600" },
+    { { model = model, scale = 9 }, "makes 9000 pixels of 1000" },
     { { model = model, inset = { 0, 1 } }, "inset must be a list of 4 numbers" },
     { { states = states, size = 400, field = "uy", inset = { 0, 1, 0, 1 } }, "too small for an inset in each state",
       "fewer columns" },

@@ -13,10 +13,16 @@ local function draw(arguments)
   return check.png(file)
 end
 
---- The same of the sheet that these arguments draw.
+--- A sheet of these arguments; it is small, because the time of drawing grows with the number of pixels.
+local function sheet_of(arguments)
+  arguments.size = arguments.size or 700
+  return sg.sheet(arguments)
+end
+
+--- Width, height and bytes of the file of this sheet.
 local function draw_sheet(arguments)
   arguments.file = file
-  sg.sheet(arguments)
+  sheet_of(arguments)
   return check.png(file)
 end
 
@@ -97,7 +103,7 @@ check.case("magnified parts are sampled again where they are curved, also in she
   local function drawn(shape, crop)
     local of = scenes.model{ bodies = { ring = { patch = shape, elements = { 2, 1 }, contact = "south", E = 2 } },
       contacts = {}, supports = { hold = { on = "north", fix = "xy" } } }
-    local size = { 800, 600 }
+    local size = { 400, 300 }
     local picture = sg.picture{ model = of, mesh = false, size = size, crop = crop }
     check.equal(draw_sheet{ picture, size = size }.bytes == draw{ model = of, mesh = false, size = size,
                                                                  crop = crop }.bytes, true)
@@ -122,7 +128,7 @@ check.case("components change their sign in the mirror as they do in a model tha
   local function picture(of, field, side, factor)
     return draw{ model = of, field = field, mirror = "x", mesh = false, factor = factor, label = field,
                  range = { -1e-6, 1e-6 }, size = { 300, 200 },
-                 crop = { side * x - 0.02, side * x + 0.02, y - 0.02, y + 0.02 } }.bytes
+                 crop = { side * x - 0.05, side * x + 0.05, y - 0.05, y + 0.05 } }.bytes
   end
   for _, field in ipairs { "ux", "uy", "sxx", "sxy", "F12", "F21", "von_mises" } do
     local right = picture(image, field, -1)
@@ -170,7 +176,7 @@ check.case("a sheet has one range of colors for each field, unless each picture 
   -- Several fields are drawn side by side, each with a bar
   local function bars(arguments)
     arguments.file = folder .. "/bars.svg"
-    sg.sheet(arguments)
+    sheet_of(arguments)
     return select(2, core.read_file(arguments.file):gsub("displacement u", ""))
   end
   check.equal({ bars{ uy, large }, bars{ uy, large, range = "own" }, bars{ uy, ux } }, { 1, 2, 2 })
@@ -182,9 +188,9 @@ end)
 check.case("marks accept the places of a failed run, and belong to their picture", function()
   local place = { x = { 2, 0.5 }, X = { 2, 0.4 }, text = "J = -0.2", kind = "inverted", body = "strip",
                   element = { 3, 1 }, contact = "touch", value = -0.2 }
-  local marked = draw{ model = model, marks = { place } }
-  check.equal(draw{ model = model, marks = { { x = { 2, 0.5 }, text = "J = -0.2" } } }.bytes == marked.bytes, true)
-  check.equal(draw{ model = model, marks = {} }.bytes == draw{ model = model }.bytes, true)
+  local marked = draw{ model = model, marks = { place }, size = 400 }
+  check.equal(draw{ model = model, marks = { { x = { 2, 0.5 }, text = "J = -0.2" } }, size = 400 }.bytes == marked.bytes, true)
+  check.equal(draw{ model = model, marks = {}, size = 400 }.bytes == draw{ model = model, size = 400 }.bytes, true)
   local plain = sg.picture{ model = model }
   local sheet = draw_sheet{ plain, sg.picture{ model = model, marks = { place } } }
   check.equal(draw_sheet{ plain, plain }.bytes == sheet.bytes, false)
@@ -205,16 +211,16 @@ end
 local function count(whole, words) return select(2, whole:gsub(words:gsub("%p", "%%%0"), "")) end
 
 check.case("states have colors of their own, fields share theirs, where that is asked for", function()
-  check.equal(count(texts(sg.sheet(pictures)), "max"), 1)
-  local own = texts(sg.sheet{ pictures, range = "own" })
+  check.equal(count(texts(sheet_of{ pictures }), "max"), 1)
+  local own = texts(sheet_of{ pictures, range = "own" })
   check.equal(count(own, "max"), #pictures)
   check.equal({ count(own, "max 0"), count(own, "step 2") }, { 2, 1 }) -- 0 and 0.5…
-  local pair = texts(sg.sheet{ pictures[2], pictures[3], range = "own", columns = 2 })
+  local pair = texts(sheet_of{ pictures[2], pictures[3], range = "own", columns = 2 })
   check.equal(count(pair, "2.0"), 4) -- the axes of both go as far
   local function fields(label)
     local pair = {}
     for i, field in ipairs { "ux", "uy" } do pair[i] = sg.picture{ model = model, field = field, label = label } end
-    return texts(sg.sheet(pair))
+    return texts(sheet_of(pair))
   end
   check.equal(count(fields(), "max"), 2)
   check.equal(fields "displacement" == fields():gsub("displacement u_[xy]", "displacement"), false)
@@ -222,12 +228,12 @@ end)
 
 check.case("arrows have a key in the unit of lengths, and one scale in a sheet", function()
   local bent = strip(4, 1)
-  local arrows = { model = bent, vectors = "displacement", unit = "mm" }
+  local arrows = { model = bent, vectors = "displacement", unit = "mm", size = 500 }
   check.holds(texts(sg.picture(arrows)), "displacement: all zero")
   local start = sg.picture(arrows)
   bent:run{ { name = "bend", steps = 2, tip = { 0, 1 } } }
   check.equal(count(texts(sg.picture(arrows)), "displacement 1 mm"), 1)
-  check.equal(count(texts(sg.sheet{ start, sg.picture(arrows) }), "displacement 1 mm"), 1)
+  check.equal(count(texts(sheet_of{ start, sg.picture(arrows) }), "displacement 1 mm"), 1)
 end)
 
 check.case("wrong arguments", function()

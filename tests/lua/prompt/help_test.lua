@@ -118,6 +118,9 @@ check.case("every example runs on the scene of the examples, with the stated res
   local folder = check.folder()
   local lines = { "sg = require 'signorini' help = sg.help",
     ("package.path = %q .. package.path"):format(core.home .. "/tests/lua/?.lua;"),
+    -- Small pictures, because the time of drawing grows with the number of pixels.
+    "for _, name in ipairs { 'picture', 'sheet' } do local draw = sg[name] rawset(sg, name, function(options)",
+    "  options.size = options.size or 700 return draw(options) end) end",
     "require('conformity').watch_calls() require('conformity').watch_results()",
     "local text = require('signorini.prompt.show').text",
     require("signorini.prompt.help.texts").scene, [[
