@@ -234,13 +234,96 @@ function check.refusals(start, place, wrong)
   end
 end
 
+-- ── Scripts ──────────────────────────────────────────────────────────────────────────────────────────────────────────
+
+--- The path of a script such as "problems/hertz2d" or "tests/measure/benchmark".
+local function path_of(script)
+  return ("%s/%s%s.lua"):format(core.home, script:find "^tests/" and "" or "scripts/", script)
+end
+
+--- The script as a function, which finds the modules next to it.
+function check.load(script)
+  local own = ";" .. path_of(script):gsub("[^/]*$", "?.lua")
+  if not package.path:find(own, 1, true) then package.path = package.path .. own end
+  return assert(loadfile(path_of(script)))
+end
+
+--- The words of each script's row in coarse.txt, with which the gallery draws it.
+local rows = {}
+for prefix, folder in pairs { [""] = "scripts", ["tests/measure/"] = "tests/measure" } do
+  for line in core.read_file(("%s/%s/coarse.txt"):format(core.home, folder)):gmatch "[^\n]+" do
+    local name, words = line:match "^([%w_/]+) *|", {}
+    for word in line:match "[^|]*$":gmatch "%S+" do words[#words + 1] = word end
+    if name then rows[prefix .. name] = words end
+  end
+end
+check.rows = rows
+
+--- The files that a script reports at the end of its output.
+local function reported_files(output)
+  local files, listing = {}, false
+  for line in output:gmatch "[^\n]*" do
+    local file = line:match "^Written: (.*)" or listing and line:match "^ +(.*)"
+    if file then files[#files + 1] = file end
+    listing = file
+  end
+  return files
+end
+
+--- How a complete file ends.
+local ends = { png = "IEND....$", svg = "\n</svg>\n$", html = "\n</html>\n$", csv = "\n.*\n$" }
+
+--- The files that a script reports are there and complete, and it has written no other picture.
+local function check_files(script, folder, files)
+  local reported = {}
+  for _, file in ipairs(files) do
+    reported[file] = true
+    if not core.read_file(file):find(ends[file:match "%w+$"]) then error(file .. " is not complete", 3) end
+  end
+  local drawn = check.shell(("find %s -name '*.png' -o -name '*.svg' -o -name '*.pdf'"):format(quoted(folder)))
+  for file in drawn:gmatch "[^\n]+" do
+    if not reported[file] then error(("%s does not report %s"):format(script, file), 3) end
+  end
+end
+
+--- The words, with a folder for what the script writes, unless they name one or it writes nothing; and the folder.
+local function with_folder(script, words)
+  for _, word in ipairs(words) do
+    if word:find "^out=" then return words, word:sub(5) end
+  end
+  local all, folder = { table.unpack(words) }, check.folder()
+  if core.read_file(path_of(script)):find "%f[%w]out = " then all[#all + 1] = "out=" .. folder end
+  return all, folder
+end
+
+--- What a script returns, run with these words, by default those of its row in coarse.txt, and the folder of its files.
+function check.study(script, ...)
+  local words, folder = with_folder(script, select("#", ...) > 0 and { ... } or rows[script])
+  local own_print, quiet, said = print, core.quiet, {}
+  function print(...)
+    for _, value in ipairs(table.pack(...)) do said[#said + 1] = tostring(value) end
+  end
+  core.quiet = true
+  local ok, result = xpcall(check.load(script), debug.traceback, table.unpack(words))
+  print, core.quiet = own_print, quiet
+  local output = table.concat(said, "\n")
+  if not ok then
+    error(("%s %s: %s\n%s"):format(script, table.concat(words, " "), result, output:sub(-2000)), 2)
+  end
+  local files = reported_files(output)
+  check_files(script, folder, files)
+  local must_write = select("#", ...) == 0 and core.read_file(path_of(script)):find "sg%.files%("
+  if must_write and #files == 0 then error(script .. " wrote nothing", 2) end
+  return result, folder
+end
+
 --- A script refuses wrong arguments: { ["mesh=m9 steps=1"] = "got 'm9'" } are words and what the message holds; `…`
 --- goes in front of each.
 function check.refused(script, wrong, ...)
   for words, message in pairs(wrong) do
-    local arguments = { "-q", script, ... }
+    local arguments = { ... }
     for word in words:gmatch "%S+" do arguments[#arguments + 1] = word end
-    local output, status = check.program(arguments)
+    local output, status = check.program{ "-q", path_of(script), table.unpack((with_folder(script, arguments))) }
     check.equal(status, 1)
     check.holds(output, message)
   end

@@ -1,23 +1,12 @@
 -- tests/measure/benchmark.lua, coarse: sums of its parts, exponents of growth, files.
 
-local core = require "signorini.core"
-local sg = require "signorini"
-local check = require "check"
-package.path = core.home .. "/tests/measure/?.lua;" .. package.path
+require "check"
 
+check.load "tests/measure/benchmark"
 local growth = require "benchmark.growth"
 
-core.quiet = true
 local folder = check.folder()
-
-local function benchmark(...)
-  local print_to_terminal = print
-  print = function() end
-  local ok, result = pcall(assert(loadfile(core.home .. "/tests/measure/benchmark.lua")), "out=" .. folder, ...)
-  print = print_to_terminal
-  if not ok then error(result, 0) end
-  return result
-end
+local function benchmark(...) return (check.study("tests/measure/benchmark", "out=" .. folder, ...)) end
 
 check.case("exponents of known costs", function()
   local sizes, square, bent = { 10, 20, 40, 80, 160 }, {}, {}
@@ -31,7 +20,6 @@ check.case("exponents of known costs", function()
 end)
 
 check.case("components in 2D and 3D", function()
-  core.mkdir(folder)
   core.write_file(folder .. "/benchmark.md", "before\n<!-- measured -->\nold\n<!-- end of measured -->\nafter\n"
     .. "<!-- solvers -->\nold\n<!-- end of solvers -->\n")
   local result = benchmark("solvers=ironing-m1,hertz-m1", "plane=m1,m2,m4", "solid=sparse", "steps=1", "repeats=1",
@@ -84,5 +72,3 @@ check.case("wrong arguments", function()
     "meshes must be in increasing order")
   check.fails(function() benchmark("plane=m9") end, "plane must be")
 end)
-
-check.done()

@@ -1,13 +1,9 @@
 -- scripts/formulations/hertz_pressure.lua, coarse: error over mesh and penalty of mortar and Gauss points, forces over
 -- penalties.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
-core.quiet = true
-local script = core.home .. "/scripts/formulations/hertz_pressure.lua"
-local folder = check.folder()
-local study = assert(loadfile(script))("meshes=m1,m2,m3", "reference=m4", "drift=m2", "out=" .. folder,
+local study, folder = check.study("formulations/hertz_pressure", "meshes=m1,m2,m3", "reference=m4", "drift=m2",
   "formulations=gpts,equal,equal-multipliers,reduced,reduced-multipliers", "penalties=500,1e4,1e5,1e6,5e6")
 
 local function case(problem, order, mesh, formulation, penalty)
@@ -71,8 +67,6 @@ end)
 
 check.case("files and wrong arguments", function()
   check.pictures(folder, { "line_N2_mesh", "line_N2_penalty", "sphere_N2-N2.2_mesh", "sphere_N2-N2.2_penalty" })
-  check.refused(script, { ["formulations=half-passes"] = "formulations must be values among",
-                          ["penalties=0"] = "penalties must be" }, "out=" .. folder)
+  check.refused("formulations/hertz_pressure", { ["formulations=half-passes"] = "formulations must be values among",
+                          ["penalties=0"] = "penalties must be" })
 end)
-
-check.done()

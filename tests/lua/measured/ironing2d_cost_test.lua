@@ -1,13 +1,9 @@
 -- scripts/problems/ironing2d.lua variant=cost in few steps.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 local cost = require "problems.ironing2d.cost"
 
-local folder = check.folder()
-local run_study = assert(loadfile(core.home .. "/scripts/problems/ironing2d.lua"))
-local study = run_study("variant=cost", "steps=66", "repeat=1", "out=" .. folder)
+local study, folder = check.study("problems/ironing2d", "variant=cost", "steps=66", "repeat=1")
 
 check.case("all discretizations complete, with the forces of the fine mesh", function()
   for _, case in ipairs(study.cases) do
@@ -36,7 +32,5 @@ check.case("a table and two charts", function()
 end)
 
 check.case("numbers of steps that cannot be divided into pressing and sliding", function()
-  check.fails(function() run_study("variant=cost", "steps=50", "out=" .. folder) end, "steps=50: not a multiple of 11")
+  check.fails(function() check.study("problems/ironing2d", "variant=cost", "steps=50") end, "steps=50: not a multiple of 11")
 end)
-
-check.done()

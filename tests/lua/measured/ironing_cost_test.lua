@@ -1,12 +1,9 @@
 -- scripts/formulations/ironing_cost.lua, coarse: iterations and oscillation of mortar next to Gauss points.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
-core.quiet = true
-local script, folder = core.home .. "/scripts/formulations/ironing_cost.lua", check.folder()
-local words = { "problems=plane", "meshes=m1", "orders=N2-N2.2", "formulations=gpts,equal,reduced", "out=" .. folder }
-local plane = assert(loadfile(script))(table.unpack(words)).studies.plane
+local study, folder = check.study "formulations/ironing_cost"
+local plane = study.studies.plane
 
 local function row(formulation) return plane:row{ formulation = formulation } end
 
@@ -21,13 +18,12 @@ end)
 
 check.case("a second call reuses the finished cases", function()
   local before = row("gpts").cpu
-  check.equal(assert(loadfile(script))(table.unpack(words)).studies.plane:row{ formulation = "gpts" }.cpu, before)
+  local words = { "out=" .. folder, table.unpack(check.rows["formulations/ironing_cost"]) }
+  check.equal(check.study("formulations/ironing_cost", table.unpack(words)).studies.plane:row{ formulation = "gpts" }.cpu, before)
 end)
 
 check.case("files and wrong arguments", function()
   check.pictures(folder, { "plane_N2-N2.2_ddrag", "plane_N2-N2.2_dpress" })
-  check.refused(script, { ["solids=m1"] = "solids must be", ["mu=-1"] = "mu must be", ["rounds=0"] = "rounds must be" },
-    "out=" .. folder)
+  check.refused("formulations/ironing_cost", {
+    ["solids=m1"] = "solids must be", ["mu=-1"] = "mu must be", ["rounds=0"] = "rounds must be" })
 end)
-
-check.done()

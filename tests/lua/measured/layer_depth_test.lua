@@ -1,13 +1,9 @@
 -- layer_depth.lua as a user runs it, peeling and Hertz on coarser meshes: effect of a second row of the layer,
 -- and no effect of more.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
-local folder = check.folder()
-local study = assert(loadfile(core.home .. "/scripts/studies/layer_depth.lua"))(
-  "out=" .. folder, "rows=1,2,all", "layers=N2.2,N4", "repeat=1",
+local study, folder = check.study("studies/layer_depth", "rows=1,2,all", "layers=N2.2,N4", "repeat=1",
   "peeling=mesh=m0;length=60;bonded=50;steps=400;window=34,40", "hertz=meshes=m1;sizes=1;reference=m3",
   "rings=meshes=m1;reference=m3")
 
@@ -60,16 +56,10 @@ check.case("files: a table and charts per problem", function()
 end)
 
 check.case("wrong arguments", function()
-  for word, message in pairs { ["problem=rings"] = "did you mean 'problems'? known: hertz=meshes=m2;sizes=1",
-                               ["problems=rings,peel"] =
-                                 "problems must be values among 'peeling', 'ironing', 'hertz' and 'rings'",
-                               ["rows=0"] = "rows must be whole numbers of at least 1, or all, got '0'",
-                               ["repeat=x"] = "repeat must be a whole number, 1 or more, got 'x'" } do
-    local output, status = check.program { "-q", core.home .. "/scripts/studies/layer_depth.lua", "out=" .. folder,
-      word }
-    check.equal(status, 1)
-    check.holds(output, message)
-  end
+  check.refused("studies/layer_depth", {
+    ["problem=rings"] = "did you mean 'problems'? known: hertz=meshes=m2;sizes=1",
+    ["problems=rings,peel"] = "problems must be values among 'peeling', 'ironing', 'hertz' and 'rings'",
+    ["rows=0"] = "rows must be whole numbers of at least 1, or all, got '0'",
+    ["repeat=x"] = "repeat must be a whole number, 1 or more, got 'x'",
+  })
 end)
-
-check.done()

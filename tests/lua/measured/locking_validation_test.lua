@@ -1,9 +1,7 @@
 -- volumetric = "projected" against closed forms and published figures: Cook's membrane, a cantilever, Lamé's ring and
 -- ball, Hertz's contact; energy of all laws.
 
-local core = require "signorini.core"
-local sg = require "signorini"
-local check = require "check"
+require "check"
 
 local nu = 0.4999
 
@@ -22,15 +20,14 @@ local function solved(model, stage, controls)
 end
 
 check.case("Cook's membrane: the middle of its side moves as published, with all orders, and locks without", function()
-  local script = core.home .. "/scripts/problems/cook.lua"
-  local results = assert(loadfile(script))("out=" .. check.folder(), "laws=linear", "orders=L1,L2,N2,N3",
-    "elements=16").results.linear
+  local results = check.study("problems/cook", "laws=linear", "orders=L1,L2,N2,N3", "elements=16").results.linear
   local published = 16.4326
   for order, share in pairs{ L1 = 0.03, L2 = 0.01, N2 = 0.01, N3 = 0.01 } do
     check.within_share(order, results.projected[order][16], published, share)
   end
   check.at_most("L1 locks", results.pointwise.L1[16], 0.5 * published)
-  check.refused(script, { ["laws=steel"] = "laws", ["elements=0"] = "elements", ["volumetric=mixed"] = "volumetric" })
+  check.refused("problems/cook", {
+    ["laws=steel"] = "laws", ["elements=0"] = "elements", ["volumetric=mixed"] = "volumetric" })
 end)
 
 check.case("a cantilever bends as a beam of Timoshenko, also with degree 1 across it", function()
@@ -56,8 +53,7 @@ check.case("a cantilever bends as a beam of Timoshenko, also with degree 1 acros
 end)
 
 check.case("Lame: displacements and stresses converge at optimal rates", function()
-  local script = core.home .. "/scripts/problems/locking_ring.lua"
-  local results = assert(loadfile(script))("out=" .. check.folder(), "orders=N2,N3", "elements=6,24")
+  local results = check.study("problems/locking_ring", "orders=N2,N3", "elements=6,24")
   for _, shape in ipairs { "ring", "ball" } do
     for order, p in pairs { N2 = 2, N3 = 3 } do
       local errors = results[shape].projected[order]
@@ -70,7 +66,7 @@ check.case("Lame: displacements and stresses converge at optimal rates", functio
   end
   local locked = results.ring.pointwise.N2.stress[2]
   if not (locked > 1) then error("stresses without projection are not useless, as expected: " .. locked) end
-  check.refused(script, { ["shapes=cube"] = "shapes", ["nu=0.5"] = "nu", ["elements=1"] = "elements",
+  check.refused("problems/locking_ring", { ["shapes=cube"] = "shapes", ["nu=0.5"] = "nu", ["elements=1"] = "elements",
                           ["volumetric=mixed"] = "volumetric" })
 end)
 
@@ -113,5 +109,3 @@ check.case("energy is the work of the forces, for all laws", function()
     end
   end
 end)
-
-check.done()

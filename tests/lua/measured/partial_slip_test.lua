@@ -1,17 +1,13 @@
 -- scripts/formulations/partial_slip.lua and elastic_slip.lua, coarse: stick zone and traction against Cattaneo and
 -- Mindlin's solution, slip of the sticking points, convergence to Coulomb's law.
 
-local core = require "signorini.core"
-local check = require "check"
-
-core.quiet = true
+require "check"
 local problem = require "formulations.partial_slip.problem"
-local script = core.home .. "/scripts/formulations/partial_slip.lua"
-local folder = check.folder()
-local study = assert(loadfile(script))("orders=N2-N2.2", "counts=4,8", "formulations=gpts,equal,reduced,half-passes",
-  "out=" .. folder)
-local multipliers = assert(loadfile(script))("orders=N2-N2.2", "counts=4",
-  "formulations=equal-multipliers,reduced-multipliers", "out=" .. folder)
+
+local study, folder = check.study("formulations/partial_slip", "orders=N2-N2.2", "counts=4,8",
+  "formulations=gpts,equal,reduced,half-passes")
+local multipliers = check.study("formulations/partial_slip", "orders=N2-N2.2", "counts=4",
+  "formulations=equal-multipliers,reduced-multipliers")
 
 local function each_state(body)
   for _, case in ipairs(study.cases) do
@@ -76,23 +72,21 @@ check.case("sticking points slip by the traction over the tangential penalty, wi
 end)
 
 check.case("with stiffer tangential springs slip and the error of the force fall as 1/penalty", function()
-  local springs = core.home .. "/scripts/formulations/elastic_slip.lua"
-  local list = assert(loadfile(springs))("count=4", "penalties=0.1,1,10,100", "formulations=equal", "steps=5",
-    "out=" .. folder).cases.equal
+  local springs, place = check.study("formulations/elastic_slip", "count=4", "penalties=0.1,1,10,100",
+    "formulations=equal", "steps=5")
+  local list = springs.cases.equal
   for i = 1, 3 do check.within_share("slip", list[i].mean_slip / list[i + 1].mean_slip, 10, 0.25) end
   for i = 1, 2 do
     check.within_share("rate of Q", math.log(list[i].force_error / list[i + 1].force_error, 10), 1, 0.15)
   end
   for _, state in ipairs(list) do check.equal(state.held, 0) end -- nothing creeps
   check.within("stick zone", list[4].c, list.limit.c, 1 / 4)
-  check.pictures(folder, { "elastic_slip" })
-  check.refused(springs, { ["penalties=0"] = "penalties must be", ["formulations=gpts"] = "formulations must be" },
-    "out=" .. folder)
+  check.pictures(place, { "elastic_slip" })
+  check.refused("formulations/elastic_slip", { ["penalties=0"] = "penalties must be",
+                                               ["formulations=gpts"] = "formulations must be" })
 end)
 
 check.case("files and wrong arguments", function()
   check.pictures(folder, { "N2-N2.2_traction", "N2-N2.2_error" })
-  check.refused(script, { ["counts=1"] = "counts must be", ["penalty=0"] = "penalty must be" }, "out=" .. folder)
+  check.refused("formulations/partial_slip", { ["counts=1"] = "counts must be", ["penalty=0"] = "penalty must be" })
 end)
-
-check.done()

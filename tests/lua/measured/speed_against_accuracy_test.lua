@@ -1,14 +1,12 @@
 -- speed_against_accuracy.lua as a user runs it, two problems on their two coarsest meshes: comparison at
 -- equal error, the page, and that what is done is not done again. Nothing here depends on how long a case takes.
 
-local sg = require "signorini"
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
 local folder = check.folder()
 local words = { "problems=ironing,hertz", "meshes=m1,m2", "orders=N2,N4,N2-N2.2", "rounds=1",
                 "out=" .. folder .. "/out", "page=" .. folder .. "/doc" }
-local function run(...) return assert(loadfile(core.home .. "/scripts/studies/speed_against_accuracy.lua"))(...) end
+local function run(...) return (check.study("studies/speed_against_accuracy", ...)) end
 local results = run(table.unpack(words)).results
 
 local function row(problem, order, mesh) return results[problem].measured.cases:row{ order = order, mesh = mesh } end
@@ -97,24 +95,18 @@ check.case("a second call runs no case again, and writes the same page", functio
 end)
 
 check.case("an invalid order fails alone, and is named", function()
-  local less = run("problems=hertz", "meshes=m1", "orders=N2,X2", "rounds=1", "out=" .. folder .. "/out",
-    "page=" .. folder .. "/doc").results
+  -- Its table of ratios has no row.
+  local less = check.load "studies/speed_against_accuracy"("problems=hertz", "meshes=m1", "orders=N2,X2", "rounds=1",
+    "out=" .. folder .. "/out", "page=" .. folder .. "/doc").results
   assert(less.hertz.measured.cases:row{ order = "X2" }.failed)
   check.holds(read "doc/speed_against_accuracy.md", "Not in the chart: X2 at m1 (sg.body: order must be ")
 end)
 
 check.case("wrong arguments", function()
-  for word, message in pairs {
+  check.refused("studies/speed_against_accuracy", {
     ["problems=ring"] = "problems must be values among 'ironing', 'hertz', 'rings', 'peeling' and 'ironing3d'",
     ["rounds=-1"] = "rounds must be a whole number, 0 or more, got '-1'",
     ["meshes=m1,m9"] = "meshes must be all, or meshes that one of the problems has, got 'm9' in 'm1,m9'",
     ["clock=cpu"] = "unknown argument 'clock=cpu'",
-  } do
-    local output, status = check.program { "-q", core.home .. "/scripts/studies/speed_against_accuracy.lua",
-                                           "out=" .. folder .. "/out", word }
-    check.equal(status, 1)
-    check.holds(output, message)
-  end
+  })
 end)
-
-check.done()

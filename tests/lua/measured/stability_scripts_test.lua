@@ -1,22 +1,9 @@
 -- scripts/stability, coarse: cells that converge with plain Newton, none of which fails with controls; results and
 -- files.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
-core.quiet = true
-local folder = check.folder()
-
---- What a script returns. Its tables are left out.
-local function study(name, ...)
-  local print_to_terminal = print
-  print = function() end
-  local ok, result = pcall(assert(loadfile(("%s/scripts/stability/%s.lua"):format(core.home, name))),
-    ("out=%s/%s"):format(folder, name), ...)
-  print = print_to_terminal
-  if not ok then error(result, 0) end
-  return result
-end
+local function study(name, ...) return check.study("stability/" .. name, ...) end
 
 --- Names of the outcomes, row by row from the first y on.
 local function outcomes(map)
@@ -176,11 +163,8 @@ check.case("formulation=: mortar converges with penalties that over-constrain Ga
 end)
 
 check.case("recovered cells: mortar converges with a penalty that makes Gauss points cycle", function()
-  local print_to_terminal = print
-  print = function() end
-  local result = assert(loadfile(core.home .. "/scripts/formulations/recovered_cells.lua"))("coarse=yes",
-    "maps=penalty_hertz", "formulations=equal,half-passes", "out=" .. folder .. "/recovered_cells")
-  print = print_to_terminal
+  local result = check.study("formulations/recovered_cells", "coarse=yes", "maps=penalty_hertz",
+    "formulations=equal,half-passes")
   check.equal(#result.rows, 1) -- half passes need a face as master
   local row = result.rows["penalty_hertz equal"]
   check.equal({ row.cells, row.gpts, row.converged, row.recovered, row.lost, row.controls }, { 2, 1, 2, 1, 0, 2 })
@@ -188,9 +172,9 @@ end)
 
 check.case("a second call continues with the cells on request", function()
   local words = { "orders=N2", "penalties=1e2", "mesh=m1" }
-  local first = study("penalty_hertz", table.unpack(words))
+  local first, folder = study("penalty_hertz", table.unpack(words))
   local wall = first.maps.plain.cells[1].wall
-  words[4] = "keep=yes"
+  words[4], words[5] = "keep=yes", "out=" .. folder
   check.equal(study("penalty_hertz", table.unpack(words)).maps.plain.cells[1].wall, wall)
 end)
 
@@ -207,5 +191,3 @@ check.case("wrong arguments", function()
   check.fails(function() study("penalty_hertz", "formulation=mortar") end, "formulation must be 'gpts'")
   check.fails(function() study("peeling", "keep=maybe") end, "keep must be yes or no")
 end)
-
-check.done()

@@ -1,16 +1,11 @@
 -- scripts/formulations/uniform_pressure.lua, coarse: half passes are uniform to rounding error on all meshes, mortar is
 -- more uniform than Gauss points, the error of one pass falls as that of Gauss' rule.
 
-local core = require "signorini.core"
-local check = require "check"
+require "check"
 
-core.quiet = true
-local script = core.home .. "/scripts/formulations/uniform_pressure.lua"
-local folder = check.folder()
-
-local plane = assert(loadfile(script))("dimensions=2", "orders=N2", "points=12", "out=" .. folder)
-local solid = assert(loadfile(script))("dimensions=3", "orders=N2", "points_3d=4", "skews=0.2",
-  "formulations=gpts,equal,reduced,half-passes", "out=" .. folder)
+local plane, plane_folder = check.study("formulations/uniform_pressure", "dimensions=2", "orders=N2", "points=12")
+local solid, solid_folder = check.study("formulations/uniform_pressure", "dimensions=3", "orders=N2", "points_3d=4",
+  "skews=0.2", "formulations=gpts,equal,reduced,half-passes")
 
 local function series(study, formulation, slave, skew)
   for _, one in ipairs(study.series) do
@@ -68,9 +63,8 @@ check.case("one pass: the error falls with the number of points", function()
 end)
 
 check.case("files and wrong arguments", function()
-  check.pictures(folder, { "2d_N2_lower", "2d_N2_upper", "3d_N2_lower", "3d_N2_upper" })
-  check.refused(script, { ["formulations=mortar"] = "formulations must be values among 'gpts'",
-                          ["skews=0.7"] = "skews must be" }, "out=" .. folder)
+  check.pictures(plane_folder, { "2d_N2_lower", "2d_N2_upper" })
+  check.pictures(solid_folder, { "3d_N2_lower", "3d_N2_upper" })
+  check.refused("formulations/uniform_pressure", { ["formulations=mortar"] = "formulations must be values among 'gpts'",
+                          ["skews=0.7"] = "skews must be" })
 end)
-
-check.done()

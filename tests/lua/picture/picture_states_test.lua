@@ -93,7 +93,8 @@ for last; do :; done
   check.holds(bytes "a b/;x'.mp4", "1.png\n2.png\n", "-framerate\n5.000000\n", "libx264")
   check.equal((check.shell(("ls -A '%s/a b'"):format(folder))), ";x'.mp4\n")
   local first = bytes "a b/;x'.mp4"
-  core.write_file(folder .. "/fields.lua", code:gsub("model, size = 400 }\n.*", "model, size = 400, field = arg[1] }\n") ..
+  core.write_file(folder .. "/fields.lua",
+    code:gsub("model, size = 400 }\n.*", "model, size = 400, field = arg[1] }\n") ..
     "sg.film{ picture, fps = 5, file = arg[2] }")
   for _, wrong in ipairs {
     { "w", "a b/;x'.mp4", "unknown field 'w'" }, { "uy", "missing/x.mp4", "sg.film: cannot write" },

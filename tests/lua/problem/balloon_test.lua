@@ -2,10 +2,8 @@
 
 require "check"
 
-local script = core.home .. "/scripts/problems/balloon.lua"
-
 check.case("pressures are those of the incompressible ball, and pass their greatest value", function()
-  local laws = assert(loadfile(script))("out=" .. check.folder(), "elements=3", "steps=20").laws
+  local laws = check.study("problems/balloon").laws
   for _, law in ipairs(laws) do
     check.at_most(law.name, law.error, 2e-3)
     local greatest, last = law.pressure[law.limit], law.pressure[#law.pressure]
@@ -21,5 +19,5 @@ check.case("pressures are those of the incompressible ball, and pass their great
 end)
 
 check.case("wrong arguments are errors", function()
-  check.refused(script, { ["outer=1"] = "outer", ["K=-1"] = "K", ["largest=0.5"] = "largest" })
+  check.refused("problems/balloon", { ["outer=1"] = "outer", ["K=-1"] = "K", ["largest=0.5"] = "largest" })
 end)

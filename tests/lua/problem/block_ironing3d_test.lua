@@ -3,10 +3,8 @@
 require "check"
 local dragged = require "dragged"
 
-local script = core.home .. "/scripts/problems/block_ironing3d.lua"
-local folder = check.folder()
-local run_study = assert(loadfile(script))
-local study = run_study("out=" .. folder, "mesh=2x2x1/4x2x1", "orders=N2,N2-N2.1", "press=3", "slide=20")
+local function run_study(...) return check.study("problems/block_ironing3d", ...) end
+local study, folder = run_study("mesh=2x2x1/4x2x1", "orders=N2,N2-N2.1", "press=3", "slide=20")
 
 check.case("both discretizations complete; forces of this mesh are unchanged", function()
   for _, case in ipairs(study.cases) do check.equal({ case.run.failed, case.run.steps }, { false, 23 }) end
@@ -40,9 +38,8 @@ end)
 
 check.case("sixty steps: user times compared with other programs, the cheapest case in the range", function()
   local sixty = require "problems.block_ironing3d.sixty"
-  local both = run_study("variant=sixty", "out=" .. folder .. "/sixty", "mesh=2x2x1/4x2x1", "orders=N2",
-                         "thickness_degree=1,2",
-                         "part=whole", "line_search=none")
+  local both, place = run_study("variant=sixty", "mesh=2x2x1/4x2x1", "orders=N2", "thickness_degree=1,2", "part=whole",
+    "line_search=none")
   check.equal(#both.cases, 2)
   for _, case in ipairs(both.cases) do
     check.equal({ case.run.failed, case.run.steps }, { false, 60 })
@@ -55,28 +52,29 @@ check.case("sixty steps: user times compared with other programs, the cheapest c
   check.equal(sixty.cheapest{ case(5.9, 1), case(5.8, 3), case(5.76, 2), case(5.7, 1), case(nil, 0) }.user, 2)
   check.equal(sixty.verdict{ order = "N2", mesh = { name = "4x4x2" }, thickness_degree = 2, user = 1.25 },
     "cheapest within 5.75 to 5.85: N2 at 4x4x2, thickness degree 2, 1.25 s: 1/10.9 of FEBio's, 1/48.8 of GetFEM's")
-  local halved = run_study("variant=sixty", "out=" .. folder .. "/half", "mesh=2x4x1/4x4x1", "orders=N2")
-  local whole = run_study("variant=sixty", "out=" .. folder .. "/whole", "mesh=2x4x1/4x4x1", "orders=N2", "part=whole")
+  local halved = run_study("variant=sixty", "mesh=2x4x1/4x4x1", "orders=N2")
+  local whole = run_study("variant=sixty", "mesh=2x4x1/4x4x1", "orders=N2", "part=whole")
   -- What is mirrored may have a crease in the plane of symmetry, which C¹ across forbids: it is softer by a little.
   local ratio = halved.cases[1].pressed / whole.cases[1].pressed
   assert(ratio > 0.99 and ratio < 1, ratio)
   check.equal(halved.cases[1].run.failed, false)
-  check.pictures(folder .. "/sixty", { "sixty" })
-  check.equal(sg.csv.read(folder .. "/sixty/sixty.csv"):column "thickness_degree", { 1, 2 })
+  check.pictures(place, { "sixty" })
+  check.equal(sg.csv.read(place .. "/sixty.csv"):column "thickness_degree", { 1, 2 })
 end)
 
 check.case("sixty steps: a layer on the slab alone, below the block's path, within FEBio's range", function()
-  local cases = run_study("variant=sixty", "out=" .. folder .. "/below", "mesh=2x2x1/8x4x2", "orders=N2-N2.1",
-                          "block_order=N2", "layer=below", "thickness_degree=2", "points=3", "tolerance=1e-6").cases
+  local study, place = run_study("variant=sixty", "mesh=2x2x1/8x4x2", "orders=N2-N2.1", "block_order=N2", "layer=below",
+    "thickness_degree=2", "points=3", "tolerance=1e-6")
+  local cases = study.cases
   check.equal({ cases[1].dofs.total, cases[1].run.failed, cases[1].run.steps, cases[1].run.cutbacks },
     { 738, false, 60, 0 })
   check.within("mean pressing force", cases[1].drag.mean, 5.8, 0.05)
-  local row = sg.csv.read(folder .. "/below/sixty.csv"):by "order"["N2-N2.1"]
+  local row = sg.csv.read(place .. "/sixty.csv"):by "order"["N2-N2.1"]
   check.equal({ row.block_order, row.layer, row.tolerance }, { "N2", "below", 1e-6 })
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, {
+  check.refused("problems/block_ironing3d", {
     ["mesh=4x4/8x4x4"] = "mesh must be elements of die and slab per direction such as 4x4x4/8x4x4, got '4x4/8x4x4'",
     ["mesh=0x4x4/8x4x4"] = "mesh must be elements", ["orders=Q7"] = "Q7", ["block"] = "unknown argument 'block'",
     ["press=0"] = "press must be a whole number, 1 or more, got '0'",
@@ -89,5 +87,5 @@ check.case("wrong arguments", function()
       .. "numbers (2 and 3) must be even. Hint: part=whole",
     ["variant=sixty points=x"] = "points must be whole numbers of at least 1, or auto, got 'x'",
     ["variant=x"] = "variant must be 'standard' or 'sixty', got 'x'",
-  }, "out=" .. folder)
+  })
 end)

@@ -3,9 +3,8 @@
 require "check"
 local dragged = require "dragged"
 
-local script = core.home .. "/scripts/problems/cylinder_ironing3d.lua"
-local folder = check.folder()
-local study = assert(loadfile(script))("out=" .. folder, "mesh=8x2x1/8x4x1", "orders=N2,N2-N2.1", "press=4", "slide=24")
+local study, folder = check.study("problems/cylinder_ironing3d", "mesh=8x2x1/8x4x1", "orders=N2,N2-N2.1", "press=4",
+  "slide=24")
 
 check.case("both discretizations complete; forces of this mesh are unchanged", function()
   for _, case in ipairs(study.cases) do check.equal({ case.run.failed, case.run.steps }, { false, 28 }) end
@@ -24,10 +23,10 @@ check.case("charts, states, a table and a file per order", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, {
+  check.refused("problems/cylinder_ironing3d", {
     ["mesh=12x6x2"] = "mesh must be elements of die and slab per direction", ["orders=Q7"] = "Q7",
     ["slide=ten"] = "slide must be a whole number, 1 or more, got 'ten'",
     ["points=4"] = "unknown argument 'points=4'; known: formulation=gpts, linear=auto, ",
     ["variant=sixty"] = "unknown argument 'variant=sixty'",
-  }, "out=" .. folder)
+  })
 end)

@@ -2,12 +2,11 @@
 
 require "check"
 
-local script = core.home .. "/scripts/problems/hertz2d.lua"
-local folder = check.folder()
-
-local function run(...) return assert(loadfile(script))("out=" .. folder, "repeats=1", "steps=5", ...) end
-local force = run("load=force", "meshes=m1,m3", "orders=L1,N2,N2-N2.1,N2-N2.2", "reference=m5", "sizes=1,2")
-local pushed = run("meshes=m1,m2,m3", "orders=L1,N2,N2-N2.1,N2-N2.2", "reference=m5", "sizes=1")
+local function run(...)
+  return check.study("problems/hertz2d", "repeats=1", "steps=5", "orders=L1,N2,N2-N2.1,N2-N2.2", "reference=m5", ...)
+end
+local force = run("load=force", "meshes=m1,m3", "sizes=1,2")
+local pushed, folder = run("meshes=m1,m2,m3", "sizes=1")
 
 check.case("Table 7.4: degrees of freedom", function()
   local printed, seen = {}, 0
@@ -62,9 +61,10 @@ check.case("charts, a picture and a profile per run", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: linear=auto, ",
+  check.refused("problems/hertz2d", {
+    ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: linear=auto, ",
     ["meshes=m9"] = "got 'm9'",
-                               ["load=weight"] = "load must be 'force' or 'displacement', got 'weight'",
-                               ["sizes=1,0.5"] = "sizes must be numbers, 1 or more, got '0.5'",
-                               ["steps=x"] = "steps must be", ["orders=Q7"] = "Q7" }, "out=" .. folder, "reference=m1")
+    ["load=weight"] = "load must be 'force' or 'displacement', got 'weight'",
+    ["sizes=1,0.5"] = "sizes must be numbers, 1 or more, got '0.5'",
+    ["steps=x"] = "steps must be", ["orders=Q7"] = "Q7" }, "reference=m1")
 end)

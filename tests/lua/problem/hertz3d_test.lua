@@ -2,9 +2,7 @@
 
 require "check"
 
-local script = core.home .. "/scripts/problems/hertz3d.lua"
-local folder = check.folder()
-local study = assert(loadfile(script))("out=" .. folder, "meshes=m1,m2", "around=1,3", "steps=3")
+local study, folder = check.study("problems/hertz3d", "meshes=m1,m2", "around=1,3", "steps=3")
 
 check.case("Hertz's values as printed in the thesis, and a quarter of the load on the ground", function()
   check.near({ study.cases[1].a, study.cases[1].p0 }, { 0.05985, 0.04187 }, 5e-6)
@@ -46,8 +44,8 @@ check.case("charts, pictures and a profile per run", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: around=",
+  check.refused("problems/hertz3d", { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: around=",
     ["meshes=m9"] = "got 'm9'",
                                ["around=0"] = "around must be whole numbers, 1 or more, got '0'",
-                               ["steps=0"] = "steps must be", ["orders=Q7"] = "Q7" }, "out=" .. folder)
+                               ["steps=0"] = "steps must be", ["orders=Q7"] = "Q7" })
 end)

@@ -2,9 +2,7 @@
 
 require "check"
 
-local script = core.home .. "/scripts/problems/hertz_sphere.lua"
-local folder = check.folder()
-local study = assert(loadfile(script))("out=" .. folder, "meshes=m1,m2,m3", "sizes=1,2", "steps=5")
+local study, folder = check.study("problems/hertz_sphere", "meshes=m1,m2,m3", "sizes=1,2", "steps=5")
 
 check.case("Hertz's values as printed in the thesis, and the load over the full circle", function()
   check.near({ study.cases[1].a, study.cases[1].p0 }, { 0.05985, 0.04187 }, 5e-6)
@@ -40,8 +38,9 @@ check.case("charts, a picture and a profile per run", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: linear=auto, ",
+  check.refused("problems/hertz_sphere", {
+    ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: linear=auto, ",
     ["meshes=m9"] = "got 'm9'",
-                               ["sizes=0"] = "sizes must be numbers, 1 or more, got '0'",
-                               ["steps=0"] = "steps must be", ["orders=Q7"] = "Q7" }, "out=" .. folder)
+    ["sizes=0"] = "sizes must be numbers, 1 or more, got '0'",
+    ["steps=0"] = "steps must be", ["orders=Q7"] = "Q7" })
 end)

@@ -2,9 +2,8 @@
 
 require "check"
 
-local folder = check.folder()
-local study = assert(loadfile(core.home .. "/scripts/problems/ironing2d.lua"))("variant=deep", "orders=N4,N2-N2.2",
-  "points=1,3", "coarser=1,2", "out=" .. folder)
+local study, folder = check.study("problems/ironing2d", "variant=deep", "orders=N4,N2-N2.2", "points=1,3",
+  "coarser=1,2")
 
 --- The comparison of an order with some points at some step length.
 local function comparison(order, multiple, coarser)

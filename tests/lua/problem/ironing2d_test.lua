@@ -2,9 +2,7 @@
 
 require "check"
 
-local folder = check.folder()
-local run_study = assert(loadfile(core.home .. "/scripts/problems/ironing2d.lua"))
-local study = run_study("out=" .. folder)
+local study, folder = check.study("problems/ironing2d", "mesh=m1")
 
 check.case("Table 7.2: degrees of freedom", function()
   local printed = sg.reference "ironing2d_dofs_table7_2"
@@ -72,7 +70,7 @@ check.case("a sheet of states, two charts, and a file per order that tells what 
 end)
 
 check.case("two meshes: oscillations at m2, times of pairs, charts over the mesh", function()
-  local both = run_study("mesh=m1,m2", "orders=N4,N2-N4", "repeat=2", "out=" .. folder)
+  local both, folder = check.study("problems/ironing2d", "mesh=m1,m2", "orders=N4,N2-N4", "repeat=2")
   local m2 = both.studies.m2.cases
   check.equal({ m2.N4.die_dofs.total + m2.N4.slab_dofs.total, #m2.N4.runs }, { 470, 2 })
   check.within("N4 dPy at m2", m2.N4.dPy.raw, 1.732e-3, 2e-6)
@@ -106,8 +104,7 @@ check.case("the cheapest case as accurate as N2 on a mesh: both oscillations cou
 end)
 
 check.case("wrong arguments", function()
-  local script = core.home .. "/scripts/problems/ironing2d.lua"
-  check.refused(script, {
+  check.refused("problems/ironing2d", {
     ["msh=m1"] = "unknown argument 'msh=m1'; did you mean 'mesh'? known with variant=standard: linear=auto, ",
     ["orders=N2,Q7"] = "Q7", ["deep"] = "unknown argument 'deep'", ["repeat=0"] = "repeat must be a whole number",
     ["mesh=m1,m9"] = "mesh must be m1 to m6, or a multiple of 6 as the spans along both faces, got 'm9' in 'm1,m9'",
@@ -115,5 +112,5 @@ check.case("wrong arguments", function()
     ["variant=deep repeat=3"] = "'repeat=3', which belongs to variant=standard, variant=cost; "
       .. "known with variant=deep: coarser=1,2",
     ["variant=validation mesh=24,48"] = "got '24,48'", ["mesh=20"] = "a multiple of 6",
-  }, "out=" .. folder)
+  })
 end)

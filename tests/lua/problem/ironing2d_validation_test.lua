@@ -2,9 +2,7 @@
 
 require "check"
 
-local folder = check.folder()
-local study = assert(loadfile(core.home .. "/scripts/problems/ironing2d.lua"))("variant=validation", "mesh=24",
-  "out=" .. folder)
+local study, folder = check.study("problems/ironing2d", "variant=validation", "mesh=24")
 
 check.case("both discretizations complete without cutting a step", function()
   for _, case in ipairs(study.cases) do

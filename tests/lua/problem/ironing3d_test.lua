@@ -6,9 +6,7 @@ local depth = require "problems.ironing3d.depth"
 local friction = require "problems.ironing3d.friction"
 local problem = require "problems.ironing3d.problem"
 
-local folder = check.folder()
-local run_study = assert(loadfile(core.home .. "/scripts/problems/ironing3d.lua"))
-local study = run_study("orders=N2", "fine=none", "radius=7.5", "gap=9.6", "out=" .. folder)
+local study, folder = check.study("problems/ironing3d", "orders=N2", "fine=none", "radius=7.5", "gap=9.6")
 
 check.case("Table 7.11: every entry", function()
   check.equal({ #study.dofs, study.differences }, { 8, 0 })
@@ -74,7 +72,7 @@ check.case("the mean drag over a pitch is mu times the pressing force, zero with
 end)
 
 check.case("cost: a row per mesh and order, parts that add up", function()
-  local result = run_study("variant=cost", "mesh=sparse", "layered=none", "out=" .. folder)
+  local result = check.study("problems/ironing3d", "variant=cost", "mesh=sparse", "layered=none")
   check.equal({ #result.cases, #result.layered, #result.files }, { 1, 0, 1 })
   local case = result.cases[1]
   check.equal(case.dofs, 720)
@@ -82,8 +80,8 @@ check.case("cost: a row per mesh and order, parts that add up", function()
 end)
 
 check.case("a layer on the strip that the indenter touches: fewer unknowns, the same oscillation to 5 %", function()
-  local whole, strip, path = table.unpack(run_study("variant=layers", "orders=N2-N2.1", "mesh=sparse", "mu=0",
-    "from=47.2", "down=2.7", "out=" .. folder).cases)
+  local whole, strip, path = table.unpack(check.study("problems/ironing3d", "variant=layers", "orders=N2-N2.1",
+    "mesh=sparse", "mu=0", "from=47.2", "down=2.7").cases)
   -- 9 + 2 + 9 functions along the slab's row, 3 + 2 + 3 across it; one element across is raised, three along
   check.equal({ whole.dofs.slab.total - strip.dofs.slab.total, strip.dofs.slab.total - path.dofs.slab.total },
     { 3 * 20 * 2, 3 * 6 * 6 })
@@ -92,8 +90,7 @@ check.case("a layer on the strip that the indenter touches: fewer unknowns, the 
 end)
 
 check.case("wrong arguments", function()
-  local script = core.home .. "/scripts/problems/ironing3d.lua"
-  check.refused(script, {
+  check.refused("problems/ironing3d", {
     ["ordrs=N2"] = "unknown argument 'ordrs=N2'; did you mean 'orders'? known with variant=standard: cap=1",
     ["N2"] = "unknown argument 'N2'", ["radius=5"] = "radius must be numbers, 7.1 or more, got '5'",
     ["gap=11"] = "gap must be numbers, 0 or more and below 10.4, got '11'",
@@ -101,5 +98,5 @@ check.case("wrong arguments", function()
     ["slide=half"] = "slide must be 'window' or 'full', got 'half'",
     ["cap=0"] = "cap must be a whole number, 1 or more",
     ["variant=cost mesh=m1"] = "mesh must be values among 'sparse', 'coarse', 'middle' and 'fine', got 'm1'",
-  }, "out=" .. folder)
+  })
 end)

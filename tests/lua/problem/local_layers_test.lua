@@ -2,9 +2,7 @@
 
 require "check"
 
-local script = core.home .. "/scripts/studies/local_layers.lua"
-local folder = check.folder()
-local study = assert(loadfile(script))("out=" .. folder, "meshes=m1,m2", "solid=m1", "reference=m4", "repeats=1",
+local study, folder = check.study("studies/local_layers", "meshes=m1,m2", "solid=m1", "reference=m4", "repeats=1",
   "steps=2")
 
 local function case(problem, name, mesh) return study.cases[("%s %s %s"):format(problem, name, mesh)] end
@@ -43,6 +41,7 @@ end)
 
 check.case("charts; wrong arguments", function()
   check.pictures(folder, { "line_dofs", "line_time", "sphere_dofs", "sphere_time", "solid_dofs", "solid_time" })
-  check.refused(script, { ["problems=ring"] = "got 'ring'", ["meshes=m9"] = "got 'm9'", ["knots=0"] = "knots must be",
-                          ["steps=0"] = "steps must be" }, "out=" .. folder)
+  check.refused("studies/local_layers", {
+    ["problems=ring"] = "got 'ring'", ["meshes=m9"] = "got 'm9'", ["knots=0"] = "knots must be",
+    ["steps=0"] = "steps must be" })
 end)

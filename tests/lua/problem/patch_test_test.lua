@@ -2,13 +2,9 @@
 
 require "check"
 
-local script = core.home .. "/scripts/problems/patch_test.lua"
-local folder = check.folder()
-
-local function run(...) return assert(loadfile(script))("out=" .. folder, ...) end
-local plane = run("dimensions=2")
-local solid = run("dimensions=3", "orders=N2", "points=6")
-local free = run("dimensions=3", "materials=linear", "orders=N1", "points=3", "sides=free")
+local plane, plane_folder = check.study("problems/patch_test", "dimensions=2")
+local solid, solid_folder = check.study("problems/patch_test", "dimensions=3", "orders=N2", "points=6")
+local free, free_folder = check.study("problems/patch_test", "dimensions=3", "materials=linear", "orders=N1", "points=3", "sides=free")
 
 local function name(case)
   return ("%dD %s %s %s, slave %s, %d points"):format(case.dimension, case.material, case.order, case.pair, case.slave,
@@ -67,16 +63,17 @@ check.case("the results are unchanged", function()
 end)
 
 check.case("tables and charts", function()
-  check.equal(#sg.csv.read(folder .. "/errors.csv").rows, #free.cases)
-  check.pictures(folder, { "error_2d_lower", "error_2d_upper", "error_3d_lower", "error_3d_upper", "pressure" })
+  check.equal(#sg.csv.read(free_folder .. "/errors.csv").rows, #free.cases)
+  check.pictures(plane_folder, { "error_2d_lower", "error_2d_upper", "pressure" })
+  check.pictures(solid_folder, { "error_3d_lower", "error_3d_upper" })
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, { ["order=N2"] = "unknown argument 'order=N2'; did you mean 'orders'? known: dimensions=",
-                               ["dimensions=4"] = "dimensions must be values among 2 and 3, got '4'",
-                               ["materials=steel"] =
-                                 "materials must be values among 'linear' and 'neo_hooke', got 'steel'",
-                               ["sides=open"] = "sides must be 'guided' or 'free', got 'open'",
-                               ["penalties=-1"] = "penalties must be", ["points=x"] = "points must be" },
-                "out=" .. folder)
+  check.refused("problems/patch_test", {
+    ["order=N2"] = "unknown argument 'order=N2'; did you mean 'orders'? known: dimensions=",
+    ["dimensions=4"] = "dimensions must be values among 2 and 3, got '4'",
+    ["materials=steel"] =
+      "materials must be values among 'linear' and 'neo_hooke', got 'steel'",
+    ["sides=open"] = "sides must be 'guided' or 'free', got 'open'",
+    ["penalties=-1"] = "penalties must be", ["points=x"] = "points must be" })
 end)

@@ -2,8 +2,7 @@
 
 require "check"
 
-local folder = check.folder()
-local study = assert(loadfile(core.home .. "/scripts/problems/rings2d.lua"))("out=" .. folder, "repeats=1")
+local study, folder = check.study("problems/rings2d", "repeats=1")
 
 local printed = {}
 for _, row in ipairs(sg.reference "rings2d_error_table7_5".rows) do
@@ -75,9 +74,9 @@ check.case("a state's picture, charts, a profile per run and the errors", functi
 end)
 
 check.case("wrong arguments", function()
-  local script = core.home .. "/scripts/problems/rings2d.lua"
-  check.refused(script, { ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: coordinate=x",
-                               ["meshes=m9"] = "got 'm9'",
-                               ["coordinate=z"] = "coordinate must be 'x' or 'X', got 'z'",
-                               ["repeats=0"] = "repeats must be", ["orders=Q7"] = "Q7" }, "out=" .. folder)
+  check.refused("problems/rings2d", {
+    ["mesh=m1"] = "unknown argument 'mesh=m1'; did you mean 'meshes'? known: coordinate=x",
+    ["meshes=m9"] = "got 'm9'",
+    ["coordinate=z"] = "coordinate must be 'x' or 'X', got 'z'",
+    ["repeats=0"] = "repeats must be", ["orders=Q7"] = "Q7" })
 end)

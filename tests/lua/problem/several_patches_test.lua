@@ -3,7 +3,7 @@
 require "check"
 
 check.case("the page's listing", function()
-  local code = core.read_file(core.home .. "/share/doc/several_patches.md"):match "```lua\n(.-)```"
+  local code = core.read_file(core.share .. "/doc/several_patches.md"):match "```lua\n(.-)```"
   local folder = check.folder()
   local file = assert(io.open(folder .. "/listing.lua", "wb"))
   file:write(code):close()
@@ -13,9 +13,8 @@ check.case("the page's listing", function()
 end)
 
 check.case("a die slides across a border without a kick, in the plane and in space", function()
-  local script = assert(loadfile(core.home .. "/scripts/problems/several_patches.lua"))
   for dimension, arguments in pairs { [2] = "steps=30", [3] = "steps=20" } do
-    local result = script("out=" .. check.folder(), "dimensions=" .. dimension, arguments)[dimension]
+    local result = check.study("problems/several_patches", "dimensions=" .. dimension, arguments)[dimension]
     check.at_most("joined less line", result.line, 1e-10)
     assert(result.joined < result.uncut, ("joined oscillates by %g, uncut by %g"):format(result.joined, result.uncut))
     if dimension == 2 then check.at_most("fine", result.fine, result.uncut / 2) end

@@ -2,10 +2,7 @@
 
 require "check"
 
-local folder = check.folder()
-local script = core.home .. "/scripts/problems/shallow_ironing2d.lua"
-local run_study = assert(loadfile(script))
-local study = run_study("mesh=m1", "out=" .. folder)
+local study, folder = check.study "problems/shallow_ironing2d"
 local press_end, middle = 50, 50 + 125
 
 check.case("degrees of freedom; the nose is a circle of radius 0.75", function()
@@ -18,7 +15,7 @@ check.case("both discretizations complete with steps of 0.04 mm; those of 0.08 m
   for _, case in ipairs(study.cases) do
     check.equal({ case.run.failed, case.run.steps, case.run.cutbacks <= 3 }, { false, 300, true }) -- none or one
   end
-  local long = run_study("mesh=m1", "steps=25", "orders=N2", "out=" .. folder).cases.N2
+  local long = check.study("problems/shallow_ironing2d", "mesh=m1", "steps=25", "orders=N2").cases.N2
   check.equal({ long.run.failed, long.run.steps, long.run.cutbacks > 15 }, { false, 150, true }) -- 28
   check.near(long.V[press_end // 2] / study.cases.N2.V[press_end], 1, 1e-4)
   check.near(long.V[150] / study.cases.N2.V[300], 1, 5e-3)
@@ -72,8 +69,9 @@ check.case("a sheet, a chart and two files", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, { ["msh=m1"] = "unknown argument 'msh=m1'; did you mean 'mesh'?", ["mesh=m9"] = "got 'm9'",
-                               ["penalty=-1"] = "penalty must be a positive number, got '-1'",
-                               ["thickness_degree=two"] = "thickness_degree must be a whole number",
-                               ["steps=0"] = "steps must be a whole number" }, "out=" .. folder)
+  check.refused("problems/shallow_ironing2d", {
+    ["msh=m1"] = "unknown argument 'msh=m1'; did you mean 'mesh'?", ["mesh=m9"] = "got 'm9'",
+    ["penalty=-1"] = "penalty must be a positive number, got '-1'",
+    ["thickness_degree=two"] = "thickness_degree must be a whole number",
+    ["steps=0"] = "steps must be a whole number" })
 end)

@@ -2,12 +2,9 @@
 
 require "check"
 
-local script = core.home .. "/scripts/problems/twisting3d.lua"
-local folder = check.folder()
-
-local function run(...) return assert(loadfile(script))("out=" .. folder, ...) end
-local turned = run("parts=twist,punch", "orders=N2", "press=5", "twist=30")
-local balance = run("parts=balance", "orders=N2", "press=5", "twist=1", "angle=2").balance
+local turned, folder = check.study("problems/twisting3d", "parts=twist,punch", "orders=N2", "press=5", "twist=30")
+local balance = check.study("problems/twisting3d", "parts=balance", "orders=N2", "press=5", "twist=1",
+  "angle=2").balance
 
 check.case("punches: every point slips round the axis; μ∫pr dA and the closed form of a uniform pressure, within 1 %",
   function()
@@ -60,12 +57,13 @@ check.case("curves, charts and pictures", function()
 end)
 
 check.case("wrong arguments", function()
-  check.refused(script, { ["order=N2"] = "unknown argument 'order=N2'; did you mean 'orders'? known: angle=",
-                               ["parts=turn"] = "parts must be values among 'twist', 'punch' and 'balance', got 'turn'",
-                               ["meshes=m5"] = "meshes must be values among 'm1', 'm2', 'm3' and 'm4', got 'm5'",
-                               ["slave=die"] = "slave must be 'hemisphere' or 'cube', got 'die'",
-                               ["poles=top"] = "poles must be 'ends' or 'bottom', got 'top'",
-                               ["friction=never"] = "friction must be 'turn' or 'always', got 'never'",
-                               ["angle=0"] = "angle must be a positive number, got '0'",
-                               ["twist=x"] = "twist must be" }, "out=" .. folder)
+  check.refused("problems/twisting3d", {
+    ["order=N2"] = "unknown argument 'order=N2'; did you mean 'orders'? known: angle=",
+    ["parts=turn"] = "parts must be values among 'twist', 'punch' and 'balance', got 'turn'",
+    ["meshes=m5"] = "meshes must be values among 'm1', 'm2', 'm3' and 'm4', got 'm5'",
+    ["slave=die"] = "slave must be 'hemisphere' or 'cube', got 'die'",
+    ["poles=top"] = "poles must be 'ends' or 'bottom', got 'top'",
+    ["friction=never"] = "friction must be 'turn' or 'always', got 'never'",
+    ["angle=0"] = "angle must be a positive number, got '0'",
+    ["twist=x"] = "twist must be" })
 end)
