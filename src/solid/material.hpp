@@ -10,9 +10,14 @@ namespace signorini::solid {
 /// F in space for a deformation in D dimensions; `across` is F₃₃ of a plane one: the hoop stretch in a body of
 /// revolution (directions r, z, θ), 1 in plane strain.
 template <int D> Mat<3> in_space(const Mat<D>& deformation, double across = 1) {
-  if constexpr (D == 3) return deformation;
-  const auto& f = deformation;
-  return Mat<3>{{f(0, 0), f(0, 1), 0}, {f(1, 0), f(1, 1), 0}, {0, 0, across}};
+  if constexpr (D == 3) {
+    return deformation;
+  } else {
+    Mat<3> f = Mat<3>::Zero();
+    f.topLeftCorner<2, 2>() = deformation;
+    f(2, 2) = across;
+    return f;
+  }
 }
 
 /// Shared ownership of an immutable law.
