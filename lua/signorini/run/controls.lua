@@ -12,18 +12,20 @@ local controls = {}
 --- The fallbacks in the order in which they are tried after a failed attempt: the name in records, and the solver
 --- arguments that differ from those of the failed attempt. `unconstrained`: only for unconstrained bodies. `early`:
 --- tried before a step is cut, always or for that reason. The others are tried only where the step cannot be cut any
---- more, because on a long step they may converge to an equilibrium on another branch.
+--- more, because on a long step they may converge to an equilibrium on another branch. `keeps`: they do not leave it.
 local fallbacks = {
-  { name = "tangent", change = { predictor = "tangent" }, early = true },
-  { name = "damping", change = { predictor = "tangent", damping = true }, unconstrained = true, early = "singular" },
-  { name = "line search", change = { predictor = "tangent", line_search = "residual", pseudo_transient = false } },
+  { name = "tangent", change = { predictor = "tangent" }, early = true, keeps = true },
+  { name = "damping", change = { predictor = "tangent", damping = true }, unconstrained = true, early = "singular",
+    keeps = true },
+  { name = "line search", change = { predictor = "tangent", line_search = "residual", pseudo_transient = false },
+    early = "cycling" },
   { name = "pseudo-transient", change = { predictor = "tangent", line_search = "none", pseudo_transient = true } },
   { name = "frozen", change = { predictor = "tangent", freeze_active_set = 1e-2 } },
 }
 
 --- True if a fallback converges to the equilibrium on the followed branch, as far as is known.
 function controls.keeps_branch(name)
-  return lists.any(fallbacks, function(fallback) return fallback.name == name and fallback.early ~= nil end)
+  return lists.any(fallbacks, function(fallback) return fallback.name == name and fallback.keeps end)
 end
 
 --- A solver's arguments with changes, and whether these make a difference.

@@ -21,6 +21,9 @@ local Run = require "signorini.run.run_result"
 local where = "model:run"
 -- Attempts without a predictor that failed; 3D block ironing took 846, 743, 706 iterations with 2, 4, 8.
 local predictor_pause = 8
+-- Iterations of failed attempts from one state, in units of newton.iterations, after which a step is given up; and limit
+-- of those of an attempt in pseudo-time in the same units.
+local most_failing, moves_per_iteration = 16, 40
 local longest_chord = 1.25 -- of an increment, in units of its length along the tangent: at most 37° between the two
 
 -- ── Reading the arguments ────────────────────────────────────────────────────────────────────────────────────────────
@@ -126,6 +129,20 @@ end
 --- Shows the accepted fraction of the step after an attempt.
 function Step:show_progress(part) self.display:attempt(self.stage.name, part, self.run.histories) end
 
+--- The solver's arguments with the iterations that are left to attempts from the present state; nil if none are.
+function Step:limited(solver)
+  local left = most_failing * self.solver.iterations
+  for _, attempt in ipairs(self.run.histories[#self.run.histories]) do
+    if not attempt.converged and attempt.from == self.done then left = left - attempt.iterations end
+  end
+  if solver.pseudo_transient then left = left // moves_per_iteration end
+  if left < 1 then return nil end
+  return left < solver.iterations and lists.merged(solver, { iterations = left }) or solver
+end
+
+--- True if failed attempts have used up the iterations from the present state.
+function Step:is_spent() return not self:limited(self.solver) end
+
 --- One attempt with given controls: accepts or rolls back, diagnoses a failure. `fallback`: name of the fallback, if
 --- another attempt has failed before.
 function Step:try(solver, to, fallback)
@@ -155,13 +172,14 @@ function Step:attempt(to, shorter)
   local run, tries, last = self.run, self.options.tries, not shorter and not self.options.arc_length
   if self.done == 0 and to < 1 then self.start = self.start or self.model:snapshot() end
   local plain = run.wary > 0 and tries.tangent
-  local first = self:try(plain and plain.solver or self.solver, to)
+  local first = self:try(self:limited(plain and plain.solver or self.solver) or self.solver, to)
   run.wary = math.max(0, run.wary - 1)
   local result = first
   for _, fallback in ipairs(tries) do
     if result.converged or steps.is_wanted(result) or steps.is_hopeless(result) then break end
     local now = fallback.early == true or fallback.early == result.reason or last
-    if now and fallback ~= plain then result = self:try(fallback.solver, to, fallback.name) end
+    local solver = now and fallback ~= plain and self:limited(fallback.solver)
+    if solver then result = self:try(solver, to, fallback.name) end
   end
   if first ~= result and not plain then run.wary = predictor_pause end
   if not result.converged and not steps.is_wanted(result) then return first end

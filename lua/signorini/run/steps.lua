@@ -7,6 +7,7 @@
 --   step:attempt_from_start()  solves for the whole step from the state before it; after a failure nothing has changed
 --   step:moves()       true if anything that is prescribed changes in the step
 --   step:changes_targets() true if a target does
+--   step:is_spent()    true if failed attempts from the present state have used up their iterations
 --   step:has_fallbacks() true if there are fallbacks for a failed attempt
 --   step:cut_back()    counts a failed attempt that is repeated with a shorter one
 -- and shorten(step), which halves the length of the next attempts at this step and returns whether that is possible.
@@ -82,7 +83,7 @@ function Halving:take(step)
       end
     elseif steps.is_asked_for(result) then
       return result
-    elseif not moves then
+    elseif not moves or step:is_spent() then
       return result
     elseif last then
       result.shortest = length

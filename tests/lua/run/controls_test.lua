@@ -50,7 +50,8 @@ check.case("fallbacks are tried in order, each with its own change only", functi
                        "tangent none 0 false pseudo-transient", "tangent none 0.01 false" })
   check.equal(story(run, 1),
     "plain cycling, tangent cycling, damping cycling, line search cycling, pseudo-transient cycling, frozen cycling")
-  check.equal({ run.failed, run.reason, run.fallback_steps, run.iterations }, { true, "cycling", 0, 6 * 25 })
+  -- The attempt in pseudo-time may use 7 * 40 iterations, what is left of 16 * 25.
+  check.equal({ run.failed, run.reason, run.fallback_steps, run.iterations }, { true, "cycling", 0, 5 * 25 + 7 })
   check.holds(run.failure, "Attempts, by fraction of the step: 1 (cycling), 1 with tangent (cycling), "
     .. "1 with damping (cycling), 1 with line search (cycling), 1 with pseudo-transient (cycling), 1 with frozen "
     .. "(cycling).")
@@ -104,9 +105,10 @@ check.case("fallbacks but the predictor wait until no step can be cut, then try 
   model = spring_model(function(options) return options.freeze_active_set and model.next[1] <= 0.5 end)
   local run = model:run(one_step, sg.plain{ fallback = true, step = { adaptive = true, min = 0.5 } })
   local vain = "plain cycling, line search cycling, pseudo-transient cycling, frozen "
-  check.equal(story(run, 1), "plain cycling, " .. vain .. "converged" .. (", " .. vain .. "cycling"):rep(3))
+  check.equal(story(run, 1), "plain cycling, line search cycling, " .. vain .. "converged" -- early where states cycle
+    .. (", " .. vain .. "cycling"):rep(3))
   local attempts = run:attempts(1)
-  check.near({ attempts[1].to, attempts[2].to, attempts[6].from, attempts[6].to, attempts[10].to, attempts[14].from },
+  check.near({ attempts[1].to, attempts[3].to, attempts[7].from, attempts[7].to, attempts[11].to, attempts[15].from },
     { 1, 0.5, 0.5, 1, 1, 0 })
   check.equal({ run.fallback_steps, run.cutbacks, run.reason, run.cause }, { 1, 1, "minimum_step", "cycling" })
 end)
