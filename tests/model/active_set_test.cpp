@@ -220,7 +220,7 @@ TEST(ActiveSet, ListsCyclingPointsByNumberOfChanges) {
     EXPECT_EQ(cycling[i].point, 6 + i);
     EXPECT_EQ(strip.contacts[0]->points().list[6 + i].element, i < 3 ? 2 : 3);
   }
-  EXPECT_TRUE(set.cycling_past_end().empty());
+  EXPECT_TRUE(set.cycling_points(true).empty());
   // Old evaluations are ignored.
   for (int k = 0; k < 8; ++k) go(1);
   EXPECT_TRUE(set.cycling_points().empty());
@@ -266,10 +266,78 @@ TEST(ActiveSet, ListsPointsThatCyclePastTheMastersEnd) {
   }
   // At the right end the part 2.3 … 2.8 alternates, at the left end 0 … 0.2.
   std::vector<int> points;
-  for (const PointIndex& index : set.cycling_past_end()) points.push_back(index.point);
+  for (const PointIndex& index : set.cycling_points(true)) points.push_back(index.point);
   std::sort(points.begin(), points.end());
   EXPECT_EQ(points, (std::vector<int>{0, 14, 15, 16}));
   EXPECT_EQ(set.cycling_points().size(), 4u);
+}
+
+/// Lifts the whole strip to a height in an iteration with hysteresis. Returns whether points were retained.
+bool lift(Strip& strip, ActiveSet<2>& set, double height) {
+  strip.update(set, {});
+  for (int a = 0; a < strip.strip.functions(); ++a) strip.u.segment<2>(2 * a) << 0, height;
+  strip.evaluate();
+  const bool retained = set.record(strip.present, 1, false);
+  strip.fix(set);
+  if (retained) strip.evaluate();
+  return retained;
+}
+
+TEST(ActiveSet, RetainsPointsThatOpenByAnErrorOfLinearization) {
+  Strip strip(law);
+  ActiveSet<2> set;
+  strip.begin(set, {});
+  EXPECT_FALSE(lift(strip, set, -0.01));
+  EXPECT_TRUE(lift(strip, set, 0.002));
+  EXPECT_EQ(strip.touching(), 18);
+  // The next evaluation decides anew: at convergence the gap does not change.
+  EXPECT_FALSE(lift(strip, set, 0.002));
+  EXPECT_EQ(strip.touching(), 0);
+  EXPECT_FALSE(lift(strip, set, -0.01));
+  EXPECT_FALSE(lift(strip, set, 0.005)); // by more than 0.3 of its change
+  EXPECT_EQ(strip.touching(), 0);
+}
+
+TEST(ActiveSet, FreesRetainedPointsAtConvergence) {
+  Strip strip(law);
+  ActiveSet<2> set;
+  strip.begin(set, {});
+  lift(strip, set, -0.01);
+  EXPECT_TRUE(lift(strip, set, 0.002));
+  EXPECT_TRUE(strip.release_all(set));
+  EXPECT_FALSE(lift(strip, set, 0.002));
+  EXPECT_EQ(strip.touching(), 0);
+  EXPECT_FALSE(strip.release_all(set));
+}
+
+TEST(ActiveSet, RetainsNothingWhereFewPointsOpen) {
+  Strip strip(law);
+  ActiveSet<2> set;
+  strip.begin(set, {});
+  for (double end : {3.0, 2.7}) {
+    strip.touch(end);
+    EXPECT_FALSE(set.record(strip.present, 1, false));
+  }
+  EXPECT_EQ(strip.touching(), 16);
+}
+
+TEST(ActiveSet, SeesTheClosedSetShrink) {
+  Strip strip(law);
+  ActiveSet<2> set;
+  strip.begin(set, {});
+  for (int k = 0; k < 24; ++k) {
+    EXPECT_FALSE(set.shrinks()) << k;
+    strip.touch(3 - 0.1 * k);
+    strip.record(set, 1);
+  }
+  EXPECT_TRUE(set.shrinks());
+  // A cycle of period 3 does not shrink, in whatever phase it is.
+  for (int k = 0; k < 30; ++k) {
+    strip.touch(k % 3 == 0 ? 1 : 2);
+    strip.record(set, 1);
+    if (k < 23) continue;
+    EXPECT_FALSE(set.shrinks()) << k;
+  }
 }
 
 TEST(ActiveSet, IgnoresAdhesion) {

@@ -156,7 +156,7 @@ template <int D> std::vector<Message> find_cycling(Diagnosis& diagnosis, const F
 
 template <int D> std::vector<Message> find_lost_points(Diagnosis& diagnosis, const Failure<D>& failure) {
   const Model<D>& model = failure.model;
-  add_points(diagnosis, model, model.active_set.cycling_past_end(), states_of(model));
+  add_points(diagnosis, model, model.active_set.cycling_points(true), states_of(model));
   return {};
 }
 

@@ -101,8 +101,10 @@ template <int D> Message exhausted_friction(const Model<D>& model) {
     n.normalize();
     double spread = 0;
     for (const Vec<D>& one : normals) spread = std::max(spread, std::acos(std::clamp(one.dot(n), -1.0, 1.0)));
-    const bool sticks = std::ranges::any_of(
-        present.results, [](const auto& point) { return point.state == contact::ContactState::stick; });
+    // Points in tension, which an iteration retains, do not hold the body.
+    const bool sticks = std::ranges::any_of(present.results, [](const auto& point) {
+      return point.state == contact::ContactState::stick && point.pressure > 0;
+    });
     const double mu = contact.parameters().friction(present.changes),
                  angle = std::atan(mu) + (sticks ? spread : -spread);
     for (int i = 0; i < scene.bodies[b].body->functions(); ++i)

@@ -28,6 +28,10 @@ unsigned char code(const contact::Constraint& constraint) {
   return static_cast<unsigned char>(touches(constraint.state) ? constraint.state : contact::ContactState::open);
 }
 
+bool is_closed(unsigned char code) {
+  return code != beyond && touches(static_cast<contact::ContactState>(code));
+}
+
 /// Slipping points are fixed to stick, because the direction of slip would change in every iteration.
 contact::FixedContactState fixed_state_for(contact::ContactState state) {
   return touches(state) ? contact::FixedContactState::stick : contact::FixedContactState::open;
@@ -44,8 +48,9 @@ void ActiveSet<D>::begin(const contact::Formulations<D>& contacts, const Histori
   fixed_.resize(contacts.size());
   int count = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    contacts_.push_back({count, contacts[k]->parameters().friction(histories[k].changes) > 0,
-                         contacts[k]->multipliers() || contacts[k]->extra_unknowns() > 0});
+    contacts_.push_back(
+        {count, count + constraints(histories[k]), contacts[k]->parameters().friction(histories[k].changes) > 0,
+         contacts[k]->multipliers() != nullptr, contacts[k]->extra_unknowns() > 0, &contacts[k]->parameters()});
     count += constraints(histories[k]);
     for (int i = 0; phase_ == Phase::frozen && i < constraints(histories[k]); ++i)
       fixed_[k].push_back(touches(constraint(histories[k], i).state) ? contact::FixedContactState::touching
@@ -64,52 +69,103 @@ template <int D> void ActiveSet<D>::update(const std::vector<double>& energies) 
 }
 
 template <int D> bool ActiveSet<D>::record(const Histories& histories, double residual, bool begins) {
-  Entry entry{residual, {}};
-  entry.states.reserve(counts_.size());
-  for (const auto& history : histories)
-    for (int i = 0; i < constraints(history); ++i) entry.states.push_back(code(constraint(history, i)));
-  if (phase_ == Phase::free) fix_changing(histories, entry.states);
-  entries_.push_back(std::move(entry));
+  entries_.push_back(entry(histories, residual));
   if (entries_.size() > remembered_evaluations) entries_.pop_front();
-  return !begins && stick_reversed(histories);
+  if (phase_ == Phase::free) fix_changing(histories);
+  if (begins) {
+    entries_.back().frictions.assign(counts_.size(), Vec<D>::Zero());
+    return false;
+  }
+  const bool sticks = stick_reversed(), retained = retain();
+  return sticks || retained;
+}
+
+template <int D> typename ActiveSet<D>::Entry ActiveSet<D>::entry(const Histories& histories, double residual) const {
+  Entry entry{residual};
+  for (std::size_t k = 0; k < histories.size(); ++k) {
+    const contact::History<D>& history = histories[k];
+    const bool points = history.multipliers.empty();
+    for (int i = 0; i < constraints(history); ++i) {
+      const contact::Constraint one = constraint(history, i);
+      entry.states.push_back(code(one));
+      entry.closed += is_closed(entry.states.back());
+      // All that were closed in the last evaluation are projected in each.
+      entry.gaps.push_back(points ? history.points[i].projection.gap -
+                                        contacts_[k].parameters->offset(static_cast<std::size_t>(i), history.changes)
+                                  : history.multiplier_results[i].gap);
+      const Vec<D>& friction = points ? history.results[i].friction : history.multiplier_results[i].friction;
+      entry.frictions.push_back(one.state == contact::ContactState::slip ? friction : Vec<D>(Vec<D>::Zero()));
+    }
+  }
+  return entry;
+}
+
+/// Hysteresis of penalties: under a stiff one penetrations are smaller than errors of linearized gaps, so that a
+/// solution opens many constraints by tiny gaps, nothing holds the body any more, and all close again. Where many open
+/// at once, those whose gap is small against its change since the evaluation before remain closed for this solution. At
+/// convergence gaps do not change, and all are open. Returns true if any remains closed.
+template <int D> bool ActiveSet<D>::retain() {
+  if (entries_.size() < 2 || phase_ == Phase::frozen) return false;
+  const Entry& before = entries_[entries_.size() - 2];
+  Entry& now = entries_.back();
+  int closed = 0;
+  std::vector<PointIndex> opened;
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const ContactEntry& own = contacts_[k];
+    for (int i = own.first; i < own.last && !own.solved && fixed_[k].empty(); ++i) {
+      closed += is_closed(before.states[i]);
+      if (is_closed(before.states[i]) && !is_closed(now.states[i]) && now.states[i] != beyond)
+        opened.push_back({static_cast<int>(k), i - own.first});
+    }
+  }
+  if (static_cast<double>(opened.size()) <= many_opened * closed) return false;
+  bool any = false;
+  for (const PointIndex& index : opened) {
+    const ContactEntry& own = contacts_[index.contact];
+    const int i = own.first + index.point;
+    if (now.gaps[i] >= linearization_error * std::abs(now.gaps[i] - before.gaps[i])) continue;
+    fixed_[index.contact].resize(own.last - own.first, contact::FixedContactState::free);
+    // Where friction alone holds the body, points that stuck must still hold it.
+    const bool stuck = before.states[i] == static_cast<unsigned char>(contact::ContactState::stick);
+    fixed_[index.contact][index.point] =
+        stuck ? contact::FixedContactState::stick : contact::FixedContactState::touching;
+    now.states[i] = before.states[i];
+    any = true;
+  }
+  if (any) phase_ = Phase::held;
+  return any;
 }
 
 /// Slipping constraints whose friction opposes that of the last iteration stick in this evaluation: Newton's method has
 /// passed over a state of stick, and would return, because the tangent of slip has no stiffness that stops it. They are
 /// freed in the next iteration. Of contacts without multipliers pressures change less. Returns true if there are any.
-template <int D> bool ActiveSet<D>::stick_reversed(const Histories& histories) {
-  using contact::ContactState, contact::FixedContactState;
-  if (phase_ != Phase::free) return false;
-  for (std::size_t k = 0; k < histories.size(); ++k) {
-    if (!contacts_[k].multipliers) continue;
-    const contact::History<D>& history = histories[k];
-    auto& frictions = contacts_[k].frictions;
-    frictions.resize(constraints(history), Vec<D>::Zero());
-    const bool free = fixed_[k].empty();
-    for (int a = 0; a < constraints(history); ++a) {
-      const bool slips = constraint(history, a).state == ContactState::slip;
-      const Vec<D> now = !slips                        ? Vec<D>::Zero()
-                         : history.multipliers.empty() ? history.results[a].friction
-                                                       : history.multiplier_results[a].friction;
-      const bool reversed = free && now.dot(frictions[a]) < 0;
-      frictions[a] = reversed ? Vec<D>::Zero() : now;
-      if (!reversed) continue;
-      fixed_[k].resize(constraints(history), FixedContactState::free);
-      fixed_[k][a] = FixedContactState::stick;
-      entries_.back().states[contacts_[k].first + a] = static_cast<unsigned char>(ContactState::stick);
+template <int D> bool ActiveSet<D>::stick_reversed() {
+  if (entries_.size() < 2 || phase_ != Phase::free) return false;
+  const Entry& before = entries_[entries_.size() - 2];
+  Entry& now = entries_.back();
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const ContactEntry& own = contacts_[k];
+    if (!(own.weighted || own.solved) || !fixed_[k].empty()) continue;
+    for (int i = own.first; i < own.last; ++i) {
+      if (!(now.frictions[i].dot(before.frictions[i]) < 0)) continue;
+      fixed_[k].resize(own.last - own.first, contact::FixedContactState::free);
+      fixed_[k][i - own.first] = contact::FixedContactState::stick;
+      now.states[i] = static_cast<unsigned char>(contact::ContactState::stick);
+      now.frictions[i].setZero();
       phase_ = Phase::held;
     }
   }
   return phase_ == Phase::held;
 }
 
-template <int D> void ActiveSet<D>::fix_changing(const Histories& histories, const std::vector<unsigned char>& states) {
-  if (entries_.empty()) return;
+template <int D> void ActiveSet<D>::fix_changing(const Histories& histories) {
+  if (entries_.size() < 2) return;
+  const std::vector<unsigned char>&states = entries_.back().states, &before = entries_[entries_.size() - 2].states;
   const auto often = [&](int changes) { return changes_too_often(options_, changes); };
-  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += states[i] != entries_.back().states[i];
+  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += states[i] != before[i];
   for (std::size_t k = 0; k < histories.size(); ++k) {
-    const int first = contacts_[k].first, count = end(k) - first;
-    if (std::none_of(counts_.begin() + first, counts_.begin() + end(k), often)) continue;
+    const int first = contacts_[k].first, count = contacts_[k].last - first;
+    if (std::none_of(counts_.begin() + first, counts_.begin() + contacts_[k].last, often)) continue;
     fixed_[k].assign(count, contact::FixedContactState::free);
     for (int i = 0; i < count; ++i)
       if (often(counts_[first + i])) fixed_[k][i] = fixed_state_for(constraint(histories[k], i).state);
@@ -122,6 +178,16 @@ template <int D> bool ActiveSet<D>::release_all() {
   if (phase_ == Phase::free && fixed) ++rounds_;
   release();
   return fixed;
+}
+
+template <int D> bool ActiveSet<D>::shrinks() const {
+  const auto closed = [&](std::size_t from) {
+    int sum = 0;
+    for (std::size_t k = from; k < from + trend; ++k) sum += entries_[k].closed;
+    return sum;
+  };
+  const std::size_t n = entries_.size();
+  return n >= 2 * trend && closed(n - trend) < closed(n - 2 * trend);
 }
 
 template <int D> int ActiveSet<D>::period() const {
@@ -140,7 +206,7 @@ template <int D> int ActiveSet<D>::period() const {
 
 /// Points with at least two changes of state in the last evaluations; `past_end`: only changes to or from beyond the
 /// master's end count.
-template <int D> std::vector<PointIndex> ActiveSet<D>::changing_points(bool past_end) const {
+template <int D> std::vector<PointIndex> ActiveSet<D>::cycling_points(bool past_end) const {
   std::vector<int> changes(counts_.size(), 0), order;
   for (std::size_t k = entries_.size() - std::min(entries_.size(), recent_evaluations) + 1; k < entries_.size(); ++k)
     for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -156,11 +222,6 @@ template <int D> std::vector<PointIndex> ActiveSet<D>::changing_points(bool past
     points.push_back({static_cast<int>(after - contacts_.begin()) - 1, i - std::prev(after)->first});
   }
   return points;
-}
-
-/// Index after a contact's last constraint.
-template <int D> int ActiveSet<D>::end(std::size_t contact) const {
-  return contact + 1 < contacts_.size() ? contacts_[contact + 1].first : static_cast<int>(counts_.size());
 }
 
 template <int D> std::string ActiveSet<D>::alternating(const PointIndex& index) const {

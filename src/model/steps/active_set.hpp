@@ -7,7 +7,6 @@
 #include "model/steps/step_options.hpp"
 
 #include <deque>
-#include <functional>
 #include <string>
 
 namespace signorini::model {
@@ -39,13 +38,16 @@ public:
   /// Fixed states of a contact's constraints; empty if all are free.
   const std::vector<contact::FixedContactState>& fixed(int contact) const { return fixed_[contact]; }
 
+  /// True if fewer constraints are closed in the last evaluations than in those before: the closed set shrinks by a few
+  /// constraints in each iteration, as where a face that touched as a whole lifts off.
+  bool shrinks() const;
+
   /// Period of set cycling: the number of iterations after which residuals (to 1e-9) and states have repeated twice; 0
   /// if they have not. An iteration that depends on its state alone then repeats forever.
   int period() const;
-  /// Points whose state changed at least twice in the last evaluations, those with most changes first.
-  std::vector<PointIndex> cycling_points() const { return changing_points(false); }
-  /// Those among the cycling points whose closest point was in between an open end of the master.
-  std::vector<PointIndex> cycling_past_end() const { return changing_points(true); }
+  /// Points whose state changed at least twice in the last evaluations, those with most changes first. `past_end`: only
+  /// changes count for which the closest point came to or from beyond an open end of the master.
+  std::vector<PointIndex> cycling_points(bool past_end = false) const;
   /// The states between which a point alternated in the last evaluations, the current one last: "stick / slip",
   /// "open / stick / slip", "beyond / open", without friction "open / touching".
   std::string alternating(const PointIndex& index) const;
@@ -54,22 +56,26 @@ private:
   enum class Phase {
     free,   ///< states follow the contact conditions, except for constraints that change too often
     frozen, ///< constraints stay open or closed as in the accepted state, from begin() until the rule ends it
-    held    ///< states of multipliers are held in one evaluation, see stick_reversed()
+    held    ///< states are held in one evaluation, see retain() and stick_reversed()
   };
+  /// Of all constraints, contact after contact
   struct Entry {
     double residual;
-    std::vector<unsigned char> states; ///< of all constraints, contact after contact; see code()
+    int closed = 0;                         ///< number of those that touch
+    std::vector<unsigned char> states = {}; ///< see code()
+    std::vector<double> gaps = {};          ///< less their offsets
+    std::vector<Vec<D>> frictions = {};     ///< of those that slip, otherwise 0
   };
   struct ContactEntry {
-    int first; ///< index of its first constraint
-    bool frictional, multipliers;
-    std::vector<Vec<D>> frictions = {}; ///< of slipping constraints in the last evaluation, otherwise 0
+    int first, last;                   ///< indices of its first constraint and after its last one
+    bool frictional, weighted, solved; ///< `weighted`: has multipliers; `solved`: they are unknowns
+    const contact::Parameters* parameters;
   };
   void release();
-  bool stick_reversed(const Histories& histories);
-  void fix_changing(const Histories& histories, const std::vector<unsigned char>& states);
-  std::vector<PointIndex> changing_points(bool past_end) const;
-  int end(std::size_t contact) const;
+  Entry entry(const Histories& histories, double residual) const;
+  bool retain();
+  bool stick_reversed();
+  void fix_changing(const Histories& histories);
 
   ActiveSetOptions options_;
   Phase phase_ = Phase::free;

@@ -86,7 +86,7 @@ template <int D> bool LoadStep<D>::has_closed() {
 
 /// Reason for the end of an iteration whose states repeat.
 template <int D> solve::Outcome cycle(const ActiveSet<D>& set) {
-  return set.cycling_past_end().empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
+  return set.cycling_points(true).empty() ? solve::Outcome::cycling : solve::Outcome::lost_projection;
 }
 
 template <int D> solve::Outcome LoadStep<D>::evaluate(bool tangent, Message& why) {
@@ -188,9 +188,12 @@ const solve::NewtonReport& iterate(Model<D>& model, const StepOptions& options, 
   if (!model.step) model.step = begin_step(model, options);
   solve::NewtonReport& report = model.step->report;
   if (report.outcome != solve::Outcome::iterating) return report;
-  LoadStep<D> problem(model, options);
   solve::NewtonOptions limits = options.newton;
-  if (options.pseudo_transient) limits.iterations *= most_moves_per_iteration;
+  if (options.pseudo_transient)
+    limits.iterations *= most_moves_per_iteration;
+  else if (model.active_set.shrinks())
+    limits.iterations *= most_extension;
+  LoadStep<D> problem(model, options);
   if (!solve::iterate(problem, limits, model.step->pending, report)) classify(model.active_set, report);
   if (after) after();
   return report;

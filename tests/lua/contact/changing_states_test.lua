@@ -1,0 +1,65 @@
+-- Contact states under penalties that change in ways on which Newton's method alone cycles or ends too early, and the
+-- rules of active_set.hpp that prevent it, with the scenes of scripts/stability/kinds.lua.
+
+require "check"
+
+--- A quarter tube on a mandrel that grows.
+local function tube(penalty)
+  local body = sg.body{ patch = sg.shapes.quarter_annulus{ inner = 5, outer = 7, start = 0 }, elements = { 8, 4 },
+                        order = "N2", contact = "north", material = sg.linear_elastic{ E = 100, nu = 0.3 } }
+  local mandrel = sg.rigid.cylinder{ center = { 0, 0 }, radius = 5 }
+  local model = sg.model{
+    bodies = { tube = body },
+    contacts = { fit = { slave = body:face "north", master = mandrel, penalty = penalty } },
+    supports = { hold = { on = mandrel, fix = "xy" }, west = { on = body:face "west", symmetry = true },
+                 east = { on = body:face "east", symmetry = true } },
+  }
+  return model, model:run{ { name = "grow", steps = 4, contacts = { fit = { offset = 0.05 } } } }
+end
+
+check.case("all points of conforming faces do not open and close in turn", function()
+  for _, penalty in ipairs { 4e4, 4e6 } do
+    local model, run = tube(penalty)
+    check.equal({ run.reason, run.cutbacks, run.fallback_steps }, { "completed", 0, 0 })
+    check.at_most("iterations", run.iterations, 20)
+    -- Lamé for an internal displacement of 0.05 in plane strain
+    check.near(model:contact_resultant("fit").max_pressure, 0.3129, 0.004)
+  end
+end)
+
+check.case("a closed set that shrinks by one point per iteration may exceed the limit of iterations", function()
+  local material = sg.linear_elastic{ E = 1000, nu = 0.3 }
+  local layer = sg.body{ patch = sg.shapes.rectangle{ width = 6, height = 1 }, elements = { 48, 8 }, order = "N2",
+                         contact = "south", material = material }
+  local base = sg.body{ patch = sg.shapes.rectangle{ width = 8, height = 6, corner = { 0, -6 } }, elements = { 48, 12 },
+                        order = "N2", contact = "north", material = material }
+  local model = sg.model{
+    bodies = { layer = layer, base = base },
+    supports = { axis = { on = { layer:face "west", base:face "west" }, symmetry = true },
+                 bed = { on = base:face "south", fix = "xy" } },
+    loads = { top = { on = layer:face "north", pressure = function(x) return x < 0.125 and 1 or 0 end, factor = 0 } },
+    contacts = { seat = { slave = layer:face "south", master = base:face "north", penalty = 8e5 } },
+  }
+  local run = model:run{ { name = "load", steps = 1, top = 1 } }
+  check.equal({ run.reason, run.cutbacks, run.fallback_steps }, { "completed", 0, 0 })
+  check.at_most("iterations", run.iterations, 60)
+  check.near(model:contact_resultant("seat").fy, 0.125, 1e-8)
+end)
+
+check.case("where slip reverses and states cycle a line search comes before cuts", function()
+  local side, n, E = 0.04, 16, 1.3e11
+  local penalty = 50 * E * n / side
+  local plate = sg.body{ patch = sg.shapes.rectangle{ width = side, height = side }, elements = { n, n }, order = "N2",
+                         contact = "south", material = sg.linear_elastic{ E = E, nu = 0.2 } }
+  local model = sg.model{
+    bodies = { plate = plate }, supports = { axis = { on = plate:face "east", fix = "x" } },
+    loads = { top = { on = plate:face "north", pressure = 0 }, side = { on = plate:face "west", pressure = 0 } },
+    contacts = { floor = { slave = plate:face "south",
+                           master = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } },
+                           penalty = penalty, friction = { mu = 1, penalty = penalty } } },
+  }
+  local run = model:run{ { name = "load", steps = 1, top = 5e7, side = 15e7 } }
+  check.equal({ run.reason, run.cutbacks, run.fallbacks["line search"] }, { "completed", 0, 1 })
+  check.at_most("iterations", run.iterations, 75)
+  check.near(model:sample("plate", "ux", { 0, 0 }), 2.86e-5, 5e-7)
+end)
