@@ -1,4 +1,4 @@
--- Short cases, for tests/slurm/overhead.
+-- Short cases, for tests/measure/slurm_overhead.
 
 local sg = require "signorini"
 
