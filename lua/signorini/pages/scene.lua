@@ -37,7 +37,8 @@ contacts the force is then right to 1 or 2 %, and at Gauss points the peak press
 points of the slave face (with N2 elements) touch across the contact; 100 E / h needs 13, 1000 E / h 40, since a high
 penalty over-constrains the face. Mortar contact needs 8 ("reduced": 6) at any penalty. Penetration increases as the
 penalty decreases: model:contact_resultant(name).max_penetration. With enforcement = "multipliers" it affects
-results by the discretization error alone; it is then 10 E / h by default, h of the softer body]], unit = "pressure per length", otherwise = "from material and mesh" },
+results by the discretization error alone; it is then 10 E / h by default, h of the softer body]],
+    unit = "pressure per length", otherwise = "from material and mesh" },
   { "friction", t.named {
     { "mu", t.non_negative, [[Coulomb's coefficient of friction, tan of the angle of friction, not the angle; 0 for a
 contact whose friction begins in a later stage]] },

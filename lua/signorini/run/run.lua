@@ -21,8 +21,8 @@ local Run = require "signorini.run.run_result"
 local where = "model:run"
 -- Attempts without a predictor that failed; 3D block ironing took 846, 743, 706 iterations with 2, 4, 8.
 local predictor_pause = 8
--- Iterations of failed attempts from one state, in units of newton.iterations, after which a step is given up; and limit
--- of those of an attempt in pseudo-time in the same units.
+-- Iterations of failed attempts from one state, in units of newton.iterations, after which a step is given up; and
+-- limit of those of an attempt in pseudo-time in the same units.
 local most_failing, moves_per_iteration = 16, 40
 local longest_chord = 1.25 -- of an increment, in units of its length along the tangent: at most 37° between the two
 
