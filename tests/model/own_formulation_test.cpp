@@ -34,7 +34,7 @@ public:
       std::vector<contact::FacePoint<2>> feet;
       double area = 0, sum = 0; // A_e, ∫ g dA
       for (last = first; last < points_.size() && points_.list[last].element == element; ++last) {
-        auto& [projection, cleared, slips, slip, limit, multiplier] = trial.present.points[last];
+        contact::Projection<2>& projection = trial.present.points[last].projection;
         contact::PointResult<2>& result = trial.present.results[last];
         result = {};
         result.position = position(points_, slave(), last);
