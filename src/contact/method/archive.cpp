@@ -87,10 +87,10 @@ auto members(HalfPass& pass) {
   return std::tie(penalty, multipliers);
 }
 
-/// The position follows from the displacements; a point that acts is not beyond the master.
+/// The position follows from the displacements; a point that acts is not beyond the master; `slipped` belongs to a step.
 template <int D> auto members(PointResult<D>& result) {
-  auto& [state, position, gap, beyond, settled, pressure, area, tangents, friction, force, law_area, potential] =
-      result;
+  auto& [state, position, gap, beyond, settled, pressure, area, tangents, friction, force, law_area, potential,
+         slipped] = result;
   return std::tie(state, gap, pressure, area, tangents, friction, force, law_area, potential);
 }
 

@@ -126,6 +126,7 @@ void MultiplierContact<D>::transmit(std::size_t i, const Trial<D>& trial, const 
   else
     force.tangent += force.measure * (n * condition.rows.row(0) + force.pressure * gap.normal);
   this->record(i, trial, geometry, force, part, feet);
+  trial.present.results[i].slipped = condition.slipped;
   add_condition(i, force.measure, condition, part.tangent);
   if (!part.tangent) return;
   CoupledPoint<D> coupled{&feet.foot, geometry.slip_point ? &feet.slip_point : nullptr,
@@ -149,25 +150,28 @@ template <int D> void MultiplierContact<D>::take_back(std::vector<Block>& blocks
   blocks.clear();
 }
 
-/// Sums the work of friction, ∫ μ p dγ by the trapezoidal rule; the next step slips from the present foot points.
+/// Sums the work of friction, ∫ μ p dγ by the trapezoidal rule. A point that slipped gets the slip point with which its
+/// trial friction y is on Coulomb's cone: its friction does not change while nothing moves.
 template <int D>
 void MultiplierContact<D>::commit(History<D>& present, const History<D>& accepted, double penalty_factor) {
   const double friction = parameters_.friction(present.changes), before = parameters_.friction(accepted.changes);
-  FacePoint<D> foot, slip_point;
   for (std::size_t i = 0; i < points_.size() && frictional(); ++i) {
     PointHistory<D>& point = present.points[i];
     const PointResult<D>&result = present.results[i], &last = accepted.results[i];
     const bool closed = touches(result.state);
     const double limit = closed ? friction * std::max(0.0, result.pressure) * result.area : 0;
-    if (result.state == ContactState::slip && point.slips) {
-      faces_.master.locate(point.projection.point(), foot);
+    if (!closed || !point.slips || limit == 0) {
+      point.slip = point.projection.point();
+    } else if (result.state == ContactState::slip) {
+      FacePoint<D> slip_point;
       faces_.master.locate(point.slip, slip_point);
       const double before_slip = limit_before(point.limit, before, friction, last.friction.norm() * last.area);
-      present.dissipated += 0.5 * (before_slip + limit) * (foot.position - slip_point.position).norm();
+      present.dissipated += 0.5 * (before_slip + limit) * result.slipped;
+      const Vec<D> slip = slip_point.position + result.slipped * result.friction.normalized();
+      point.slip = faces_.master.project(slip, point.projection, slip_point).point();
     }
-    point.limit = limit;
     point.slips = closed;
-    if (closed) point.slip = point.projection.point();
+    point.limit = limit;
   }
   GaussPointContact<D>::commit(present, accepted, penalty_factor);
 }

@@ -49,6 +49,7 @@ PointCondition<D> closed_condition(const PenaltyLaw& law, const LocalGeometry<D>
     if (slips(geometry.fixed_state, magnitude, limit, tie) && magnitude > 0) {
       // t = μ q d,  δt = μ δq d + μ q/|y| (I − d dᵀ) δy
       condition.state = ContactState::slip;
+      condition.slipped = (magnitude - limit) / law.tangential;
       const Vec<D> d = y / magnitude;
       const Mat<D> across = (limit / magnitude) * (Mat<D>::Identity() - d * d.transpose());
       friction = limit * d;

@@ -13,6 +13,7 @@ template <int D> struct PointCondition {
   Vec<D> residual = Vec<D>::Zero();
   Mat<D> of_multiplier = Mat<D>::Zero();
   LocalBlock<D> rows = LocalBlock<D>::Zero(); ///< with respect to the local variables
+  double slipped = 0;                         ///< (|y| − μ q)/ε_T of a point that slips
 };
 
 /// An open point: c = −λ.

@@ -22,6 +22,7 @@ template <int D> struct PointResult {
   Vec<D> force = Vec<D>::Zero();    ///< on the slave: traction × area
   double law_area = 0;              ///< on which the law's tractions act: current or reference
   double potential = 0;             ///< energy of the law at this point
+  double slipped = 0;               ///< of multipliers: by how far the trial slip is outside of Coulomb's cone
 };
 
 /// `area` per `law_area`: the law's pressure is `pressure` times this.
