@@ -52,13 +52,14 @@ once and receives only the force of its own pass: no choice of slave biases the 
 tangents, and action equals reaction only up to the discretization error, imbalance in model:contact_resultant]],
     default = "gpts" },
   { "enforcement", t.choice { "penalty", "multipliers" }, [[penalty: penetrations in proportion to the pressure remain.
-multipliers: with method = "mortar", Lagrange multipliers as unknowns; the contact conditions hold in the mean weighted
-by their functions, and are integrated point by point]],
+multipliers: with method = "mortar", Lagrange multipliers as unknowns; the contact conditions hold weighted by their
+functions, and are integrated point by point]],
     default = "penalty" },
   { "multipliers", t.choice { "equal", "reduced", "linear" }, [[functions of the multipliers of mortar contact, in half
 passes of either face. equal: those of the slave face. reduced: of degree p - 2 on its elements, continuity two less
 (N2: constant per element), proven stable (inf-sup); for degree p >= 2. linear: of degree 1, one per element of the
-slave or, where a softer master has fewer functions, per so many elements that it can follow them]],
+slave; with enforcement = "multipliers" and a softer master one per so many elements that they are not more than the
+functions of the master]],
     otherwise = [["equal" with method = "mortar", with enforcement = "multipliers" on a slave stiffer than the master
 "linear"; without it half passes act at contact points]] },
   { "per", t.choice { "current", "reference" }, [[area of the slave face on which tractions act, and to which penalty

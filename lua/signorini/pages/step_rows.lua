@@ -10,8 +10,10 @@ local rows = {}
 
 local tolerance = { "tolerance", t.positive, "residual that counts as zero, relative to reactions and loads",
                     default = 1e-10 }
-local iterations = { "iterations", t.integer(1, 1000000), [[maximum number of iterations per attempt;
-four times as many while the set of closed contact points shrinks]], default = 25 }
+--- The row of the limit of iterations; `more`: what extends it.
+local function iterations(more)
+  return { "iterations", t.integer(1, 1000000), "maximum number of iterations per attempt" .. more, default = 25 }
+end
 local linear = { "linear", t.choice(core.linear_solvers), [[linear solver. "klu", "umfpack": direct; "reuse": a reused
 (lagged) factorization preconditions GMRES while that is cheaper than a new one; "condensed": static condensation, for
 linear elastic bodies; "mumps": MUMPS, direct, in parallel under mpirun; "auto": automatic choice]], default = "auto" }
@@ -27,7 +29,7 @@ less memory and operations in large solids, which precondition GMRES]], optional
 }, "options of linear = \"mumps\"", optional = true }
 
 local loop = {
-  tolerance, iterations,
+  tolerance, iterations "; four times as many while the set of closed contact points shrinks",
   { "line_search", t.choice { "none", "residual", "energy" }, [[how Newton corrections are shortened: by the norm of
 the residual (non-monotone) or by the energy]], default = "none" },
   { "freeze_active_set", t.switch(t.range(0, 1), 0.01), [[contact states are frozen until |f·Δu| has decreased to this
@@ -78,7 +80,7 @@ rows.step.hints = hints
 rows.arc = {
   { "length", t.positive, "distance from the accepted state, root mean square of the displacement over all bodies",
     unit = "length" },
-  tolerance, iterations, linear, mumps, verbose,
+  tolerance, iterations "", linear, mumps, verbose,
 }
 rows.arc.conflict = conflict_of_solver
 
