@@ -53,5 +53,24 @@ TEST(DisplacementStiffness, CouplingsOfMultipliersMayBeOneSided) {
   }
 }
 
+/// Two multipliers of two components each, coupled by overlapping functions: lumped, each is eliminated on its own.
+TEST(DisplacementStiffness, LumpsOverlappingMultipliers) {
+  MatrixX k = MatrixX::Zero(8, 8);
+  k.topLeftCorner(4, 4) << 3, -1, 0, 0, -1, 3, -1, 0, 0, -1, 3, -1, 0, 0, -1, 3;
+  for (int i = 0; i < 4; ++i) k(4 + i, i) = k(i, 4 + i) = 1 + i;
+  const MatrixX own{{-2, 0.5}, {0.25, -3}};
+  for (const auto& [i, j, share] : {std::tuple{4, 4, 2.0}, {4, 6, 1.0}, {6, 4, 1.0}, {6, 6, 2.0}})
+    k.block(i, j, 2, 2) = share * own;
+  const Stiffness given = sparse(k);
+  MatrixX expected = k.topLeftCorner(4, 4);
+  for (const int first : {4, 6}) {
+    MatrixX inner = 3 * own;
+    for (int c = 0; c < 2; ++c) inner(c, c) -= std::pow(k(first + c, first - 4 + c), 2) / (constraint_stiffness * 3);
+    expected -= k.block(0, first, 4, 2) * inner.inverse() * k.block(first, 0, 2, 4);
+  }
+  const MatrixX found = dense(displacement_stiffness(given.pattern, given.values, 4, {2, 2, 2, 2}));
+  EXPECT_LT((found - expected).norm(), 1e-12);
+}
+
 } // namespace displacement_stiffness_test
 } // namespace signorini::model

@@ -131,12 +131,14 @@ function Step:show_progress(part) self.display:attempt(self.stage.name, part, se
 
 --- The solver's arguments with the iterations that are left to attempts from the present state; nil if none are.
 function Step:limited(solver)
-  local left = most_failing * self.solver.iterations
+  local whole = most_failing * self.solver.iterations
+  local left = whole
   for _, attempt in ipairs(self.run.histories[#self.run.histories]) do
     if not attempt.converged and attempt.from == self.done then left = left - attempt.iterations end
   end
-  if solver.pseudo_transient then left = left // moves_per_iteration end
+  if left == whole then return solver end
   if left < 1 then return nil end
+  if solver.pseudo_transient then left = math.max(1, left // moves_per_iteration) end
   return left < solver.iterations and lists.merged(solver, { iterations = left }) or solver
 end
 

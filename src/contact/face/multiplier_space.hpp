@@ -19,9 +19,9 @@ enum class MultiplierSpace { equal, reduced, linear, automatic };
 nurbs::Space1D multiplier_space(const nurbs::Space1D& trace, MultiplierSpace kind, int joined = 1);
 
 /// The multipliers' functions on a face: the products of those along its directions. Where the face closes on itself or
-/// shrinks to a pole, control points share unknowns and the trace is a space of sums of products; `equal` has the same
-/// sums. Separate functions there would be more conditions than the displacements can satisfy. `reduced` has no
-/// function that needs a neighbor across a seam, where the trace is C⁰: its products are its functions.
+/// shrinks to a pole, control points share unknowns and the trace is a space of sums of products; `equal` and `linear`
+/// have the same sums. Separate functions there would be more conditions than the displacements can satisfy. `reduced`
+/// has no function that needs a neighbor across a seam, where the trace is C⁰: its products are its functions.
 template <int D> struct FaceMultipliers {
   FaceMultipliers(const Surface<D>& slave, MultiplierSpace kind, int joined = 1);
 

@@ -87,7 +87,8 @@ auto members(HalfPass& pass) {
   return std::tie(penalty, multipliers);
 }
 
-/// The position follows from the displacements; a point that acts is not beyond the master; `slipped` belongs to a step.
+/// The position follows from the displacements; a point that acts is not beyond the master; `slipped` belongs to a
+/// step.
 template <int D> auto members(PointResult<D>& result) {
   auto& [state, position, gap, beyond, settled, pressure, area, tangents, friction, force, law_area, potential,
          slipped] = result;

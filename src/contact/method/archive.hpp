@@ -12,7 +12,7 @@ Obstacle<2> read(ArchiveReader& from, std::type_identity<Obstacle<2>>);
 Obstacle<3> read(ArchiveReader& from, std::type_identity<Obstacle<3>>);
 
 constexpr MultiplierSpace last_value(std::type_identity<MultiplierSpace>) {
-  return MultiplierSpace::automatic;
+  return MultiplierSpace::linear; // automatic: never in a scene that is complete
 }
 
 inline auto members(Start& start) {

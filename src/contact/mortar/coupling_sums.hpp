@@ -8,8 +8,6 @@
 
 namespace signorini::contact {
 
-using RowMajorX = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 /// A point with its condition, and what multiplies its multiplier in the traction.
 template <int D> struct CoupledPoint {
   const FacePoint<D>*foot, *slip_point; ///< closest point with first derivatives; former place, null if not used

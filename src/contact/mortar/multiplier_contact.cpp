@@ -13,7 +13,7 @@ MultiplierContact<D>::MultiplierContact(ContactSetting<D> setting, const MortarL
       functions_(faces_.slave, points_, setting.points, law.multipliers, law.joined),
       each_(may_rub(law.penalty) ? D : 1), scale_(law.scale > 0 ? law.scale : law.penalty.normal),
       couplings_(parts_.size(), CouplingSums<D>(faces_, functions_, each_, scale_)),
-      conditions_(faces_.slave.elements()) {}
+      conditions_(faces_.slave.elements()), areas_(functions_.areas(points_)) {}
 
 /// λ at point i, without friction its first component alone.
 template <int D> Vec<D> MultiplierContact<D>::multiplier_at(std::size_t i, const double* unknowns) const {
@@ -34,7 +34,7 @@ template <int D> void MultiplierContact<D>::evaluate_part(int index, const Trial
   GaussPointContact<D>::evaluate_part(index, trial, tangent);
 }
 
-/// Empties the block of the conditions of the multipliers on an element.
+/// The block of the conditions of the multipliers on an element, with their proximal terms.
 template <int D> void MultiplierContact<D>::start_conditions(int element, bool tangent) {
   Block& block = conditions_[element];
   block.slave_element = block.master_element = block.slip_element = -1;
@@ -45,6 +45,28 @@ template <int D> void MultiplierContact<D>::start_conditions(int element, bool t
   block.rows = block.columns = std::ssize(block.extra);
   block.force.assign(block.rows, 0.0);
   block.matrix.assign(tangent ? block.rows * block.columns : 0, 0.0);
+  int row = 0;
+  for (const int a : functions_.on(element))
+    for (int k = 0; k < each_ && tangent; ++k)
+      block.matrix[row++ * (block.columns + 1)] = -proximal * scale_ * areas_[a];
+}
+
+/// Multipliers without a contact point are zero.
+template <int D> void MultiplierContact<D>::add_unused(const Trial<D>& trial, bool tangent) {
+  const double area = scale_ * *std::max_element(areas_.begin(), areas_.end());
+  for (int a = 0; a < functions_.count(); ++a) {
+    if (areas_[a] > 0) continue;
+    Block block{-1, -1};
+    block.group = faces_.slave.elements() + a;
+    block.rows = block.columns = each_;
+    block.matrix.assign(tangent ? each_ * each_ : 0, 0.0);
+    for (int k = 0; k < each_; ++k) {
+      block.extra.push_back(a * each_ + k);
+      block.force.push_back(-area * trial.extra[a * each_ + k]);
+      if (tangent) block.matrix[k * (each_ + 1)] = -area;
+    }
+    this->blocks_.push_back(std::move(block));
+  }
 }
 
 /// Adds ∫ M_A c dA of a point, with its area per parametric area, and the derivative with respect to χ.
@@ -54,15 +76,13 @@ void MultiplierContact<D>::add_condition(std::size_t i, double area, const Point
   Block& block = conditions_[e];
   const double* values = functions_.at_point(i);
   const double w = points_.list[i].weight * area;
-  Mat<D> of_multiplier = condition.of_multiplier;
-  if (condition.state != ContactState::open) of_multiplier.diagonal().array() -= proximal;
   Eigen::Map<RowMajorX> matrix(block.matrix.data(), tangent ? block.rows : 0, tangent ? block.columns : 0);
   for (int a = 0; a < count; ++a) {
     if (values[a] == 0) continue;
     for (int k = 0; k < each_; ++k) block.force[a * each_ + k] += w * values[a] * condition.residual(k);
     for (int b = 0; b < count && tangent; ++b)
       matrix.block(a * each_, b * each_, each_, each_) +=
-          (w * values[a] * values[b] * scale_) * of_multiplier.topLeftCorner(each_, each_);
+          (w * values[a] * values[b] * scale_) * condition.of_multiplier.topLeftCorner(each_, each_);
   }
 }
 
@@ -139,14 +159,17 @@ void MultiplierContact<D>::transmit(std::size_t i, const Trial<D>& trial, const 
 template <int D> void MultiplierContact<D>::gather(const Trial<D>& trial, bool tangent) {
   GaussPointContact<D>::gather(trial, tangent);
   for (CouplingSums<D>& sums : couplings_) sums.hand_over(this->blocks_);
-  for (const Block& block : conditions_)
-    if (!block.extra.empty()) this->blocks_.push_back(block);
+  for (Block& block : conditions_)
+    if (!block.extra.empty()) this->blocks_.push_back(std::move(block));
+  add_unused(trial, tangent);
 }
 
 template <int D> void MultiplierContact<D>::take_back(std::vector<Block>& blocks) {
   auto block = blocks.begin();
   for (SumPart<D>& part : parts_) part.sums.take_back(block);
   for (CouplingSums<D>& sums : couplings_) sums.take_back(block);
+  for (; block != blocks.end(); ++block)
+    if (block->group < faces_.slave.elements()) conditions_[block->group] = std::move(*block);
   blocks.clear();
 }
 

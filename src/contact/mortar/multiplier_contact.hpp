@@ -11,8 +11,8 @@ namespace signorini::contact {
 /// their rows are forces. Points are open, stick and slip, and transmit λ + c with the c of multiplier_law.hpp; the
 /// equations of multiplier A are 0 = ∫ M_A c dA. Both are the derivatives of the augmented Lagrangian
 /// ∫ (⟨λ − ε_N g⟩² − λ²)/(2 ε_N) dA, which makes the tangent without friction symmetric. In the derivatives only, a
-/// proximal term −proximal ∫ M_A δλ dA over closed points makes the system regular where conditions depend on each
-/// other or on supports; it vanishes with the correction δλ [theory 8.2].
+/// proximal term −proximal a_A δλ_A, a_A = ∫ M_A dA, makes the system regular where conditions depend on each other or
+/// on supports; it vanishes with the correction δλ [theory 8.2].
 template <int D> class MultiplierContact final : public PenaltyContact<D> {
 public:
   /// Throws Error if a constant is invalid, no contact point is left, or the face has no such multipliers.
@@ -24,7 +24,10 @@ public:
   void gather(const Trial<D>& trial, bool tangent) override;
   void commit(History<D>& present, const History<D>& accepted, double penalty_factor) override;
   double memory() const override;
-  const MultiplierFunctions<D>& functions() const { return functions_; }
+  /// The factor does not act.
+  double stiffness(const History<D>& history, double /*penalty_factor*/) const override {
+    return PenaltyContact<D>::stiffness(history, 1);
+  }
 
 private:
   using GaussPointContact<D>::faces_, GaussPointContact<D>::points_, GaussPointContact<D>::parameters_,
@@ -32,6 +35,7 @@ private:
   bool frictional() const { return each_ > 1; }
   Vec<D> multiplier_at(std::size_t i, const double* unknowns) const;
   void start_conditions(int element, bool tangent);
+  void add_unused(const Trial<D>& trial, bool tangent);
   void add_condition(std::size_t i, double area, const PointCondition<D>& condition, bool tangent);
   void evaluate_point(std::size_t i, const Trial<D>& trial, SumPart<D>& part, FootPoints<D>& feet) override;
   void transmit(std::size_t i, const Trial<D>& trial, const Vec<D>& multiplier, const LocalGeometry<D>& geometry,
@@ -43,6 +47,7 @@ private:
   double scale_;
   std::vector<CouplingSums<D>> couplings_; ///< by part
   std::vector<Block> conditions_;          ///< by slave element
+  std::vector<double> areas_;              ///< of the multipliers
 };
 
 } // namespace signorini::contact

@@ -102,8 +102,6 @@ template <int D> std::vector<double> MultiplierFunctions<D>::areas(const Contact
     const double* values = at_point(i);
     for (const int a : on(own.element)) sums[a] += *values++ * own.weight * own.reference_area;
   }
-  const double largest = *std::max_element(sums.begin(), sums.end());
-  std::replace(sums.begin(), sums.end(), 0.0, largest);
   return sums;
 }
 

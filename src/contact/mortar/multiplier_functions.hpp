@@ -38,7 +38,7 @@ public:
   const double* at_point(std::size_t i) const { return values_.data() + offsets_[i]; }
   /// The contact point at which each multiplier is largest; 0 if it has none.
   const std::vector<int>& largest() const { return largest_; }
-  /// Reference areas of the multipliers, Σ w_k M_A over all points; the largest for those without points.
+  /// Reference areas of the multipliers, Σ w_k M_A over all points.
   std::vector<double> areas(const ContactPoints<D>& points) const;
   double memory() const;
 

@@ -17,8 +17,8 @@ constexpr bool touches(ContactState state) {
 }
 
 /// State to which a point is fixed, independent of its gap and friction; free: not fixed. Touching: stick or slip
-/// according to the friction law. Slip: of multipliers.
-enum class FixedContactState : unsigned char { free, open, touching, stick, slip };
+/// according to the friction law.
+enum class FixedContactState : unsigned char { free, open, touching, stick };
 
 /// "open", "stick", "slip", "adhesion", "bonded".
 const char* name_of(ContactState state);

@@ -13,8 +13,7 @@ enum class TractionArea : unsigned char { current, reference };
 enum class Enforcement : unsigned char { penalty, multipliers };
 
 /// Penalty parameters are pressure per length. Those of a scene may be 0, which stands for values from material and
-/// mesh. With multipliers as unknowns they are the c of semi-smooth Newton methods, on which results do not
-/// depend.
+/// mesh. With multipliers as unknowns they weigh gaps and slips that the multipliers do not see.
 struct PenaltyLaw {
   double normal;                            ///< ε_N > 0
   double tangential = 0;                    ///< ε_T, used when friction > 0
@@ -42,11 +41,10 @@ double largest_penalty(const PenaltyLaw& law);
 /// path has lowered μ, the friction `held` there, if it exceeds the lower limit.
 double limit_before(double limit, double mu_before, double mu, double held);
 
-/// True if a trial friction exceeds Coulomb's limit by more than `tie`, or the state is fixed to slip. Below |tie| the
-/// direction of the friction is undefined.
+/// True if a trial friction exceeds Coulomb's limit by more than `tie`, unless the state is fixed to stick. Below |tie|
+/// the direction of the friction is undefined.
 inline bool slips(FixedContactState fixed, double trial, double limit, double tie) {
-  if (fixed == FixedContactState::stick) return false;
-  return fixed == FixedContactState::slip || (trial > limit + tie && trial > -tie);
+  return fixed != FixedContactState::stick && trial > limit + tie && trial > -tie;
 }
 
 /// Evaluates the law (return mapping) [theory 5.3] [theory 7.1] at a closed point, t_N = −ε_N (g − o) > 0 with the

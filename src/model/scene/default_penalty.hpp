@@ -13,7 +13,8 @@ template <int D> double contact_stiffness(const Scene<D>& scene, const Contact<D
 /// have that of the coarser face: the forces of both are equal only if their penalties are.
 template <int D> double default_penalty(const Scene<D>& scene, const Contact<D>& contact);
 
-/// Sets the penalty parameters that are 0, the stiffness of bonds that is 0, and the scales of multipliers.
+/// Sets the penalty parameters that are 0, the stiffness of bonds that is 0, and the scales
+/// of multipliers; chooses their functions where these are automatic.
 template <int D> void set_default_penalties(Scene<D>& scene);
 
 } // namespace signorini::model

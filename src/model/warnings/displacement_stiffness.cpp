@@ -27,8 +27,9 @@ struct MultiplierGroup {
 
 class Elimination {
 public:
-  Elimination(const solve::Pattern& pattern, const std::vector<double>& values, int displacements)
-      : pattern_(pattern), values_(values), displacements_(displacements) {
+  Elimination(const solve::Pattern& pattern, const std::vector<double>& values, int displacements,
+              const std::vector<int>& sizes)
+      : pattern_(pattern), values_(values), displacements_(displacements), sizes_(sizes) {
     couplings_.resize(pattern.size - displacements);
     for (int j = 0; j < displacements; ++j)
       each_entry(j, [&](int i, double value) {
@@ -76,8 +77,9 @@ private:
 
   /// Adds the group that begins with a multiplier, if it constrains displacements; returns the first one after it.
   int add_group(int first) {
-    int end = first + 1;
-    for (int j = first; j < end; ++j)
+    const int lumped = sizes_.empty() ? 0 : sizes_[first - displacements_];
+    int end = first + std::max(1, lumped);
+    for (int j = first; j < end && lumped == 0; ++j)
       for (int k = pattern_.starts[j]; k < pattern_.starts[j + 1]; ++k)
         if (const int i = pattern_.rows[k]; i >= displacements_ && acts(k, i, j)) end = std::max(end, i + 1);
     MultiplierGroup group;
@@ -117,7 +119,8 @@ private:
         stiffest = std::max(stiffest, std::abs(values_[pattern_.find(unknown, unknown)]));
       }
       each_entry(first + j, [&](int i, double value) {
-        if (i >= displacements_) group.inner(i - first, j) = value;
+        // Of a lumped multiplier i is the same component of another one.
+        if (i >= displacements_) group.inner(((i - first) % size + size) % size, j) += value;
       });
       if (stiffest > 0) group.inner(j, j) -= column * row / (constraint_stiffness * stiffest);
     }
@@ -144,14 +147,16 @@ private:
   const solve::Pattern& pattern_;
   const std::vector<double>& values_;
   int displacements_;
+  const std::vector<int>& sizes_;
   std::vector<Couplings> couplings_;
   std::vector<MultiplierGroup> groups_;
 };
 
 } // namespace
 
-Stiffness displacement_stiffness(const solve::Pattern& pattern, const std::vector<double>& values, int displacements) {
-  return Elimination(pattern, values, displacements).eliminated();
+Stiffness displacement_stiffness(const solve::Pattern& pattern, const std::vector<double>& values, int displacements,
+                                 const std::vector<int>& sizes) {
+  return Elimination(pattern, values, displacements, sizes).eliminated();
 }
 
 } // namespace signorini::model

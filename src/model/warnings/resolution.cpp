@@ -16,6 +16,7 @@ namespace {
 /// How a contact's pressures vary along the slave face.
 struct PressureSpace {
   bool at_points = true, reduced = false; ///< otherwise at multipliers
+  double functions = 0;                   ///< per element, if they are not those of the face
   double stiffness = 0, ratio = 0;        ///< E/h, and ε_N h/E
 };
 
@@ -26,7 +27,12 @@ template <int D> std::optional<PressureSpace> pressure_space(const Model<D>& mod
   if (!contact::penalty_law(contact.method) || std::holds_alternative<contact::CohesiveLaw>(contact.method))
     return std::nullopt;
   const auto multipliers = multiplier_space(contact);
-  PressureSpace space{!multipliers, multipliers == contact::MultiplierSpace::reduced, model.system.stiffness[index]};
+  PressureSpace space{!multipliers, multipliers == contact::MultiplierSpace::reduced};
+  if (multipliers == contact::MultiplierSpace::linear) {
+    const auto* mortar = std::get_if<contact::MortarLaw>(&contact.method);
+    space.functions = 1.0 / (mortar ? mortar->joined : 1);
+  }
+  space.stiffness = model.system.stiffness[index];
   space.ratio = model.present.penalty_factor * formulation.parameters().penalty(model.present.contacts[index].changes) /
                 space.stiffness;
   return space;
@@ -68,8 +74,10 @@ template <int D> std::optional<Narrow> narrow_zone(const Model<D>& model, int in
     const auto place = std::div(zone->element, slave.direction(0).elements());
     if (extent.edges == 2) continue;
     const double width = (1 + extent.edges) * extent.elements;
-    const double least = least_functions(space, slave.degree(zone->element, a)) /
-                         functions_per_element(slave.direction(a), a == 0 ? place.rem : place.quot);
+    const double functions = space.functions > 0
+                                 ? space.functions
+                                 : functions_per_element(slave.direction(a), a == 0 ? place.rem : place.quot);
+    const double least = least_functions(space, slave.degree(zone->element, a)) / functions;
     if (width / least >= most) continue;
     most = width / least;
     found.width = width;

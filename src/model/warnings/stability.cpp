@@ -122,6 +122,18 @@ template <int D> Message described(System<D>& system, const VectorX& direction) 
   return found;
 }
 
+/// The sizes of multipliers that displacement_stiffness() lumps: those of contacts whose multipliers are unknowns.
+template <int D> std::vector<int> multiplier_sizes(const System<D>& system) {
+  std::vector<int> sizes(system.unknowns.dofs() - system.unknowns.displacements(), 0);
+  for (std::size_t k = 0; k < system.contacts.size(); ++k) {
+    const auto& law = system.contacts[k]->parameters().law;
+    if (!law || law->enforcement != contact::Enforcement::multipliers) continue;
+    const auto first = sizes.begin() + (system.unknowns.of_contact(k).extra - system.unknowns.displacements());
+    std::fill_n(first, system.contacts[k]->extra_unknowns(), contact::may_rub(*law) ? D : 1);
+  }
+  return sizes;
+}
+
 } // namespace
 
 template <int D> void warn_of_instability(Model<D>& model, std::vector<Message>& warnings) {
@@ -138,8 +150,8 @@ template <int D> void warn_of_instability(Model<D>& model, std::vector<Message>&
   const bool evaluated =
       evaluate(model, {.initial = {gap_rounding * largest_position(model)}}, why) == solve::Outcome::converged;
   if (evaluated && model.linear.proves_definite(tangent_of(system.assembly))) return rollback(model);
-  const Stiffness k =
-      displacement_stiffness(system.assembly.tangent().pattern, system.assembly.tangent().values, displacements);
+  const Stiffness k = displacement_stiffness(system.assembly.tangent().pattern, system.assembly.tangent().values,
+                                             displacements, multiplier_sizes(system));
   rollback(model);
   if (!evaluated || std::ranges::all_of(k.values, [](double value) { return value == 0; })) return;
   const bool by_mumps = model.linear.kind() == solve::LinearKind::mumps;
