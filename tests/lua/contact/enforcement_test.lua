@@ -54,12 +54,14 @@ end)
 
 -- ── Default penalties ────────────────────────────────────────────────────────────────────────────────────────────────
 
-check.case("by default the penalty is 30 E/h of the softer body and the slave's elements, with multipliers 10 E/h of the softer", function()
+check.case("by default the penalty is 30 E/h, E of the softer body, h of the slave; with multipliers 10 E/h", function()
   local joint = law{ method = "mortar", enforcement = "multipliers", friction = { mu = 0.3 } }
   check.near({ joint.penalty, joint.friction_penalty }, { 10 * 3 * 8, 10 * 3 * 8 }, 1e-9)
-  check.equal({ joint.default_penalty, joint.enforcement, joint.method, joint.mu }, { true, "multipliers", "mortar", 0.3 })
+  check.equal({ joint.default_penalty, joint.enforcement, joint.method, joint.mu },
+    { true, "multipliers", "mortar", 0.3 })
   check.near(law({ method = "mortar", enforcement = "multipliers" }, true).penalty, 10 * 20 * 4, 1e-9)
-  check.near(law{ method = "mortar", enforcement = "multipliers", where = function(X) return X[1] < 0.3 end }.penalty, 10 * 3 * 8, 1e-9)
+  local partial = law{ method = "mortar", enforcement = "multipliers", where = function(X) return X[1] < 0.3 end }
+  check.near(partial.penalty, 10 * 3 * 8, 1e-9)
   check.equal({ joint.multipliers, joint.per }, { "linear", "reference" })
   for _, alone in ipairs { {}, { method = "mortar" }, { method = "half_passes" } } do
     alone.friction = { mu = 0.3 }
@@ -76,7 +78,8 @@ check.case("in 3D h is the square root of an element's area, in an axisymmetric 
   local cube = scenes.body{ size = { 2, 3, 1 }, elements = { 4, 3, 1 }, contact = "front",
     material = sg.linear_elastic{ E = 5, nu = 0.3 } }
   local solid = sg.model{ bodies = { cube = cube }, contacts = { floor = { slave = cube:face "front",
-    method = "mortar", enforcement = "multipliers", master = sg.rigid.plane{ point = { 0, 0, -1 }, normal = { 0, 0, 1 } } } } }
+    method = "mortar", enforcement = "multipliers",
+    master = sg.rigid.plane{ point = { 0, 0, -1 }, normal = { 0, 0, 1 } } } } }
   check.near(solid:contact_law("floor").penalty, 10 * 5 / math.sqrt(0.5 * 1), 1e-9)
   local puck = block(0, 4, 20, "south")
   local round = scenes.model{ kind = "axisymmetric", bodies = { puck = puck },
@@ -86,8 +89,8 @@ check.case("in 3D h is the square root of an element's area, in an axisymmetric 
 end)
 
 check.case("print shows them", function()
-  local default = 'method = "mortar", multipliers = "linear", enforcement = "multipliers", penalty = 240 (from material '
-    .. "and mesh)"
+  local default = 'method = "mortar", multipliers = "linear", enforcement = "multipliers", '
+    .. "penalty = 240 (from material and mesh)"
   local keys = { method = "mortar", enforcement = "multipliers" }
   check.holds(show.text(scene(keys)), "contact joint: open\n    " .. default)
   keys.friction = { mu = 0.3 }

@@ -127,7 +127,7 @@ check.case("load and hold: no creep over 50 steps, and sticking multipliers do n
   end
 end)
 
-check.case("2D ironing, a stiff die on a soft slab, either face as slave: few iterations, no cuts, equal forces", function()
+check.case("2D ironing, stiff on soft, either face as slave: few iterations, no cuts, equal forces", function()
   local means = {}
   for _, case in ipairs { { 9 }, { 18 }, { 24 }, { 36 }, { 18, "slab" } } do
     local die = scenes.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 0.5, 1.5 } },

@@ -3,7 +3,8 @@
 require "check"
 
 check.case("both problems with and without checkpoints", function()
-  local costs, folder = check.study("tests/measure/checkpoint_cost", "every=0,10", "mesh=sparse", "slides=2", "repeats=1")
+  local costs, folder = check.study("tests/measure/checkpoint_cost", "every=0,10", "mesh=sparse", "slides=2",
+    "repeats=1")
   check.equal(#costs, 4)
   for i, cost in ipairs(costs) do
     check.equal(cost.every, i % 2 == 1 and 0 or 10)

@@ -32,5 +32,6 @@ check.case("a table and two charts", function()
 end)
 
 check.case("numbers of steps that cannot be divided into pressing and sliding", function()
-  check.fails(function() check.study("problems/ironing2d", "variant=cost", "steps=50") end, "steps=50: not a multiple of 11")
+  check.fails(function() check.study("problems/ironing2d", "variant=cost", "steps=50") end,
+    "steps=50: not a multiple of 11")
 end)

@@ -11,6 +11,7 @@ check.case("the loop and model:run take the same iterations with bitwise identic
 end)
 
 check.case("wrong arguments", function()
-  check.fails(function() check.study("studies/newton_loop", "steps=many") end, "steps must be a whole number", "got 'many'")
-  check.fails(function() check.study("studies/newton_loop", "slide=10") end, "'slide=10'; did you mean 'slides'?", "slides=250")
+  local function run(word) check.study("studies/newton_loop", word) end
+  check.fails(function() run "steps=many" end, "steps must be a whole number", "got 'many'")
+  check.fails(function() run "slide=10" end, "'slide=10'; did you mean 'slides'?", "slides=250")
 end)

@@ -4,7 +4,8 @@ require "check"
 
 local plane, plane_folder = check.study("problems/patch_test", "dimensions=2")
 local solid, solid_folder = check.study("problems/patch_test", "dimensions=3", "orders=N2", "points=6")
-local free, free_folder = check.study("problems/patch_test", "dimensions=3", "materials=linear", "orders=N1", "points=3", "sides=free")
+local free, free_folder = check.study("problems/patch_test", "dimensions=3", "materials=linear", "orders=N1",
+  "points=3", "sides=free")
 
 local function name(case)
   return ("%dD %s %s %s, slave %s, %d points"):format(case.dimension, case.material, case.order, case.pair, case.slave,
