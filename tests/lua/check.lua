@@ -280,18 +280,20 @@ local function check_files(script, folder, files)
     reported[file] = true
     if not core.read_file(file):find(ends[file:match "%w+$"]) then error(file .. " is not complete", 3) end
   end
+  if not core.exists(folder) then return end
   local drawn = check.shell(("find %s -name '*.png' -o -name '*.svg' -o -name '*.pdf'"):format(quoted(folder)))
   for file in drawn:gmatch "[^\n]+" do
     if not reported[file] then error(("%s does not report %s"):format(script, file), 3) end
   end
 end
 
---- The words, with a folder for what the script writes, unless they name one or it writes nothing; and the folder.
+--- The words, with a folder for what the script writes, which it has to make, unless they name one or it writes
+--- nothing; and the folder.
 local function with_folder(script, words)
   for _, word in ipairs(words) do
     if word:find "^out=" then return words, word:sub(5) end
   end
-  local all, folder = { table.unpack(words) }, check.folder()
+  local all, folder = { table.unpack(words) }, check.folder() .. "/out"
   if core.read_file(path_of(script)):find "%f[%w]out = " then all[#all + 1] = "out=" .. folder end
   return all, folder
 end
@@ -308,7 +310,8 @@ function check.study(script, ...)
   print, core.quiet = own_print, quiet
   local output = table.concat(said, "\n")
   if not ok then
-    error(("%s %s: %s\n%s"):format(script, table.concat(words, " "), result, output:sub(-2000)), 2)
+    -- Without the words, which check.fails must not take for the message.
+    error(("%s: %s\n%s"):format(script, result, output:sub(-2000)), 2)
   end
   local files = reported_files(output)
   check_files(script, folder, files)

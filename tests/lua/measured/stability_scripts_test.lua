@@ -184,7 +184,7 @@ check.case("wrong arguments", function()
   check.fails(function() study("deep_ironing", "points=p") end, "points must be values among 'p+1'")
   check.fails(function() study("locking", "mu=0.3") end, "unknown argument 'mu=0.3'", "reference=24")
   check.fails(function() study("first_touch", "gaps=wide") end, "gaps must be numbers")
-  check.fails(function() study("deep_ironing", "points=p+1", "orders=N2", "coarser=16", "places=M2") end, "M2")
+  check.fails(function() study("deep_ironing", "points=p+1", "orders=N2", "coarser=16", "places=M2") end, "got 'M2'")
   check.fails(function() study("locking", "with=luck") end,
     "with must be 'robust', 'cutting', 'fallback' or 'prediction'")
   check.fails(function() study("first_touch", "formulation=half-passes") end, "needs under=slab")
