@@ -1,4 +1,5 @@
--- Scripts without a test of their own, with the words of their rows in coarse.txt; and the words of all rows.
+-- Scripts without a test of their own, or with rows that do more, with the words of their rows in coarse.txt; and the
+-- words of all rows.
 
 require "check"
 
@@ -22,8 +23,21 @@ end
 local scripts = lists.sorted_names(check.rows)
 check.case("there are rows", function() check.equal(#scripts > 60, true) end)
 
+check.case("every measurement has a row", function()
+  for _, file in ipairs(core.list_folder(core.home .. "/tests/measure")) do
+    local name = file:match "^(.*)%.lua$"
+    if name and name ~= "slurm_overhead" then -- which needs a cluster
+      check.equal({ name, check.rows["tests/measure/" .. name] ~= nil }, { name, true })
+    end
+  end
+end)
+
+--- Scripts whose rows do what their tests leave out: growth in 3D, all maps, half passes, charts over several meshes.
+local further = { ["tests/measure/benchmark"] = true, ["formulations/recovered_cells"] = true,
+                  ["formulations/load_and_hold"] = true, ["problems/cook"] = true }
+
 for _, script in ipairs(scripts) do
-  if not is_tested(script) then check.case(script, function() check.study(script) end) end
+  if further[script] or not is_tested(script) then check.case(script, function() check.study(script) end) end
 end
 
 --- Ends the script that calls sg.arguments once its words have been read.
