@@ -53,8 +53,19 @@ check.case("one pass: mortar is more uniform than Gauss points, by an order with
   end
 end)
 
+check.case("one pass with multipliers: more uniform than Gauss points with the coarser mesh as slave", function()
+  for _, name in ipairs { "equal-multipliers", "reduced-multipliers" } do
+    for _, skew in ipairs { 0, 0.2 } do
+      for slave, share in pairs { lower = 0.6, upper = 1.1 } do
+        local points, mortar = series(plane, "gpts", slave, skew), series(plane, name, slave, skew)
+        check.at_most(name .. " " .. slave, mean(mortar, 3, 12), share * mean(points, 3, 12))
+      end
+    end
+  end
+end)
+
 check.case("one pass: the error falls with the number of points", function()
-  for _, name in ipairs { "gpts", "equal", "reduced" } do
+  for _, name in ipairs { "gpts", "equal", "reduced", "equal-multipliers", "reduced-multipliers" } do
     for _, slave in ipairs { "lower", "upper" } do
       local one = series(plane, name, slave, 0)
       check.at_most(name .. " " .. slave, mean(one, 9, 12), 0.3 * mean(one, 3, 5))
