@@ -61,6 +61,26 @@ check.case("Hertz's line contact: the force of Gauss points as their penalty gro
   end
 end)
 
+check.case("a block between walls on a plane: the exact pressure of uniaxial strain, none once it is lifted", function()
+  local E, nu, depth = 2, 0.3, 0.2
+  local mu, lambda, f = E / (2 * (1 + nu)), E * nu / ((1 + nu) * (1 - 2 * nu)), 1 - depth
+  for _, space in ipairs { "equal", "reduced", "linear" } do
+    local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
+      contact = "south", material = sg.neo_hookean{ E = E, nu = nu } }
+    local model = sg.model{ bodies = { block = block },
+      supports = { walls = { on = { block:face "west", block:face "east" }, fix = "x" },
+                   top = { on = block:face "north", drive = "y" } },
+      contacts = { floor = keys(space, { slave = block:face "south", penalty = 40,
+        master = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } } }) } }
+    solved(model, { { name = "press", steps = 2, top = -depth } })
+    local floor = model:contact_resultant "floor"
+    check.within(space, floor.fy, -(mu * f + (lambda * math.log(f) - mu) / f), 1e-8)
+    check.at_most(space .. ": penetration", floor.max_penetration, 1e-10)
+    solved(model, { { name = "lift", steps = 1, top = 0.01 } })
+    check.at_most(space .. ": lifted", model:reaction("top").fy, 1e-9)
+  end
+end)
+
 check.case("any linear solver finds the same state", function()
   for _, space in ipairs(spaces) do
     local forces = {}
