@@ -78,7 +78,7 @@ check.case("ironing back and forth: drag changes its sign; long steps fail while
   local result = study("friction_steps", "orders=N2", "coarser=4,16", "friction=0,0.8")
   local plain = result.maps.N2.plain
   check.equal({ plain:converged() }, { 2, 4 })
-  check.near(plain:cell(16, 0.8).reached, 0.2, 0.02)
+  check.near(plain:cell(16, 0.8).reached, 0.37, 0.02)
   local results = plain:cell(4, 0.8).results
   check.near({ results["drag forward"], results["drag back"] }, { 0.812, -0.812 }, 1e-3)
   check_controls(result.maps.N2, 4)
@@ -116,10 +116,10 @@ check.case("first contact: an unconstrained body is singular before it touches; 
   check_files(result, 15)
 end)
 
-check.case("ironing under a constant force: lost contact and deep steps stop plain Newton, controls carry P", function()
+check.case("ironing under a constant force: deep steps and a distant tool stop plain Newton, controls carry P", function()
   local result = study("pressed_tool", "friction=0.2", "forces=0.02,0.4", "lengths=0.2")
   local map = result.maps["mu0.2"]
-  check.equal(outcomes(map.plain), { "singular", "inverted" })
+  check.equal(outcomes(map.plain), { "completed", "inverted" })
   check_controls(map, 2)
   for _, force in ipairs { 0.02, 0.4 } do
     check.near({ map.robust:cell(force, 0.2).results.carried }, { -force }, 1e-8)

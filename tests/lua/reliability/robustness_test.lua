@@ -13,7 +13,7 @@ core.quiet = true
 
 check.case("a seed gives the same scene on every machine", function()
   check.equal(scenes.text(scenes.describe(25)), "25: plane_strain, joined, block; a L2 4x4 neo_hookean, b N3-N3.1 3x3 "
-    .. "neo_hookean, c N2 2x3 ogden; equal-augmented mu 0.7; odd: wild waves, points far away, extreme Poisson's "
+    .. "neo_hookean, c N2 2x3 ogden; equal-multipliers mu 0.7; odd: wild waves, points far away, extreme Poisson's "
     .. "ratio, narrow knot span, narrow knot span, extreme friction penalty, extreme offset, extreme load")
 end)
 

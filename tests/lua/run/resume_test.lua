@@ -83,7 +83,7 @@ end)
 
 check.case("a failed step leaves the last file; the resumed run fails in the same way", function()
   os.remove(file)
-  local far = { { name = "press", steps = 6, grip = {0, -0.15} }, { name = "leap", steps = 1, grip = {2.5, -0.9} } }
+  local far = { { name = "press", steps = 6, grip = {0, -0.15} }, { name = "leap", steps = 1, grip = {2.5, -2.5} } }
   local model, other = ironing(), ironing()
   local run = model:run(far, { checkpoint = file })
   check.equal({ run.failed, run.steps }, { true, 6 })

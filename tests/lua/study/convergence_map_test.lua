@@ -252,7 +252,7 @@ check.case("the picture of outcomes: rows from the first y on, numbers in the ce
   check.equal(a.values, { { "completed", "diverged" }, { "completed", "diverged" } })
   check.equal(a.texts, { { "12", "31" }, { "30", "40" } })
   check.equal({ a.categories[1].name, a.categories[#a.categories].name, #a.categories },
-    { "completed", "friction_exhausted", 22 })
+    { "completed", "friction_exhausted", 21 })
   check.equal({ b.title, b.size, b.texts[1] }, { "Springs", { 800, 600 }, { "100%", "50%" } })
   check.equal({ c.texts[1][1], c.texts[1][2] }, { 1.3, nil }) -- a number: the heat map writes powers of ten
 end)
