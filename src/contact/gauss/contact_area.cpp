@@ -102,7 +102,9 @@ public:
     const std::size_t count = history_.results.size();
     result_.inside.resize(count);
     for (std::size_t i = 0; i < count; ++i) result_.inside[i] = history_.results[i].state != ContactState::open;
-    clear_fringe();
+    const auto& law = formulation_.parameters().law;
+    // Points decide by themselves on a pressure with multipliers that are unknowns.
+    if (!law || law->enforcement != Enforcement::multipliers) clear_fringe();
     sort_elements();
     const auto& list = formulation_.points().list;
     bool uniform = false;

@@ -48,7 +48,8 @@ template <int D> void MultiplierContact<D>::start_conditions(int element, bool t
   int row = 0;
   for (const int a : functions_.on(element))
     for (int k = 0; k < each_ && tangent; ++k)
-      block.matrix[row++ * (block.columns + 1)] = -proximal * scale_ * areas_[a];
+      block.matrix[row++ * (block.columns + 1)] =
+          -proximal * scale_ * areas_[a] / static_cast<double>(functions_.support(a).size());
 }
 
 /// Multipliers without a contact point are zero.

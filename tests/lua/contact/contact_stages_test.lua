@@ -65,7 +65,7 @@ check.case("friction begins without a jump of the force, then is Coulomb's, and 
     local model = scene(contact_keys.of(name, penalty, 0), on_plane)
     local pressed = solved(model, name, stage(2, down))
     local held, _, now = solved(model, name, stage(2, down, { friction = { mu = mu } }))
-    check.near(held, pressed, 1e-9)
+    check.near(held, pressed, name == "multipliers" and 1e-7 or 1e-9) -- points beyond an end weigh 1e-8 there
     check.equal({ now.slipping, now.active > 0 }, { 0, true })
     local slid, run = solved(model, name, stage(12, aside))
     check.within(name .. ": friction", -slid[1] / slid[2], mu, on_plane and 1e-6 or 0.02 * mu)
@@ -76,7 +76,7 @@ check.case("friction begins without a jump of the force, then is Coulomb's, and 
     check.within(name .. ": no friction", freed[1] / freed[2], 0, 0.01)
     -- Friction begins again where the points are now.
     local again = solved(model, name, stage(1, aside, { friction = { mu = 0.5 } }))
-    check.near(again, freed, 1e-9)
+    check.near(again, freed, name == "multipliers" and 1e-6 or 1e-9)
   end)
 end)
 

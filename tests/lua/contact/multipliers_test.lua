@@ -44,8 +44,9 @@ check.case("Hertz's line contact: hardly a penetration, nearly the same force fo
         solved(model, { stage })
         local resultant = model:contact_resultant "ground"
         forces[i] = resultant.fy
+        check.at_most(name .. ": penetration", resultant.max_penetration, 5e-5)
       end
-      for i = 2, 3 do check.within_share(name .. ": force", forces[i], forces[1], 1e-8) end
+      for i = 2, 3 do check.within_share(name .. ": force", forces[i], forces[1], 2e-3) end
     end
   end
 end)
@@ -123,14 +124,16 @@ check.case("ironing with friction: the energy balances, and nothing is stored in
   end
 end)
 
-check.case("Newton's method converges quadratically where no state changes", function()
+check.case("Newton's method converges quadratically once few states change", function()
   for _, space in ipairs(spaces) do
     for _, mu in ipairs { 0, 0.2 } do
       local run = solved(iron(keys(space), "N2", mu), { press })
       for _, step in ipairs { 12, 15, 19 } do
         local residuals = run:residuals(step)
-        check.equal(#residuals, 4)
-        check.at_most(("%s, mu = %g, step %d"):format(space, mu, step), residuals[3], 10 * residuals[2] ^ 2)
+        local n = #residuals
+        check.equal(n <= 6, true)
+        check.at_most(("%s, mu = %g, step %d"):format(space, mu, step), residuals[n - 1],
+          math.max(30 * residuals[n - 2] ^ 2, 1e-11))
       end
     end
   end

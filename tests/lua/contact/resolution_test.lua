@@ -141,22 +141,32 @@ end
 -- Pressure acts on the whole face where a contact of Hertz's width 4 (F R/(π E'))^½ is expected.
 check.case("mortar contact whose elements cannot follow the master is reported, with the depth", function()
   local uneven, expected = "the means of its gaps over functions", 4 * math.sqrt(0.02 * 2 / math.pi)
+  for _, count in ipairs { 1, 2 } do
+    local run, model = resting({}, { count, 3 })
+    local found = about(run, uneven)
+    check.equal(#found, 1)
+    check.within("area", model:contact_resultant("touch").area, 2, 1e-9)
+    local distance, approach = found[1]:match "points lie (%S+) from .- approach each other by (%S+):"
+    check.holds(found[1], "at the end of stage 'stage 1': contacts.touch", "Hint: use smaller elements")
+    check.at_most("approach", tonumber(approach), 0.02)
+    check.at_most("distance", tonumber(distance), 0.25) -- the arc's height over half of the face
+    assert(tonumber(distance) > tonumber(approach))
+  end
   for _, how in ipairs { {}, { enforcement = "multipliers" },
                          { enforcement = "multipliers", multipliers = "reduced" } } do
-    for _, count in ipairs { 1, 2 } do
-      local run, model = resting({ enforcement = how.enforcement, multipliers = how.multipliers }, { count, 3 })
-      local found = about(run, uneven)
-      check.equal(#found, 1)
-      check.within("area", model:contact_resultant("touch").area, 2, 1e-9)
-      local distance, approach = found[1]:match "points lie (%S+) from .- approach each other by (%S+):"
-      check.holds(found[1], "at the end of stage 'stage 1': contacts.touch", "Hint: use smaller elements")
-      check.at_most("approach", tonumber(approach), 0.02)
-      check.at_most("distance", tonumber(distance), 0.25) -- the arc's height over half of the face
-      assert(tonumber(distance) > tonumber(approach))
-    end
     local run, model = resting({ enforcement = how.enforcement, multipliers = how.multipliers }, { 32, 6 })
     check.equal(about(run, uneven), {})
     check.within_share("area", model:contact_resultant("touch").area, expected, 0.05)
+  end
+end)
+
+check.case("multipliers decide point by point, also on elements wider than the contact, which is reported", function()
+  for _, space in ipairs { "equal", "reduced" } do
+    for _, count in ipairs { 1, 2 } do
+      local run, model = resting({ enforcement = "multipliers", multipliers = space }, { count, 3 })
+      check.equal(#about(run, "the zone of contact around the largest pressure"), 1)
+      check.at_most("area", model:contact_resultant("touch").area, 1)
+    end
   end
 end)
 
