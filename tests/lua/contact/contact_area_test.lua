@@ -79,7 +79,8 @@ check.case("the area under a sphere has no holes and no steps", function()
     for i, force in ipairs(run:column "c.fz") do
       -- Of the quarter, F/4; the block of finite depth is up to 7 % stiffer than a half space.
       local a = (3 * math.abs(force) * R * (1 - nu ^ 2) / E) ^ (1 / 3)
-      check.within_share(name, run:column "c.area"[i], math.pi * a ^ 2 / 4 * 0.94, name == "multipliers" and 0.1 or 0.05)
+      check.within_share(name, run:column "c.area"[i], math.pi * a ^ 2 / 4 * 0.94,
+        name == "multipliers" and 0.1 or 0.05)
     end
   end
 end)
