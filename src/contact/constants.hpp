@@ -125,6 +125,11 @@ inline constexpr double broken_energy = 0.99;
 /// a penalty by 1e8 times the bodies' stiffness: Newton's method leaves less than that fraction of the error to the
 /// next iteration, while pivots remain far above rounding error.
 inline constexpr double proximal = 1e-8;
+/// The same of contacts, whose multipliers overlap: their diagonal alone is regular.
+inline constexpr double proximal_contact = 1e-9;
+/// Projections by which a slip point on a curved master is found; each reduces the error by the square of slip over
+/// radius of curvature.
+inline constexpr int slip_corrections = 3;
 
 // ── Threads and caches ───────────────────────────────────────────────────────────────────────────────────────────────
 

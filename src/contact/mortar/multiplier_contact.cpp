@@ -49,7 +49,7 @@ template <int D> void MultiplierContact<D>::start_conditions(int element, bool t
   for (const int a : functions_.on(element))
     for (int k = 0; k < each_ && tangent; ++k)
       block.matrix[row++ * (block.columns + 1)] =
-          -proximal * scale_ * areas_[a] / static_cast<double>(functions_.support(a).size());
+          -proximal_contact * scale_ * areas_[a] / static_cast<double>(functions_.support(a).size());
 }
 
 /// Multipliers without a contact point are zero.
@@ -108,7 +108,7 @@ void MultiplierContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, 
   point.cleared = foot == Foot::regular && feet.foot.settled && distance > 0 ? faces_.travel + distance : 0;
   if (!opposite || (foot != Foot::regular && point.projection.gap == 0)) {
     // Beyond an end the conditions do not count, but keep the system regular.
-    add_condition(i, proximal * reference, open, part.tangent);
+    add_condition(i, proximal_contact * reference, open, part.tangent);
     return;
   }
   LocalGeometry<D> geometry = this->geometry(i, trial, feet);
@@ -118,7 +118,7 @@ void MultiplierContact<D>::evaluate_point(std::size_t i, const Trial<D>& trial, 
     add_condition(i, reference, open, part.tangent);
     return;
   }
-  if (geometry.fade < 1) add_condition(i, proximal * reference, open, part.tangent);
+  if (geometry.fade < 1) add_condition(i, proximal_contact * reference, open, part.tangent);
   transmit(i, trial, multiplier, this->closed_geometry(i, trial, law, *closed, feet), part, feet);
 }
 
@@ -174,6 +174,25 @@ template <int D> void MultiplierContact<D>::take_back(std::vector<Block>& blocks
   blocks.clear();
 }
 
+/// The slip point after a slip in the plane normal to n̄, in which it is exact although the master is curved.
+template <int D>
+MasterPoint<D> MultiplierContact<D>::slipped_to(const PointHistory<D>& point, const Vec<D>& slip) const {
+  const Master<D>& master = faces_.master;
+  FacePoint<D> foot, found;
+  master.locate(point.slip, found);
+  const Vec<D> goal = found.position + slip;
+  master.locate(point.projection, foot);
+  const Vec<D> n = master.normal(foot);
+  Projection<D> projection = point.projection;
+  Vec<D> near = goal;
+  for (int k = 0; k < slip_corrections; ++k) {
+    projection = master.project(near, projection, found);
+    const Vec<D> error = goal - found.position;
+    near += error - n.dot(error) * n;
+  }
+  return projection.point();
+}
+
 /// Sums the work of friction, ∫ μ p dγ by the trapezoidal rule. A point that slipped gets the slip point with which its
 /// trial friction y is on Coulomb's cone: its friction does not change while nothing moves.
 template <int D>
@@ -187,12 +206,9 @@ void MultiplierContact<D>::commit(History<D>& present, const History<D>& accepte
     if (!closed || !point.slips || limit == 0) {
       point.slip = point.projection.point();
     } else if (result.state == ContactState::slip) {
-      FacePoint<D> slip_point;
-      faces_.master.locate(point.slip, slip_point);
       const double before_slip = limit_before(point.limit, before, friction, last.friction.norm() * last.area);
       present.dissipated += 0.5 * (before_slip + limit) * result.slipped;
-      const Vec<D> slip = slip_point.position + result.slipped * result.friction.normalized();
-      point.slip = faces_.master.project(slip, point.projection, slip_point).point();
+      point.slip = slipped_to(point, result.slipped * result.friction.normalized());
     }
     point.slips = closed;
     point.limit = limit;

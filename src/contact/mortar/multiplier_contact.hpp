@@ -11,8 +11,8 @@ namespace signorini::contact {
 /// their rows are forces. Points are open, stick and slip, and transmit λ + c with the c of multiplier_law.hpp; the
 /// equations of multiplier A are 0 = ∫ M_A c dA. Both are the derivatives of the augmented Lagrangian
 /// ∫ (⟨λ − ε_N g⟩² − λ²)/(2 ε_N) dA, which makes the tangent without friction symmetric. In the derivatives only, a
-/// proximal term −proximal a_A δλ_A, a_A = ∫ M_A dA, makes the system regular where conditions depend on each other or
-/// on supports; it vanishes with the correction δλ [theory 8.2].
+/// proximal term −proximal_contact a_A δλ_A, a_A = ∫ M_A dA, makes the system regular where conditions depend on each
+/// other or on supports; it vanishes with the correction δλ [theory 8.2].
 template <int D> class MultiplierContact final : public PenaltyContact<D> {
 public:
   /// Throws Error if a constant is invalid, no contact point is left, or the face has no such multipliers.
@@ -40,6 +40,7 @@ private:
   void evaluate_point(std::size_t i, const Trial<D>& trial, SumPart<D>& part, FootPoints<D>& feet) override;
   void transmit(std::size_t i, const Trial<D>& trial, const Vec<D>& multiplier, const LocalGeometry<D>& geometry,
                 SumPart<D>& part, FootPoints<D>& feet);
+  MasterPoint<D> slipped_to(const PointHistory<D>& point, const Vec<D>& slip) const;
   void take_back(std::vector<Block>& blocks) override;
 
   MultiplierFunctions<D> functions_;
