@@ -105,11 +105,11 @@ the largest mean pressure over a slave element (where elements or a high penalty
 to the peak than max_pressure); the numbers of contact points that touch and slip; and per, "current" or "reference",
 the area on which tractions act; of mortar contact with a penalty also weighted_penetration, the largest of its
 multipliers; of a cohesive contact debonded, the area of new surface: energy dissipated by bonds over energy of
-separation; with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how much action and
-reaction differ, 0 without forces. unsettled: how often, in all accepted states so far, the search for a closest point
-or slip point ended at the limit of iterations; unsettled_at is the reference position of the latest such point.
-crossed: how many points have passed through the master without contact since the accepted state, 0 in accepted states;
-crossed_at is the reference position of the last of them.]],
+separation; with "half_passes" also imbalance, |f + f2| / max(|f|, |f2|) with the force f2 of the other pass: by how
+much action and reaction differ, 0 without forces. unsettled: how often, in all accepted states so far, the search for a
+closest point or slip point ended at the limit of iterations; unsettled_at is the reference position of the latest such
+point. crossed: how many points have passed through the master without contact since the accepted state, 0 in accepted
+states; crossed_at is the reference position of the last of them.]],
     arguments = { a_contact },
     returns = t.record("fx fy", t.number, "fz?", t.number, "area max_pressure mean_pressure max_penetration", t.number,
       "weighted_penetration? imbalance? debonded?", t.number, "active slipping unsettled crossed", t.integer(0),

@@ -21,7 +21,7 @@ check.case("friction is the same in a run that drops its factorizations after ev
 end)
 
 check.case("steps that are cut are the same with slave faces in the other direction", function()
-  for _, seed in ipairs { 12, 30 } do
+  for _, seed in ipairs { 12, 31 } do
     local scene = scenes.describe("plane", seed)
     scene.law = { method = "mortar", enforcement = "multipliers" }
     scene.steps = { press = scene.steps.press // 3, drag = scene.steps.drag // 3 }

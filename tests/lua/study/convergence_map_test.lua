@@ -278,7 +278,7 @@ check.case("two maps side by side share the axes", function()
   local panels = charts[1].panels
   check.equal({ panels[1].title, panels[2].title, charts[1].values }, { "plain Newton", "with controls", nil })
   check.equal({ panels[1].values[1], panels[2].values[1] }, { { "completed", "diverged" }, { "completed", "strange" } })
-  check.equal(charts[1].categories[23].name, "strange")
+  check.equal(charts[1].categories[22].name, "strange")
   check.equal({ charts[2].panels[2].title, charts[2].panels[2].values[1] }, { "controls", { 12, 31 } })
   local other = make{ x = { name = "order", values = { "good" } } }
   check.fails(function() plain:picture{ file = "x.png", other = other } end, "map:picture",
@@ -289,7 +289,7 @@ end)
 
 -- ── A real model ─────────────────────────────────────────────────────────────────────────────────────────────────────
 
-check.case("a block is pressed into a plane: a stiff penalty or long steps fail", function()
+check.case("a block is pressed into a plane: long steps fail", function()
   local map = sg.convergence_map{
     name = "block on a plane",
     x = { name = "penalty", values = { 10, 1e3 } }, y = { name = "depth", values = { 0.1, 3 } },
@@ -302,9 +302,9 @@ check.case("a block is pressed into a plane: a stiff penalty or long steps fail"
     results = function(model, run) return { force = run:column "ground.fy"[run.steps] } end,
     jobs = 2, limit = 60,
   }
-  check.equal({ map:converged() }, { 1, 4 })
+  check.equal({ map:converged() }, { 2, 4 })
   check.equal({ map:cell(10, 0.1).outcome, map:cell(10, 3).outcome }, { "completed", "inverted" })
-  check.equal({ map:cell(1e3, 0.1).reached, map:cell(1e3, 0.1).steps }, { 0, 0 })
+  check.equal({ map:cell(1e3, 3).reached, map:cell(1e3, 3).steps }, { 0, 0 })
   check.holds(map:cell(10, 3).report, "step 1 (stage 'press', 1 of 2) was not reached")
   check.near(map:cell(10, 0.1).results.force, 0.1113, 1e-3)
 end)

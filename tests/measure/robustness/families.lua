@@ -232,7 +232,7 @@ function families.loose(seed)
   local size = E * roll.decades(1e-3, 3e-2)
   scene.loads.push = { on = { face("c", sides.top) }, kind = "traction", constant = true,
                        value = at(scene, scene.axis and 0 or roll.uniform(-0.2, 0.2) * size, -size) }
-  local formulation = roll.one_of{ "gpts", "gpts", "equal" }
+  local formulation = roll.one_of{ "gpts", "gpts", "equal", "gpts" }
   add_contact(scene, face("c", sides.bottom), master,
     { mu = roll.uniform(0.3, 1), penalty = roll.decades(10, 100) * E, formulation = formulation })
   add_stage(scene, roll.integer(1, 4), 0, 0)

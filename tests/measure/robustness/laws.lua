@@ -2,6 +2,11 @@
 
 local sg = require "signorini"
 local formulations = require "formulations.rows"
+local lists = require "signorini.call.lists"
+
+-- Formulations with their frequencies
+local drawn = { "gpts", "gpts", "equal", "equal-multipliers", "equal-multipliers", "reduced", "reduced-multipliers",
+                "reduced-multipliers", "half-passes", "half-passes-equal", "half-passes-reduced" }
 
 local laws = {}
 
@@ -65,7 +70,8 @@ function laws.draw_contact(scene, roll, rigid, stiffness)
     contact.cohesive = { strength = 0.2 * stiffness, energy = 0.01 * stiffness, law = roll.one_of{ "exponential",
                          "bilinear" } }
   else
-    contact.formulation = roll.one_of(formulations.where(function(row) return not (row.two_faces and rigid) end))
+    local function suits(name) return not (formulations[name].two_faces and rigid) end
+    contact.formulation = roll.one_of(lists.filter(drawn, suits))
   end
   if scene:odd(0.1, "extreme penalty") then contact.penalty = contact.penalty * roll.decades(1e-9, 1e9) end
   if scene:odd(0.1, "extreme friction") then contact.mu = roll.one_of{ 1.5, 5, 100 } end
