@@ -290,7 +290,7 @@ TEST(ActiveSet, RetainsPointsThatOpenByAnErrorOfLinearization) {
   EXPECT_FALSE(lift(strip, set, -0.01));
   EXPECT_TRUE(lift(strip, set, 0.002));
   EXPECT_EQ(strip.touching(), 18);
-  // The next evaluation decides anew: at convergence the gap does not change.
+  // The next evaluation decides again: at convergence the gap does not change.
   EXPECT_FALSE(lift(strip, set, 0.002));
   EXPECT_EQ(strip.touching(), 0);
   EXPECT_FALSE(lift(strip, set, -0.01));
