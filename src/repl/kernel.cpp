@@ -173,6 +173,7 @@ public:
   }
 
   void interrupt() override { pthread_kill(main_, SIGINT); }
+  bool interrupted() const override { return signorini::interrupted(); }
   std::string version() const override { return SIGNORINI_VERSION; }
   std::string language_version() const override {
     return LUA_VERSION_MAJOR "." LUA_VERSION_MINOR "." LUA_VERSION_RELEASE;

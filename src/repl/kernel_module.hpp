@@ -51,7 +51,8 @@ public:
   virtual std::string read_line() = 0;
 };
 
-/// The program. All functions are called on the thread that called serve(), but stop(), which other threads call.
+/// The program. All functions are called on the thread that called serve(), but interrupt() and interrupted(), which
+/// other threads call.
 class Evaluator {
 public:
   virtual ~Evaluator() = default;
@@ -66,6 +67,8 @@ public:
   virtual std::pair<Completeness, std::string> test(const std::string& code) = 0;
   /// Interrupts the running cell.
   virtual void interrupt() = 0;
+  /// True if the running cell was interrupted.
+  virtual bool interrupted() const = 0;
   virtual std::string version() const = 0;
   virtual std::string language_version() const = 0;
 };

@@ -1,10 +1,11 @@
 #include "repl/kernel/gate.hpp"
 
+#include "repl/kernel/thread.hpp"
+
 #include <nlohmann/json.hpp>
 #include <zmq_addon.hpp>
 
 #include <algorithm>
-#include <csignal>
 #include <initializer_list>
 
 namespace signorini::repl::kernel {
@@ -74,17 +75,11 @@ Gate::Gate(zmq::context_t& context, const xeus::xconfiguration& outside)
   add(context, outside.m_hb_port, false, socket_type::router, socket_type::dealer);
   end_.bind("inproc://gate");
   ended_.connect("inproc://gate");
-  // Signals belong to the main thread.
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  thread_ = std::thread([this] { serve(); });
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  thread_ = thread_without_signals([this](const std::stop_token&) { serve(); });
 }
 
 Gate::~Gate() {
   end_.send(zmq::message_t(), zmq::send_flags::none);
-  thread_.join();
 }
 
 /// Passes on one message of each socket that has one; returns whether there was one.

@@ -39,7 +39,7 @@ private:
   std::unique_ptr<xeus::xauthentication> authentication_;
   std::vector<Lane> lanes_;
   zmq::socket_t end_, ended_; ///< a pair: what the destructor sends, and the thread receives
-  std::thread thread_;
+  std::jthread thread_;
 };
 
 } // namespace signorini::repl::kernel

@@ -1,11 +1,13 @@
 #include "repl/kernel/interpreter.hpp"
 
 #include "base/base64.hpp"
+#include "repl/kernel/thread.hpp"
 
 #include <xeus/xhelper.hpp>
 #include <xeus/xinput.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
 
 namespace signorini::repl::kernel {
@@ -167,6 +169,11 @@ std::string Interpreter::read_line() {
   check_process("there is no input for");
   if (!has_input_) throw std::runtime_error("this front end has no input. Hint: assign the value in the cell");
   output_.flush();
+  // Xeus waits in a call that a signal ends only if it comes during the call, not just before it.
+  const std::jthread again = thread_without_signals([this](const std::stop_token& end) {
+    for (; !end.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(20)))
+      if (evaluator_->interrupted()) evaluator_->interrupt();
+  });
   return xeus::blocking_input_request("", false);
 }
 
