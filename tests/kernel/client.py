@@ -44,9 +44,10 @@ class Result:
 
 
 class Kernel:
-    def __init__(self):
+    def __init__(self, **environment):
         self.manager = KernelManager(kernel_name="signorini", kernel_spec_manager=KernelSpecManager())
-        self.manager.start_kernel(stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.manager.start_kernel(stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                  env={**os.environ, **environment})
         self.connect()
 
     @property

@@ -91,14 +91,22 @@ class Interrupts(Case):
                 study:execute()""", "begun")
         self.assertEqual(descendants(self.kernel.pid), [])
 
-    def test_input(self):
-        request = self.kernel.client.execute("io.read()", allow_stdin=True)
-        self.kernel.client.get_stdin_msg(timeout=limit)
-        self.kernel.manager.interrupt_kernel()
+    def interrupt_input(self, kernel):
+        request = kernel.client.execute("io.read()", allow_stdin=True)
+        kernel.client.get_stdin_msg(timeout=limit)
+        kernel.manager.interrupt_kernel()
         # Until it is idle, a kernel refuses the cells that wait behind one that failed.
-        self.kernel.collect(request)
-        self.assertEqual(self.kernel.reply(request)["ename"], "interrupted")
-        self.assertEqual(self.run_cell("1").value, "1")
+        kernel.collect(request)
+        self.assertEqual(kernel.reply(request)["ename"], "interrupted")
+        self.assertEqual(kernel.run("1").value, "1")
+
+    def test_input(self):
+        self.interrupt_input(self.kernel)
+
+    def test_input_before_the_wait(self):
+        kernel = Kernel(LD_PRELOAD=os.environ["SLOW_RECEIVE"])
+        self.interrupt_input(kernel)
+        kernel.end()
 
     def test_between_cells(self):
         self.kernel.manager.interrupt_kernel()
