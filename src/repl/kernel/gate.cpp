@@ -75,7 +75,7 @@ Gate::Gate(zmq::context_t& context, const xeus::xconfiguration& outside)
   add(context, outside.m_hb_port, false, socket_type::router, socket_type::dealer);
   end_.bind("inproc://gate");
   ended_.connect("inproc://gate");
-  thread_ = thread_without_signals([this](const std::stop_token&) { serve(); });
+  thread_ = thread_without_signals([this] { serve(); });
 }
 
 Gate::~Gate() {
