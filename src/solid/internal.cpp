@@ -1,6 +1,7 @@
 #include "solid/internal.hpp"
 
 #include "base/error.hpp"
+#include "solid/predicted_volume.hpp"
 #include "solid/projected.hpp"
 
 #include <limits>
@@ -54,13 +55,17 @@ template <int D> ElementArrays<D>::ElementArrays(const Body<D>& body) {
     macro.blocks.resize(D * (D + 1) / 2 * n * n + vector_padding);
   }
   local.resize(D * n);
+  moves.resize(2 * D * n);
+  predicted.resize(points);
   const bool moduli = body.elements() > 0 && body.tables().element(0).kernels.respond;
   work.resize(moduli ? moduli_working_size(D, n, points) : working_size(D, n, points));
   factors.resize(2 * points);
 }
 
 template <int D> std::size_t ElementArrays<D>::memory() const {
-  return sizeof(double) * (force.size() + blocks.size() + local.size() + work.size() + factors.size()) + macro.memory();
+  return sizeof(double) * (force.size() + blocks.size() + local.size() + moves.size() + predicted.size() + work.size() +
+                           factors.size()) +
+         macro.memory();
 }
 
 template <int D>
@@ -85,7 +90,7 @@ template <int D> std::vector<double> initial_values(const Body<D>& body) {
 template <int D>
 std::optional<Inversion> internal_force(const Body<D>& body, int m, const double* displacement,
                                         ElementArrays<D>& arrays, bool tangent, std::span<const double> committed,
-                                        std::span<double> trial) {
+                                        std::span<double> trial, const double* before) {
   const std::size_t variables = body.internal_variables();
   if (variables)
     require(committed.size() == variables * body.tables().points() && trial.size() == committed.size(),
@@ -94,10 +99,15 @@ std::optional<Inversion> internal_force(const Body<D>& body, int m, const double
              {"expected", variables * body.tables().points()},
              {"committed", committed.size()},
              {"trial", trial.size()}});
+  if (!tangent || !predicts_volume(body)) before = nullptr;
   if (body.volumetric() == Volumetric::projected)
-    return projected_force(body, m, displacement, arrays, tangent, committed, trial);
+    return projected_force(body, m, displacement, arrays, tangent, committed, trial, before);
   gather(body, m, displacement, arrays.local.data());
   KernelArguments arguments = arrays.arguments(body, m, arrays.force.data(), tangent ? arrays.blocks.data() : nullptr);
+  if (before) {
+    write_predicted(body, m, displacement, before, arrays.moves, arrays.predicted.data());
+    arguments.predicted = arrays.predicted.data();
+  }
   if (variables) {
     arguments.internal_variables = body.internal_variables();
     arguments.committed = committed.data() + body.tables().element(m).point * variables;
@@ -168,7 +178,7 @@ double stored_energy(const Body<D>& body, const double* displacement, std::span<
   template void gather(const Body<D>&, int, const double*, double*);                                                   \
   template std::vector<double> initial_values(const Body<D>&);                                                         \
   template std::optional<Inversion> internal_force(const Body<D>&, int, const double*, ElementArrays<D>&, bool,        \
-                                                   std::span<const double>, std::span<double>);                        \
+                                                   std::span<const double>, std::span<double>, const double*);         \
   template std::vector<MeanDeformation<D>> mean_deformations(const Body<D>&, const double*);                           \
   template double stored_energy(const Body<D>&, const double*, std::span<const double>);
 SIGNORINI_INSTANTIATE(2)

@@ -21,10 +21,12 @@ template <int D> struct ElementArrays {
   /// Kernel arguments of element e with these arrays; the results go to `to_force` and, unless null, `to_blocks`.
   KernelArguments arguments(const Body<D>& body, int e, double* to_force, double* to_blocks);
   std::vector<double> force, blocks;
-  std::vector<double> local;   ///< work array: displacements, D rows of n values
-  std::vector<double> work;    ///< work array of the kernel
-  std::vector<double> factors; ///< work array: two values per Gauss point
-  MacroArrays<D> macro;        ///< only with projected volume change
+  std::vector<double> local;     ///< work array: displacements, D rows of n values
+  std::vector<double> moves;     ///< work array: see predicted_volume.hpp
+  std::vector<double> predicted; ///< likewise, per Gauss point
+  std::vector<double> work;      ///< work array of the kernel
+  std::vector<double> factors;   ///< work array: two values per Gauss point
+  MacroArrays<D> macro;          ///< only with projected volume change
 };
 
 /// Writes the displacements of an element's functions, D rows of n values.
@@ -44,10 +46,13 @@ template <int D> std::vector<double> initial_values(const Body<D>& body);
 /// Only for a body with internal variables: `committed` holds the values of the whole body at the start of the step,
 /// `trial` receives those of this element at `displacement`; both have the layout of initial_values(). The tangent is
 /// that at fixed committed values. Throws Error if their sizes are wrong.
+///
+/// `before`: the displacement from which Newton's last correction started. The tangent of a nearly incompressible body
+/// is then that with the volume change which it predicted (predicted_volume.hpp). Null: the tangent is ∂f/∂u.
 template <int D>
-std::optional<Inversion> internal_force(const Body<D>& body, int m, const double* displacement,
-                                        ElementArrays<D>& arrays, bool tangent = true,
-                                        std::span<const double> committed = {}, std::span<double> trial = {});
+std::optional<Inversion>
+internal_force(const Body<D>& body, int m, const double* displacement, ElementArrays<D>& arrays, bool tangent = true,
+               std::span<const double> committed = {}, std::span<double> trial = {}, const double* before = nullptr);
 
 /// Means over the reference volume of an element.
 template <int D> struct MeanDeformation {

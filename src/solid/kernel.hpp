@@ -32,6 +32,7 @@ struct KernelArguments {
   int internal_variables = 0;        ///< per Gauss point
   const double* committed = nullptr; ///< their values at the start of the step
   double* trial = nullptr;           ///< receives their current values
+  const double* predicted = nullptr; ///< per Gauss point, see predicted_volume.hpp; null: zeros
 };
 
 /// Size of the work array for D components, n functions and a number of Gauss points: displacements, forces and the

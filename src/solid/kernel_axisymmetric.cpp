@@ -64,7 +64,8 @@ KernelResult axisymmetric_kernel(const KernelArguments& in) {
         in.work[i * n + a] = inverse[0][i] * gradients[a] + inverse[1][i] * gradients[n + a];
       }
     }
-    if (in.blocks) add_tangent(n, bracket, lambda, mu, stretch, in.work, hoop, in.blocks);
+    const double geometric = in.predicted ? bracket - lambda * in.predicted[q] : bracket;
+    if (in.blocks) add_tangent(n, geometric, lambda, mu, stretch, in.work, hoop, in.blocks);
   }
   return {-1, 1};
 }

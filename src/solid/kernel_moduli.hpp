@@ -174,6 +174,28 @@ template <int D, int R> inline void write_tangent(const KernelArguments& in, con
       for (int b = 0; b < a; ++b) block[a * n + b] = block[b * n + a];
 }
 
+/// A_ik,jl −= b Δ T_il T_jk with T = F⁻ᵀ, the moduli b = F:(A:F + P)/9 of a change of volume and Δ, what was predicted
+/// for ln J less ln J [theory 2.10].
+template <int D, int R> inline void predict_volume(const KernelArguments& in, const ModuliArrays<D, R>& at) {
+  constexpr int entries = entries_in(D);
+  for (int q = 0; q < in.points; ++q) {
+    double f[9] = {}, inverse[9], rate = 0;
+    for (int e = 0; e < entries; ++e) f[component<D>(e)] = at.f[e * at.stride + q];
+    for (int e = 0; e < entries; ++e) {
+      double change = at.stress[e * at.stride + q];
+      for (int o = 0; o < entries; ++o) change += at.modulus(e, o)[q] * f[component<D>(o)];
+      rate += f[component<D>(e)] * change / 9;
+    }
+    invert_space(f, inverse);
+    const double factor = rate * in.predicted[q];
+    for (int e = 0; e < entries; ++e)
+      for (int o = e; o < entries; ++o) {
+        const int i = component<D>(e) / 3, k = component<D>(e) % 3, j = component<D>(o) / 3, l = component<D>(o) % 3;
+        at.modulus(e, o)[q] -= factor * inverse[3 * l + i] * inverse[3 * k + j];
+      }
+  }
+}
+
 template <int D, int R> inline KernelResult run_rows(const KernelArguments& in) {
   const ModuliArrays<D, R> at(in);
   if (const KernelResult result = write_deformations<D, R>(in, at); result.point >= 0) return result;
@@ -183,6 +205,7 @@ template <int D, int R> inline KernelResult run_rows(const KernelArguments& in) 
       if (const double across = at.f[4 * at.stride + q]; !(across > 0)) return {q, across};
   write_force<D, R>(in, at);
   if (!in.blocks) return {-1, 1};
+  if (in.predicted) predict_volume<D, R>(in, at);
   constexpr int used = D == 2 && R == 2 ? 4 : entries_in(D);
   for (int e = 0; e < used; ++e)
     for (int o = e; o < used; ++o) {

@@ -93,7 +93,7 @@ template <int N> KernelResult run_plane(const KernelArguments& in) {
     for (int i = 0; i < 2; ++i)
       for (int k = 0; k < 2; ++k) stress[2 * i + k] = weight * (in.mu * f[2 * i + k] - bracket * inverse[2 * k + i]);
     push_forward<N>(stress, inverse, gradients, n, q == 0, in.force, current);
-    in.factors[2 * q] = weight * bracket;
+    in.factors[2 * q] = weight * (in.predicted ? bracket - in.lambda * in.predicted[q] : bracket);
     in.factors[2 * q + 1] = weight * in.lambda;
   }
   // K^{ij}_{AB} = ∫ μ ∇R_A·∇R_B δ_ij + (μ − λ ln J) g_jA g_iB + λ g_iA g_jB dV,

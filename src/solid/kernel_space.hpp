@@ -208,7 +208,7 @@ inline KernelResult run_space(const KernelArguments& in) {
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < 3; ++k) stress[3 * i + k] = weight * (in.mu * f[3 * i + k] - bracket * inverse[3 * k + i]);
     add_force(stress, gradients, n, padded, force);
-    in.factors[2 * q] = weight * bracket;
+    in.factors[2 * q] = weight * (in.predicted ? bracket - in.lambda * in.predicted[q] : bracket);
     in.factors[2 * q + 1] = weight * in.lambda;
     if (in.blocks) push_forward_in_space(inverse, gradients, n, padded, current + 3 * q * padded);
   }

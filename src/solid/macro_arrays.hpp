@@ -16,6 +16,7 @@ template <int D> struct MacroArrays {
   MatrixX moduli;                    ///< A, later M
   VectorX dilation, change, scale;   ///< θ, c, eᶜ
   VectorX mean, excess, square;      ///< τ, π − τ, b
+  VectorX predicted;                 ///< PΔ; empty: 0
   VectorX weighted, coefficients;    ///< of the last projection
   MatrixX direction_modes, modes;    ///< Σ w φ T:∂F/∂u and Σ w φ (v + …):∂F/∂u
   MatrixX inner;                     ///< Σ w b φ φ
@@ -26,7 +27,8 @@ template <int D> struct MacroArrays {
   std::size_t memory() const {
     Eigen::Index numbers = 0;
     for (const Rows* rows : {&f, &directions, &stress, &coupling}) numbers += rows->size();
-    for (const VectorX* list : {&dilation, &change, &scale, &mean, &excess, &square, &weighted, &coefficients})
+    for (const VectorX* list :
+         {&dilation, &change, &scale, &mean, &excess, &square, &predicted, &weighted, &coefficients})
       numbers += list->size();
     for (const MatrixX* one : {&moduli, &direction_modes, &modes, &inner, &gradients, &strains, &sums})
       numbers += one->size();

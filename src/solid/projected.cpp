@@ -1,5 +1,6 @@
 #include "solid/projected.hpp"
 
+#include "solid/predicted_volume.hpp"
 #include "solid/projected_volume.hpp"
 #include "solid/respond_each.hpp"
 
@@ -15,6 +16,7 @@ namespace signorini::solid {
 // With the moduli A at F̄, u = A:F̄, h = eᶜ (u + P̄), b = F̄:u/9 + τ/3 the second one is
 //   ∫ δF:M:∂F + δF:v P∂θ + ∂F:v Pδθ + b Pδθ P∂θ dV,
 //   M = e²ᶜ A − (h⊗T + T⊗h)/3 + b T⊗T − (π − τ) X, X_ik,jl = T_il T_jk, v = h/3 − b T.
+// Newton's tangent replaces π by π + b PΔ, with Δ what was predicted for θ less θ [theory 2.10].
 // At small strains F̄ = ε̄ + I with ε̄ = ε + c I is linear in u: eᶜ is 1, F̄ and T are I, P̄ is the stress σ(ε̄) and
 // τ = tr σ/3, so that the first variation is the same, and the terms with P̄, τ and π vanish from the second one.
 
@@ -34,6 +36,20 @@ template <int D> void project_deformations(bool linear, const MacroElement& macr
       f.head(points) += at.change;
     f.tail(f.size() - points).setConstant(f(points - 1));
   }
+}
+
+/// Writes PΔ.
+template <int D>
+void project_prediction(const Body<D>& body, const MacroElement& macro, const double* displacement,
+                        const double* before, ElementArrays<D>& arrays) {
+  VectorX& predicted = arrays.macro.predicted;
+  predicted.resize(arrays.macro.dilation.size());
+  double* of_element = predicted.data();
+  for (int e : macro.elements) {
+    write_predicted(body, e, displacement, before, arrays.moves, of_element);
+    of_element += body.tables().element(e).points;
+  }
+  project(macro, predicted, arrays.macro, predicted);
 }
 
 /// Stress and moduli given at the points of an element, for the kernels of response.hpp.
@@ -106,6 +122,7 @@ template <int D> void write_projected_response(bool linear, bool tangent, MacroA
       }
     const Entries h = linear ? u : Entries(scale * (u + p));
     const double b = f.dot(u) / 9 + (linear ? 0 : at.mean(q) / 3);
+    const double turned = at.predicted.size() ? excess + b * at.predicted(q) : excess;
     Mat<3> turn = Mat<3>::Zero(); // T
     for (int e = 0; e < entries; ++e) turn(component<D>(e) / 3, component<D>(e) % 3) = t(e);
     for (int e = 0; e < entries; ++e)
@@ -113,7 +130,7 @@ template <int D> void write_projected_response(bool linear, bool tangent, MacroA
         double& value = at.moduli(q, packed(entries, e, o));
         value = scale * scale * value - (h(e) * t(o) + t(e) * h(o)) / 3 + b * t(e) * t(o);
         const int ik = component<D>(e), jl = component<D>(o);
-        if (!linear) value -= excess * turn(ik / 3, jl % 3) * turn(jl / 3, ik % 3);
+        if (!linear) value -= turned * turn(ik / 3, jl % 3) * turn(jl / 3, ik % 3);
       }
     at.coupling.row(q) = h / 3 - b * t;
     at.square(q) = b;
@@ -214,12 +231,16 @@ template <int D> Kernels projected_kernels() {
 template <int D>
 std::optional<Inversion> projected_force(const Body<D>& body, int m, const double* displacement,
                                          ElementArrays<D>& arrays, bool tangent, std::span<const double> committed,
-                                         std::span<double> trial) {
+                                         std::span<double> trial, const double* before) {
   constexpr int entries = entries_in(D);
   const MacroElement& macro = body.macros().list[m];
   MacroArrays<D>& state = arrays.macro;
   if (const auto inversion = write_deformations(body, m, displacement, state)) return inversion;
   project_deformations(body.linear(), macro, state);
+  if (before)
+    project_prediction(body, macro, displacement, before, arrays);
+  else
+    state.predicted.resize(0);
 
   state.stress.resize(state.f.rows(), entries);
   if (tangent) state.moduli.resize(state.f.rows(), packed_size(entries));
@@ -277,7 +298,7 @@ double projected_energy(const Body<D>& body, int m, const double* displacement, 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \
   template Kernels projected_kernels<D>();                                                                             \
   template std::optional<Inversion> projected_force(const Body<D>&, int, const double*, ElementArrays<D>&, bool,       \
-                                                    std::span<const double>, std::span<double>);                       \
+                                                    std::span<const double>, std::span<double>, const double*);        \
   template double projected_energy(const Body<D>&, int, const double*, std::span<const double>);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)

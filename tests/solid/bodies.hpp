@@ -45,14 +45,14 @@ struct Assembled {
   std::optional<Inversion> inversion;
 };
 
-/// `committed` and `trial` as for internal_force().
+/// `committed`, `trial` and `before` as for internal_force().
 template <int D>
 Assembled assemble(const Body<D>& body, const VectorX& u, std::span<const double> committed = {},
-                   std::span<double> trial = {}) {
+                   std::span<double> trial = {}, const double* before = nullptr) {
   Assembled sum{VectorX::Zero(u.size()), MatrixX::Zero(u.size(), u.size()), {}};
   ElementArrays<D> arrays(body);
   for (int e = 0; e < body.macro_elements(); ++e) {
-    if ((sum.inversion = internal_force(body, e, u.data(), arrays, true, committed, trial))) return sum;
+    if ((sum.inversion = internal_force(body, e, u.data(), arrays, true, committed, trial, before))) return sum;
     const auto functions = body.functions_of_macro(e);
     const int n = std::ssize(functions);
     const auto dof = [&](int a, int i) { return D * functions[a] + i; };

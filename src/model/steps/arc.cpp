@@ -23,7 +23,7 @@ public:
 
   solve::Outcome evaluate(bool tangent, Message& why) override {
     const VectorX rate = model.system.drives.rate(model.present.targets, direction_);
-    return model::evaluate(model, {tangent, tangent ? &rate : nullptr}, why);
+    return model::evaluate(model, {.tangent = tangent, .direction = tangent ? &rate : nullptr, .corrects = true}, why);
   }
   std::optional<double> advance() override;
   /// λ: 0 at the accepted state, 1 at the targets.

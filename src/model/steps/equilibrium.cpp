@@ -37,7 +37,11 @@ template <int D> solve::Outcome evaluate(Model<D>& model, const EvaluationOption
       model.step && !model.step->guess_evaluated && model.present.displacement != model.accepted.displacement;
   if (guess) model.step->guess_evaluated = true;
   const std::vector<contact::Controls> controls = controls_of(model, wanted.initial, guess);
-  const auto inverted = model.system.assembly.assemble({model.present, model.accepted, controls, model.acting},
+  const VectorX* before = nullptr;
+  // Without contact the prediction saves no iterations, and an inflated ball bears longer steps without it.
+  if (wanted.corrects && !model.system.contacts.empty())
+    before = model.step->before.size() > 0 ? &model.step->before : &model.accepted.displacement;
+  const auto inverted = model.system.assembly.assemble({model.present, model.accepted, controls, model.acting, before},
                                                        wanted.direction, wanted.tangent, model.timings);
   take_residual(model);
   if (!inverted) return solve::Outcome::converged;
@@ -92,6 +96,7 @@ template <int D> Tangent tangent_of(const Assembly<D>& assembly) {
 
 template <int D> bool StepProblem<D>::factor(bool viscous) {
   ScopedTimer timer(model.timings.factorization);
+  model.step->before = model.present.displacement;
   if (options.damping) damp(model);
   const Assembly<D>& assembly = model.system.assembly;
   // Constant factors of the bodies do not have a viscosity, which acts on all unknowns.

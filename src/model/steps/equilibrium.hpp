@@ -18,6 +18,8 @@ struct EvaluationOptions {
   /// Assembly::product() becomes the full tangent times it, by degree of freedom.
   const VectorX* direction = nullptr;
   InitialContact initial = {};
+  /// The tangent is that for Newton's next correction: see solid::internal_force().
+  bool corrects = false;
 };
 
 /// Evaluates the present state. Returns `converged`, or on failure the outcome and its reason `why`.

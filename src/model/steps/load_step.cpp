@@ -71,7 +71,7 @@ private:
   Step& step_;
   const bool waiting_;    ///< for the first solution, which applies the prescribed displacements
   bool recorded_ = false; ///< by the active set
-  VectorX before_, move_; ///< for line search: the state before the last move, and the move
+  VectorX move_;          ///< for line search: the last move
 };
 
 /// True if an unconstrained body has come into contact, near the state with all points sticking.
@@ -96,13 +96,13 @@ template <int D> solve::Outcome LoadStep<D>::evaluate(bool tangent, Message& why
     recorded_ = false;
   }
   set.update(step_.report.energies);
-  EvaluationOptions wanted{tangent, waiting_ ? &step_.increment : nullptr};
+  EvaluationOptions wanted{.tangent = tangent, .direction = waiting_ ? &step_.increment : nullptr, .corrects = true};
   if (step_.report.iterations == 0 && model.targets != model.accepted.targets) wanted.initial = initial_contact(model);
   solve::Outcome outcome = model::evaluate(model, wanted, why);
   if (waiting_) model.unbalanced += model.system.unknowns.gather(model.system.assembly.product());
   if (outcome != solve::Outcome::converged || std::exchange(recorded_, true)) return outcome;
   if (set.record(model.present.contacts, model.unbalanced.norm(), waiting_)) {
-    outcome = model::evaluate(model, {tangent}, why);
+    outcome = model::evaluate(model, {.tangent = tangent, .corrects = true}, why);
     if (outcome != solve::Outcome::converged) return outcome;
   }
   // With pseudo-time damping, which changes, repeated states do not imply a cycle.
@@ -153,10 +153,7 @@ template <int D> std::optional<double> LoadStep<D>::advance() {
   const bool damped = options.damping && model.system.has_unconstrained();
   step_.definite = !damped && model.linear.statistics().definite &&
                    move.norm() <= small_correction * unknowns.gather(displacement).norm();
-  if (options.newton.line_search != solve::LineSearchKind::none) {
-    before_ = displacement;
-    move_ = unknowns.spread(move);
-  }
+  if (options.newton.line_search != solve::LineSearchKind::none) move_ = unknowns.spread(move);
   displacement += unknowns.spread(move) + step_.increment;
   step_.increment.setZero();
   step_.moved_by_user = false;
@@ -165,7 +162,7 @@ template <int D> std::optional<double> LoadStep<D>::advance() {
 }
 
 template <int D> solve::Trial LoadStep<D>::retreat(double part) {
-  model.present.displacement = before_ + part * move_;
+  model.present.displacement = step_.before + part * move_;
   Message why;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (model::evaluate(model, {.tangent = false}, why) != solve::Outcome::converged) return {infinity, infinity};

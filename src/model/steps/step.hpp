@@ -29,6 +29,7 @@ struct Step {
   bool moved_by_user = false;   ///< the last change of the state was by move_by()
   bool guess_evaluated = false; ///< a state away from the accepted one was the guess: contact::Controls::foresees
   bool definite = false;        ///< see Model
+  VectorX before = {};          ///< displacement before the last correction; empty: there was none
   std::optional<ClosingContacts> closing = {}; ///< until unconstrained bodies are in contact
   std::optional<PseudoTransient> pseudo_transient = {};
 

@@ -79,7 +79,7 @@ std::optional<BodyInversion> Assembly<D>::assemble(const States<D>& states, cons
 template <int D>
 std::optional<BodyInversion> Assembly<D>::add_bodies_and_evaluate_contacts(const Evaluation<D>& evaluation,
                                                                            Timings& timings) {
-  const auto& [present, accepted, controls, loads] = evaluation.states;
+  const auto& [present, accepted, controls, loads, before] = evaluation.states;
   struct ContactTask {
     std::size_t contact;
     int part;

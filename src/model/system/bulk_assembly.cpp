@@ -224,12 +224,12 @@ void BulkAssembly<D>::add_elements(const std::vector<int>& elements, const Evalu
 template <int D> void BulkAssembly<D>::add_element(int e, const Evaluation<D>& evaluation, Task& task) {
   const int b = static_cast<int>(task.body), offset = unknowns_.offset(b);
   const solid::Body<D>& body = *scene_.bodies[b].body;
-  const auto& [present, accepted, controls, loads] = evaluation.states;
+  const auto& [present, accepted, controls, loads, before] = evaluation.states;
   const auto& [supported, whole, first_position] = elements_[b][e];
   const bool multiplies = evaluation.direction && supported;
   if (const auto inversion =
           internal_force(body, e, present.displacement.data() + offset, task.arrays, evaluation.tangent || multiplies,
-                         accepted.internal[b], present.internal[b])) {
+                         accepted.internal[b], present.internal[b], before ? before->data() + offset : nullptr)) {
     task.inverted = BodyInversion{b, *inversion};
     return;
   }

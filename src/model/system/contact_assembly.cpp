@@ -146,7 +146,7 @@ template <int D> void ContactAssembly<D>::watch() {
 }
 
 template <int D> void ContactAssembly<D>::add(const Evaluation<D>& evaluation) const {
-  auto& [present, accepted, controls, loads] = evaluation.states;
+  auto& [present, accepted, controls, loads, before] = evaluation.states;
   SparseTangent& tangent = evaluation.matrix;
   const bool turns = evaluation.tangent && !unknowns_.free_angles().empty();
   const VectorX rates = turns ? angle_rates(unknowns_, present.displacement) : VectorX();

@@ -51,6 +51,8 @@ template <int D> struct States {
   const State<D>& accepted;
   const std::vector<contact::Controls>& controls; ///< by contact
   const VectorX& loads;                           ///< targets at which the loads act
+  const VectorX* before = nullptr; ///< displacement before Newton's last correction, see solid::internal_force(); null:
+                                   ///< no correction follows
 };
 
 template <int D> struct Evaluation {
