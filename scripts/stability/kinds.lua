@@ -1,6 +1,6 @@
 -- Kinds of changing contact states under penalties: iterations with the default controls and with single ones.
 --
--- Problem: four scenes, each in few steps.
+-- Problem: seven scenes, each in few steps.
 --          conforming: a quarter tube, radii 5 and 7, E = 100, N2, 8 × 4 elements, on a mandrel that grows by 0.05 in
 --            4 steps, penalty 400 E/h: nearly all points open and close in turn;
 --          receding: an elastic layer on an elastic foundation under a narrow pressure, in one step, penalty
@@ -8,13 +8,20 @@
 --          draped: a strip on a table, E = 100 on 10⁴, bends over its edge by its weight in 10 steps: the same, with
 --            finite rotations;
 --          slipping: a plate on a rigid plane with friction of 1, pressed from above and three times as much from the
---            side, in one step, penalty 50 E/h: points reverse their slip.
--- Source: conforming: chosen here. Receding: J. Dundurs, M. Stippes, J. Appl. Mech. 37, 1970. Draped: chosen here.
---         Slipping: the benchmark of GRECO in Code_Aster, test SSNV128.
+--            side, in one step, penalty 50 E/h: points reverse their slip;
+--          pressed: a block 6 × 1, N2-N2.2, 30 × 5 elements, ν = 0.45, is pressed 0.1 by a rigid cylinder of radius 2
+--            with friction of 0.3 in 4 steps and unloaded in 4: the same, in most points at once;
+--          incompressible: a disk of radius 6 and height 1, ν = 0.4999, projected volume change, is pressed 0.1 by a
+--            rigid ball of radius 4 in 5 steps, penalty 133 E/h: errors of ln J are multiplied by 5000;
+--          ironing: 2D ironing with a die of 18 elements, N2-N2.2, E = 1000 on 1, friction of 0.3, pressed by 0.075 in
+--            3 steps and dragged by 2 in 30, half an element each: points open, close and turn their slip.
+-- Source: conforming: chosen here. Receding: J. Dundurs, M. Stippes, J. Appl. Mech. 37, 1970. Draped, pressed,
+--         incompressible, ironing: chosen here. Slipping: the benchmark of GRECO in Code_Aster, test SSNV128.
 -- Units: as in the scenes, without dimensions; slipping in m and Pa; Newton iterations.
--- Expected: the default controls take at most 1.5 times as many iterations as the best single control, without cuts
---           except for two of the draped strip; slipping takes 63, since two attempts of 25 fail before a line search.
--- Run: signorini stability/kinds.lua [scenes=conforming,receding,draped,slipping]
+-- Expected: conforming, receding and incompressible take as many iterations as with the best single control, draped 1.8
+--           times as many; those with friction 63 instead of 13 (slipping, since two attempts of 25 fail before a line
+--           search), 170 instead of 61 and 909 instead of 261 (pressed, ironing: a line search by energy).
+-- Run: signorini stability/kinds.lua [scenes=conforming,receding,draped,slipping,pressed,incompressible,ironing]
 --      [controls=robust,line,energy,freeze,changes,long] [out=out/stability/kinds]; controls: line and energy are line
 --      searches, long allows 100 iterations.
 
@@ -25,7 +32,7 @@ local ways = {
   freeze = { newton = { freeze_active_set = true } }, changes = { newton = { active_set_changes = 3 } },
   long = { newton = { iterations = 100 } },
 }
-local names, controls = { "conforming", "receding", "draped", "slipping" },
+local names, controls = { "conforming", "receding", "draped", "slipping", "pressed", "incompressible", "ironing" },
   { "robust", "line", "energy", "freeze", "changes", "long" }
 local options = sg.arguments{ scenes = { names, choices = names }, controls = { controls, choices = controls },
                               out = "out/stability/kinds" }
@@ -99,6 +106,50 @@ function scenes.slipping()
                            penalty = penalty, friction = { mu = 1, penalty = penalty } } },
   }
   return model, { { name = "load", steps = 1, top = 5e7, side = 15e7 } }
+end
+
+function scenes.pressed()
+  local block = sg.body{ patch = sg.shapes.rectangle{ width = 6, height = 1 }, elements = { 30, 5 },
+                         order = "N2-N2.2", contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.45 } }
+  local tool = sg.rigid.cylinder{ center = { 3, 3 }, radius = 2 }
+  local model = sg.model{
+    bodies = { block = block },
+    supports = { base = { on = block:face "south", fix = "xy" }, push = { on = tool, drive = "y" } },
+    contacts = { touch = { slave = block:face "north", master = tool, friction = { mu = 0.3 } } },
+  }
+  return model, { { name = "press", steps = 4, push = { -0.1 } }, { name = "unload", steps = 4, push = { 0 } } }
+end
+
+function scenes.incompressible()
+  local layer = sg.body{ patch = sg.shapes.rectangle{ width = 6, height = 1 }, elements = { 60, 10 },
+                         order = "N2-N2.2", contact = "north", volumetric = "projected",
+                         grading = { { elements = 0.7, length = 0.17, at = "start" },
+                                     { elements = 0.5, length = 0.3, at = "end" } },
+                         material = sg.neo_hookean{ E = 1.4999, nu = 0.4999 } }
+  local ball = sg.rigid.sphere{ center = { 0, 5 }, radius = 4 }
+  local model = sg.model{
+    kind = "axisymmetric", bodies = { layer = layer },
+    supports = { bed = { on = layer:face "south", fix = "xy" }, axis = { on = layer:face "west", symmetry = true },
+                 push = { on = ball, drive = "y" } },
+    contacts = { touch = { slave = layer:face "north", master = ball, penalty = 2000 } },
+  }
+  return model, { { name = "press", steps = 5, push = { -0.1 } } }
+end
+
+function scenes.ironing()
+  local die = sg.body{ patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 0.5, 1.5 } },
+                       elements = { 18, 2 }, order = "N2-N2.2", contact = "south",
+                       material = sg.neo_hookean{ E = 1000, nu = 0.3 } }
+  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = { 24, 6 },
+                        order = "N2-N2.2", contact = "north", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local model = sg.model{
+    bodies = { die = die, slab = slab },
+    supports = { bed = { on = slab:face "south", fix = "xy" },
+                 grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
+    contacts = { interface = { slave = die:face "south", master = slab:face "north", friction = { mu = 0.3 } } },
+  }
+  return model, { { name = "press", steps = 3, grip = { 0, -0.075 } },
+                  { name = "slide", steps = 30, grip = { 2, -0.075 } } }
 end
 
 -- ── The table ────────────────────────────────────────────────────────────────────────────────────────────────────────

@@ -63,3 +63,23 @@ check.case("where slip reverses and states cycle a line search comes before cuts
   check.at_most("iterations", run.iterations, 75)
   check.near(model:sample("plate", "ux", { 0, 0 }), 2.86e-5, 5e-7)
 end)
+
+check.case("nearly incompressible bodies take as many iterations as others", function()
+  local counts = {}
+  for _, nu in ipairs { 0.49, 0.4999 } do
+    local layer = sg.body{ patch = sg.shapes.rectangle{ width = 6, height = 1 }, elements = { 30, 5 },
+                           order = "N2-N2.2", contact = "north", volumetric = "projected",
+                           material = sg.neo_hookean{ E = 1, nu = nu } }
+    local ball = sg.rigid.sphere{ center = { 0, 5 }, radius = 4 }
+    local model = sg.model{
+      kind = "axisymmetric", bodies = { layer = layer },
+      supports = { bed = { on = layer:face "south", fix = "xy" }, axis = { on = layer:face "west", symmetry = true },
+                   push = { on = ball, drive = "y" } },
+      contacts = { touch = { slave = layer:face "north", master = ball, penalty = 1000 } },
+    }
+    local run = model:run{ { name = "press", steps = 4, push = { -0.12 } } }
+    check.equal({ run.reason, run.cutbacks }, { "completed", 0 })
+    counts[#counts + 1] = run.iterations
+  end
+  check.at_most("iterations", counts[2], 1.3 * counts[1])
+end)
