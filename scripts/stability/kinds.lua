@@ -20,7 +20,7 @@
 -- Units: as in the scenes, without dimensions; slipping in m and Pa; Newton iterations.
 -- Expected: conforming, receding and incompressible take as many iterations as with the best single control, draped 1.8
 --           times as many; those with friction 63 instead of 13 (slipping, since two attempts of 25 fail before a line
---           search), 170 instead of 61 and 909 instead of 261 (pressed, ironing: a line search by energy).
+--           search), 166 instead of 60 and 909 instead of 261 (pressed, ironing: a line search by energy).
 -- Run: signorini stability/kinds.lua [scenes=conforming,receding,draped,slipping,pressed,incompressible,ironing]
 --      [controls=robust,line,energy,freeze,changes,long] [out=out/stability/kinds]; controls: line and energy are line
 --      searches, long allows 100 iterations.
