@@ -29,29 +29,31 @@ std::optional<double> by_residual(const std::function<Trial(double)>& evaluate, 
 }
 
 std::optional<double> by_energy(const std::function<Trial(double)>& evaluate, double slope) {
+  // f·Δu changes its sign between low and high; its value at high is 0 while nothing is known of it.
   double low = 0, low_slope = slope, high = 1, high_slope = 0;
   double s = 1;
-  for (int i = 0; i < most_slope_trials; ++i) {
+  for (int i = 0; i < most_slope_trials && s >= shortest_part; ++i) {
     const Trial now = evaluate(s);
     if (!std::isfinite(now.residual)) { // invalid state: shorten
       high = s;
       high_slope = 0;
       s = 0.5 * (low + s);
-    } else if (std::abs(now.slope) <= slope_tolerance * std::abs(slope)) {
-      return s;
-    } else if (now.slope * slope > 0) { // too short; accepted at the end of the move or of the valid states
-      if (s == 1 || high_slope == 0) return s;
+      continue;
+    }
+    if (std::abs(now.slope) <= slope_tolerance * std::abs(slope)) return s;
+    // Regula falsi, with the value at an end that stays halved (Illinois), and with a distance from the ends
+    if (now.slope * slope > 0) { // too short; accepted at the end of the move or of the valid states
+      if (high_slope == 0) return s;
       low = s;
       low_slope = now.slope;
-      s = low + (high - low) * low_slope / (low_slope - high_slope);
+      high_slope *= 0.5;
     } else {
+      if (high_slope != 0) low_slope *= 0.5;
       high = s;
       high_slope = now.slope;
-      // Regula falsi, with a distance from the ends
-      const double root = low + (high - low) * low_slope / (low_slope - high_slope);
-      s = std::clamp(root, low + most_shortened * (high - low), high - most_shortened * (high - low));
     }
-    if (s < shortest_part) return std::nullopt;
+    const double root = low + (high - low) * low_slope / (low_slope - high_slope);
+    s = std::clamp(root, low + most_shortened * (high - low), high - most_shortened * (high - low));
   }
   return std::nullopt;
 }

@@ -26,8 +26,9 @@ struct Trial {
 /// points that come into contact may increase it temporarily.
 ///
 /// By energy (H. Matthies, G. Strang, Int. J. Numer. Meth. Engng 14, 1979): s = 1 unless f(s)·Δu has changed its sign
-/// and is still more than half as large as f(0)·Δu = `slope`; then the s at which regula falsi makes it small. If the
-/// move leads to an invalid state, it is halved until the state is valid.
+/// and is still more than half as large as f(0)·Δu = `slope`; then the s at which the Illinois form of regula falsi
+/// (M. Dowell, P. Jarratt, BIT 11, 1971) makes it small. If the move leads to an invalid state, it is halved until the
+/// state is valid.
 std::optional<double> line_search(LineSearchKind kind, const std::function<Trial(double)>& evaluate,
                                   const std::vector<double>& residuals, double slope);
 

@@ -31,6 +31,11 @@ double predicted_residual(const std::vector<double>& residuals) {
   return last * (last / before) * (last / before);
 }
 
+/// If quadratic convergence predicts the last iteration, the residual without the tangent is enough to confirm it.
+bool needs_tangent(const NewtonReport& report) {
+  return predicted_residual(report.residuals) > surely_below * report.tolerance;
+}
+
 /// True if the residual is near its rounding level and no longer decreases: Newton's method would at least halve it.
 bool stagnates(const std::vector<double>& residuals, double floor) {
   const std::size_t n = residuals.size();
@@ -55,8 +60,7 @@ bool iterate(NewtonProblem& problem, const NewtonOptions& options, bool pending,
   if (report.residuals.empty() && interrupted()) return stop_by_user();
   const Iteration acknowledged;
   Message why;
-  // If quadratic convergence predicts the last iteration, the residual without the tangent is enough to confirm it.
-  bool tangent = predicted_residual(report.residuals) > surely_below * report.tolerance;
+  bool tangent = needs_tangent(report);
   if (const Outcome state = problem.evaluate(tangent, why); state != Outcome::converged) return stop(state, why);
   const double residual = problem.residual();
   report.residuals.push_back(residual);
@@ -97,9 +101,13 @@ bool iterate(NewtonProblem& problem, const NewtonOptions& options, bool pending,
   report.energies.push_back(std::abs(*slope));
   // The move that applies prescribed displacements must not be shortened.
   if (options.line_search == LineSearchKind::none || waiting) return true;
-  const std::optional<double> part = line_search(
-      options.line_search, [&](double s) { return problem.retreat(s); }, report.residuals, *slope);
-  if (!part) return stop(Outcome::line_search, Message("solve.newton.line_search", {{"residual", residual}}));
+  // The full move is accepted in most iterations.
+  const auto trial = [&](double s) { return problem.retreat(s, s == 1 && needs_tangent(report)); };
+  const std::optional<double> part = line_search(options.line_search, trial, report.residuals, *slope);
+  if (!part) {
+    problem.retreat(0, true); // to the state and the tangent that a diagnosis examines
+    return stop(Outcome::line_search, Message("solve.newton.line_search", {{"residual", residual}}));
+  }
   report.parts.push_back(*part);
   return true;
 }

@@ -59,8 +59,8 @@ public:
   /// Factors, solves, and moves the state by Δu. Returns f·Δu; nothing if the tangent is singular.
   virtual std::optional<double> advance() = 0;
   /// For line search: moves the state to a fraction of the last Δu, evaluates the residual there, and returns its norm
-  /// and f·Δu; infinite if the state is invalid.
-  virtual Trial retreat(double /*part*/) { return {std::numeric_limits<double>::infinity(), 0}; }
+  /// and f·Δu; infinite if the state is invalid. `tangent`: evaluate() will want that of this state, if it is accepted.
+  virtual Trial retreat(double /*part*/, bool /*tangent*/) { return {std::numeric_limits<double>::infinity(), 0}; }
 };
 
 struct NewtonReport {

@@ -46,7 +46,7 @@ struct Problem : NewtonProblem {
     x += move;
     return f(before).dot(move);
   }
-  Trial retreat(double part) override {
+  Trial retreat(double part, bool /*tangent*/) override {
     evaluated.push_back(part);
     x = before + part * move;
     const VectorX residual = f(x);

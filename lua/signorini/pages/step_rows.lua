@@ -3,7 +3,7 @@
 
 local core = require "signorini.core"
 local describe = require "signorini.call.describe"
-local joined = require("signorini.call.lists").joined
+local lists = require "signorini.call.lists"
 local t = require "signorini.call.types"
 
 local rows = {}
@@ -28,15 +28,19 @@ less memory and operations in large solids, which precondition GMRES]], optional
     optional = true },
 }, "options of linear = \"mumps\"", optional = true }
 
-local loop = {
-  tolerance, iterations "; four times as many while the set of closed contact points shrinks",
-  { "line_search", t.choice { "none", "residual", "energy" }, [[how Newton corrections are shortened: by the norm of
-the residual (non-monotone) or by the energy]], default = "none" },
-  { "freeze_active_set", t.switch(t.range(0, 1), 0.01), [[contact states are frozen until |f·Δu| has decreased to this
+--- The arguments of Newton's method; `default`: that of the line search.
+local function loop(default)
+  local line_search = { "line_search", t.choice { "none", "residual", "energy" }, [[how Newton corrections are
+shortened: by the norm of the residual (non-monotone) or by the energy]] }
+  return {
+    tolerance, iterations "; four times as many while the set of closed contact points shrinks",
+    lists.merged(line_search, default),
+    { "freeze_active_set", t.switch(t.range(0, 1), 0.01), [[contact states are frozen until |f·Δu| has decreased to this
 fraction of its first value; true is 0.01]], default = false },
-  { "active_set_changes", t.integer(0, 1000000), [[a contact point that changes its state more than this number of times
-in a step is fixed in it (a slipping one as sticking) until the others have converged; 0: never]], default = 0 },
-}
+    { "active_set_changes", t.integer(0, 1000000), [[a contact point that changes its state more than this number of
+times in a step is fixed in it (a slipping one as sticking) until the others have converged; 0: never]], default = 0 },
+  }
+end
 
 --- Hints for keys that are not options.
 local hints = {
@@ -60,7 +64,7 @@ local function conflict_of_solver(values)
 end
 
 local function conflict_of_moves(newton, values)
-  if values.pseudo_transient and newton.line_search ~= "none" then
+  if values.pseudo_transient and newton.line_search and newton.line_search ~= "none" then
     return "pseudo_transient controls its own step length: remove line_search"
   end
 end
@@ -71,8 +75,9 @@ have changed their state; the linear solver, where it has factored, or iteration
 the reason of the end]], default = false }
 
 --- model:solve_step.
-rows.step = joined(loop, { { "predictor", predictors, first_guess, default = "tangent" }, linear, mumps,
-                           damping, pseudo_transient, verbose })
+rows.step = lists.joined(loop { default = "none" }, {
+  { "predictor", predictors, first_guess, default = "tangent" }, linear, mumps, damping, pseudo_transient, verbose,
+})
 rows.step.conflict = function(values) return conflict_of_moves(values, values) or conflict_of_solver(values) end
 rows.step.hints = hints
 
@@ -137,6 +142,9 @@ attribute `unit` of arrays; quantities: angle, area, count, energy, force, force
 moment, stress, time]], optional = true },
 }
 
+-- The default of newton.line_search; see controls.solver.
+local search = '"energy" with fallback = true; otherwise, and with damping, pseudo_transient, adhesion or bonds "none"'
+
 --- The options of model:run.
 rows.run = {
   { "arc_length", t.flag, [[where a step fails, arc-length continuation follows the path, also past turning points,
@@ -151,7 +159,7 @@ further, these are tried: damping, if it was not tried before; a line search; ps
 active set. run.fallbacks counts their
 successes; run.warnings names steps solved by fallbacks that may lead to another branch of solutions]]),
   control("predictor", predictors, first_guess),
-  { "newton", t.named(loop), "Newton's method in each attempt", default = {} },
+  { "newton", t.named(loop { otherwise = search }), "Newton's method in each attempt", default = {} },
   linear, mumps, damping, pseudo_transient, verbose,
   { "adapt", t.named {
     { "every", t.count, "steps between two looks at the contact", default = 1 },
@@ -177,7 +185,7 @@ step]], optional = true },
   { "resume", t.flag, [[continues from the checkpoint's file if it exists, with results bitwise identical to an
 uninterrupted run that saves at the same steps; a run without checkpoints differs by rounding error. The file of a
 finished run returns that run at once. Scene and stages must be the same]], default = false },
-  { "hdf5", t.short(joined({
+  { "hdf5", t.short(lists.joined({
     { "file", t.text, "name of the file" },
     { "every", t.count, [[steps between two writes; with 1 the file has the last accepted step at any moment. It is
 written before each save of a checkpoint and at the end, too]],

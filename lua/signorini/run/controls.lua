@@ -15,8 +15,8 @@ local controls = {}
 --- more, because on a long step they may converge to an equilibrium on another branch. `keeps`: they do not leave it.
 local fallbacks = {
   { name = "tangent", change = { predictor = "tangent" }, early = true, keeps = true },
-  { name = "damping", change = { predictor = "tangent", damping = true }, unconstrained = true, early = "singular",
-    keeps = true },
+  { name = "damping", change = { predictor = "tangent", damping = true, line_search = "none" }, unconstrained = true,
+    early = "singular", keeps = true },
   { name = "line search", change = { predictor = "tangent", line_search = "residual", pseudo_transient = false },
     early = "cycling" },
   { name = "pseudo-transient", change = { predictor = "tangent", line_search = "none", pseudo_transient = true } },
@@ -46,6 +46,28 @@ function controls.fallbacks(model, solver)
     end
   end
   return tries
+end
+
+--- True if a contact pulls, by adhesion or bonds. Its traction falls as it opens, so that the energy along a correction
+--- has several minima.
+local function pulls(model)
+  return lists.any(model:contact_names(), function(name)
+    local law = model:contact_law(name)
+    return law.hamaker or law.strength
+  end)
+end
+
+--- The arguments of model:solve_step in a run. Where fallbacks may follow, corrections are shortened by the energy,
+--- which ends the alternation of states under friction and costs nothing where a whole correction is accepted; but not
+--- where damping or pseudo-time limits them.
+function controls.solver(model, options)
+  local limited = options.damping or options.pseudo_transient
+  local search = options.fallback and not limited and not pulls(model) and "energy" or "none"
+  local solver = lists.merged({ line_search = search }, options.newton)
+  for _, key in ipairs { "predictor", "linear", "mumps", "damping", "pseudo_transient", "verbose" } do
+    solver[key] = options[key]
+  end
+  return solver
 end
 
 -- ── Options ──────────────────────────────────────────────────────────────────────────────────────────────────────────

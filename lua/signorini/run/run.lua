@@ -31,11 +31,11 @@ local longest_chord = 1.25 -- of an increment, in units of its length along the 
 --- The controls that are on, named as in model:diagnose. Fallbacks include damping, a line search and pseudo-transient
 --- continuation.
 local function controls_on(options)
-  local newton = options.newton
+  local solver = options.solver
   local is_on = {
-    step = options.step.adaptive, line_search = newton.line_search ~= "none" or options.fallback,
+    step = options.step.adaptive, line_search = solver.line_search ~= "none" or options.fallback,
     damping = options.damping or options.fallback, pseudo_transient = options.pseudo_transient or options.fallback,
-    active_set_changes = newton.active_set_changes > 0, arc_length = options.arc_length, penalty = options.penalty,
+    active_set_changes = solver.active_set_changes > 0, arc_length = options.arc_length, penalty = options.penalty,
   }
   return lists.filter(lists.sorted_names(is_on), function(name) return is_on[name] end)
 end
@@ -43,10 +43,7 @@ end
 --- The options with { solver (arguments of model:solve_step), tries (see controls.lua), policy (see steps.lua), on
 --- (controls that are on), checkpoints (see checkpoint.lua), states (to be stored) }.
 local function read_options(model, options, path, total)
-  options.solver = lists.merged(options.newton)
-  for _, key in ipairs { "predictor", "linear", "mumps", "damping", "pseudo_transient", "verbose" } do
-    options.solver[key] = options[key]
-  end
+  options.solver = controls.solver(model, options)
   options.on, options.checkpoints = controls_on(options), checkpoint(options)
   options.following = adapt.options(model, options)
   options.policy = options.step.adaptive and steps.halving(options.step) or steps.plain()

@@ -64,8 +64,10 @@ template <int D> void ActiveSet<D>::release() {
   phase_ = Phase::free;
 }
 
-template <int D> void ActiveSet<D>::update(const std::vector<double>& energies) {
-  if (phase_ == Phase::held || (phase_ == Phase::frozen && !freezes(options_, energies))) release();
+template <int D> bool ActiveSet<D>::update(const std::vector<double>& energies) {
+  const bool ends = phase_ == Phase::held || (phase_ == Phase::frozen && !freezes(options_, energies));
+  if (ends) release();
+  return ends;
 }
 
 template <int D> bool ActiveSet<D>::record(const Histories& histories, double residual, bool begins) {

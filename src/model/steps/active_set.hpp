@@ -25,8 +25,8 @@ public:
   /// Starts a step from the states of the last evaluation.
   void begin(const contact::Formulations<D>& contacts, const Histories& histories, const ActiveSetOptions& options);
   /// Ends a freeze whose rule no longer holds, and frees the states that were held in the last evaluation. `energies`:
-  /// |f·Δu| of the iterations so far.
-  void update(const std::vector<double>& energies);
+  /// |f·Δu| of the iterations so far. Returns true if it has freed any.
+  bool update(const std::vector<double>& energies);
   /// Records the states of an evaluation with its residual, and decides which are fixed in the next one. Returns true
   /// if states are held: then evaluate again. `begins`: the evaluation is that of the accepted state, which holds none.
   bool record(const Histories& histories, double residual, bool begins);

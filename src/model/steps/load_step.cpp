@@ -61,7 +61,7 @@ public:
   solve::Outcome evaluate(bool tangent, Message& why) override;
   solve::Outcome conclude(Message& why) override;
   std::optional<double> advance() override;
-  solve::Trial retreat(double part) override;
+  solve::Trial retreat(double part, bool tangent) override;
 
 private:
   using StepProblem<D>::model, StepProblem<D>::options;
@@ -91,14 +91,15 @@ template <int D> solve::Outcome cycle(const ActiveSet<D>& set) {
 
 template <int D> solve::Outcome LoadStep<D>::evaluate(bool tangent, Message& why) {
   ActiveSet<D>& set = model.active_set;
+  bool known = std::exchange(step_.evaluated, false) && !step_.moved_by_user;
   if (step_.closing && has_closed()) {
     step_.closing.reset();
-    recorded_ = false;
+    recorded_ = known = false;
   }
-  set.update(step_.report.energies);
+  if (set.update(step_.report.energies)) known = false;
   EvaluationOptions wanted{.tangent = tangent, .direction = waiting_ ? &step_.increment : nullptr, .corrects = true};
   if (step_.report.iterations == 0 && model.targets != model.accepted.targets) wanted.initial = initial_contact(model);
-  solve::Outcome outcome = model::evaluate(model, wanted, why);
+  solve::Outcome outcome = known ? solve::Outcome::converged : model::evaluate(model, wanted, why);
   if (waiting_) model.unbalanced += model.system.unknowns.gather(model.system.assembly.product());
   if (outcome != solve::Outcome::converged || std::exchange(recorded_, true)) return outcome;
   if (set.record(model.present.contacts, model.unbalanced.norm(), waiting_)) {
@@ -161,11 +162,13 @@ template <int D> std::optional<double> LoadStep<D>::advance() {
   return model.unbalanced.dot(move);
 }
 
-template <int D> solve::Trial LoadStep<D>::retreat(double part) {
+template <int D> solve::Trial LoadStep<D>::retreat(double part, bool tangent) {
   model.present.displacement = step_.before + part * move_;
   Message why;
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (model::evaluate(model, {.tangent = false}, why) != solve::Outcome::converged) return {infinity, infinity};
+  const bool valid = model::evaluate(model, {.tangent = tangent, .corrects = true}, why) == solve::Outcome::converged;
+  step_.evaluated = valid && part == 1;
+  if (!valid) return {infinity, infinity};
   return {model.unbalanced.norm(), model.residual.dot(move_)};
 }
 

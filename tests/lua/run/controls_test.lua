@@ -46,8 +46,9 @@ check.case("fallbacks are tried in order, each with its own change only", functi
     return false
   end, true)
   local run = model:run(one_step, sg.plain{ fallback = true, predictor = "linear" })
-  check.equal(tried, { "linear none 0 false", "tangent none 0 false", "tangent none 0 true", "tangent residual 0 false",
-                       "tangent none 0 false pseudo-transient", "tangent none 0.01 false" })
+  check.equal(tried,
+    { "linear energy 0 false", "tangent energy 0 false", "tangent none 0 true", "tangent residual 0 false",
+      "tangent none 0 false pseudo-transient", "tangent energy 0.01 false" })
   check.equal(story(run, 1),
     "plain cycling, tangent cycling, damping cycling, line search cycling, pseudo-transient cycling, frozen cycling")
   -- The attempt in pseudo-time may use 7 * 40 iterations, what is left of 16 * 25.
@@ -55,6 +56,26 @@ check.case("fallbacks are tried in order, each with its own change only", functi
   check.holds(run.failure, "Attempts, by fraction of the step: 1 (cycling), 1 with tangent (cycling), "
     .. "1 with damping (cycling), 1 with line search (cycling), 1 with pseudo-transient (cycling), 1 with frozen "
     .. "(cycling).")
+end)
+
+check.case("the line search is by energy, but none with damping, in pseudo-time, or where contact pulls", function()
+  local function search(options, law)
+    local found
+    local model = spring_model(function(given)
+      found = given.line_search
+      return true
+    end)
+    if law then function model:contact_law() return law end end
+    model:run(one_step, options)
+    return found
+  end
+  check.equal({ search{}, search({}, { penalty = 1 }), search(sg.plain{ fallback = true }) },
+    { "energy", "energy", "energy" })
+  check.equal({ search(sg.plain{}), search{ arc_length = true }, search{ damping = true },
+                search{ pseudo_transient = true }, search({}, { hamaker = 1 }), search({}, { strength = 1 }) },
+    { "none", "none", "none", "none", "none", "none" })
+  check.equal({ search{ newton = { line_search = "none" } }, search{ newton = { line_search = "residual" } },
+                search({ newton = { line_search = "energy" } }, { strength = 1 }) }, { "none", "residual", "energy" })
 end)
 
 check.case("after a failed predictor the next attempts do without it", function()
@@ -115,7 +136,7 @@ end)
 
 check.case("deep ironing, where plain Newton cycles, completes", function()
   local path = { { name = "press", steps = 46, grip = {0, -0.5} } }
-  local run = deep():run(path, sg.plain{ fallback = true })
+  local run = deep():run(path, sg.plain{ fallback = true, newton = { line_search = "none" } })
   check.equal({ run.failed, run.steps, run.fallback_steps > 0 }, { false, 46, true })
   for step = 1, 46 do -- in which steps plain Newton fails depends on the first guesses before them
     if #run:attempts(step) > 1 then
