@@ -19,7 +19,7 @@
 --         incompressible, ironing: chosen here. Slipping: the benchmark of GRECO in Code_Aster, test SSNV128.
 -- Units: as in the scenes, without dimensions; slipping in m and Pa; Newton iterations.
 -- Expected: with the default controls 12 to 83 iterations without cuts, ironing 280; with whole corrections draped,
---           slipping and pressed take 2 to 4 times as many, ironing 909 with 74 cuts, incompressible 57 instead of 67.
+--           slipping and pressed take 2 to 13 times as many, ironing 909 with 74 cuts, incompressible 57 instead of 67.
 -- Run: signorini stability/kinds.lua [scenes=conforming,receding,draped,slipping,pressed,incompressible,ironing]
 --      [controls=robust,whole,line,freeze,changes,long] [out=out/stability/kinds]; controls: robust has a line search
 --      by energy, whole has none, line has one by residual; long allows 100 iterations.

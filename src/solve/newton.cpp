@@ -101,6 +101,11 @@ bool iterate(NewtonProblem& problem, const NewtonOptions& options, bool pending,
   report.energies.push_back(std::abs(*slope));
   // The move that applies prescribed displacements must not be shortened.
   if (options.line_search == LineSearchKind::none || waiting) return true;
+  // Along the last moves f·Δu is less than the error of iterative linear solutions.
+  if (report.energies.back() <= options.tolerance * report.energies.front()) {
+    report.parts.push_back(1);
+    return true;
+  }
   // The full move is accepted in most iterations.
   const auto trial = [&](double s) { return problem.retreat(s, s == 1 && needs_tangent(report)); };
   const std::optional<double> part = line_search(options.line_search, trial, report.residuals, *slope);

@@ -76,7 +76,7 @@ TEST(LineSearch, AcceptsTheWholeMoveIfItIsGood) {
     EXPECT_EQ(with.outcome, Outcome::converged);
     EXPECT_EQ(with.residuals, without.residuals); // bitwise
     EXPECT_EQ(with.parts, std::vector<double>(static_cast<std::size_t>(with.iterations), 1));
-    EXPECT_EQ(searched.evaluated.size(), with.parts.size());
+    EXPECT_EQ(searched.evaluated.size() + 1, with.parts.size()); // the last move is not searched
     EXPECT_TRUE(without.parts.empty());
   }
 }
@@ -274,8 +274,20 @@ TEST(LineSearch, LoopReportsAFailedSearch) {
   EXPECT_EQ(name_of(report.outcome), "line_search");
   EXPECT_EQ(report.iterations, 1);
   EXPECT_TRUE(report.parts.empty());
+  EXPECT_EQ(problem.x(0), 1); // as before the move
   EXPECT_NE(text_of(report.messages).find("solve.newton.line_search: residual = "), std::string::npos)
       << text_of(report.messages);
+}
+
+/// With an inexact slope moves shrink by a constant factor; those below the tolerance of the energy are not searched.
+TEST(LineSearch, LastMovesAreNotSearched) {
+  Problem problem = scalar([](double x) { return x; }, [](double) { return 1.25; }, 1);
+  const NewtonReport report = problem.solve(LineSearchKind::energy, 40);
+  ASSERT_EQ(report.outcome, Outcome::converged);
+  // The energy of move k is 0.8·0.2^(2k): k = 9 is the first with at most 1e-12 of the first one.
+  EXPECT_EQ(problem.evaluated.size(), 9u);
+  EXPECT_EQ(report.parts, std::vector<double>(static_cast<std::size_t>(report.iterations), 1));
+  EXPECT_GT(report.iterations, 9);
 }
 
 TEST(LineSearch, KindsHaveNames) {

@@ -17,8 +17,7 @@ local fallbacks = {
   { name = "tangent", change = { predictor = "tangent" }, early = true, keeps = true },
   { name = "damping", change = { predictor = "tangent", damping = true, line_search = "none" }, unconstrained = true,
     early = "singular", keeps = true },
-  { name = "line search", change = { predictor = "tangent", line_search = "residual", pseudo_transient = false },
-    early = "cycling" },
+  { name = "line search", change = { predictor = "tangent", line_search = "residual", pseudo_transient = false } },
   { name = "pseudo-transient", change = { predictor = "tangent", line_search = "none", pseudo_transient = true } },
   { name = "frozen", change = { predictor = "tangent", freeze_active_set = 1e-2 } },
 }

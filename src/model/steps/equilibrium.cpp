@@ -30,7 +30,10 @@ std::vector<contact::Controls> controls_of(const Model<D>& model, const InitialC
 } // namespace
 
 template <int D> solve::Outcome evaluate(Model<D>& model, const EvaluationOptions& wanted, Message& why) {
-  if (!model.step) set_loads(model, model.targets);
+  if (model.step)
+    model.step->evaluated = false;
+  else
+    set_loads(model, model.targets);
   follow_angles(model.system.unknowns, model.present.displacement);
   // The first state of a step away from the accepted one is its guess.
   const bool guess =

@@ -27,7 +27,7 @@ struct Step {
   bool pending = false;   ///< `increment` was not zero when the step began
   solve::NewtonReport report = {};
   bool moved_by_user = false;   ///< the last change of the state was by move_by()
-  bool evaluated = false;       ///< the present state, by the line search that led to it
+  bool evaluated = false;       ///< the last evaluation was that of a line search, at the present state
   bool guess_evaluated = false; ///< a state away from the accepted one was the guess: contact::Controls::foresees
   bool definite = false;        ///< see Model
   VectorX before = {};          ///< displacement before the last correction; empty: there was none

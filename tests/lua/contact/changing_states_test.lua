@@ -64,6 +64,19 @@ check.case("where slip reverses the line search by energy ends the alternation",
   check.near(model:sample("plate", "ux", { 0, 0 }), 2.86e-5, 5e-7)
 end)
 
+check.case("a line search that shortens nothing changes no bit", function()
+  local function forces(search)
+    local tool = sg.rigid.cylinder{ center = { 2, 3 }, radius = 2 }
+    local model = scenes.model{
+      bodies = { block = { size = { 4, 1 }, elements = { 12, 3 }, contact = "north" } },
+      supports = { base = { on = "south", fix = "xy" }, push = { on = tool, drive = "xy" } },
+      contacts = { touch = { slave = "north", master = tool, penalty = 5, friction = { mu = 0.1 } } } }
+    local run = model:run({ { steps = 3, push = { 0, -0.05 } } }, sg.plain{ newton = { line_search = search } })
+    return { run.iterations, table.unpack(run:column "push.fy") }
+  end
+  check.equal(forces "energy", forces "none")
+end)
+
 check.case("nearly incompressible bodies take as many iterations as others", function()
   local counts = {}
   for _, nu in ipairs { 0.49, 0.4999 } do

@@ -126,10 +126,9 @@ check.case("fallbacks but the predictor wait until no step can be cut, then try 
   model = spring_model(function(options) return options.freeze_active_set and model.next[1] <= 0.5 end)
   local run = model:run(one_step, sg.plain{ fallback = true, step = { adaptive = true, min = 0.5 } })
   local vain = "plain cycling, line search cycling, pseudo-transient cycling, frozen "
-  check.equal(story(run, 1), "plain cycling, line search cycling, " .. vain .. "converged" -- early where states cycle
-    .. (", " .. vain .. "cycling"):rep(3))
+  check.equal(story(run, 1), "plain cycling, " .. vain .. "converged" .. (", " .. vain .. "cycling"):rep(3))
   local attempts = run:attempts(1)
-  check.near({ attempts[1].to, attempts[3].to, attempts[7].from, attempts[7].to, attempts[11].to, attempts[15].from },
+  check.near({ attempts[1].to, attempts[2].to, attempts[6].from, attempts[6].to, attempts[10].to, attempts[14].from },
     { 1, 0.5, 0.5, 1, 1, 0 })
   check.equal({ run.fallback_steps, run.cutbacks, run.reason, run.cause }, { 1, 1, "minimum_step", "cycling" })
 end)
