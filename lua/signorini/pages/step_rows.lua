@@ -143,7 +143,8 @@ moment, stress, time]], optional = true },
 }
 
 -- The default of newton.line_search; see controls.solver.
-local search = '"energy" with fallback = true; otherwise, and with damping, pseudo_transient, adhesion or bonds "none"'
+local search = '"energy" with fallback = true; otherwise, and with damping, pseudo_transient, adhesion, bonds or '
+  .. 'half passes, "none"'
 
 --- The options of model:run.
 rows.run = {

@@ -47,12 +47,12 @@ function controls.fallbacks(model, solver)
   return tries
 end
 
---- True if a contact pulls, by adhesion or bonds. Its traction falls as it opens, so that the energy along a correction
---- has several minima.
-local function pulls(model)
+--- True if a contact pulls, by adhesion or bonds, so that its traction falls as it opens and the energy along a
+--- correction has several minima, or if it has two half passes, where searches take more time than they save.
+local function is_not_searched(model)
   return lists.any(model:contact_names(), function(name)
     local law = model:contact_law(name)
-    return law.hamaker or law.strength
+    return law.hamaker or law.strength or law.method == "half_passes"
   end)
 end
 
@@ -61,7 +61,7 @@ end
 --- where damping or pseudo-time limits them.
 function controls.solver(model, options)
   local limited = options.damping or options.pseudo_transient
-  local search = options.fallback and not limited and not pulls(model) and "energy" or "none"
+  local search = options.fallback and not limited and not is_not_searched(model) and "energy" or "none"
   local solver = lists.merged({ line_search = search }, options.newton)
   for _, key in ipairs { "predictor", "linear", "mumps", "damping", "pseudo_transient", "verbose" } do
     solver[key] = options[key]

@@ -72,8 +72,9 @@ check.case("the line search is by energy, but none with damping, in pseudo-time,
   check.equal({ search{}, search({}, { penalty = 1 }), search(sg.plain{ fallback = true }) },
     { "energy", "energy", "energy" })
   check.equal({ search(sg.plain{}), search{ arc_length = true }, search{ damping = true },
-                search{ pseudo_transient = true }, search({}, { hamaker = 1 }), search({}, { strength = 1 }) },
-    { "none", "none", "none", "none", "none", "none" })
+                search{ pseudo_transient = true }, search({}, { hamaker = 1 }), search({}, { strength = 1 }),
+                search({}, { method = "half_passes" }) },
+    { "none", "none", "none", "none", "none", "none", "none" })
   check.equal({ search{ newton = { line_search = "none" } }, search{ newton = { line_search = "residual" } },
                 search({ newton = { line_search = "energy" } }, { strength = 1 }) }, { "none", "residual", "energy" })
 end)
