@@ -8,7 +8,7 @@
 --         Contact Problems, PhD thesis, IIT Guwahati, 2020, sections 7.1, 6.1 and 7.2, for the problems.
 -- Units: Newton iterations; seconds.
 -- Expected: with all controls no run takes more iterations than without (limit: 1.05 times as many); ironing takes 0.67
---           to 0.70 times as many, Hertz 0.83 to 0.98. The quadratic predictor saves 27 to 33 % of the iterations of
+--           to 0.70 times as many, Hertz 0.81 to 1.00. The quadratic predictor saves 27 to 33 % of the iterations of
 --           the sliding stage, the linear one 11 to 31 %.
 -- Run: signorini stability/cost.lua [orders=N2,N4,N6,N2-N4,N2-N6,N2-N2.1,N2-N2.2,N2-N2.3] [mesh=m1]
 --      [hertz=L1,N2,N4,N2-N4,N2-N2.1,N2-N2.2] [rings=m3] [steps=10] [coarser=1] [repeats=3] [out=out/stability/cost];

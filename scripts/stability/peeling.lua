@@ -19,8 +19,8 @@
 -- Expected: under rotation control plain Newton converges in 11 of 15 cells: N2, N4 and N2-N4 at m0 and N2 at m1 reach
 --           turning points, at 29.4°, 46.0°, 43.2° and 75.6°; N2-N2.1 and N2-N2.2 converge on every mesh. With arc
 --           length it converges in all 15 cells. The default controls converge in all 15, too, jumping at the turning
---           points to a state behind the fold, with 7, 1, 4 and 1 steps solved by fallbacks; also with arc length,
---           before which predictors and step cuts are tried. Where both converge, the controls take 0.77 and 0.78 times
+--           points to a state behind the fold, with 8, 6, 5 and 1 steps solved by fallbacks; also with arc length,
+--           before which predictors and step cuts are tried. Where both converge, the controls take 0.77 and 0.83 times
 --           as many iterations.
 -- Run: signorini stability/peeling.lua [control=rotation,arc] [orders=N2,N4,N2-N4,N2-N2.1,N2-N2.2]
 --      [meshes=m0,m1,m2] [angle=90] [pitch=0.2] [length=100] [bonded=85] [jobs=2] [limit=600] [keep=no] [with=robust]

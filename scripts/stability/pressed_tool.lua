@@ -12,7 +12,7 @@
 --          0.2 over the length of a step, the slide 1 over it.
 -- Source: objects/pressed_tool.lua; the forces and steps are chosen here.
 -- Units: any consistent units; lengths relative to twice the radius, forces to Young's modulus times that length.
--- Expected: plain Newton converges in 6 (mu = 0.2) and 8 (mu = 0.5) of 20 cells, and with a gap of 0.05 in none, since
+-- Expected: plain Newton converges in 9 of 20 cells for both frictions, and with a gap of 0.05 in none, since
 --           nothing holds the tool before it touches; all controls converge in all 80, and the contact carries P.
 -- Run: signorini stability/pressed_tool.lua [friction=0.2,0.5] [order=N2] [gap=-1e-3]
 --      [forces=0.02,0.05,0.1,0.2,0.4] [lengths=0.02,0.05,0.1,0.2] [jobs=2] [limit=600] [keep=no] [with=robust]
