@@ -92,6 +92,65 @@ TEST(LoneFoot, IsTheClosestPointOfItsNeighborhood) {
   EXPECT_GT(expect_lone_feet<3>(4), 50);
 }
 
+/// Points around a face: how many have an open end as closest point, and how many of them the quick test finds. It must
+/// find no others.
+template <int D> std::array<int, 2> count_beyond_ends(Random& random, const Surface<D>& surface) {
+  ElementBoxes<D> boxes;
+  boxes.update(surface);
+  const Vec<D> lower = surface.points().rowwise().minCoeff(), upper = surface.points().rowwise().maxCoeff();
+  std::array<int, 2> count{};
+  FaceGeometry<D> point;
+  for (int trial = 0; trial < 60; ++trial) {
+    Vec<D> x;
+    for (int i = 0; i < D; ++i) x(i) = uniform(random, 2 * lower(i) - upper(i), 2 * upper(i) - lower(i));
+    const bool beyond = project(surface, boxes, x, {}, point).foot == Foot::none, quick = boxes.is_beyond_ends(x);
+    EXPECT_TRUE(beyond || !quick) << x.transpose();
+    count[0] += beyond;
+    count[1] += quick;
+  }
+  return count;
+}
+
+/// Points around random faces, with and without extensions: how many the quick test finds.
+template <int D> int count_beyond_ends(unsigned seed) {
+  Random random(seed);
+  int found = 0;
+  for (int face = 0; face < 60; ++face) {
+    Surface<D> surface = random_face<D>(random, face % 3);
+    if (face % 4 != 0) surface.extend(0.3);
+    found += count_beyond_ends(random, surface)[1];
+  }
+  return found;
+}
+
+TEST(LoneFoot, PointsBeyondTheEndsNeedNoSearch) {
+  EXPECT_GT(count_beyond_ends<2>(5), 100);
+  EXPECT_GT(count_beyond_ends<3>(6), 20);
+  Random random(7);
+  Surface<2> arc(discretize(nurbs::quarter_annulus(1, 2, Eigen::Vector2d(0, 0), 0), {4, 1}, "N2", "south"),
+                 nurbs::side_of("south", 2));
+  arc.extend(0.3);
+  Surface<3> plate =
+      top_of(below({nurbs::KnotVector::single(2), nurbs::KnotVector::single(2)},
+                   MatrixX{{0, 1, 2, 0, 1, 2, 0, 1, 2}, {0, 0, 0, 1, 1, 1, 2, 2, 2}, {0, 0, 0, 0, 0.4, 0, 0, 0, 0}},
+                   VectorX::Ones(9)));
+  plate.extend(0.3);
+  for (const auto& [beyond, found] : {count_beyond_ends(random, arc), count_beyond_ends(random, plate)})
+    EXPECT_GT(2 * found, beyond);
+}
+
+TEST(LoneFoot, KinksAreNoOpenEnds) {
+  // Above the ridge of a roof, no line is normal to it.
+  Surface<2> roof(polyline({{0, 0}, {1, 1}, {2, 0}}), nurbs::side_of("north", 2));
+  roof.extend(0.3);
+  ElementBoxes<2> boxes;
+  boxes.update(roof);
+  FaceGeometry<2> point;
+  EXPECT_EQ(project(roof, boxes, {1, 2}, {}, point).foot, Foot::corner);
+  EXPECT_FALSE(boxes.is_beyond_ends({1, 2}));
+  EXPECT_TRUE(boxes.is_beyond_ends({-3, 0}));
+}
+
 TEST(LoneFoot, DistanceIsBelowTheRadiusOfACylinder) {
   // Beyond the axis of an arc of radius 2, all its points are as near as the foot point.
   const Surface<2> arc(discretize(nurbs::quarter_annulus(1, 2, Eigen::Vector2d(0, 0), 0), {16, 1}, "N2", "south"),

@@ -201,7 +201,8 @@ TEST(ProjectionOnSurface, SphereGivesItsRadialGapUpToThePole) {
   plan.labels.assign(2, nurbs::parse_label("N2"));
   plan.thickness_degree = 1;
   const nurbs::Discretization octant(nurbs::sphere_octant(0.5, 1, Eigen::Vector3d::Zero()), plan);
-  const Surface<3> surface(octant, nurbs::side_of("front", 3));
+  Surface<3> surface(octant, nurbs::side_of("front", 3));
+  surface.extend(0.3);
   ElementBoxes<3> boxes;
   boxes.update(surface);
   Random random(3);
@@ -220,6 +221,8 @@ TEST(ProjectionOnSurface, SphereGivesItsRadialGapUpToThePole) {
   const Projection<3> below = project(surface, boxes, Vec<3>(0, 0, -1.25), {}, point);
   EXPECT_NE(below.foot, Foot::none);
   EXPECT_NEAR(below.gap, 0.25, 1e-12);
+  EXPECT_FALSE(boxes.is_beyond_ends({-0.1, -0.1, -1.25})); // the pole is its closest point
+  EXPECT_TRUE(boxes.is_beyond_ends({1, 1, 1}));
 }
 
 /// The face 0 ≤ x ≤ 3, 0 ≤ y ≤ 2, z = 0, of one element.

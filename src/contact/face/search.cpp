@@ -38,6 +38,12 @@ template <int D> double least_ambiguous2(const DerivativeBounds<D>& bounds) {
   return distance * distance;
 }
 
+/// True if a border of an element is smooth or an open end: not a kink, a pole or a seam.
+template <int D> bool is_plain_border(const Surface<D>& surface, int element, int alpha, bool at_end) {
+  if (surface.neighbor(element, alpha, at_end) < 0) return surface.extension().lengths[alpha][at_end] > 0;
+  return surface.direction(alpha).smoothness()[surface.index(element, alpha) + at_end] > 0;
+}
+
 } // namespace
 
 template <int D> Neighborhood smooth_neighborhood(const Surface<D>& surface, int element) {
@@ -63,8 +69,6 @@ template <int D> bool smoothly_adjacent(const Surface<D>& surface, int element, 
 
 template <int D> void ElementBoxes<D>::find_unique_distances(const Surface<D>& surface) {
   const int n = surface.direction(0).elements();
-  bounds_.clear();
-  for (int e = 0; e < surface.elements(); ++e) bounds_.push_back(derivative_bounds(surface.bezier(e)));
   unique_distance2_.resize(bounds_.size());
   for (int e = 0; e < surface.elements(); ++e) {
     const Neighborhood block = smooth_neighborhood(surface, e);
@@ -75,20 +79,41 @@ template <int D> void ElementBoxes<D>::find_unique_distances(const Surface<D>& s
   }
 }
 
+/// Where (x − x(ξ))·τ_α > 0 on all elements of a node, x(ξ) and τ_α in their boxes, the distance decreases along ξ^α up
+/// to their last border. If that is an open end or smooth, the closest point of the face is at the end or on other
+/// elements. For the other sign the same holds for their first border.
+template <int D> bool ElementBoxes<D>::may_have_foot(int index, const Vec<D>& x) const {
+  const Node& node = nodes_[index];
+  const Vec<D> first = x - node.box.upper, last = x - node.box.lower;
+  for (std::size_t alpha = 0; alpha < D - 1; ++alpha) {
+    const Box& tangent = node.tangents[alpha];
+    const Vec<D> a = first.cwiseProduct(tangent.lower), b = first.cwiseProduct(tangent.upper);
+    const Vec<D> c = last.cwiseProduct(tangent.lower), d = last.cwiseProduct(tangent.upper);
+    if (node.plain[alpha][1] && a.cwiseMin(b).cwiseMin(c).cwiseMin(d).sum() > 0) return false;
+    if (node.plain[alpha][0] && a.cwiseMax(b).cwiseMax(c).cwiseMax(d).sum() < 0) return false;
+  }
+  return node.element >= 0 || may_have_foot(index + 1, x) || may_have_foot(node.second, x);
+}
+
 template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
   if (nodes_.empty()) {
     const int u = surface.direction(0).elements();
     leaves_.resize(surface.elements());
     build(surface, {0, 0}, {u, surface.elements() / u});
   }
+  bounds_.clear();
+  for (int e = 0; e < surface.elements(); ++e) bounds_.push_back(derivative_bounds(surface.bezier(e)));
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
     if (node.element >= 0) {
       bounds(surface.bezier(node.element), node.box.lower, node.box.upper);
+      const DerivativeBounds<D>& rates = bounds_[node.element];
+      for (std::size_t a = 0; a < D - 1; ++a) node.tangents[a] = {rates.lower[a], rates.upper[a]};
       continue;
     }
-    const Box &a = nodes_[i + 1].box, &b = nodes_[node.second].box;
-    node.box = {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
+    const Node &a = nodes_[i + 1], &b = nodes_[node.second];
+    node.box = a.box.joined(b.box);
+    for (std::size_t d = 0; d < D - 1; ++d) node.tangents[d] = a.tangents[d].joined(b.tangents[d]);
   }
   find_unique_distances(surface);
 }
@@ -97,11 +122,14 @@ template <int D> void ElementBoxes<D>::update(const Surface<D>& surface) {
 template <int D>
 void ElementBoxes<D>::build(const Surface<D>& surface, std::array<int, 2> first, std::array<int, 2> last) {
   const std::size_t index = nodes_.size();
-  nodes_.push_back({-1, -1, {Vec<D>::Zero(), Vec<D>::Zero()}});
+  nodes_.emplace_back();
   const int u = last[0] - first[0], v = last[1] - first[1];
   if (u == 1 && v == 1) {
     const int element = first[0] + surface.direction(0).elements() * first[1];
     nodes_[index].element = element;
+    for (std::size_t a = 0; a < D - 1; ++a)
+      for (const bool at_end : {false, true})
+        nodes_[index].plain[a][at_end] = is_plain_border(surface, element, static_cast<int>(a), at_end);
     leaves_[element] = static_cast<int>(index);
     return;
   }
@@ -111,6 +139,11 @@ void ElementBoxes<D>::build(const Surface<D>& surface, std::array<int, 2> first,
   build(surface, first, end);
   nodes_[index].second = std::ssize(nodes_);
   build(surface, start, last);
+  const Node &a = nodes_[index + 1], &b = nodes_[nodes_[index].second];
+  for (std::size_t k = 0; k < D - 1; ++k) {
+    nodes_[index].plain[k][0] = a.plain[k][0] && (k == d || b.plain[k][0]);
+    nodes_[index].plain[k][1] = b.plain[k][1] && (k == d || a.plain[k][1]);
+  }
 }
 
 #define SIGNORINI_INSTANTIATE(D)                                                                                       \

@@ -1,6 +1,6 @@
 #pragma once
-// Search for the elements of a face near a point: a tree of bounding boxes, and distances within which elements have
-// one foot point only.
+// Search for the elements of a face near a point: a tree of bounding boxes, distances within which elements have one
+// foot point only, and points that have none.
 
 #include "contact/face/surface.hpp"
 
@@ -29,6 +29,9 @@ public:
   }
   /// Squared distance below which a regular foot point on an element is the closest point of its smooth neighborhood.
   double unique_distance2(int element) const { return unique_distance2_[element]; }
+  /// True only if no line from x is normal to the face, so that the closest point is an open end. False where it may be
+  /// at a kink, a pole or a seam.
+  bool is_beyond_ends(const Vec<D>& x) const { return !nodes_.empty() && !may_have_foot(0, x); }
 
   /// Calls visit(element) for the elements whose boxes are nearer to x than `distance2()` (a squared distance,
   /// evaluated again before every visit), boxes near x first.
@@ -41,14 +44,19 @@ private:
     Vec<D> lower, upper;
     /// Squared lower bound of the distance from x to the element.
     double distance2(const Vec<D>& x) const { return (lower - x).cwiseMax(x - upper).cwiseMax(0.0).squaredNorm(); }
+    Box joined(const Box& other) const { return {lower.cwiseMin(other.lower), upper.cwiseMax(other.upper)}; }
   };
   /// The first child follows its parent directly.
   struct Node {
-    int element; ///< of a leaf; −1 otherwise
-    int second;  ///< index of the second child
+    int element = -1; ///< of a leaf; −1 otherwise
+    int second = -1;  ///< index of the second child
+    /// True per direction and end if all its borders there are smooth or open ends: not a kink, a pole or a seam.
+    std::array<std::array<bool, 2>, D - 1> plain;
     Box box;
+    std::array<Box, D - 1> tangents; ///< around τ_α
   };
   void find_unique_distances(const Surface<D>& surface);
+  bool may_have_foot(int index, const Vec<D>& x) const;
   void build(const Surface<D>& surface, std::array<int, 2> first, std::array<int, 2> last);
 
   template <class Distance2, class Visit>

@@ -39,6 +39,8 @@ public:
   /// The closest point to x, see projection.hpp; `point` receives the geometry there (order 2) without functions.
   /// Closed-form shapes have no ends.
   Projection<D> project(const Vec<D>& x, const Projection<D>& seed, FaceGeometry<D>& point) const;
+  /// True only if project() would find an open end; a quick test, which many points beyond an end pass.
+  bool is_beyond_ends(const Vec<D>& x) const { return boxes_.is_beyond_ends(x); }
   /// Outward unit normal at a closest point other than a corner.
   Vec<D> normal(const FaceGeometry<D>& point) const;
   /// Factor on the traction at a closest point, below 1 beyond an open end; `rate` receives its derivatives.

@@ -5,7 +5,10 @@ namespace signorini::contact {
 template <int D>
 bool find_foot(const Master<D>& master, PointHistory<D>& point, PointResult<D>& result, FacePoint<D>& foot) {
   foot.settled = true;
-  point.projection = master.project(result.position, point.projection, foot);
+  if (master.is_beyond_ends(result.position))
+    point.projection.foot = Foot::none; // the start of a later search stays
+  else
+    point.projection = master.project(result.position, point.projection, foot);
   result.beyond = point.projection.foot == Foot::none;
   result.settled = foot.settled;
   return !result.beyond;
