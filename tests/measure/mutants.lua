@@ -5,13 +5,13 @@
 --          A mutant that no test notices survives: either a test is missing, or the change has no effect.
 -- Source: DeMillo, Lipton, Sayward, Hints on test data selection, Computer 11(4) (1978), 34-41.
 -- Expected: more than 8 of 10 mutants are noticed; names of the survivors, to be read one by one.
--- Run: signorini tests/measure/mutants.lua [count=200] [seed=1] [folder=/tmp/mutants] [within=src]
+-- Run: signorini tests/measure/mutants.lua [count=200] [seed=1] [folder=out/mutants] [within=src]
 --      [tests=contact|model] [build=no]; within: a folder of sources; tests: a regular expression of ctest;
 --      build=no: shows the mutants only. About a minute each on two processors.
 
 local sg = require "signorini"
 
-local options = sg.arguments{ count = 200, seed = 1, folder = "/tmp/mutants", within = "src", tests = "", build = true }
+local options = sg.arguments{ count = 200, seed = 1, folder = "out/mutants", within = "src", tests = "", build = true }
 
 local home = arg[0]:match "^(.*/)tests/measure/[^/]*$" or "./"
 
@@ -30,9 +30,10 @@ end
 --- What is exchanged for what. The spaces around operators tell them from templates, references and signs.
 local exchanges = {
   { " < ", " <= " }, { " > ", " >= " }, { " <= ", " < " }, { " >= ", " > " }, { " == ", " != " }, { " != ", " == " },
-  { " + ", " - " }, { " - ", " + " }, { " * ", " / " }, { " / ", " * " }, { " && ", " || " }, { " || ", " && " },
-  { " += ", " -= " }, { " -= ", " += " }, { " true;", " false;" }, { " false;", " true;" }, { "return 0;", "return 1;" },
-  { " = 0;", " = 1;" }, { " 0.5 ", " 0.25 " }, { "std::max(", "std::min(" }, { "std::min(", "std::max(" },
+  { " + ", " - " }, { " - ", " + " }, { " / ", " * " }, { " && ", " || " }, { " || ", " && " },
+  { " += ", " -= " }, { " -= ", " += " }, { " true;", " false;" }, { " false;", " true;" },
+  { "return 0;", "return 1;" }, { " = 0;", " = 1;" }, { " 0.5 ", " 0.25 " },
+  { "std::max(", "std::min(" }, { "std::min(", "std::max(" },
 }
 
 --- Appends all places of a source to a list: { file, line, from, what, instead }.
