@@ -16,10 +16,6 @@ int direction_at(lua_State* L, int index) {
   return to<int>(L, index) - 1;
 }
 
-VectorX evaluate_at(const Patch& patch, const VectorX& xi) {
-  return nurbs::evaluate(patch, xi);
-}
-
 int derivatives(const Patch& patch, const VectorX& xi, int order, lua_State* L) {
   push_list(L, nurbs::derivatives(patch, xi, order),
             [&](const auto& one) { push_fields(L, "orders", one.orders, "value", one.value); });
@@ -77,7 +73,7 @@ Patch rotate(const Patch& patch, const Arguments& a) {
 }
 
 Patch scale(const Patch& patch, const Arguments& a) {
-  const bool each = lua_istable(a.state(), a.push("factor"));
+  const bool each = a.is("factor", LUA_TTABLE);
   const VectorX factors =
       each ? a.get<VectorX>("factor") : VectorX::Constant(patch.dimension(), a.get<double>("factor"));
   return nurbs::scale(patch, factors, point_of(a, "center", patch));
@@ -125,13 +121,10 @@ int read_patches(const std::string& file, lua_State* L) {
   return 1;
 }
 
-constexpr Function patch_functions[] = {{"read", call<read_patches>}, {"write", write_patches}};
-constexpr Function patch_core_entries[] = {{"patch_sizes", call<patch_sizes>}};
-
 constexpr Function patch_entries[] = {
-    {"__call", call<evaluate_at>},
+    {"__call", call<nurbs::evaluate<nurbs::KnotVector>>},
     {"__tostring", call<patch_text>},
-    {"evaluate", call<evaluate_at>},
+    {"evaluate", call<nurbs::evaluate<nurbs::KnotVector>>},
     {"derivatives", call<derivatives>},
     {"basis", call<basis>},
     {"insert", call<[](const Patch& patch, int d, const std::vector<double>& knots) {
@@ -183,8 +176,8 @@ std::vector<std::optional<nurbs::Grading>> gradings_of(const Arguments& a, const
 
 void open_patch(lua_State* L) {
   register_type<Patch>(L, patch_entries);
-  register_functions(L, "sg.nurbs", patch_functions);
-  register_functions(L, "core", patch_core_entries);
+  register_functions(L, "sg.nurbs", {{"read", call<read_patches>}, {"write", write_patches}});
+  register_functions(L, "core", {{"patch_sizes", call<patch_sizes>}});
   push_table(L, "core");
   set_fields(L, "max_degree", nurbs::max_degree, "patch_forms", exchange::forms());
   lua_pop(L, 1);

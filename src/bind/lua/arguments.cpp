@@ -53,10 +53,14 @@ template <> bool to(lua_State* L, int index) {
   return lua_toboolean(L, index);
 }
 
-template <> std::string to(lua_State* L, int index) {
+template <> std::string_view to(lua_State* L, int index) {
   std::size_t length = 0;
   const char* value = lua_tolstring(L, index, &length);
-  return value ? std::string(value, length) : std::string();
+  return {value, length};
+}
+
+template <> std::string to(lua_State* L, int index) {
+  return std::string(to<std::string_view>(L, index));
 }
 
 template <> std::vector<double> to(lua_State* L, int index) {
@@ -110,7 +114,11 @@ std::string Arguments::name(const char* key) const {
 }
 
 bool Arguments::has(const char* key) const {
-  const bool found = !lua_isnil(L_, push(key));
+  return !is(key, LUA_TNIL);
+}
+
+bool Arguments::is(const char* key, int type) const {
+  const bool found = lua_type(L_, push(key)) == type;
   lua_pop(L_, 1);
   return found;
 }

@@ -19,6 +19,7 @@ template <> double to(lua_State* L, int index);
 template <> int to(lua_State* L, int index);
 template <> bool to(lua_State* L, int index);
 template <> std::string to(lua_State* L, int index);
+template <> std::string_view to(lua_State* L, int index); ///< as long as the value is on the stack
 template <> std::vector<double> to(lua_State* L, int index);
 template <> std::vector<int> to(lua_State* L, int index);
 template <> std::vector<std::string> to(lua_State* L, int index);
@@ -51,6 +52,8 @@ public:
     if constexpr (sizeof...(rest) > 0) read(std::forward<Rest>(rest)...);
   }
   template <class T> T get(const char* key, T otherwise) const { return has(key) ? get<T>(key) : otherwise; }
+  /// True if there is a value of this type of Lua, such as LUA_TSTRING.
+  bool is(const char* key, int type) const;
   /// The object of a registered type, as a reference into its userdata.
   template <class T> T& object(const char* key) const {
     T& found = read_object<T>(L_, push(key), {name(key)});

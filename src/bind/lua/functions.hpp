@@ -50,12 +50,15 @@ struct Implementation {
 };
 
 /// Creates a Lua type for one C++ type, or for two with rows of the same names, which are one type for users: a method
-/// is that of the object's C++ type. The table of methods is core.types[name], so that Lua code can extend it. An
-/// unknown method is an error that lists the known ones.
+/// is that of the object's C++ type. The table of methods is core.types[name], so that Lua code can extend it; a second
+/// call for a type adds methods to it. An unknown method is an error that lists the known ones.
 void register_type(lua_State* L, const char* name, std::span<const Implementation> implementations);
 
 /// Registers functions under a dotted name, "sg.nurbs" or "core"; missing tables are created.
 void register_functions(lua_State* L, const std::string& table, std::span<const Function> rows);
+inline void register_functions(lua_State* L, const std::string& table, std::initializer_list<Function> rows) {
+  register_functions(L, table, std::span(rows.begin(), rows.size()));
+}
 /// Calls the one of two implementations that fits the C++ type of its first argument; of a table, an object that
 /// imitates a model, functions of core return nothing.
 void register_functions(lua_State* L, const std::string& table, std::span<const Implementation> implementations);
@@ -70,6 +73,9 @@ void register_functions(lua_State* L, const std::string& table, std::span<const 
 template <class T> void register_type(lua_State* L, std::span<const Function> rows) {
   const Implementation only[] = {{key_of<T>(), collect<T>, rows}};
   register_type(L, Type<T>::name, only);
+}
+template <class T> void register_type(lua_State* L, std::initializer_list<Function> rows) {
+  register_type<T>(L, std::span(rows.begin(), rows.size()));
 }
 
 template <class Plane, class Space>

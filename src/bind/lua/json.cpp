@@ -196,13 +196,11 @@ int unpack(lua_State* L) {
   return 1;
 }
 
-constexpr Function json_entries[] = {
-    {"write_json", write_json}, {"read_json", read_json}, {"pack", pack}, {"unpack", unpack}};
-
 } // namespace
 
 void open_json(lua_State* L) {
-  register_functions(L, "core", json_entries);
+  register_functions(L, "core",
+                     {{"write_json", write_json}, {"read_json", read_json}, {"pack", pack}, {"unpack", unpack}});
 }
 
 } // namespace signorini::bind

@@ -14,7 +14,10 @@ void open_material(lua_State* L);   ///< sg.neo_hookean, sg.linear_elastic, the 
 void open_body(lua_State* L);       ///< sg.body, bodies, their faces, edges and corners
 void open_rigid(lua_State* L);      ///< sg.rigid.*
 void open_scene(lua_State* L);      ///< sg.model
-void open_model(lua_State* L);      ///< the methods of a model
+void open_model(lua_State* L);      ///< the model type, methods for its parts and about its cost, snapshots
+void open_path(lua_State* L);       ///< its methods for the load path and for Newton's method
+void open_changes(lua_State* L);    ///< model:set_contact and its checks
+void open_results(lua_State* L);    ///< its methods for the present state
 void open_checkpoint(lua_State* L); ///< sg.load, core.save, core.content and others
 void open_adaptation(lua_State* L); ///< core.follow and others: layers that follow the contact
 void open_chart(lua_State* L);      ///< sg.chart

@@ -14,11 +14,6 @@ namespace signorini::bind {
 
 namespace {
 
-/// core.restore(model, path): restores the state from a file saved from the same scene.
-template <int D> void core_restore(Model<D>& model, const std::string& path) {
-  model::restore(model, path);
-}
-
 int load(lua_State* L) {
   std::visit(
       [&](const auto& model) {
@@ -60,21 +55,21 @@ int content(lua_State* L) {
   return 1;
 }
 
-constexpr Function core_rows[] = {
-    {"checkpoint_text", call<model::load_text>}, // the text given to core.save
-    {"content", content},
-};
 /// core.save(model, path, text, durable): as model:save, with a text stored next to the model, such as the state of a
-/// run. durable: flushed to disk on return.
+/// run. durable: flushed to disk on return. core.restore(model, path): restores the state from a file saved from the
+/// same scene.
 template <int D>
-constexpr Function model_core_rows[] = {{"save", call<model::save<D>>}, {"restore", call<core_restore<D>>}};
-constexpr Function checkpoint_functions[] = {{"load", load}};
+constexpr Function model_core_rows[] = {
+    {"save", call<model::save<D>>},
+    {"restore", call<[](Model<D>& model, const std::string& path) { model::restore(model, path); }>},
+};
 
 } // namespace
 
 void open_checkpoint(lua_State* L) {
-  register_functions(L, "sg", checkpoint_functions);
-  register_functions(L, "core", core_rows);
+  register_functions(L, "sg", {{"load", load}});
+  // checkpoint_text(path): the text given to core.save
+  register_functions(L, "core", {{"checkpoint_text", call<model::load_text>}, {"content", content}});
   register_functions<Model<2>, Model<3>>(L, "core", model_core_rows<2>, model_core_rows<3>);
 }
 

@@ -1,5 +1,6 @@
 // Constants of contacts that a load path changes.
 
+#include "bind/lua/open.hpp"
 #include "bind/lua/wording/wording.hpp"
 #include "bind/model/model.hpp"
 #include "model/checks/scene_warnings.hpp"
@@ -66,17 +67,9 @@ constexpr Function contact_core_entries[] = {{"contact_problem", call<contact_pr
 
 } // namespace
 
-template <int D> std::span<const Function> contact_rows() {
-  return contact_entries<D>;
+void open_changes(lua_State* L) {
+  register_functions<Model<2>, Model<3>>(L, "core", contact_core_entries<2>, contact_core_entries<3>);
+  register_type<Model<2>, Model<3>>(L, contact_entries<2>, contact_entries<3>);
 }
-
-template <int D> std::span<const Function> contact_core() {
-  return contact_core_entries<D>;
-}
-
-template std::span<const Function> contact_rows<2>();
-template std::span<const Function> contact_rows<3>();
-template std::span<const Function> contact_core<2>();
-template std::span<const Function> contact_core<3>();
 
 } // namespace signorini::bind

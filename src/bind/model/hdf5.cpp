@@ -31,10 +31,6 @@ namespace {
 
 // ── Files ────────────────────────────────────────────────────────────────────────────────────────────────────────────
 
-Hdf5 make_result_file() {
-  return {exchange::hdf5().make(), {}};
-}
-
 /// core.open_result_file(file): a file that exists.
 Hdf5 open_result_file(const std::string& file) {
   const std::string bytes = read_file(file);
@@ -55,10 +51,6 @@ exchange::Hdf5Shape shape_of(lua_State* L, int index) {
   return {list.begin(), list.end()};
 }
 
-void make_group(const Hdf5& hdf5, const std::string& path) {
-  hdf5.file->make_group(path);
-}
-
 /// file:write(path, kind, shape, values)
 int write_array(const Hdf5& hdf5, const std::string& path, const std::string& kind, lua_State* L) {
   const exchange::Hdf5Shape shape = shape_of(L, 4);
@@ -76,10 +68,6 @@ int append_to_array(const Hdf5& hdf5, const std::string& path, const std::string
   return 0;
 }
 
-void truncate_array(const Hdf5& hdf5, const std::string& path, int entries) {
-  hdf5.file->truncate(path, static_cast<std::uint64_t>(entries));
-}
-
 /// file:set(object, name, kind, a list or a single value)
 int set_attribute(const Hdf5& hdf5, const std::string& object, const std::string& name, const std::string& kind,
                   lua_State* L) {
@@ -93,14 +81,6 @@ int set_attribute(const Hdf5& hdf5, const std::string& object, const std::string
   return 0;
 }
 
-std::vector<double> numbers_of(const Hdf5& hdf5, const std::string& path) {
-  return hdf5.file->numbers(path);
-}
-
-std::vector<std::string> texts_of(const Hdf5& hdf5, const std::string& object, const std::string& attribute) {
-  return hdf5.file->texts(object, attribute);
-}
-
 /// Replaces the file on the disk. Throws Error if something else has replaced it since the last time.
 void save_result_file(Hdf5& hdf5, const std::string& file) {
   const auto found = identity_of(file);
@@ -112,9 +92,17 @@ void save_result_file(Hdf5& hdf5, const std::string& file) {
 }
 
 constexpr Function hdf5_methods[] = {
-    {"make_group", call<make_group>},   {"write", call<write_array>},     {"append", call<append_to_array>},
-    {"truncate", call<truncate_array>}, {"set", call<set_attribute>},     {"numbers", call<numbers_of>},
-    {"texts", call<texts_of>},          {"save", call<save_result_file>},
+    {"make_group", call<[](const Hdf5& hdf5, const std::string& path) { hdf5.file->make_group(path); }>},
+    {"write", call<write_array>},
+    {"append", call<append_to_array>},
+    {"truncate",
+     call<[](const Hdf5& hdf5, const std::string& path, int entries) { hdf5.file->truncate(path, entries); }>},
+    {"set", call<set_attribute>},
+    {"numbers", call<[](const Hdf5& hdf5, const std::string& path) { return hdf5.file->numbers(path); }>},
+    {"texts", call<[](const Hdf5& hdf5, const std::string& object, const std::string& attribute) {
+       return hdf5.file->texts(object, attribute);
+     }>},
+    {"save", call<save_result_file>},
 };
 
 // ── Scenes ───────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -206,7 +194,9 @@ template <int D> int contact_faces(const model::Model<D>& model, const std::stri
 }
 
 constexpr Function hdf5_entries[] = {
-    {"make_result_file", call<make_result_file>},
+    {"make_result_file", call<[]() {
+       return Hdf5{exchange::hdf5().make(), {}};
+     }>},
     {"open_result_file", call<open_result_file>},
 };
 template <int D>

@@ -116,14 +116,6 @@ constexpr Function model_entries[] = {
     {"solver", call<solver<D>>},
 };
 
-/// All methods, grouped by subject.
-template <int D> std::vector<Function> all_rows() {
-  std::vector<Function> all(std::begin(model_entries<D>), std::end(model_entries<D>));
-  for (const std::span<const Function> part : {path_rows<D>(), contact_rows<D>(), result_rows<D>()})
-    all.insert(all.end(), part.begin(), part.end());
-  return all;
-}
-
 template <int D> std::string snapshot_text(const Snapshot<D>& snapshot) {
   return text("snapshot of a model with ", snapshot.model->system.unknowns.dofs(), " degrees of freedom");
 }
@@ -212,8 +204,7 @@ template <int D> constexpr Function snapshot_entries[] = {{"__tostring", call<sn
 
 void open_model(lua_State* L) {
   register_functions<Model<2>, Model<3>>(L, "core", model_core<2>, model_core<3>);
-  register_functions<Model<2>, Model<3>>(L, "core", contact_core<2>(), contact_core<3>());
-  register_type<Model<2>, Model<3>>(L, all_rows<2>(), all_rows<3>());
+  register_type<Model<2>, Model<3>>(L, model_entries<2>, model_entries<3>);
   register_type<Snapshot<2>, Snapshot<3>>(L, snapshot_entries<2>, snapshot_entries<3>);
 }
 

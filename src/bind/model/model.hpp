@@ -1,20 +1,10 @@
 #pragma once
-// The methods of a model, grouped by subject, and the lookup of its parts by name.
+// Lookup of the parts of a model by name.
 
 #include "bind/lua/functions.hpp"
 #include "bind/scene/scene.hpp"
 
 namespace signorini::bind {
-
-/// Methods for the load path: targets, steps, accepting and rolling back, snapshots; and for Newton's method: residual,
-/// tangent, unknowns, diagnosis.
-template <int D> std::span<const Function> path_rows();
-/// Methods for constants of contacts that a load path changes.
-template <int D> std::span<const Function> contact_rows();
-/// core.contact_problem and core.contact_warnings.
-template <int D> std::span<const Function> contact_core();
-/// Methods for the present state: forces, profiles, samples, energies; and for the cost of the model.
-template <int D> std::span<const Function> result_rows();
 
 /// The names of bodies, supports or contacts, in order.
 template <class Items> std::vector<std::string> names_of(const Items& items) {

@@ -1,4 +1,5 @@
 #include "base/words.hpp"
+#include "bind/lua/open.hpp"
 #include "bind/lua/wording/wording.hpp"
 #include "bind/model/iteration_report.hpp"
 #include "bind/model/model.hpp"
@@ -126,10 +127,6 @@ template <int D> void restore(const Model<D>& model, const Snapshot<D>& snapshot
   model::restore(*model, snapshot.state);
 }
 
-template <int D> void save(model::Model<D>& model, const std::string& file) {
-  model::save(model, file);
-}
-
 // ── Parts of Newton's method for user-defined loops, and diagnosis ───────────────────────────────────────────────────
 
 /// The residual by unknown, after an evaluation of the present state. That of an accepted state begins a step, with
@@ -249,7 +246,7 @@ constexpr Function model_path_entries[] = {
     {"rollback", call<model::rollback<D>>},
     {"snapshot", call<snapshot<D>>},
     {"restore", call<restore<D>>},
-    {"save", call<save<D>>},
+    {"save", call<[](model::Model<D>& model, const std::string& file) { model::save(model, file); }>},
     {"residual", call<residual<D>>},
     {"tangent", call<tangent<D>>},
     {"unknowns", call<unknowns<D>>},
@@ -261,11 +258,8 @@ constexpr Function model_path_entries[] = {
 
 } // namespace
 
-template <int D> std::span<const Function> path_rows() {
-  return model_path_entries<D>;
+void open_path(lua_State* L) {
+  register_type<Model<2>, Model<3>>(L, model_path_entries<2>, model_path_entries<3>);
 }
-
-template std::span<const Function> path_rows<2>();
-template std::span<const Function> path_rows<3>();
 
 } // namespace signorini::bind

@@ -1,3 +1,4 @@
+#include "bind/lua/open.hpp"
 #include "bind/model/model.hpp"
 #include "contact/method/peak.hpp"
 #include "model/results/face_values.hpp"
@@ -271,11 +272,8 @@ constexpr Function model_results_entries[] = {
 
 } // namespace
 
-template <int D> std::span<const Function> result_rows() {
-  return model_results_entries<D>;
+void open_results(lua_State* L) {
+  register_type<Model<2>, Model<3>>(L, model_results_entries<2>, model_results_entries<3>);
 }
-
-template std::span<const Function> result_rows<2>();
-template std::span<const Function> result_rows<3>();
 
 } // namespace signorini::bind

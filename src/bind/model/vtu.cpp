@@ -134,12 +134,10 @@ void vtu(const Arguments& a) {
   write_output(file, exchange::linear_vtu(grid, a.get("subdivisions", default_subdivisions(grid))), FileKind::vtk);
 }
 
-constexpr Function vtu_entries[] = {{"vtu", call<vtu>}};
-
 } // namespace
 
 void open_vtu(lua_State* L) {
-  register_functions(L, "sg", vtu_entries);
+  register_functions(L, "sg", {{"vtu", call<vtu>}});
 }
 
 } // namespace signorini::bind

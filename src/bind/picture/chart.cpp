@@ -44,7 +44,7 @@ view::Series read_series(lua_State* L, const Arguments& chart, int number, const
     fail("y", " must have as many values as x, ", series.x.size(), ", got ", series.y.size());
   curve.read("label", series.label, "markers", series.markers, "dashed", series.dashed, "arrows", series.arrows, "line",
              series.line, "width", series.width);
-  if (curve.has("color")) series.color = is_string(curve, "color") ? view::gray : curve.get<int>("color") - 1;
+  if (curve.has("color")) series.color = curve.is("color", LUA_TSTRING) ? view::gray : curve.get<int>("color") - 1;
   if (curve.has("marker")) {
     const auto name = curve.get<std::string>("marker");
     series.marker = name == "none" ? view::no_marker : place_of(name, view::marker_names());
@@ -91,7 +91,7 @@ view::Inset read_inset(const Arguments& a) {
 /// true, false, or a position.
 view::LegendPlace read_legend(const Arguments& a) {
   using enum view::LegendPlace;
-  if (is_string(a, "legend"))
+  if (a.is("legend", LUA_TSTRING))
     return choice<view::LegendPlace>(a.get<std::string>("legend"), {"none", "automatic", "inside", "outside"});
   return a.get<bool>("legend") ? automatic : none;
 }
@@ -128,12 +128,10 @@ int chart(lua_State* L) {
       [series](const view::ChartOptions& sized) { return view::chart_spots(series, sized); });
 }
 
-constexpr Function chart_functions[] = {{"chart", chart}};
-
 } // namespace
 
 void open_chart(lua_State* L) {
-  register_functions(L, "sg", chart_functions);
+  register_functions(L, "sg", {{"chart", chart}});
 }
 
 } // namespace signorini::bind

@@ -60,7 +60,7 @@ CategoryEntry read_category(lua_State* L, int index, const std::string& path) {
   const Arguments category(L, index, path);
   CategoryEntry entry;
   category.read("name", entry.name, "good", entry.good);
-  if (is_string(category, "color"))
+  if (category.is("color", LUA_TSTRING))
     entry.color = read_hex(category);
   else if (category.has("color"))
     entry.look = static_cast<std::size_t>(category.get<int>("color") - 1);
@@ -206,12 +206,10 @@ int heatmap(lua_State* L) {
       [maps](const view::HeatmapOptions& sized) { return view::heatmap_spots(maps, sized); });
 }
 
-constexpr Function heatmap_functions[] = {{"heatmap", heatmap}};
-
 } // namespace
 
 void open_heatmap(lua_State* L) {
-  register_functions(L, "sg", heatmap_functions);
+  register_functions(L, "sg", {{"heatmap", heatmap}});
 }
 
 } // namespace signorini::bind

@@ -18,7 +18,7 @@ constexpr int largest_size = 5000; // OpenGL's limit after supersampling
 void read_paper(const Arguments& a, Picture& picture, const std::array<int, 2>& most) {
   picture.size = most;
   if (a.has("size")) {
-    picture.trim = lua_type(a.state(), a.push("size")) == LUA_TNUMBER;
+    picture.trim = a.is("size", LUA_TNUMBER);
     if (picture.trim) {
       const int width = a.get<int>("size");
       picture.size = {width, std::min(2 * width, largest_size)};
@@ -176,7 +176,7 @@ int sheet(lua_State* L) {
   check_ending(file, false);
   SheetPicture content{read_pictures(L), a.get<std::string>("title")};
   a.read("columns", content.columns);
-  if (is_string(a, "range"))
+  if (a.is("range", LUA_TSTRING))
     content.own_ranges = a.get<std::string>("range") == "own";
   else
     a.read("range", content.range);
@@ -200,11 +200,9 @@ int film(lua_State* L) {
   return 0;
 }
 
-int write_method(lua_State* L) {
-  const auto file = to<std::string>(L, 2);
+void write_method(const Picture& picture, const std::string& file) {
   check_ending(file, false);
-  write_picture(self<Picture>(L), file);
-  return 0;
+  write_picture(picture, file);
 }
 
 /// The picture at `index`, made to fit into the size {width, height} in pixels at `most` with its own ratio of sides;
@@ -246,23 +244,9 @@ int picture_spots(lua_State* L) {
 }
 
 /// core.picture_file(picture): the file in which it was written when it was made, or nil.
-int picture_file(lua_State* L) {
-  const std::string& file = read_object<Picture>(L, 1).file;
-  push(L, file.empty() ? std::nullopt : std::optional(file));
-  return 1;
+std::optional<std::string> picture_file(const Picture& picture) {
+  return picture.file.empty() ? std::nullopt : std::optional(picture.file);
 }
-
-int picture_tostring(lua_State* L) {
-  push(L, self<Picture>(L).description);
-  return 1;
-}
-
-constexpr Function picture_functions[] = {{"picture", picture}, {"sheet", sheet}, {"film", film}};
-
-constexpr Function picture_core[] = {
-    {"picture_bytes", picture_bytes}, {"picture_file", picture_file}, {"picture_spots", picture_spots}};
-
-constexpr Function picture_methods[] = {{"write", write_method}, {"__tostring", picture_tostring}};
 
 } // namespace
 
@@ -274,9 +258,12 @@ int push_picture(lua_State* L, Picture picture, const std::string& file) {
 }
 
 void open_picture(lua_State* L) {
-  register_functions(L, "sg", picture_functions);
-  register_functions(L, "core", picture_core);
-  register_type<Picture>(L, picture_methods);
+  register_functions(L, "sg", {{"picture", picture}, {"sheet", sheet}, {"film", film}});
+  register_functions(
+      L, "core",
+      {{"picture_bytes", picture_bytes}, {"picture_file", call<picture_file>}, {"picture_spots", picture_spots}});
+  register_type<Picture>(L, {{"write", call<write_method>},
+                             {"__tostring", call<[](const Picture& picture) { return picture.description; }>}});
 }
 
 } // namespace signorini::bind

@@ -66,12 +66,10 @@ int show_picture(lua_State* L) {
   return 0;
 }
 
-constexpr Function screen_core[] = {{"screen_obstacle", screen_obstacle}, {"show_picture", show_picture}};
-
 } // namespace
 
 void open_screen(lua_State* L) {
-  register_functions(L, "core", screen_core);
+  register_functions(L, "core", {{"screen_obstacle", screen_obstacle}, {"show_picture", show_picture}});
 }
 
 } // namespace signorini::bind

@@ -29,9 +29,9 @@ Vec<3> axis_of(const std::string& name) {
 /// "y", or { normal = …, point = … }, or { normal = "y", at = … }.
 std::optional<Cut> read_cut(const Arguments& a) {
   if (!a.has("cut")) return std::nullopt;
-  if (is_string(a, "cut")) return Cut{axis_of(a.get<std::string>("cut"))};
+  if (a.is("cut", LUA_TSTRING)) return Cut{axis_of(a.get<std::string>("cut"))};
   const Arguments c = a.table("cut");
-  const bool along_axis = is_string(c, "normal");
+  const bool along_axis = c.is("normal", LUA_TSTRING);
   Cut cut{along_axis ? axis_of(c.get<std::string>("normal")) : read_direction(c, "normal")};
   if (c.has("at")) {
     if (!along_axis) c.fail("at needs an axis as normal, such as \"y\"; with a vector use point");
@@ -46,7 +46,7 @@ std::optional<Cut> read_cut(const Arguments& a) {
 view::Camera read_camera(const Arguments& a, const std::optional<Cut>& cut) {
   const view::Camera standard = view::camera("iso");
   if (!a.has("camera")) return cut ? view::turned_to(standard, cut->normal) : standard;
-  if (is_string(a, "camera")) return view::camera(a.get<std::string>("camera"));
+  if (a.is("camera", LUA_TSTRING)) return view::camera(a.get<std::string>("camera"));
   const Arguments c = a.table("camera");
   const Vec<3> from = read_direction(c, "from");
   const bool steep = from.head<2>().norm() < 1e-6 * from.norm();
@@ -116,10 +116,8 @@ Showing read_showing(const Arguments& a, const std::string& field) {
 
 /// true, a number of lines, or a list of values.
 view::Contours read_contours(const Arguments& a) {
-  const int type = lua_type(a.state(), a.push("contours"));
-  lua_pop(a.state(), 1);
-  if (type == LUA_TBOOLEAN) return {};
-  if (type == LUA_TNUMBER) return {a.get<int>("contours")};
+  if (a.is("contours", LUA_TBOOLEAN)) return {};
+  if (a.is("contours", LUA_TNUMBER)) return {a.get<int>("contours")};
   return {0, a.get<std::vector<double>>("contours")};
 }
 
@@ -231,12 +229,6 @@ Picture read_snapshot(const Arguments& a, const Snapshot<D>& snapshot, const std
 }
 
 } // namespace
-
-bool is_string(const Arguments& a, const char* key) {
-  const bool found = lua_type(a.state(), a.push(key)) == LUA_TSTRING;
-  lua_pop(a.state(), 1);
-  return found;
-}
 
 Picture read_state_picture(const Arguments& a, const std::string& field, int state, const std::string& title,
                            const std::array<int, 2>& size) {

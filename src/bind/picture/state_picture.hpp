@@ -11,7 +11,4 @@ namespace signorini::bind {
 Picture read_state_picture(const Arguments& a, const std::string& field, int state, const std::string& title,
                            const std::array<int, 2>& size);
 
-/// True if an argument is a string.
-bool is_string(const Arguments& a, const char* key);
-
 } // namespace signorini::bind

@@ -69,33 +69,12 @@ std::optional<std::string> core_nearest(const std::string& word, const std::vect
   return best.empty() ? std::nullopt : std::optional(best);
 }
 
-/// core.exists(path): whether a file or folder exists.
-bool exists(const std::string& path) {
-  return std::filesystem::exists(path);
-}
-
-/// core.write_file(file, bytes, durable = false): writes a file of the program's own atomically; durable: flushed to
-/// disk on return, so that it survives a power failure.
-void core_write_file(const std::string& file, const std::string& bytes, bool durable) {
-  write_record(file, bytes, durable);
-}
-
 /// core.write_output(file, bytes, kind): writes a file that the user has named atomically, if it may replace what there
 /// is; kind "csv", "json", "html" or "vtk".
-void core_write_output(const std::string& file, const std::string& bytes, const std::string& kind) {
+void core_write_output(const std::string& file, std::string_view bytes, const std::string& kind) {
   const std::map<std::string, FileKind> kinds = {
       {"csv", FileKind::table}, {"json", FileKind::json}, {"html", FileKind::html}, {"vtk", FileKind::vtk}};
   write_output(file, bytes, kinds.at(kind));
-}
-
-/// core.is_link(path)
-bool is_link(const std::string& path) {
-  return std::filesystem::is_symlink(path);
-}
-
-/// core.base64(bytes): their Base64 encoding on one line.
-std::string core_base64(const std::string& bytes) {
-  return base64(bytes);
 }
 
 /// core.list_folder(folder): the sorted names of its entries.
@@ -104,16 +83,6 @@ std::vector<std::string> list_folder(const std::string& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename());
   std::sort(names.begin(), names.end());
   return names;
-}
-
-/// core.hash(bytes): checksum of sixteen hexadecimal digits.
-std::string hash(const std::string& bytes) {
-  return fmt::format("{:016x}", checksum(bytes));
-}
-
-/// core.lock(file): locks a file, created if missing, until :release(). Error when another process holds the lock.
-Lock lock(const std::string& file) {
-  return Lock(file);
 }
 
 /// core.number_text(value): the shortest decimal text that reads back as the same finite number.
@@ -134,11 +103,6 @@ int kind(lua_State* L) {
 bool core_answer_interrupt() {
   if (interrupted()) report_interrupt();
   return interrupted();
-}
-
-/// core.interruption(): why the run is interrupted, "interrupted" by Ctrl-C or a sentence about --time.
-std::string core_interruption() {
-  return interruption();
 }
 
 int results(lua_State* L, int, lua_KContext) {
@@ -166,18 +130,18 @@ constexpr Function core_entries[] = {
     {"fail", core_fail},
     {"offered", core_offered},
     {"answer_interrupt", call<core_answer_interrupt>},
-    {"interruption", call<core_interruption>},
+    {"interruption", call<interruption>}, // see limits.hpp
     {"now", call<now>},
     {"mkdir", call<mkdir>},
     {"sleep", call<sleep>},
-    {"exists", call<exists>},
-    {"is_link", call<is_link>},
+    {"exists", call<[](const std::string& path) { return std::filesystem::exists(path); }>},
+    {"is_link", call<[](const std::string& path) { return std::filesystem::is_symlink(path); }>},
     {"write_output", call<core_write_output>},
-    {"write_file", call<core_write_file>},
+    {"write_file", call<write_record>}, // (file, bytes, durable = false): a file of the program's own
     {"read_file", call<read_file>},
     {"list_folder", call<list_folder>},
-    {"hash", call<hash>},
-    {"lock", call<lock>},
+    {"hash", call<[](std::string_view bytes) { return fmt::format("{:016x}", checksum(bytes)); }>},
+    {"lock", call<[](const std::string& file) { return Lock(file); }>}, // until :release()
     {"create_claim", call<create_claim>}, // (file, content): creates a file unless it exists; whether it did
     {"find_script", call<find_script>},   // the path of a supplied script, otherwise the name as it is
     {"release", call<release>},           // see library.hpp; lua/signorini/call/release.lua
@@ -186,19 +150,16 @@ constexpr Function core_entries[] = {
     {"describe", core_describe},
     {"nearest", call<core_nearest>},
     {"number_text", core_number_text},
-    {"base64", call<core_base64>},
+    {"base64", call<base64>},
     {"kind", kind},
 };
-
-constexpr Function public_rows[] = {{"mkdir", call<mkdir>}, {"wall_time", call<now>}};
-constexpr Function lock_methods[] = {{"release", collect<Lock>}}; // unlocks the file
 
 } // namespace
 
 void open_core(lua_State* L) {
-  register_type<Lock>(L, lock_methods);
+  register_type<Lock>(L, {{"release", collect<Lock>}}); // unlocks the file
   register_functions(L, "core", core_entries);
-  register_functions(L, "sg", public_rows);
+  register_functions(L, "sg", {{"mkdir", call<mkdir>}, {"wall_time", call<now>}});
 }
 
 } // namespace signorini::bind

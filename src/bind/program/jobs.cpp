@@ -66,12 +66,10 @@ int jobs(lua_State* L) {
   return 1;
 }
 
-constexpr Function jobs_entries[] = {{"jobs", jobs}};
-
 } // namespace
 
 void open_jobs(lua_State* L) {
-  register_functions(L, "core", jobs_entries);
+  register_functions(L, "core", {{"jobs", jobs}});
 }
 
 } // namespace signorini::bind

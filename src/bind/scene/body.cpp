@@ -324,9 +324,6 @@ int owner(lua_State* L) {
   return 0;
 }
 
-constexpr Function body_functions[] = {
-    {"body", call<body>},
-};
 constexpr Function body_core_entries[] = {{"place_names", place_names},
                                           {"coincident_faces", coincident_faces},
                                           {"smallest_gap", smallest_gap},
@@ -346,7 +343,7 @@ constexpr Function body_entries[] = {
 } // namespace
 
 void open_body(lua_State* L) {
-  register_functions(L, "sg", body_functions);
+  register_functions(L, "sg", {{"body", call<body>}});
   register_functions(L, "core", body_core_entries);
   register_type<Body<2>, Body<3>>(L, body_entries<2>, body_entries<3>);
   register_type<BoundaryPart<2>, BoundaryPart<3>>(L, place_entries<2>, place_entries<3>);

@@ -110,10 +110,7 @@ std::vector<Strips> strips_of(const Arguments& a, const nurbs::Patch& patch, con
     for (auto& one : all) one.assign(one.size(), true);
     return std::vector<Strips>(plan.contact.size(), all);
   }
-  lua_State* L = a.state();
-  const bool is_function = lua_isfunction(L, a.push("layer"));
-  lua_pop(L, 1);
-  if (is_function) {
+  if (a.is("layer", LUA_TFUNCTION)) {
     for (const nurbs::Side& side : plan.contact) result.push_back(strips_where(a, patch, along, side));
     return result;
   }
@@ -122,7 +119,7 @@ std::vector<Strips> strips_of(const Arguments& a, const nurbs::Patch& patch, con
     strips.push_back(elements_in(a, "layer", a.get<std::array<double, 2>>("layer"), along.breaks.front()));
   else
     a.list("layer", [&](int i, int index, const std::string& path) {
-      strips.push_back(elements_in(a, path, to<std::array<double, 2>>(L, index), along.breaks[i]));
+      strips.push_back(elements_in(a, path, to<std::array<double, 2>>(a.state(), index), along.breaks[i]));
     });
   return std::vector<Strips>(plan.contact.size(), strips);
 }

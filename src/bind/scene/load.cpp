@@ -155,7 +155,7 @@ template <int D> model::Load read_load(SceneBuilder<D>& builder, const Arguments
                 : a.get<bool>("follower") ? LoadKind::follower_pressure
                                           : LoadKind::pressure;
   }
-  if (!lua_isfunction(a.state(), a.push(key))) {
+  if (!a.is(key, LUA_TFUNCTION)) {
     const bool scalar = load.pressure() || load.kind == LoadKind::moment;
     load.start = scalar ? std::vector<double>{a.get<double>(key)} : a.get<std::vector<double>>(key);
     if (std::ssize(load.start) != (scalar ? 1 : D)) a.refuse(key, expected_of<D>(load.kind));

@@ -81,24 +81,17 @@ template <int D> int unstable_law(const model::Model<D>& model, lua_State* L) {
   return 0;
 }
 
-constexpr Function material_functions[] = {
-    {"neo_hookean", call<material<solid::neo_hookean>>},
-    {"linear_elastic", call<material<solid::linear_elastic>>},
-};
-constexpr Function material_core_entries[] = {
-    {"strain_symbols", strain_symbols},
-    {"hyperelastic", call<hyperelastic>},
-};
 template <int D> constexpr Function law_of_model[] = {{"unstable_law", call<unstable_law<D>>}};
-constexpr Function material_entries[] = {{"__tostring", call<material_text>}};
 
 } // namespace
 
 void open_material(lua_State* L) {
-  register_functions(L, "sg", material_functions);
-  register_functions(L, "core", material_core_entries);
+  register_functions(
+      L, "sg",
+      {{"neo_hookean", call<material<solid::neo_hookean>>}, {"linear_elastic", call<material<solid::linear_elastic>>}});
+  register_functions(L, "core", {{"strain_symbols", strain_symbols}, {"hyperelastic", call<hyperelastic>}});
   register_functions<Model<2>, Model<3>>(L, "core", law_of_model<2>, law_of_model<3>);
-  register_type<solid::Material>(L, material_entries);
+  register_type<solid::Material>(L, {{"__tostring", call<material_text>}});
 }
 
 } // namespace signorini::bind

@@ -129,15 +129,13 @@ constexpr Function rigid_functions[] = {
     {"plane", call<plane>}, {"cylinder", call<cylinder>},     {"sphere", call<round<RigidForm::sphere>>},
     {"torus", call<torus>}, {"surface", call<rigid_surface>},
 };
-constexpr Function rigid_core_entries[] = {{"level_set", call<level_set>}};
-
 template <int D> constexpr Function rigid_entries[] = {{"__tostring", call<rigid_text<D>>}};
 
 } // namespace
 
 void open_rigid(lua_State* L) {
   register_functions(L, "sg.rigid", rigid_functions);
-  register_functions(L, "core", rigid_core_entries);
+  register_functions(L, "core", {{"level_set", call<level_set>}});
   register_type<Rigid<2>, Rigid<3>>(L, rigid_entries<2>, rigid_entries<3>);
 }
 

@@ -122,7 +122,7 @@ template <int D> model::Contact<D> read_contact(SceneBuilder<D>& builder, const 
     require(!master || !master->contains(face), a.name("master"), " is the same face as ", a.name("slave"),
             "; self-contact is not available: use a face of the other body");
   contact.method = read_method<D>(a);
-  contact.adaptive_points = lua_type(a.state(), a.push("points")) == LUA_TSTRING;
+  contact.adaptive_points = a.is("points", LUA_TSTRING);
   contact.points =
       a.has("points") && !contact.adaptive_points ? a.get<int>("points") : default_points(builder.scene, contact.slave);
   contact.where = read_region<D>(a, {"contacts", name});
@@ -263,8 +263,6 @@ int make_model(const Arguments& a, lua_State* L) {
   return dimension_of(a) == 3 ? push_model<3>(a, L) : push_model<2>(a, L);
 }
 
-constexpr Function scene_functions[] = {{"model", call<make_model>}};
-
 } // namespace
 
 template <int D> int SceneBuilder<D>::index_of(const Body<D>& body, const std::string& where) const {
@@ -293,7 +291,7 @@ template struct SceneBuilder<2>;
 template struct SceneBuilder<3>;
 
 void open_scene(lua_State* L) {
-  register_functions(L, "sg", scene_functions);
+  register_functions(L, "sg", {{"model", call<make_model>}});
 }
 
 } // namespace signorini::bind

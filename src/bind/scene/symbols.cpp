@@ -87,7 +87,6 @@ int symbols(lua_State* L) {
   return 1;
 }
 
-constexpr Function symbol_core_entries[] = {{"symbols", symbols}};
 constexpr Function symbol_functions[] = {
     {"log", apply<Operation::log>},   {"exp", apply<Operation::exp>},   {"sqrt", root},
     {"sin", apply<Operation::sin>},   {"cos", apply<Operation::cos>},   {"tan", apply<Operation::tan>},
@@ -109,7 +108,7 @@ void push_variables(lua_State* L, std::vector<std::string> names) {
 
 void open_symbols(lua_State* L) {
   register_functions(L, "sg", symbol_functions);
-  register_functions(L, "core", symbol_core_entries);
+  register_functions(L, "core", {{"symbols", symbols}});
   register_type<Symbol>(L, symbol_entries);
 }
 
