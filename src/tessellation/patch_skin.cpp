@@ -71,32 +71,19 @@ Vec<3> place(const nurbs::Patch& patch, const VectorX& xi) {
 Skin tessellate(const nurbs::Patch& patch, double sign, const std::vector<Window>& windows) {
   const Sampling<2> sampling = sampling_of(patch, windows);
   const std::array<int, 2> counts = {static_cast<int>(sampling[0].size()), static_cast<int>(sampling[1].size())};
-  Eigen::Index points = 0, triangles = 0;
-  const auto each_element = [&](auto visit) {
-    Eigen::Index first = 0;
+  using Index = std::array<int, 2>;
+  const auto each = [&](const auto& visit) {
     for (int j = 0; j < counts[1]; ++j)
-      for (int i = 0; i < counts[0]; ++i) {
-        const Grid grid{sampling[0][i], sampling[1][j], first};
-        visit(grid, i, j);
-        first += grid.size();
-      }
+      for (int i = 0; i < counts[0]; ++i) visit(Index{i, j}, sampling[0][i], sampling[1][j]);
   };
-  each_element([&](const Grid& grid, int, int) { points += grid.size(), triangles += grid.triangles(); });
-  Skin skin;
-  skin.points.resize(3, points);
-  skin.normals.resize(3, points);
-  skin.triangles.resize(3, triangles);
-  Eigen::Index triangle = 0;
-  each_element([&](const Grid& grid, int i, int j) {
-    for (int q = 0; q < grid.rows(); ++q)
-      for (int p = 0; p < grid.columns(); ++p) {
-        const VectorX xi = parameters(patch, i, j, grid.along[p], grid.across[q]);
-        skin.points.col(grid(p, q)) = place(patch, xi);
-        skin.normals.col(grid(p, q)) = sign * normal_at(patch, xi);
-      }
-    add_triangles(skin.triangles, triangle, grid);
-    add_borders(skin, grid, {i, j}, counts);
-  });
+  const auto point_at = [&](const Index& element, double s, double t) {
+    const VectorX xi = parameters(patch, element[0], element[1], s, t);
+    return SkinPoint{place(patch, xi), sign * normal_at(patch, xi)};
+  };
+  const auto add_lines = [&](Skin& skin, const Grid& grid, const Index& element) {
+    add_borders(skin, grid, element, counts);
+  };
+  Skin skin = make_skin(true, false, each, point_at, add_lines);
   if (patch.parametric_dimension() == 1) skin.rim.resize(1), skin.mesh_lines.clear();
   return skin;
 }

@@ -15,12 +15,6 @@ using model::FaceValues;
 
 namespace {
 
-/// A point of a side of a solid.
-struct SkinPoint {
-  Vec<3> position, normal;
-  double value;
-};
-
 /// One side of a solid; its elements are numbered with the first of its two directions fastest.
 struct SkinSide {
   const Model<3>& model;
@@ -57,20 +51,24 @@ struct SkinSide {
   }
 };
 
-Grid grid_of(const Sampling<3>& sampling, const SkinSide& side, int i, int j, Eigen::Index first) {
-  return {sampling[side.along(0)][i], sampling[side.along(1)][j], first};
-}
-
 std::array<SkinSide, 6> sides_of(const Model<3>& model, int body, bool deformed) {
   const auto side = [&](int direction, bool at_end) { return SkinSide{model, body, {direction, at_end}, deformed}; };
   return {side(0, false), side(0, true), side(1, false), side(1, true), side(2, false), side(2, true)};
 }
 
-/// Calls visit(side, i, j) for the elements of all sides, in the order of the skin's points.
-template <class Visit> void each_side_element(const Model<3>& model, int body, bool deformed, Visit visit) {
+/// Element (i, j) of a side.
+struct SideElement {
+  const SkinSide& side;
+  int i, j;
+};
+
+/// Calls visit(element, along, across) for the elements of all sides and their fractions.
+template <class Visit>
+void each_side_element(const Model<3>& model, int body, bool deformed, const Sampling<3>& sampling, Visit visit) {
   for (const SkinSide& side : sides_of(model, body, deformed))
     for (int j = 0; j < side.elements(1); ++j)
-      for (int i = 0; i < side.elements(0); ++i) visit(side, i, j);
+      for (int i = 0; i < side.elements(0); ++i)
+        visit(SideElement{side, i, j}, sampling[side.along(0)][i], sampling[side.along(1)][j]);
 }
 
 /// Control points (2D: with z = 0), and the lines that connect them within each row.
@@ -94,36 +92,23 @@ template <int D> void add_control_points(Skin& result, const Model<D>& model, in
 Skin tessellate(const Model<2>& model, int body, const Field<2>* field, const Sampling<2>& sampling, bool deformed) {
   const solid::Body<2>& solid = *model.system.scene.bodies[body].body;
   const nurbs::Discretization& space = solid.space();
-  const auto grid_at = [&](int e, Eigen::Index first) {
-    return Grid{sampling[0][space.element_index(e, 0)], sampling[1][space.element_index(e, 1)], first};
+  const auto each = [&](const auto& visit) {
+    for (int e = 0; e < space.elements(); ++e)
+      visit(e, sampling[0][space.element_index(e, 0)], sampling[1][space.element_index(e, 1)]);
   };
-  Eigen::Index points = 0, triangles = 0;
-  for (int e = 0; e < space.elements(); ++e) {
-    points += grid_at(e, 0).size();
-    triangles += grid_at(e, 0).triangles();
-  }
-  Skin result;
-  result.points.setZero(3, points);
-  result.triangles.resize(3, triangles);
-  if (field) result.values.resize(points);
-
-  Eigen::Index first = 0, triangle = 0;
-  for (int e = 0; e < space.elements(); ++e) {
-    const Grid grid = grid_at(e, first);
-    for (int q = 0; q < grid.rows(); ++q)
-      for (int p = 0; p < grid.columns(); ++p) {
-        const VectorX xi = space.parameter(e, Vec<2>(grid.along[p], grid.across[q]));
-        const BodyPoint<2> point = regular_point(model, body, e, xi);
-        const Eigen::Index here = grid(p, q);
-        result.points.col(here).head<2>() = point.reference;
-        if (deformed) result.points.col(here).head<2>() += point.state.displacement;
-        if (field) result.values(here) = value_at(model, body, *field, point);
-      }
-    add_triangles(result.triangles, triangle, grid);
-    add_borders(result, grid, {space.element_index(e, 0), space.element_index(e, 1)},
+  const auto point_at = [&](int e, double s, double t) {
+    const BodyPoint<2> point = regular_point(model, body, e, space.parameter(e, Vec<2>(s, t)));
+    SkinPoint at;
+    at.position.head<2>() = point.reference;
+    if (deformed) at.position.head<2>() += point.state.displacement;
+    if (field) at.value = value_at(model, body, *field, point);
+    return at;
+  };
+  const auto add_lines = [&](Skin& skin, const Grid& grid, int e) {
+    add_borders(skin, grid, {space.element_index(e, 0), space.element_index(e, 1)},
                 {space.elements(0), space.elements(1)});
-    first += grid.size();
-  }
+  };
+  Skin result = make_skin(false, field != nullptr, each, point_at, add_lines);
   add_control_points(result, model, body, deformed);
   return result;
 }
@@ -134,35 +119,17 @@ int surface_elements(const nurbs::Discretization& space) {
 }
 
 Skin tessellate(const Model<3>& model, int body, const Field<3>* field, const Sampling<3>& sampling, bool deformed) {
-  Eigen::Index points = 0, triangles = 0;
-  each_side_element(model, body, deformed, [&](const SkinSide& side, int i, int j) {
-    const Grid grid = grid_of(sampling, side, i, j, 0);
-    points += grid.size();
-    triangles += grid.triangles();
-  });
-  Skin skin;
-  skin.points.resize(3, points);
-  skin.normals.resize(3, points);
-  skin.triangles.resize(3, triangles);
-  if (field) skin.values.resize(points);
-
-  Eigen::Index first = 0, triangle = 0;
-  each_side_element(model, body, deformed, [&](const SkinSide& side, int i, int j) {
-    const Grid grid = grid_of(sampling, side, i, j, first);
-    for (int q = 0; q < grid.rows(); ++q)
-      for (int p = 0; p < grid.columns(); ++p) {
-        const SkinPoint point = side.point(side.element(i, j), grid.along[p], grid.across[q], field);
-        skin.points.col(grid(p, q)) = point.position;
-        skin.normals.col(grid(p, q)) = point.normal;
-        if (field) skin.values(grid(p, q)) = point.value;
-      }
-    add_triangles(skin.triangles, triangle, grid);
-    (j == 0 ? skin.rim : skin.mesh_lines).push_back(border(skin, grid, 0, false));
-    (i == 0 ? skin.rim : skin.mesh_lines).push_back(border(skin, grid, 1, false));
-    if (j == side.elements(1) - 1) skin.rim.push_back(border(skin, grid, 0, true));
-    if (i == side.elements(0) - 1) skin.rim.push_back(border(skin, grid, 1, true));
-    first += grid.size();
-  });
+  const auto each = [&](const auto& visit) { each_side_element(model, body, deformed, sampling, visit); };
+  const auto point_at = [&](const SideElement& of, double s, double t) {
+    return of.side.point(of.side.element(of.i, of.j), s, t, field);
+  };
+  const auto add_lines = [](Skin& skin, const Grid& grid, const SideElement& of) {
+    (of.j == 0 ? skin.rim : skin.mesh_lines).push_back(border(skin, grid, 0, false));
+    (of.i == 0 ? skin.rim : skin.mesh_lines).push_back(border(skin, grid, 1, false));
+    if (of.j == of.side.elements(1) - 1) skin.rim.push_back(border(skin, grid, 0, true));
+    if (of.i == of.side.elements(0) - 1) skin.rim.push_back(border(skin, grid, 1, true));
+  };
+  Skin skin = make_skin(true, field != nullptr, each, point_at, add_lines);
   add_control_points(skin, model, body, deformed);
   return skin;
 }
@@ -175,14 +142,13 @@ VectorX face_values(const Model<3>& model, model::FaceField field, int body, con
         faces.emplace_back(model, field, static_cast<int>(c), k);
   if (faces.empty()) return {};
   std::vector<double> values;
-  each_side_element(model, body, false, [&](const SkinSide& side, int i, int j) {
-    const int e = i + side.elements(0) * j;
-    const Grid grid = grid_of(sampling, side, i, j, 0);
-    for (double t : grid.across)
-      for (double s : grid.along) {
+  each_side_element(model, body, false, sampling, [&](const SideElement& of, const auto& along, const auto& across) {
+    const int e = of.i + of.side.elements(0) * of.j;
+    for (double t : across)
+      for (double s : along) {
         double sum = 0;
         for (const FaceValues<3>& face : faces)
-          if (face.side() == side.side) sum += face.at_place(e, {s, t});
+          if (face.side() == of.side.side) sum += face.at_place(e, {s, t});
         values.push_back(sum);
       }
   });
