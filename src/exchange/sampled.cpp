@@ -1,6 +1,7 @@
 #include "exchange/sampled.hpp"
 
 #include <cmath>
+#include <unsupported/Eigen/KroneckerProduct>
 
 namespace signorini::exchange {
 
@@ -20,15 +21,6 @@ MatrixX bernstein_values(int degree, int subdivisions) {
   return values;
 }
 
-/// The tensor product of two tables of functions (rows) at points (columns); those of `first` run fastest.
-MatrixX tensor_product(const MatrixX& first, const MatrixX& second) {
-  MatrixX all(first.rows() * second.rows(), first.cols() * second.cols());
-  for (Eigen::Index i = 0; i < second.rows(); ++i)
-    for (Eigen::Index j = 0; j < second.cols(); ++j)
-      all.block(i * first.rows(), j * first.cols(), first.rows(), first.cols()) = second(i, j) * first;
-  return all;
-}
-
 } // namespace
 
 BezierGrid sampled(const BezierGrid& grid, int subdivisions) {
@@ -38,7 +30,8 @@ BezierGrid sampled(const BezierGrid& grid, int subdivisions) {
   for (std::vector<int>& degrees : samples.degrees) {
     MatrixX table = MatrixX::Ones(1, 1);
     for (int& degree : degrees) {
-      table = tensor_product(table, bernstein_values(degree, subdivisions));
+      // Functions (rows) at points (columns), those of the first direction fastest
+      table = Eigen::kroneckerProduct(bernstein_values(degree, subdivisions), table).eval();
       degree = subdivisions;
     }
     table = grid.weights.segment(first, table.rows()).asDiagonal() * table;

@@ -42,6 +42,12 @@ std::string data_array(const std::string& name, const std::vector<T>& values, Ei
               " format=\"binary\">\n          ", base64(bytes), "\n        </DataArray>\n");
 }
 
+/// Corners, edges, faces and interior of a hexahedron in VTK's order: in each direction at its start, its end, or
+/// between.
+constexpr std::string_view parts_of_hexahedron[] = {"000", "100", "110", "010", "001", "101", "111", "011", "*00",
+                                                    "1*0", "*10", "0*0", "*01", "1*1", "*11", "0*1", "00*", "10*",
+                                                    "11*", "01*", "0**", "1**", "*0*", "*1*", "**0", "**1", "***"};
+
 /// Texts in VTK's representation: the codes of their bytes, each text terminated by 0.
 std::string string_array(const NameList& list) {
   std::string codes;
@@ -108,41 +114,20 @@ std::string document(const BezierGrid& grid, const Cells& cells, const OwnArrays
 std::vector<int> vtk_order(const std::vector<int>& degrees) {
   const std::size_t dimension = degrees.size();
   require(dimension >= 1 && dimension <= 3, "exchange.vtu.directions", {{"count", dimension}});
-  const int p = degrees[0], q = dimension > 1 ? degrees[1] : 0, r = dimension > 2 ? degrees[2] : 0;
   std::vector<int> order;
-  const auto add = [&](int i, int j, int k) { order.push_back(i + (p + 1) * (j + (q + 1) * k)); };
-  // Corners of the quadrilateral at k, then interior points of its edges, each by increasing index
-  const auto corners = [&](int k) { add(0, 0, k), add(p, 0, k), add(p, q, k), add(0, q, k); };
-  const auto edges = [&](int k) {
-    for (int i = 1; i < p; ++i) add(i, 0, k);
-    for (int j = 1; j < q; ++j) add(p, j, k);
-    for (int i = 1; i < p; ++i) add(i, q, k);
-    for (int j = 1; j < q; ++j) add(0, j, k);
-  };
-  const auto inside = [&](int k) {
-    for (int j = 1; j < q; ++j)
-      for (int i = 1; i < p; ++i) add(i, j, k);
-  };
-  if (dimension == 1) {
-    add(0, 0, 0), add(p, 0, 0);
-    for (int i = 1; i < p; ++i) add(i, 0, 0);
-    return order;
+  for (const std::string_view part : parts_of_hexahedron) {
+    // In fewer directions those parts at whose start the others lie
+    if (part.find_first_not_of('0', dimension) != part.npos) continue;
+    int from[3] = {0, 0, 0}, to[3] = {0, 0, 0};
+    for (std::size_t d = 0; d < dimension; ++d) {
+      from[d] = part[d] == '0' ? 0 : part[d] == '1' ? degrees[d] : 1;
+      to[d] = part[d] == '*' ? degrees[d] - 1 : from[d];
+    }
+    const int row = degrees[0] + 1, layer = dimension > 1 ? row * (degrees[1] + 1) : 0;
+    for (int k = from[2]; k <= to[2]; ++k)
+      for (int j = from[1]; j <= to[1]; ++j)
+        for (int i = from[0]; i <= to[0]; ++i) order.push_back(i + row * j + layer * k);
   }
-  if (dimension == 2) {
-    corners(0), edges(0), inside(0);
-    return order;
-  }
-  corners(0), corners(r), edges(0), edges(r);
-  for (const auto [i, j] : {std::array{0, 0}, std::array{p, 0}, std::array{p, q}, std::array{0, q}})
-    for (int k = 1; k < r; ++k) add(i, j, k);
-  for (int i : {0, p})
-    for (int k = 1; k < r; ++k)
-      for (int j = 1; j < q; ++j) add(i, j, k);
-  for (int j : {0, q})
-    for (int k = 1; k < r; ++k)
-      for (int i = 1; i < p; ++i) add(i, j, k);
-  inside(0), inside(r);
-  for (int k = 1; k < r; ++k) inside(k);
   return order;
 }
 

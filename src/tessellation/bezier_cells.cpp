@@ -9,6 +9,7 @@
 #include "solid/quadrature.hpp"
 
 #include <numeric>
+#include <unsupported/Eigen/KroneckerProduct>
 
 namespace signorini::tessellation {
 
@@ -35,13 +36,7 @@ MatrixX fit(int degree, const std::vector<double>& places) {
 /// Kronecker product of matrices, the indices of the first one fastest.
 MatrixX tensor_product(const std::vector<MatrixX>& factors) {
   MatrixX result = MatrixX::Ones(1, 1);
-  for (const MatrixX& factor : factors) {
-    MatrixX next(result.rows() * factor.rows(), result.cols() * factor.cols());
-    for (Eigen::Index i = 0; i < factor.rows(); ++i)
-      for (Eigen::Index j = 0; j < factor.cols(); ++j)
-        next.block(i * result.rows(), j * result.cols(), result.rows(), result.cols()) = factor(i, j) * result;
-    result = std::move(next);
-  }
+  for (const MatrixX& factor : factors) result = Eigen::kroneckerProduct(factor, result).eval();
   return result;
 }
 
