@@ -121,39 +121,11 @@ bool may_replace(const std::string& file, std::string_view beginning, FileKind k
 }
 
 Message name_of(FileKind kind) {
-  switch (kind) {
-  case FileKind::empty:
-    return Message("os.kind.empty");
-  case FileKind::checkpoint:
-    return Message("os.kind.checkpoint");
-  case FileKind::hdf5:
-    return Message("os.kind.hdf5");
-  case FileKind::png:
-    return Message("os.kind.png");
-  case FileKind::svg:
-    return Message("os.kind.svg");
-  case FileKind::pdf:
-    return Message("os.kind.pdf");
-  case FileKind::mp4:
-    return Message("os.kind.mp4");
-  case FileKind::vtk:
-    return Message("os.kind.vtk");
-  case FileKind::html:
-    return Message("os.kind.html");
-  case FileKind::gismo:
-    return Message("os.kind.gismo");
-  case FileKind::geopdes:
-    return Message("os.kind.geopdes");
-  case FileKind::mfem:
-    return Message("os.kind.mfem");
-  case FileKind::json:
-    return Message("os.kind.json");
-  case FileKind::table:
-    return Message("os.kind.table");
-  case FileKind::other:
-    return Message("os.kind.other");
-  }
-  return {};
+  constexpr const char* codes[] = {"os.kind.empty", "os.kind.checkpoint", "os.kind.hdf5",    "os.kind.png",
+                                   "os.kind.svg",   "os.kind.pdf",        "os.kind.mp4",     "os.kind.vtk",
+                                   "os.kind.html",  "os.kind.gismo",      "os.kind.geopdes", "os.kind.mfem",
+                                   "os.kind.json",  "os.kind.table",      "os.kind.other"};
+  return Message(codes[static_cast<int>(kind)]);
 }
 
 } // namespace signorini
