@@ -2,8 +2,6 @@
 
 #include "bind/geometry/patch.hpp"
 
-#include <algorithm>
-
 namespace signorini::bind {
 
 namespace {
@@ -18,10 +16,9 @@ std::vector<std::string> names_of_faces(const auto& faces) {
   return names;
 }
 
-/// The face of the patches that the text on top of the stack names, which is removed.
-exchange::PatchFace read_patch_face(lua_State* L, const std::vector<nurbs::Patch>& patches, const std::string& where) {
-  const auto name = to<std::string>(L, lua_gettop(L));
-  lua_pop(L, 1);
+/// The face of the patches with this name.
+exchange::PatchFace patch_face(const std::string& name, const std::vector<nurbs::Patch>& patches,
+                               const std::string& where) {
   const std::size_t dot = name.find('.');
   for (std::size_t i = 0; i < patches.size(); ++i)
     for (const nurbs::Side side : nurbs::sides(patches[i].parametric_dimension()))
@@ -33,10 +30,8 @@ exchange::PatchFace read_patch_face(lua_State* L, const std::vector<nurbs::Patch
 std::vector<exchange::PatchFace> read_patch_faces(lua_State* L, int index, const std::vector<nurbs::Patch>& patches,
                                                   const std::string& where) {
   std::vector<exchange::PatchFace> faces;
-  for (lua_Integer i = 1, count = static_cast<lua_Integer>(lua_rawlen(L, index)); i <= count; ++i) {
-    lua_rawgeti(L, index, i);
-    faces.push_back(read_patch_face(L, patches, text(where, "[", i, "]")));
-  }
+  for (const auto& name : to<std::vector<std::string>>(L, index))
+    faces.push_back(patch_face(name, patches, text(where, "[", faces.size() + 1, "]")));
   return faces;
 }
 
@@ -61,31 +56,19 @@ void push_geometry(lua_State* L, const exchange::Geometry& geometry) {
 }
 
 exchange::Geometry read_geometry(lua_State* L, int index) {
-  exchange::Geometry geometry;
-  for (lua_Integer i = 1; lua_rawgeti(L, index, i) != LUA_TNIL; lua_pop(L, 1), ++i)
-    geometry.patches.push_back(read_object<nurbs::Patch>(L, -1));
-  lua_pop(L, 1);
-  if (lua_getfield(L, index, "interfaces") == LUA_TTABLE) {
+  const Arguments a(L, index);
+  exchange::Geometry geometry{read_objects<nurbs::Patch>(L, index)};
+  if (a.has("interfaces")) {
     geometry.interfaces.emplace();
-    const int list = lua_gettop(L);
-    for (lua_Integer i = 1; lua_rawgeti(L, list, i) != LUA_TNIL; lua_pop(L, 1), ++i) {
-      const auto faces = read_patch_faces(L, lua_gettop(L), geometry.patches, text("interfaces[", i, "]"));
+    a.list("interfaces", [&](int, int pair, const std::string& path) {
+      const auto faces = read_patch_faces(L, pair, geometry.patches, path);
       geometry.interfaces->push_back({faces[0], faces[1]});
-    }
-    lua_pop(L, 1);
+    });
   }
-  lua_pop(L, 1);
-  if (lua_getfield(L, index, "boundaries") == LUA_TTABLE) {
-    std::vector<std::string> names;
-    for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1)) names.emplace_back(lua_tostring(L, -2));
-    std::sort(names.begin(), names.end());
-    for (const std::string& name : names) {
-      lua_getfield(L, -1, name.c_str());
-      geometry.boundaries.push_back({name, read_patch_faces(L, lua_gettop(L), geometry.patches, "boundaries." + name)});
-      lua_pop(L, 1);
-    }
-  }
-  lua_pop(L, 1);
+  if (a.has("boundaries"))
+    a.each("boundaries", [&](const std::string& name, int faces, const std::string& path) {
+      geometry.boundaries.push_back({name, read_patch_faces(L, faces, geometry.patches, path)});
+    });
   return geometry;
 }
 

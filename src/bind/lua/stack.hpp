@@ -119,6 +119,16 @@ template <class T> T& read_object(lua_State* L, int index, const Argument& argum
   return *object;
 }
 
+/// The objects of a list.
+template <class T> std::vector<T> read_objects(lua_State* L, int index) {
+  luaL_checktype(L, index, LUA_TTABLE);
+  std::vector<T> objects;
+  for (lua_Integer i = 1; lua_rawgeti(L, index, i) != LUA_TNIL; lua_pop(L, 1), ++i)
+    objects.push_back(read_object<T>(L, -1));
+  lua_pop(L, 1);
+  return objects;
+}
+
 /// The object of a method call: its first argument.
 template <class T> T& self(lua_State* L) {
   return read_object<T>(L, 1);

@@ -259,15 +259,6 @@ template <int D> std::string body_text(const solid::Body<D>& body) {
 
 // ── Bodies of several patches ────────────────────────────────────────────────────────────────────────────────────────
 
-template <int D> std::vector<Body<D>> read_bodies(lua_State* L, int index) {
-  std::vector<Body<D>> bodies;
-  luaL_checktype(L, index, LUA_TTABLE);
-  for (lua_Integer i = 1; lua_rawgeti(L, index, i) != LUA_TNIL; lua_pop(L, 1), ++i)
-    bodies.push_back(read_object<Body<D>>(L, -1));
-  lua_pop(L, 1);
-  return bodies;
-}
-
 /// { 1, "east", 2, "west" }
 void push_faces(lua_State* L, const model::FacePair& pair) {
   lua_createtable(L, 4, 0);
@@ -291,15 +282,15 @@ bool are_plane(lua_State* L) {
 
 /// The pairs of coincident faces of a list of bodies: { { 1, "east", 2, "west" }, … }.
 int coincident_faces(lua_State* L) {
-  const auto found = are_plane(L) ? model::coincident_faces<2>(read_bodies<2>(L, 1))
-                                  : model::coincident_faces<3>(read_bodies<3>(L, 1));
+  const auto found = are_plane(L) ? model::coincident_faces<2>(read_objects<Body<2>>(L, 1))
+                                  : model::coincident_faces<3>(read_objects<Body<3>>(L, 1));
   push_list(L, found, [&](const model::FacePair& pair) { push_faces(L, pair); });
   return 1;
 }
 
 /// The closest faces of two lists of bodies, { 1, "east", 2, "west" }, and their distance.
 template <int D> int push_smallest_gap(lua_State* L) {
-  const model::FaceGap<D> gap = model::smallest_gap<D>(read_bodies<D>(L, 1), read_bodies<D>(L, 2));
+  const model::FaceGap<D> gap = model::smallest_gap<D>(read_objects<Body<D>>(L, 1), read_objects<Body<D>>(L, 2));
   push_faces(L, gap.faces);
   push(L, gap.distance);
   return 2;
@@ -311,7 +302,7 @@ int smallest_gap(lua_State* L) {
 
 /// Number of the body in a list to which a face, edge or corner belongs; nil if to none.
 template <int D> int push_owner(lua_State* L, const BoundaryPart<D>& place) {
-  const std::vector<Body<D>> bodies = read_bodies<D>(L, 2);
+  const std::vector<Body<D>> bodies = read_objects<Body<D>>(L, 2);
   const auto own = std::find(bodies.begin(), bodies.end(), place.body);
   if (own == bodies.end()) return 0;
   push(L, static_cast<int>(own - bodies.begin()) + 1);
