@@ -1,7 +1,7 @@
 #pragma once
-// A temporary folder for a test's files, and messages of errors.
+// A temporary folder for a test's files.
 
-#include "base/error.hpp"
+#include "messages.hpp"
 
 #include <filesystem>
 #include <stdlib.h>
@@ -30,15 +30,5 @@ public:
 private:
   std::filesystem::path path_;
 };
-
-/// The message of the Error that the action throws; "no error" when it throws none.
-template <class Action> std::string message_of(const Action& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 } // namespace signorini::test

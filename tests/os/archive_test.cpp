@@ -11,6 +11,7 @@
 namespace signorini {
 namespace archive_test {
 
+using test::holds;
 using test::message_of;
 
 const ArchiveKind trial{"trial", 7, 6};
@@ -124,22 +125,19 @@ TEST(ArchiveFile, ReportsDamagedAndWrongFiles) {
     write_record(file, bytes);
     return message_of([&] { read_archive(file, trial); });
   };
-  const auto holds = [](const std::string& text, const std::string& part) {
-    EXPECT_NE(text.find(part), std::string::npos) << text;
-  };
   write_archive(file, trial, example());
   const std::string good = read_file(file);
-  holds(message("PK\3\4 something else"), "os.archive.kind: file = " + file + ", kind = trial");
-  holds(message(""), "os.archive.kind");
+  EXPECT_TRUE(holds(message("PK\3\4 something else"), {"os.archive.kind: file = " + file + ", kind = trial"}));
+  EXPECT_TRUE(holds(message(""), {"os.archive.kind"}));
   std::string other = good;
   char& version = other[std::strlen("SIGNORINI trial\n")];
   version = 8;
-  holds(message(other), "os.archive.newer: file = " + file + ", written = 8, known = 7");
+  EXPECT_TRUE(holds(message(other), {"os.archive.newer: file = " + file + ", written = 8, known = 7"}));
   version = 5;
-  holds(message(other), "os.archive.older: file = " + file + ", written = 5, known = 6");
-  holds(message(good + "x"), "damage = (os.archive.trailing: count = 1)");
+  EXPECT_TRUE(holds(message(other), {"os.archive.older: file = " + file + ", written = 5, known = 6"}));
+  EXPECT_TRUE(holds(message(good + "x"), {"damage = (os.archive.trailing: count = 1)"}));
   for (std::size_t length = std::strlen("SIGNORINI trial\n"); length < good.size(); ++length)
-    holds(message(good.substr(0, length)), "damage = (os.archive.cut_off: length = ");
+    EXPECT_TRUE(holds(message(good.substr(0, length)), {"damage = (os.archive.cut_off: length = "}));
   // Every single bit is flipped in turn.
   for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
     std::string flipped = good;

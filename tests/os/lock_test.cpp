@@ -13,6 +13,7 @@
 namespace signorini {
 namespace lock_test {
 
+using test::holds;
 using test::message_of;
 
 TEST(Lock, IsHeldByOneProcessAtATime) {
@@ -20,11 +21,8 @@ TEST(Lock, IsHeldByOneProcessAtATime) {
   const std::string file = folder.file("lock");
   {
     const Lock first(file);
-    const std::string message = message_of([&] { Lock second(file); });
-    EXPECT_NE(
-        message.find("os.lock.held: file = " + file + ", holder = process " + std::to_string(::getpid()) + " on "),
-        std::string::npos)
-        << message;
+    EXPECT_TRUE(holds(message_of([&] { Lock second(file); }),
+                      {"os.lock.held: file = " + file + ", holder = process " + std::to_string(::getpid()) + " on "}));
   }
   EXPECT_EQ(message_of([&] { Lock third(file); }), "no error");
 }
@@ -42,7 +40,7 @@ TEST(Lock, IsReleasedWhenItsProcessEnds) {
   }
   char byte;
   ASSERT_EQ(::read(ready[0], &byte, 1), 1);
-  EXPECT_NE(message_of([&] { Lock mine(file); }).find("holder = process " + std::to_string(holder)), std::string::npos);
+  EXPECT_TRUE(holds(message_of([&] { Lock mine(file); }), {"holder = process " + std::to_string(holder)}));
   ::kill(holder, SIGKILL);
   ASSERT_EQ(::waitpid(holder, nullptr, 0), holder);
   EXPECT_EQ(message_of([&] { Lock mine(file); }), "no error");
@@ -51,8 +49,8 @@ TEST(Lock, IsReleasedWhenItsProcessEnds) {
 }
 
 TEST(Lock, ReportsWhereItCannotBeCreated) {
-  EXPECT_NE(message_of([] { Lock lock("/proc/signorini/lock"); }).find("os.lock.write: file = /proc/signorini/lock"),
-            std::string::npos);
+  EXPECT_TRUE(
+      holds(message_of([] { Lock lock("/proc/signorini/lock"); }), {"os.lock.write: file = /proc/signorini/lock"}));
 }
 
 /// The name of the holder would be written into what a link refers to.
@@ -61,7 +59,7 @@ TEST(Lock, KeepsWhatIsNotALock) {
   const std::string file = folder.file("lock"), other = folder.file("other");
   std::ofstream(other) << "precious";
   const auto refused = [&] {
-    EXPECT_NE(message_of([&] { Lock lock(file); }).find("os.lock.foreign: file = " + file), std::string::npos);
+    EXPECT_TRUE(holds(message_of([&] { Lock lock(file); }), {"os.lock.foreign: file = " + file}));
     std::filesystem::remove(file);
   };
   std::filesystem::create_symlink("other", file);

@@ -1,5 +1,7 @@
 #include "terminal/encode.hpp"
 
+#include "messages.hpp"
+
 #include <gtest/gtest.h>
 
 namespace signorini::terminal {
@@ -10,7 +12,7 @@ TEST(Encode, KittysSequencesHaveAtMost4096Characters) {
   EXPECT_EQ(kitty_sequences("foo", 7, false), "\033_Ga=T,f=100,q=2,c=7,m=0;Zm9v\033\\");
   const std::string two = kitty_sequences(std::string(3073, 'x'), 0, false);
   EXPECT_EQ(two.find("\033_Ga=T,f=100,q=2,m=1;"), 0U);
-  EXPECT_NE(two.find("\033\\\033_Gm=0;eA==\033\\"), std::string::npos);
+  EXPECT_TRUE(test::holds(two, {"\033\\\033_Gm=0;eA==\033\\"}));
   const std::string one = kitty_sequences(std::string(3072, 'x'), 0, false);
   EXPECT_EQ(one.size(), std::string("\033_Ga=T,f=100,q=2,m=0;\033\\").size() + 4096);
 }

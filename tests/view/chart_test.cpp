@@ -1,7 +1,7 @@
 #include "view/chart.hpp"
 
-#include "messages.hpp"
 #include "scenes.hpp"
+#include "svg.hpp"
 
 #include "view/curves.hpp"
 #include "view/text.hpp"
@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 namespace signorini::view {
@@ -39,91 +38,67 @@ Series line_of(std::vector<double> y) {
   return s;
 }
 
-std::string refusal(const std::vector<Series>& series, const ChartOptions& options = {},
-                    const std::string& name = "no.png") {
-  const std::string message = message_of([&] { draw_chart(series, options, scratch(name)); });
-  EXPECT_FALSE(std::filesystem::exists(scratch(name)));
-  return message;
+std::string refusal(const std::vector<Series>& series, const ChartOptions& options = {}) {
+  return message_of([&] { chart_of(series, options); });
 }
 
 TEST(Chart, GivesEqualBytesForEqualCalls) {
-  for (const std::string ending : {".png", ".svg", ".pdf"})
+  for (const Format format : {Format::png, Format::svg, Format::pdf})
     for (int kind = 0; kind < 2; ++kind) {
       const auto series = kind == 0 ? oscillating_forces(8) : convergence_lines();
       const auto options = kind == 0 ? forces() : convergence();
-      draw_chart(series, options, scratch("first" + ending));
-      draw_chart(series, options, scratch("second" + ending));
-      EXPECT_EQ(file_bytes(scratch("first" + ending)), file_bytes(scratch("second" + ending))) << ending;
-      EXPECT_GT(file_bytes(scratch("first" + ending)).size(), 10000u);
+      const std::string first = chart_of(series, options, format);
+      EXPECT_EQ(first, chart_of(series, options, format)) << static_cast<int>(format);
+      EXPECT_GT(first.size(), 10000u);
     }
-  EXPECT_EQ(png_size(file_bytes(scratch("first.png"))), (std::array<int, 2>{1600, 1000}));
+  EXPECT_EQ(png_size(chart_of(convergence_lines(), convergence(), Format::png)), (std::array<int, 2>{1600, 1000}));
 }
 
 TEST(Chart, KeepsTextAsTextInSvg) {
-  draw_chart(oscillating_forces(8), forces(), scratch("text.svg"));
-  const std::string svg = file_bytes(scratch("text.svg"));
+  const std::string svg = chart_of(oscillating_forces(8), forces());
   EXPECT_TRUE(
       holds(svg, {">2D frictional ironing, mesh m1<", ">load step<", ">force per unit depth<", ">N2-N2.3<", ">150<"}));
-  draw_chart(convergence_lines(), convergence(), scratch("log.svg"));
-  EXPECT_TRUE(holds(file_bytes(scratch("log.svg")), {">10<tspan", ">−3</tspan>"}));
+  EXPECT_TRUE(holds(chart_of(convergence_lines(), convergence()), {">10<tspan", ">−3</tspan>"}));
 }
 
 TEST(Chart, LeavesGapsForNonFinitePoints) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto polylines = [](const std::string& file) {
-    const std::string svg = file_bytes(file);
-    int count = 0;
-    const std::string curve = "stroke:" + in_svg("#0072b2");
-    for (std::size_t at = svg.find(curve); at != std::string::npos; at = svg.find(curve, at + 1)) ++count;
-    return count;
+  const auto polylines = [](std::vector<double> y) {
+    return count_of(chart_of({line_of(std::move(y))}), "stroke:" + in_svg("#0072b2"));
   };
-  draw_chart({line_of({1, 2, 3, 4, 5})}, {}, scratch("one.svg"));
-  draw_chart({line_of({1, 2, nan, 4, 5})}, {}, scratch("two.svg"));
-  EXPECT_EQ(polylines(scratch("one.svg")), 1);
-  EXPECT_EQ(polylines(scratch("two.svg")), 2);
+  EXPECT_EQ(polylines({1, 2, 3, 4, 5}), 1);
+  EXPECT_EQ(polylines({1, 2, nan, 4, 5}), 2);
 }
 
 TEST(Chart, HasEightColorsAndALegendOutsideForEightSeries) {
-  draw_chart(oscillating_forces(8), forces(), scratch("legend.svg"));
-  const std::string svg = file_bytes(scratch("legend.svg"));
+  const std::string svg = chart_of(oscillating_forces(8), forces());
   for (const char* color : {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00"})
     EXPECT_TRUE(holds(svg, {in_svg(color)})) << color;
   ChartOptions bare = forces();
   bare.legend = LegendPlace::none;
-  draw_chart(oscillating_forces(8), bare, scratch("bare.svg"));
-  EXPECT_FALSE(holds(file_bytes(scratch("bare.svg")), {">N2-N2.3<"}));
+  EXPECT_FALSE(holds(chart_of(oscillating_forces(8), bare), {">N2-N2.3<"}));
 }
 
 /// The filled shapes of an SVG, except its background.
 const std::string filled = "stroke:none;fill-rule";
 
-int count_of(const std::string& text, const std::string& part) {
-  int count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
 TEST(Chart, HasNamedTicksAndReferenceLines) {
   ChartOptions options;
   options.xticks = {{0, "m1"}, {1, "m2"}, {2, "m3"}, {4, "m5"}};
-  draw_chart({line_of({3, 2, 1})}, options, scratch("names.svg"));
-  const std::string named = file_bytes(scratch("names.svg"));
+  const std::string named = chart_of({line_of({3, 2, 1})}, options);
   EXPECT_TRUE(holds(named, {">m1<", ">m2<", ">m3<", ">m5<"}));
   options.hlines = {{7, "analytic"}, {2, ""}};
   options.vlines = {{1.5, "a"}, {99, "beyond"}};
   options.xrange = {-1, 3};
-  draw_chart({line_of({3, 2, 1})}, options, scratch("lines.svg"));
-  const std::string ruled = file_bytes(scratch("lines.svg"));
+  const std::string ruled = chart_of({line_of({3, 2, 1})}, options);
   EXPECT_TRUE(holds(ruled, {">analytic<", ">a<", ">7<"})); // y is extended up to the line
   EXPECT_FALSE(holds(ruled, {">beyond<"}));
   EXPECT_EQ(count_of(ruled, "stroke-dasharray"), 3);
 }
 
-/// The number after `key` in the element that ends with the text, such as the y of ">20<".
-double number_at(const std::string& svg, const std::string& text, const std::string& key) {
-  const std::size_t end = svg.find(">" + text + "<"), start = svg.rfind(" " + key + "=\"", end);
-  EXPECT_NE(end, std::string::npos) << text;
-  return std::stod(svg.substr(start + key.size() + 3));
+/// The number after `key` in the element with this text.
+double number_of(const std::string& svg, const std::string& text, const std::string& key) {
+  return number_at(svg, ">" + text + "<", key);
 }
 
 TEST(Chart, PutsNamesOfCloseReferenceLinesNextToTheirLines) {
@@ -133,27 +108,26 @@ TEST(Chart, PutsNamesOfCloseReferenceLinesNextToTheirLines) {
   options.yrange = {0, 1};
   options.xrange = {0.9, 9.1};
   options.legend = LegendPlace::none;
-  draw_chart({Series{"", {1, 9}, {0, 1}}}, options, scratch("close.svg"));
-  const std::string svg = file_bytes(scratch("close.svg"));
+  const std::string svg = chart_of({Series{"", {1, 9}, {0, 1}}}, options);
   // Line positions from tick labels: y points downwards, and text centers are 0.36 font sizes above the baseline.
   const double size = style_for(options.size).tick_size;
   const auto across = [&](double y) {
-    const double low = number_at(svg, "0.4", "y"), high = number_at(svg, "0.6", "y");
+    const double low = number_of(svg, "0.4", "y"), high = number_of(svg, "0.6", "y");
     return low + (y - 0.4) / 0.2 * (high - low) - 0.36 * size;
   };
   const auto along = [&](double x) {
-    const double left = number_at(svg, "5", "x"), right = number_at(svg, "6", "x");
+    const double left = number_of(svg, "5", "x"), right = number_of(svg, "6", "x");
     return left + (x - 5) * (right - left);
   };
-  EXPECT_GT(number_at(svg, "limit", "y"), across(0.5) + 0.5 * size); // below its line
-  EXPECT_LT(number_at(svg, "limit 2", "y"), across(0.52));           // above its line
-  EXPECT_LT(number_at(svg, "limit 2", "y"), number_at(svg, "limit", "y"));
-  EXPECT_LT(number_at(svg, "five", "x"), along(5));
-  EXPECT_GT(number_at(svg, "five point one", "x"), along(5.1));
+  EXPECT_GT(number_of(svg, "limit", "y"), across(0.5) + 0.5 * size); // below its line
+  EXPECT_LT(number_of(svg, "limit 2", "y"), across(0.52));           // above its line
+  EXPECT_LT(number_of(svg, "limit 2", "y"), number_of(svg, "limit", "y"));
+  EXPECT_LT(number_of(svg, "five", "x"), along(5));
+  EXPECT_GT(number_of(svg, "five point one", "x"), along(5.1));
   // No vertical line crosses the names of the horizontal ones.
   for (const char* name : {"limit", "limit 2"})
     for (const double x : {5.0, 5.1, 9.0}) {
-      const double from = number_at(svg, name, "x"), to = from + text_width(name, number_at(svg, name, "font-size"));
+      const double from = number_of(svg, name, "x"), to = from + text_width(name, number_of(svg, name, "font-size"));
       EXPECT_FALSE(from < along(x) && along(x) < to) << name << " at " << x;
     }
 }
@@ -162,28 +136,21 @@ TEST(Chart, DrawsALeaderToAReferenceLineBetweenOthers) {
   ChartOptions options;
   options.hlines = {{0.49, "low"}, {0.5, "middle"}, {0.51, "high"}};
   options.yrange = {0, 1};
-  const auto fills = [&] {
-    draw_chart({line_of({1, 1})}, options, scratch("three.svg"));
-    return count_of(file_bytes(scratch("three.svg")), filled);
-  };
-  EXPECT_EQ(fills(), 1); // the dot at the middle line
-  const std::string svg = file_bytes(scratch("three.svg"));
-  const double low = number_at(svg, "low", "y"), middle = number_at(svg, "middle", "y"),
-               high = number_at(svg, "high", "y"), size = number_at(svg, "low", "font-size");
+  const std::string svg = chart_of({line_of({1, 1})}, options);
+  EXPECT_EQ(count_of(svg, filled), 1); // the dot at the middle line
+  const double low = number_of(svg, "low", "y"), middle = number_of(svg, "middle", "y"),
+               high = number_of(svg, "high", "y"), size = number_of(svg, "low", "font-size");
   EXPECT_GT(low, high + 1.5 * size);
   EXPECT_TRUE(middle < high + 0.3 * size || middle > low - 0.3 * size) << "it lies on the lines";
   options.hlines = {{0.2, "low"}, {0.5, "middle"}, {0.8, "high"}};
-  EXPECT_EQ(fills(), 0);
+  EXPECT_EQ(count_of(chart_of({line_of({1, 1})}, options), filled), 0);
 }
 
 TEST(Chart, OmitsMarkersOnRequest) {
   Series first = line_of({1, 2, 3}), second = line_of({3, 2, 1});
   ChartOptions options;
   options.legend = LegendPlace::none;
-  const auto polygons = [&] {
-    draw_chart({first, second}, options, scratch("markers.svg"));
-    return count_of(file_bytes(scratch("markers.svg")), filled);
-  };
+  const auto polygons = [&] { return count_of(chart_of({first, second}, options), filled); };
   EXPECT_EQ(polygons(), 2 * 2 * 3); // several curves have markers, with rims
   first.markers = second.markers = false;
   EXPECT_EQ(polygons(), 0);
@@ -195,19 +162,15 @@ TEST(Chart, DrawsArrowsInTheOrderOfPoints) {
   Series s = line_of({0, 0, 0, 0});
   ChartOptions options;
   options.yrange = {-1, 1};
-  const auto heads = [&] {
-    draw_chart({s}, options, scratch("arrows.svg"));
-    return count_of(file_bytes(scratch("arrows.svg")), filled);
-  };
-  EXPECT_EQ(heads(), 0);
+  EXPECT_EQ(count_of(chart_of({s}, options), filled), 0);
   s.arrows = true;
-  const int rightwards = heads();
-  EXPECT_GE(rightwards, 4);
-  EXPECT_LE(rightwards, 8);
-  const std::string forth = file_bytes(scratch("arrows.svg"));
+  const std::string forth = chart_of({s}, options);
+  const int heads = count_of(forth, filled);
+  EXPECT_TRUE(heads >= 4 && heads <= 8) << heads;
   std::reverse(s.x.begin(), s.x.end());
-  EXPECT_EQ(heads(), rightwards);
-  EXPECT_NE(file_bytes(scratch("arrows.svg")), forth);
+  const std::string back = chart_of({s}, options);
+  EXPECT_EQ(count_of(back, filled), heads);
+  EXPECT_NE(back, forth);
 }
 
 TEST(Chart, DistinguishesFortyCurves) {
@@ -220,16 +183,13 @@ TEST(Chart, DistinguishesFortyCurves) {
     }
   EXPECT_EQ(distinct_curves(), 40);
   testing::internal::CaptureStderr();
-  draw_chart(std::vector<Series>(41, line_of({1, 2})), {}, scratch("forty.svg"));
+  chart_of(std::vector<Series>(41, line_of({1, 2})));
   EXPECT_TRUE(holds(testing::internal::GetCapturedStderr(), {"view.chart.many_curves: count = 41, distinct = 40"}));
 }
 
 TEST(Chart, MarksIsolatedPoints) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  const auto polygons = [&](const std::vector<double>& y) {
-    draw_chart({line_of(y)}, {}, scratch("lone.svg"));
-    return count_of(file_bytes(scratch("lone.svg")), filled);
-  };
+  const auto polygons = [&](const std::vector<double>& y) { return count_of(chart_of({line_of(y)}), filled); };
   EXPECT_EQ(polygons({1, 2, 3}), 0);
   EXPECT_EQ(polygons({1}), 2); // including its rim
   EXPECT_EQ(polygons({1, 2, nan, 3, inf, 4, 5}), 2);
@@ -243,23 +203,21 @@ TEST(Chart, PutsALegendWithLongNamesBelow) {
     ChartOptions options;
     options.size = size;
     options.xlabel = "abscissa";
-    draw_chart(series, options, scratch("legend.svg"));
-    return file_bytes(scratch("legend.svg"));
+    return chart_of(series, options);
   };
   const std::string outside = legend("N2", {1600, 1000});
-  EXPECT_LT(number_at(outside, "N2 0", "y"), 100);
+  EXPECT_LT(number_of(outside, "N2 0", "y"), 100);
   const std::string words = "a name that is too long to be next to the chart as it takes more than half of all space";
   const std::string below = legend(words, {1600, 1000});
-  EXPECT_GT(number_at(below, words + " 0", "y"), number_at(below, "abscissa", "y"));
-  EXPECT_GE(number_at(below, words + " 2", "font-size"), 18);
+  EXPECT_GT(number_of(below, words + " 0", "y"), number_of(below, "abscissa", "y"));
+  EXPECT_GE(number_of(below, words + " 2", "font-size"), 18);
   EXPECT_TRUE(holds(legend(words + words, {900, 600}), {"…"}));
 }
 
 TEST(Chart, FitsTheYAxisToTheCurvesWithinXrange) {
   ChartOptions options;
   options.xrange = {0, 1};
-  draw_chart({line_of({1, 2, 500})}, options, scratch("part.svg"));
-  EXPECT_FALSE(holds(file_bytes(scratch("part.svg")), {">500<"}));
+  EXPECT_FALSE(holds(chart_of({line_of({1, 2, 500})}, options), {">500<"}));
   options.xrange = {8, 9};
   EXPECT_TRUE(holds(refusal({line_of({1, 2})}, options), {"view.chart.no_curve: low = 8, high = 9"}));
 }
@@ -268,19 +226,15 @@ TEST(Chart, AppliesWidthMarkerAndColor) {
   Series s = line_of({1, 2, 3});
   s.width = 7;
   s.color = 1;
-  draw_chart({s}, {}, scratch("wide.svg"));
-  EXPECT_TRUE(holds(file_bytes(scratch("wide.svg")),
-                    {"stroke-width:7;stroke-linecap:butt;stroke-linejoin:round;stroke:" + in_svg("#d55e00")}));
+  EXPECT_TRUE(
+      holds(chart_of({s}), {"stroke-width:7;stroke-linecap:butt;stroke-linejoin:round;stroke:" + in_svg("#d55e00")}));
   s.markers = true;
   s.marker = 0;
-  draw_chart({s}, {}, scratch("filled.svg"));
+  const int fills = count_of(chart_of({s}), filled);
   s.marker = 8;
-  draw_chart({s}, {}, scratch("open.svg"));
-  EXPECT_EQ(count_of(file_bytes(scratch("open.svg")), filled),
-            count_of(file_bytes(scratch("filled.svg")), filled) * 3 / 2); // each open marker is filled white
+  EXPECT_EQ(count_of(chart_of({s}), filled), fills * 3 / 2); // each open marker is filled white
   s.marker = no_marker;
-  draw_chart({s}, {}, scratch("bare.svg"));
-  EXPECT_EQ(count_of(file_bytes(scratch("bare.svg")), filled), 0);
+  EXPECT_EQ(count_of(chart_of({s}), filled), 0);
 }
 
 TEST(Chart, DrawsMarkersOfPointKindsInCurveColors) {
@@ -289,8 +243,7 @@ TEST(Chart, DrawsMarkersOfPointKindsInCurveColors) {
   Series first = line_of({1, 2, 3}), second = line_of({3, 2, 1});
   first.label = "N2", second.label = "N4";
   first.marks = {0, 1, 2}, second.marks = {2, 1, 0};
-  draw_chart({first, second}, options, scratch("marks.svg"));
-  const std::string svg = file_bytes(scratch("marks.svg"));
+  const std::string svg = chart_of({first, second}, options);
   EXPECT_EQ(count_of(svg, filled), 2 * (6 + 3)); // of points and of the legend, each with a white rim
   EXPECT_EQ(count_of(svg, ";fill:" + in_svg("#0072b2")), 3);
   EXPECT_EQ(count_of(svg, ";fill:" + in_svg("#d55e00")), 3);
@@ -300,13 +253,10 @@ TEST(Chart, DrawsMarkersOfPointKindsInCurveColors) {
 }
 
 TEST(Chart, AcceptsConstantDataAndSinglePoints) {
-  draw_chart({line_of({2, 2, 2})}, {}, scratch("flat.svg"));
   Series point = line_of({0});
   point.markers = true;
-  draw_chart({point}, {}, scratch("point.svg"));
-  ChartOptions log = convergence();
-  draw_chart({Series{"", {10}, {1e-3}, true, true}}, log, scratch("log_point.svg"));
-  EXPECT_TRUE(std::filesystem::exists(scratch("log_point.svg")));
+  for (const Series& series : {line_of({2, 2, 2}), point}) EXPECT_EQ(refusal({series}), "no error");
+  EXPECT_EQ(refusal({Series{"", {10}, {1e-3}, true, true}}, convergence()), "no error");
 }
 
 TEST(Chart, RejectsInvalidInput) {
@@ -314,7 +264,6 @@ TEST(Chart, RejectsInvalidInput) {
   EXPECT_TRUE(holds(refusal({line_of({nan, nan})}), {"view.chart.no_point"}));
   EXPECT_TRUE(holds(refusal({line_of({1, 2})}, convergence()),
                     {"view.chart.log: series = (view.chart.series: number = 0), axis = x, value = 0"}));
-  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, {}, "no.gif"), {"view.file.ending"}));
   ChartOptions negative;
   negative.log_y = true;
   negative.yrange = {-1, 1};
@@ -331,7 +280,6 @@ TEST(Chart, RejectsInvalidInput) {
   ChartOptions tiny;
   tiny.size = {40, 30};
   EXPECT_TRUE(holds(refusal({line_of({1, 2})}, tiny), {"view.frame.size: width = 40, height = 30"}));
-  EXPECT_TRUE(holds(refusal({line_of({1, 2})}, {}, "missing/no.png"), {"os.file.no_folder"}));
 }
 
 } // namespace chart_test

@@ -1,6 +1,8 @@
 // Color ranges and their outliers.
 #include "view/colorbar.hpp"
 
+#include "messages.hpp"
+
 #include <gtest/gtest.h>
 
 namespace signorini::view {
@@ -33,9 +35,8 @@ TEST(ColorRange, ExcludesASingleOutlierWithAWarning) {
   EXPECT_NEAR(range->typical[1], 1, 0.01);
   testing::internal::CaptureStderr();
   EXPECT_EQ(color_range(*range, {}, false, "stress"), range->typical);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find(
-                "view.colors.outliers: title = stress, count = 5, samples = 1000, low = 0, high = 850"),
-            std::string::npos);
+  EXPECT_TRUE(test::holds(testing::internal::GetCapturedStderr(),
+                          {"view.colors.outliers: title = stress, count = 5, samples = 1000, low = 0, high = 850"}));
 }
 
 TEST(ColorBar, PrintsMinimumAndMaximumAtItsEnds) {

@@ -1,7 +1,7 @@
 #include "view/curves.hpp"
 #include "view/legend.hpp"
 
-#include "messages.hpp"
+#include "svg.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Figures as PNG, SVG and PDF: one back end with identical positions.
 #include "view/figure.hpp"
 
-#include "messages.hpp"
+#include "svg.hpp"
 #include "view/text.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(Figure, GivesEqualBytesEachTime) {
 TEST(Figure, HasTheFormatOfItsFileExtension) {
   EXPECT_EQ(bytes_of(figure({}), format_of("a.PNG")).substr(1, 3), "PNG");
   EXPECT_EQ(bytes_of(figure({}), format_of("a.b.pdf")).substr(0, 5), "%PDF-");
-  EXPECT_NE(bytes_of(figure({}), format_of("a.svg")).find("width=\"200px\" height=\"150px\""), std::string::npos);
+  EXPECT_TRUE(holds(bytes_of(figure({}), format_of("a.svg")), {"width=\"200px\" height=\"150px\""}));
   EXPECT_EQ(message_of([] { format_of("a.jpg"); }), "view.file.ending: file = a.jpg");
 }
 

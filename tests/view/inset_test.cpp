@@ -1,7 +1,7 @@
 #include "view/curves.hpp"
 
-#include "messages.hpp"
 #include "scenes.hpp"
+#include "svg.hpp"
 #include "view/text.hpp"
 
 #include <gtest/gtest.h>
@@ -34,10 +34,6 @@ Series zigzag(Corner free, std::mt19937& random) {
     s.y.push_back(north ? height : 1 - height);
   }
   return s;
-}
-
-bool overlap(const Box& a, const Box& b) {
-  return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
 }
 
 bool holds_box(const Box& outer, const Box& inner) {
@@ -131,10 +127,7 @@ std::vector<Series> full_chart() {
 }
 
 TEST(Inset, ExtendsTheChartWithoutFreeCorner) {
-  const auto drawn_with = [](const ChartOptions& options) {
-    draw_chart(full_chart(), options, scratch("full.svg"));
-    return file_bytes(scratch("full.svg"));
-  };
+  const auto drawn_with = [](const ChartOptions& options) { return chart_of(full_chart(), options); };
   ChartOptions options;
   EXPECT_FALSE(holds(drawn_with(options), {">4.0<"}));
   options.inset = Inset{{100, 120}};
@@ -149,14 +142,13 @@ TEST(Inset, ExtendsTheChartWithoutFreeCorner) {
 }
 
 TEST(Inset, IsDrawnInEveryFormat) {
-  for (const std::string ending : {".png", ".svg", ".pdf"}) {
+  for (const Format format : {Format::png, Format::svg, Format::pdf}) {
     ChartOptions options;
-    draw_chart(oscillating_forces(3), options, scratch("plain" + ending));
+    const std::string plain = chart_of(oscillating_forces(3), options, format);
     options.inset = Inset{{100, 120}};
-    draw_chart(oscillating_forces(3), options, scratch("inset" + ending));
-    draw_chart(oscillating_forces(3), options, scratch("again" + ending));
-    EXPECT_EQ(file_bytes(scratch("inset" + ending)), file_bytes(scratch("again" + ending))) << ending;
-    EXPECT_NE(file_bytes(scratch("inset" + ending)), file_bytes(scratch("plain" + ending))) << ending;
+    const std::string inset = chart_of(oscillating_forces(3), options, format);
+    EXPECT_EQ(inset, chart_of(oscillating_forces(3), options, format)) << static_cast<int>(format);
+    EXPECT_NE(inset, plain) << static_cast<int>(format);
   }
 }
 

@@ -1,14 +1,13 @@
 #include "view/marks.hpp"
 
-#include "messages.hpp"
 #include "scenes.hpp"
 #include "solid_scenes.hpp"
+#include "svg.hpp"
 #include "view/text.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 
 namespace signorini::view {
@@ -35,10 +34,6 @@ std::vector<Text> texts_of(const std::vector<Mark>& marks) {
 Box extent(const Text& text) {
   const double half = 0.5 * text_width(text.string, text.size);
   return {text.at[0] - half, text.at[0] + half, text.at[1], text.at[1] + 0.7 * text.size};
-}
-
-bool overlap(const Box& a, const Box& b) {
-  return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
 }
 
 std::size_t strokes_of(const std::vector<Mark>& marks) {
@@ -129,25 +124,24 @@ TEST(Marks, OutsideThePictureMoveToItsEdgeWithAnArrow) {
   EXPECT_EQ(drawn({kept[1]}).size(), drawn({{kept[1].at, "out"}}).size() + 2); // arrow and its rim
 }
 
-std::string picture_of(const std::vector<PointMark>& marks, const std::optional<Bounds>& crop = {}) {
+std::string marked(const std::vector<PointMark>& marks, const std::optional<Bounds>& crop = {}) {
   PictureOptions options;
   options.size = {400, 300};
   options.crop = crop;
   Panel panel{"", {bent_ring({0, 0}, 0.5, 1.0, 0, 6, 3)}};
   panel.marks = marks;
-  draw_states(std::vector<Panel>{panel}, options, scratch("marks.png"));
-  return file_bytes(scratch("marks.png"));
+  return picture_of(std::vector<Panel>{panel}, options);
 }
 
 TEST(Marks, AreAtTheirPositionInPlanePictures) {
   const Bounds crop = {{0.2, 0.1, 0}, {0.8, 0.5, 0}};
-  const std::string bare = picture_of({}, crop);
-  const auto shown = [&](double x, double y) { return picture_of({{{x, y, 0}, ""}}, crop) != bare; };
+  const std::string bare = marked({}, crop);
+  const auto shown = [&](double x, double y) { return marked({{{x, y, 0}, ""}}, crop) != bare; };
   constexpr double a = 1e-3;
   EXPECT_TRUE(shown(0.2 + a, 0.3) && shown(0.8 - a, 0.3) && shown(0.5, 0.1 + a) && shown(0.5, 0.5 - a));
   EXPECT_FALSE(shown(0.2 - a, 0.3) || shown(0.8 + a, 0.3) || shown(0.5, 0.1 - a) || shown(0.5, 0.5 + a));
-  EXPECT_NE(picture_of({{{9, 9, 0}, "far"}}), picture_of({})); // at the edge
-  const std::string message = message_of([&] { picture_of({{{0, std::numeric_limits<double>::infinity(), 0}, "J"}}); });
+  EXPECT_NE(marked({{{9, 9, 0}, "far"}}), marked({})); // at the edge
+  const std::string message = message_of([&] { marked({{{0, std::numeric_limits<double>::infinity(), 0}, "J"}}); });
   EXPECT_TRUE(holds(message, {"view.sheet.mark: state = (), mark = J"}));
 }
 
@@ -158,8 +152,7 @@ TEST(Marks, AreProjectedAndDrawnOnTopOfSolids) {
   const auto shown = [&](const Vec<3>& at) {
     Panel panel{"", {mapped_solid(block_map({0, 0, 0}, {2, 1, 1}), {2, 1, 1}, 2)}};
     panel.marks = {{at, "here"}};
-    draw_states(std::vector<Panel>{panel}, options, scratch("marks.png"));
-    return file_bytes(scratch("marks.png"));
+    return picture_of(std::vector<Panel>{panel}, options);
   };
   const Vec<3> place(1.2, 0.5, 0.4);
   EXPECT_TRUE(shown(place) ==

@@ -1,7 +1,9 @@
 #include "view/picture.hpp"
 
-#include "messages.hpp"
+#include "os/whole_file.hpp"
 #include "scenes.hpp"
+#include "scratch.hpp"
+#include "svg.hpp"
 #include "view/colorbar.hpp"
 #include "view/figure.hpp"
 
@@ -30,11 +32,12 @@ PictureOptions displacement() {
   return options;
 }
 
-std::string refusal(const std::vector<Body>& bodies, const PictureOptions& options = {},
-                    const std::string& name = "no.png") {
-  const std::string message = message_of([&] { draw_picture(bodies, options, scratch(name)); });
-  EXPECT_FALSE(std::filesystem::exists(scratch(name)));
-  return message;
+std::string drawn(const std::vector<Body>& bodies, const PictureOptions& options) {
+  return picture_of(std::vector<Panel>{{"", bodies}}, options);
+}
+
+std::string refusal(const std::vector<Body>& bodies, const PictureOptions& options = {}) {
+  return message_of([&] { drawn(bodies, options); });
 }
 
 /// Memory use, in megabytes.
@@ -54,49 +57,43 @@ bool holds_x_socket() {
 }
 
 TEST(Picture, GivesEqualBytesForEqualCalls) {
-  draw_picture(rings(), displacement(), scratch("first.png"));
+  const std::string first = drawn(rings(), displacement());
   PictureOptions other = displacement();
   other.size = {500, 600};
-  draw_picture(rings(), other, scratch("other.png")); // a different size in between must not affect the next picture
-  draw_picture(rings(), displacement(), scratch("second.png"));
-  EXPECT_EQ(file_bytes(scratch("first.png")), file_bytes(scratch("second.png")));
-  EXPECT_EQ(png_size(file_bytes(scratch("first.png"))), (std::array<int, 2>{800, 500}));
-  EXPECT_EQ(png_size(file_bytes(scratch("other.png"))), (std::array<int, 2>{500, 600}));
+  const std::string between = drawn(rings(), other); // a different size must not affect the next picture
+  EXPECT_EQ(first, drawn(rings(), displacement()));
+  EXPECT_EQ(png_size(first), (std::array<int, 2>{800, 500}));
+  EXPECT_EQ(png_size(between), (std::array<int, 2>{500, 600}));
 }
 
 // Run by the next test in another process.
 TEST(Picture, DISABLED_DrawsForAnotherProcess) {
   const char* folder = std::getenv("SIGNORINI_DRAW_TO");
   ASSERT_NE(folder, nullptr);
-  draw_picture(rings(), displacement(), std::string(folder) + "/process.png");
+  write_record(std::string(folder) + "/process.png", drawn(rings(), displacement()));
 }
 
 TEST(Picture, GivesEqualBytesInAnotherProcess) {
-  draw_picture(rings(), displacement(), scratch("here.png"));
-  const std::string folder = std::filesystem::path(scratch("process.png")).parent_path().string();
+  const test::ScratchFolder folder;
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
   const std::string command =
-      text("SIGNORINI_DRAW_TO='", folder, "' '", program,
+      text("SIGNORINI_DRAW_TO='", folder.file(""), "' '", program,
            "' --gtest_also_run_disabled_tests --gtest_filter='*DrawsForAnotherProcess' >/dev/null");
   ASSERT_EQ(std::system(command.c_str()), 0);
-  EXPECT_EQ(file_bytes(scratch("process.png")), file_bytes(scratch("here.png")));
+  EXPECT_EQ(read_file(folder.file("process.png")), drawn(rings(), displacement()));
 }
 
 TEST(Picture, ChangesWithFieldLinesAndColors) {
-  const auto bytes = [](const std::vector<Body>& bodies, const PictureOptions& options) {
-    draw_picture(bodies, options, scratch("change.png"));
-    return file_bytes(scratch("change.png"));
-  };
-  const std::string all = bytes(rings(), displacement());
+  const std::string all = drawn(rings(), displacement());
   auto bodies = rings();
   bodies[0].skin.values[5] += 0.5;
-  EXPECT_NE(bytes(bodies, displacement()), all);
+  EXPECT_NE(drawn(bodies, displacement()), all);
   bodies = rings();
   bodies[1].mesh_lines.clear();
-  EXPECT_NE(bytes(bodies, displacement()), all);
+  EXPECT_NE(drawn(bodies, displacement()), all);
   PictureOptions cividis = displacement();
   cividis.colormap = "cividis";
-  EXPECT_NE(bytes(rings(), cividis), all);
+  EXPECT_NE(drawn(rings(), cividis), all);
 }
 
 TEST(Picture, DoesNotLeakMemory) {
@@ -104,7 +101,7 @@ TEST(Picture, DoesNotLeakMemory) {
   options.size = {640, 400};
   const auto bodies = rings();
   const auto batch = [&](int count) {
-    for (int i = 0; i < count; ++i) draw_picture(bodies, options, scratch("many.png"));
+    for (int i = 0; i < count; ++i) drawn(bodies, options);
   };
   batch(5); // fills the caches
   const double before = resident();
@@ -113,7 +110,7 @@ TEST(Picture, DoesNotLeakMemory) {
 }
 
 TEST(Picture, OpensNoConnectionToADisplay) {
-  draw_picture(rings(), displacement(), scratch("display.png"));
+  drawn(rings(), displacement());
   EXPECT_FALSE(holds_x_socket());
 }
 
@@ -121,10 +118,9 @@ TEST(Picture, AcceptsBodiesWithoutFieldAndConstantFields) {
   auto bodies = rings();
   bodies[0].skin.values.resize(0);
   bodies[1].skin.values.setConstant(0);
-  draw_picture(bodies, displacement(), scratch("constant.png"));
+  EXPECT_EQ(refusal(bodies, displacement()), "no error");
   bodies[1].skin.values.resize(0);
-  draw_picture(bodies, {}, scratch("gray.png"));
-  EXPECT_EQ(png_size(file_bytes(scratch("gray.png"))), (std::array<int, 2>{1600, 1000}));
+  EXPECT_EQ(png_size(drawn(bodies, {})), (std::array<int, 2>{1600, 1000}));
 }
 
 TEST(Picture, RejectsInvalidInput) {
@@ -141,8 +137,6 @@ TEST(Picture, RejectsInvalidInput) {
   bodies[0].skin.triangles(0, 0) = 100000;
   EXPECT_TRUE(
       holds(refusal(bodies), {"view.body.triangles: body = (view.sheet.body: state = (), number = 0), most = 2700"}));
-  EXPECT_TRUE(holds(refusal(rings(), {}, "no.jpg"), {"view.file.ending"}));
-  EXPECT_TRUE(holds(refusal(rings(), {}, "missing/no.png"), {"os.file.no_folder"}));
 }
 
 TEST(Colormap, IsMonotonicFromDarkToLightUnlessDiverging) {

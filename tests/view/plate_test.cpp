@@ -1,8 +1,10 @@
 // Pictures before rendering: no truncated texts, equal layout in series, several in one figure.
 
-#include "messages.hpp"
+#include "os/whole_file.hpp"
 #include "scenes.hpp"
+#include "scratch.hpp"
 #include "solid_scenes.hpp"
+#include "svg.hpp"
 #include "view/compose.hpp"
 #include "view/series.hpp"
 #include "view/text.hpp"
@@ -49,8 +51,7 @@ std::vector<std::string> overlaps(const Drawing& drawing) {
   for (std::size_t i = 0; i < texts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const Box a = covered_by(*texts[i], 0, 0.72), b = covered_by(*texts[j], 0, 0.72);
-      if (a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3])
-        found.push_back(texts[j]->string + " | " + texts[i]->string);
+      if (overlap(a, b)) found.push_back(texts[j]->string + " | " + texts[i]->string);
     }
   return found;
 }
@@ -243,10 +244,10 @@ TEST(Series, IsRecognizedByItsFileName) {
   EXPECT_FALSE(is_series("a.png"));
   EXPECT_FALSE(is_series("100 %d/a.png")) << "the folder is not part of the name";
   const auto number = [](int i) { return std::to_string(i); };
-  const std::string folder = scratch("");
-  write_series(folder + "a-%03d.png", 2, 10, number);
-  EXPECT_EQ(file_bytes(folder + "a-001.png"), "0");
-  EXPECT_EQ(file_bytes(folder + "a-002.png"), "1");
+  const test::ScratchFolder folder;
+  write_series(folder.file("a-%03d.png"), 2, 10, number);
+  EXPECT_EQ(read_file(folder.file("a-001.png")), "0");
+  EXPECT_EQ(read_file(folder.file("a-002.png")), "1");
   for (const char* wrong : {"a%s.png", "a%d%d.png", "%.png", "a%00d.png"})
     EXPECT_TRUE(holds(message_of([&] { write_series(wrong, 1, 10, number); }), {"view.series.number"})) << wrong;
   EXPECT_TRUE(holds(message_of([&] { write_series("a%d.jpg", 1, 10, number); }), {"view.file.ending: file = a%d.jpg"}));

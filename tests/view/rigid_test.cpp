@@ -1,6 +1,6 @@
 #include "view/obstacle.hpp"
 
-#include "messages.hpp"
+#include "svg.hpp"
 #include "view/camera.hpp"
 #include "view/cut.hpp"
 

@@ -3,25 +3,11 @@
 #include "base/error.hpp"
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <random>
-#include <unistd.h>
 
 namespace signorini::view {
 namespace {
-
-struct ScratchFolder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / text("signorini-view-", ::getpid());
-
-  ScratchFolder() { std::filesystem::create_directories(path); }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
-  }
-};
 
 /// The point of the ring at u along the arc and v across the wall, both 0 … 1.
 struct Ring {
@@ -120,16 +106,6 @@ std::vector<Series> convergence_lines() {
     series.push_back(s);
   }
   return series;
-}
-
-std::string file_bytes(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::string scratch(const std::string& name) {
-  static const ScratchFolder folder;
-  return (folder.path / name).string();
 }
 
 std::array<int, 2> png_size(const std::string& bytes) {

@@ -1,7 +1,7 @@
 #include "view/sheet.hpp"
 
-#include "messages.hpp"
 #include "scenes.hpp"
+#include "svg.hpp"
 
 #include <gtest/gtest.h>
 
@@ -130,22 +130,17 @@ TEST(Sheet, GivesEqualBytesAndRejectsEmptyInput) {
   PictureOptions options;
   options.trim = true;
   const std::vector<Panel> panels = {{"low", ring(0)}, {"high", ring(0.4)}, {"higher", ring(2)}};
-  draw_states(panels, options, scratch("sheet.png"));
-  const std::string bytes = file_bytes(scratch("sheet.png"));
-  draw_states(panels, options, scratch("sheet.png"));
-  EXPECT_EQ(file_bytes(scratch("sheet.png")), bytes);
+  EXPECT_EQ(picture_of(panels, options), picture_of(panels, options));
   const auto shape = [&](int columns) {
     options.columns = columns;
-    draw_states(panels, options, scratch("columns.png"));
-    const auto [width, height] = png_size(file_bytes(scratch("columns.png")));
+    const auto [width, height] = make_plate(panels, options).drawing.size;
     return static_cast<double>(width) / height;
   };
   EXPECT_GT(shape(3), 2 * shape(1));
-  EXPECT_TRUE(holds(message_of([&] { draw_states(std::vector<Panel>{}, PictureOptions{}, scratch("no.png")); }),
-                    {"view.sheet.empty"}));
+  EXPECT_TRUE(holds(message_of([&] { make_plate(std::vector<Panel>{}, {}); }), {"view.sheet.empty"}));
   auto broken = panels;
   broken[1].bodies[0].skin.values[3] = std::nan("");
-  EXPECT_TRUE(holds(message_of([&] { draw_states(broken, PictureOptions{}, scratch("no.png")); }),
+  EXPECT_TRUE(holds(message_of([&] { make_plate(broken, {}); }),
                     {"view.body.field: body = (view.sheet.body: state = (view.sheet.state: number = 1), number = 0)"}));
 }
 

@@ -1,15 +1,14 @@
 #include "view/picture.hpp"
 
-#include "messages.hpp"
 #include "scenes.hpp"
 #include "solid_scenes.hpp"
+#include "svg.hpp"
 #include "view/camera.hpp"
 #include "view/relief.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 
 namespace signorini::view {
 namespace solid_picture_test {
@@ -43,14 +42,11 @@ void PrintTo(const Png& png, std::ostream* out) {
 }
 
 Png drawn(const std::vector<Panel>& panels, const PictureOptions& options) {
-  draw_states(panels, options, scratch("solid.png"));
-  return {file_bytes(scratch("solid.png"))};
+  return {picture_of(panels, options)};
 }
 
 std::string refusal(const Panel& panel, const PictureOptions& options = small()) {
-  const std::string message = message_of([&] { draw_states(std::vector<Panel>{panel}, options, scratch("no.png")); });
-  EXPECT_FALSE(std::filesystem::exists(scratch("no.png")));
-  return message;
+  return message_of([&] { make_plate(std::vector<Panel>{panel}, options); });
 }
 
 TEST(SolidPicture, GivesEqualBytesForEqualCalls) {

@@ -1,8 +1,8 @@
 // Mesh lines, contour lines and arrows on colored surfaces.
 
-#include "messages.hpp"
 #include "scenes.hpp"
 #include "solid_scenes.hpp"
+#include "svg.hpp"
 #include "view/categories.hpp"
 #include "view/colorbar.hpp"
 #include "view/cut.hpp"

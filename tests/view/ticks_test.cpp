@@ -52,22 +52,25 @@ TEST(LinearTicks, StayInTheRangeAndBelowTheCount) {
   }
 }
 
+/// Ticks of at least `least` numbers on a scale do not overlap.
+void expect_apart(const Scale& scale, std::size_t least) {
+  const Style style = style_for({1600, 1000});
+  const Ticks up = stacked_ticks(scale.low, scale.high, scale.log, scale.to, style),
+              along = fitting_ticks(scale.low, scale.high, scale.log, scale.to, style);
+  ASSERT_TRUE(along.at.size() >= least && (!scale.log || up.at.size() >= least)) << scale.low << " " << scale.high;
+  for (std::size_t i = 1; i < up.at.size(); ++i)
+    ASSERT_GE(scale(up.at[i]) - scale(up.at[i - 1]), 1.1 * style.tick_size);
+  for (std::size_t i = 1; i < along.at.size(); ++i)
+    ASSERT_GE(scale(along.at[i]) - scale(along.at[i - 1]),
+              0.5 * (text_width(along.labels[i - 1], style.tick_size) + text_width(along.labels[i], style.tick_size)));
+}
+
 TEST(FrameTicks, DoNotOverlapOnLogAxesOfAnySpan) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> size(300, 1400), exponent(-12, 9), width(0.02, 6);
-  const Style style = style_for({1600, 1000});
   for (int trial = 0; trial < 1000; ++trial) {
     const double pixels = size(random), low = std::pow(10, exponent(random));
-    const Scale scale{low, low * std::pow(10, width(random)), true, 0, pixels};
-    const Ticks up = stacked_ticks(scale.low, scale.high, true, pixels, style);
-    ASSERT_GE(up.at.size(), 2u) << scale.low << " " << scale.high;
-    for (std::size_t i = 1; i < up.at.size(); ++i)
-      ASSERT_GE(scale(up.at[i]) - scale(up.at[i - 1]), 1.1 * style.tick_size);
-    const Ticks along = fitting_ticks(scale.low, scale.high, true, pixels, style);
-    ASSERT_GE(along.at.size(), 2u) << scale.low << " " << scale.high << " " << pixels;
-    for (std::size_t i = 1; i < along.at.size(); ++i)
-      ASSERT_GE(scale(along.at[i]) - scale(along.at[i - 1]), 0.5 * (text_width(along.labels[i - 1], style.tick_size) +
-                                                                    text_width(along.labels[i], style.tick_size)));
+    expect_apart({low, low * std::pow(10, width(random)), true, 0, pixels}, 2);
   }
 }
 
@@ -82,18 +85,9 @@ TEST(LogTicks, ArePowersOfTenWithMinorTicksAtTheirMultiples) {
 TEST(FrameTicks, DoNotOverlapOnAxesOfAnyLength) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> size(8, 900), exponent(-6, 6), fraction(-1, 1);
-  const Style style = style_for({1600, 1000});
   for (int trial = 0; trial < 1000; ++trial) {
     const double pixels = size(random), width = std::pow(10, exponent(random)), low = 3 * width * fraction(random);
-    const Scale scale{low, low + width, false, 0, pixels};
-    const Ticks up = stacked_ticks(scale.low, scale.high, false, pixels, style);
-    for (std::size_t i = 1; i < up.at.size(); ++i)
-      ASSERT_GE(scale(up.at[i]) - scale(up.at[i - 1]), 1.1 * style.tick_size);
-    const Ticks along = fitting_ticks(scale.low, scale.high, false, pixels, style);
-    ASSERT_GE(along.at.size(), 1u);
-    for (std::size_t i = 1; i < along.at.size(); ++i)
-      ASSERT_GE(scale(along.at[i]) - scale(along.at[i - 1]), 0.5 * (text_width(along.labels[i - 1], style.tick_size) +
-                                                                    text_width(along.labels[i], style.tick_size)));
+    expect_apart({low, low + width, false, 0, pixels}, 1);
   }
 }
 
