@@ -2,6 +2,13 @@
 
 namespace signorini::bind {
 
+/// What an iteration changes.
+struct IterationMarks {
+  std::size_t residuals = 0, parts = 0;
+  int iterations = 0, factorizations = 0, gmres = 0;
+  std::vector<contact::ContactState> states; ///< of all contact points or multipliers
+};
+
 namespace {
 
 template <int D> IterationMarks marks_of(const model::Model<D>& model) {
@@ -52,27 +59,25 @@ void call_protected(lua_State* L, int results) {
 
 } // namespace
 
-template <int D>
-IterationPrinter<D>::IterationPrinter(const model::Model<D>& model, double goal)
-    : goal_(goal), before_(marks_of(model)) {}
-
-template <int D> void IterationPrinter<D>::print(lua_State* L, const model::Model<D>& model) {
-  const IterationMarks now = marks_of(model);
-  if (now.residuals < before_.residuals || now.iterations < before_.iterations) { // a new step has begun
-    before_.residuals = before_.parts = 0;
-    before_.iterations = 0;
-  }
-  push_require(L);
-  push(L, "signorini.run.verbose");
-  call_protected(L, 1);
-  lua_getfield(L, -1, "iteration");
-  push_iteration(L, model, goal_, now, before_);
-  call_protected(L, 0);
-  lua_pop(L, 1);
-  before_ = now;
+template <int D> model::AfterIteration iteration_printer(lua_State* L, const model::Model<D>& model, double goal) {
+  return [L, &model, goal, before = marks_of(model)]() mutable {
+    const IterationMarks now = marks_of(model);
+    if (now.residuals < before.residuals || now.iterations < before.iterations) { // a new step has begun
+      before.residuals = before.parts = 0;
+      before.iterations = 0;
+    }
+    push_require(L);
+    push(L, "signorini.run.verbose");
+    call_protected(L, 1);
+    lua_getfield(L, -1, "iteration");
+    push_iteration(L, model, goal, now, before);
+    call_protected(L, 0);
+    lua_pop(L, 1);
+    before = now;
+  };
 }
 
-template class IterationPrinter<2>;
-template class IterationPrinter<3>;
+template model::AfterIteration iteration_printer(lua_State*, const model::Model<2>&, double);
+template model::AfterIteration iteration_printer(lua_State*, const model::Model<3>&, double);
 
 } // namespace signorini::bind

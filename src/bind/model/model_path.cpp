@@ -12,7 +12,6 @@
 #include "model/steps/load_step.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace signorini::bind {
 
@@ -86,30 +85,23 @@ int push_report(lua_State* L, const solve::NewtonReport& report) {
   return 1;
 }
 
-/// Calls `solve` with a function that prints the last iteration, if `verbose`.
-template <int D, class Solve>
-auto printed(const model::Model<D>& model, const Arguments& a, lua_State* L, const Solve& solve) {
-  if (!a.get<bool>("verbose")) return solve(model::AfterIteration());
-  IterationPrinter<D> printer(model, a.get<double>("tolerance"));
-  return solve(model::AfterIteration([&] { printer.print(L, model); }));
+/// Prints the last iteration, if `verbose`.
+template <int D> model::AfterIteration printer(const model::Model<D>& model, const Arguments& a, lua_State* L) {
+  if (!a.get<bool>("verbose")) return {};
+  return iteration_printer(L, model, a.get<double>("tolerance"));
 }
 
 template <int D> int solve_step(model::Model<D>& model, const Arguments& a, lua_State* L) {
-  return push_report(L, printed(model, a, L, [&](const model::AfterIteration& after) {
-                       return model::solve_step(model, read_step_options(a), after);
-                     }));
+  return push_report(L, model::solve_step(model, read_step_options(a), printer(model, a, L)));
 }
 
 template <int D> int iterate(model::Model<D>& model, const Arguments& a, lua_State* L) {
-  return push_report(L, printed(model, a, L, [&](const model::AfterIteration& after) {
-                       return model::iterate(model, read_step_options(a), after);
-                     }));
+  return push_report(L, model::iterate(model, read_step_options(a), printer(model, a, L)));
 }
 
 template <int D> int solve_arc(model::Model<D>& model, const Arguments& a, lua_State* L) {
-  const model::ArcReport report = printed(model, a, L, [&](const model::AfterIteration& after) {
-    return model::solve_arc(model, read_newton(a), a.get<double>("length"), after);
-  });
+  const model::ArcReport report =
+      model::solve_arc(model, read_newton(a), a.get<double>("length"), printer(model, a, L));
   push_report(L, report);
   set_field(L, "fraction", report.fraction);
   return 1;
