@@ -16,7 +16,6 @@ namespace fs = std::filesystem;
 
 PartsFolder::PartsFolder(const std::string& file) {
   const fs::path path = fs::absolute(file), place = path.parent_path();
-  require(fs::is_directory(place), "view.series.no_folder", {{"file", file}, {"folder", place.string()}});
   const std::string stem = (place / ("." + path.filename().string())).string();
   folder_ = stem + ".parts";
   if (take()) return;

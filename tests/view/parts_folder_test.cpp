@@ -65,7 +65,7 @@ TEST(PartsFolder, FollowsNoLink) {
 TEST(PartsFolder, NeedsAFolderForTheFile) {
   const test::ScratchFolder scratch;
   const std::string message = test::message_of([&] { PartsFolder(scratch.file("missing/x.mp4")); });
-  EXPECT_TRUE(test::holds(message, {"view.series.no_folder"}));
+  EXPECT_TRUE(test::holds(message, {"view.series.folder"}));
 }
 
 } // namespace parts_folder_test
