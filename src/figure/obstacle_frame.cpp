@@ -2,7 +2,6 @@
 
 #include "view/obstacle.hpp"
 
-#include <cmath>
 #include <numbers>
 
 namespace signorini::figure {
@@ -79,25 +78,13 @@ view::RigidSurface surface_of(const contact::LevelSet<3>& level_set, const Motio
 }
 
 view::RigidSurface surface_of(const contact::Torus& torus) {
-  constexpr int around = 96, along = 48;
-  view::RigidSurface result;
-  result.surface.points.resize(3, (around + 1) * (along + 1));
-  result.surface.normals.resize(3, result.surface.points.cols());
-  result.surface.triangles.resize(3, 2 * around * along);
-  contact::FacePoint<3> point;
-  for (int j = 0, triangle = 0; j <= along; ++j)
-    for (int i = 0; i <= around; ++i) {
-      const int here = i + (around + 1) * j;
-      point.xi = 2 * std::numbers::pi *
-                 contact::FaceCoordinates<3>(static_cast<double>(i) / around, static_cast<double>(j) / along);
-      contact::locate(torus, point);
-      result.surface.points.col(here) = point.position;
-      result.surface.normals.col(here) = contact::normal_of<3>(point.tangent).normalized();
-      if (i == around || j == along) continue;
-      result.surface.triangles.col(triangle++) << here, here + 1, here + around + 2;
-      result.surface.triangles.col(triangle++) << here, here + around + 2, here + around + 1;
-    }
-  return result;
+  const auto place = [&](double u, double v) {
+    contact::FacePoint<3> point;
+    point.xi = 2 * std::numbers::pi * contact::FaceCoordinates<3>(u, v);
+    contact::locate(torus, point);
+    return view::SurfacePlace{point.position, contact::normal_of<3>(point.tangent).normalized()};
+  };
+  return {view::tessellated({96, 48}, {}, place), {}};
 }
 
 } // namespace signorini::figure

@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "base/warning.hpp"
-#include "base/words.hpp"
 
 #include <algorithm>
 #include <deque>

@@ -2,9 +2,6 @@
 
 #include "base/error.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace signorini::view {
 namespace {
 

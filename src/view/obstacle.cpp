@@ -88,37 +88,11 @@ std::array<std::vector<double>, 2> fractions(std::array<int, 2> pieces, const st
   return result;
 }
 
-/// A surface of columns × rows pieces of a parameter rectangle, refined in windows; `place` gives point and normal at
-/// (u, v), both 0 … 1.
-template <class Place>
-Surface tessellated(std::array<int, 2> pieces, const std::vector<Window>& windows, const Place& place) {
-  Surface surface;
-  const auto [us, vs] = fractions(pieces, windows, place);
-  const int columns = std::ssize(us) - 1, rows = std::ssize(vs) - 1, side = columns + 1, count = side * (rows + 1),
-            triangles = 2 * columns * rows;
-  surface.points.resize(3, count);
-  surface.normals.resize(3, surface.points.cols());
-  surface.triangles.resize(3, triangles);
-  for (int j = 0, triangle = 0; j <= rows; ++j)
-    for (int i = 0; i <= columns; ++i) {
-      const auto [point, normal] = place(us[i], vs[j]);
-      const int here = i + side * j;
-      surface.points.col(here) = point;
-      surface.normals.col(here) = normal;
-      if (i == columns || j == rows) continue;
-      surface.triangles.col(triangle++) << here, here + 1, here + side + 1;
-      surface.triangles.col(triangle++) << here, here + side + 1, here + side;
-    }
-  return surface;
-}
-
 /// Two unit vectors normal to a unit vector.
 std::array<Vec<3>, 2> across(const Vec<3>& direction) {
   const Vec<3> first = direction.unitOrthogonal();
   return {first, direction.cross(first)};
 }
-
-using Place = std::pair<Vec<3>, Vec<3>>;
 
 /// A square of the plane, larger than the box; a vertex is the point nearest to the center of the box.
 RigidSurface whole(const RigidPlane& plane, const Bounds& box, const std::vector<Window>&) {
@@ -127,7 +101,7 @@ RigidSurface whole(const RigidPlane& plane, const Bounds& box, const std::vector
   const auto [a, b] = across(normal);
   const double half = 3 * (box.high - box.low).norm();
   const Surface square = tessellated({2, 2}, {}, [&, a = a, b = b](double u, double v) {
-    return Place{foot + half * ((2 * u - 1) * a + (2 * v - 1) * b), normal};
+    return SurfacePlace{foot + half * ((2 * u - 1) * a + (2 * v - 1) * b), normal};
   });
   return {square, {}};
 }
@@ -136,7 +110,7 @@ RigidSurface whole(const RigidBall& ball, const Bounds&, const std::vector<Windo
   const Surface sphere = tessellated({96, 48}, windows, [&](double u, double v) {
     const double length = 2 * std::numbers::pi * u, height = std::numbers::pi * (v - 0.5);
     const Vec<3> out{std::cos(height) * std::cos(length), std::cos(height) * std::sin(length), std::sin(height)};
-    return Place{ball.center + ball.radius * out, out};
+    return SurfacePlace{ball.center + ball.radius * out, out};
   });
   return {sphere, {}};
 }
@@ -151,7 +125,7 @@ RigidSurface whole(const RigidCylinder& cylinder, const Bounds& box, const std::
   const auto place = [&, a = a, b = b](double u, double v) {
     const double angle = 2 * std::numbers::pi * u;
     const Vec<3> out = std::cos(angle) * a + std::sin(angle) * b;
-    return Place{middle + (2 * v - 1) * half * axis + cylinder.radius * out, out};
+    return SurfacePlace{middle + (2 * v - 1) * half * axis + cylinder.radius * out, out};
   };
   constexpr int pieces = 128;
   result.surface = tessellated({pieces, 2}, windows, place);
@@ -214,6 +188,28 @@ Outline outline(const std::function<Vec<3>(double)>& place, int pieces, const st
   Outline outline{Points(3, static_cast<Eigen::Index>(fractions.size()))};
   for (Eigen::Index i = 0; i < outline.line.cols(); ++i) outline.line.col(i) = place(fractions[static_cast<int>(i)]);
   return outline;
+}
+
+Surface tessellated(const std::array<int, 2>& pieces, const std::vector<Window>& windows,
+                    const std::function<SurfacePlace(double, double)>& place) {
+  Surface surface;
+  const auto [us, vs] = fractions(pieces, windows, place);
+  const int columns = std::ssize(us) - 1, rows = std::ssize(vs) - 1, side = columns + 1, count = side * (rows + 1),
+            triangles = 2 * columns * rows;
+  surface.points.resize(3, count);
+  surface.normals.resize(3, surface.points.cols());
+  surface.triangles.resize(3, triangles);
+  for (int j = 0, triangle = 0; j <= rows; ++j)
+    for (int i = 0; i <= columns; ++i) {
+      const auto [point, normal] = place(us[i], vs[j]);
+      const int here = i + side * j;
+      surface.points.col(here) = point;
+      surface.normals.col(here) = normal;
+      if (i == columns || j == rows) continue;
+      surface.triangles.col(triangle++) << here, here + 1, here + side + 1;
+      surface.triangles.col(triangle++) << here, here + side + 1, here + side;
+    }
+  return surface;
 }
 
 Outline mirrored(const Outline& outline, int axis) {

@@ -5,6 +5,7 @@
 #include "view/panel.hpp"
 
 #include <functional>
+#include <utility>
 
 namespace signorini::view {
 
@@ -14,6 +15,14 @@ Outline circle(const Vec<2>& center, double radius, const std::vector<Window>& w
 
 /// A curve, parametrized by 0 … 1, in `pieces` even pieces, finer within windows.
 Outline outline(const std::function<Vec<3>(double)>& place, int pieces, const std::vector<Window>& windows);
+
+/// A point of a surface and its unit normal.
+using SurfacePlace = std::pair<Vec<3>, Vec<3>>;
+
+/// A surface of columns × rows pieces of a parameter rectangle, refined in windows; `place` gives point and normal at
+/// (u, v), both 0 … 1.
+Surface tessellated(const std::array<int, 2>& pieces, const std::vector<Window>& windows,
+                    const std::function<SurfacePlace(double, double)>& place);
 
 /// The image in the mirror axis = 0; in space empty if the obstacle is its own image.
 Outline mirrored(const Outline& outline, int axis);
