@@ -1,7 +1,6 @@
 #include "base/window.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace signorini {
 namespace {

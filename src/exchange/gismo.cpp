@@ -141,45 +141,35 @@ std::string basis_of(const Patch& patch, const std::string& indent) {
 }
 
 /// Reads the faces of <interfaces> and <boundary>, which name patches by their ids.
-class TopologyReader {
-public:
-  TopologyReader(const Document& document, const std::map<int, int>& index, const std::vector<Patch>& patches)
-      : document_(document), index_(index), patches_(patches) {}
+struct TopologyReader {
+  const Document& document;
+  const std::map<int, int>& index; ///< of the patch with an id
+  const std::vector<Patch>& patches;
 
-  /// An interface continues with the second face's direction for each of the first, and whether it runs along it; the
-  /// geometry says so, too.
-  std::vector<Interface> interfaces(const pugi::xml_node& node) const {
-    std::vector<Interface> result;
-    if (!node.first_child()) return result;
-    for (TextReader from = document_.inside(node); !from.at_end();) {
-      const PatchFace first = face(from), second = face(from);
-      const int directions = patches_[first.patch].parametric_dimension();
-      for (int d = 0; d < directions; ++d) from.integer(0, 2, "exchange.expected.direction");
-      for (int d = 0; d < directions; ++d) from.integer(0, 1, "exchange.expected.orientation");
-      result.push_back({first, second});
-    }
-    return result;
-  }
-
-  std::vector<PatchFace> faces(const pugi::xml_node& node) const {
-    std::vector<PatchFace> result;
-    if (!node.first_child()) return result;
-    for (TextReader from = document_.inside(node); !from.at_end();) result.push_back(face(from));
-    return result;
-  }
-
-private:
   PatchFace face(TextReader& from) const {
     const int id = from.integer(0, most_functions, "exchange.expected.patch_id");
-    const auto found = index_.find(id);
-    if (found == index_.end()) from.wrong("exchange.gismo.patch_id", {{"id", id}});
-    const int sides = 2 * patches_[found->second].parametric_dimension();
+    const auto found = index.find(id);
+    if (found == index.end()) from.wrong("exchange.gismo.patch_id", {{"id", id}});
+    const int sides = 2 * patches[found->second].parametric_dimension();
     return {found->second, side_of_number(from.integer(1, sides, "exchange.expected.side"))};
   }
-
-  const Document& document_;
-  const std::map<int, int>& index_;
-  const std::vector<Patch>& patches_;
+  /// An interface continues with the second face's direction for each of the first, and whether it runs along it; the
+  /// geometry says so, too.
+  Interface interface(TextReader& from) const {
+    const PatchFace first = face(from), second = face(from);
+    const int directions = patches[first.patch].parametric_dimension();
+    for (int d = 0; d < directions; ++d) from.integer(0, 2, "exchange.expected.direction");
+    for (int d = 0; d < directions; ++d) from.integer(0, 1, "exchange.expected.orientation");
+    return {first, second};
+  }
+  /// All that one of these functions reads from the content of an element.
+  template <class Item>
+  std::vector<Item> all(const pugi::xml_node& node, Item (TopologyReader::*read)(TextReader&) const) const {
+    std::vector<Item> result;
+    if (!node.first_child()) return result;
+    for (TextReader from = document.inside(node); !from.at_end();) result.push_back((this->*read)(from));
+    return result;
+  }
 };
 
 /// The element <MultiPatch>, without which G+Smo reads the patches separately.
@@ -241,18 +231,19 @@ Geometry read_gismo(const std::string& file, const std::string& text) {
   require(parsing, "exchange.gismo.xml",
           {{"file", file}, {"line", document.line(parsing.offset)}, {"reason", parsing.description()}});
   Geometry result;
-  std::map<int, int> index; // of the patch with an id
+  std::map<int, int> index;
   for (const pugi::xpath_node& geometry : parsed.select_nodes("//Geometry")) {
     index.emplace(geometry.node().attribute("id").as_int(-1), static_cast<int>(result.patches.size()));
     result.patches.push_back(read_patch(document, geometry.node()));
   }
   require(!result.patches.empty(), "exchange.gismo.nothing", {{"file", file}});
-  const TopologyReader reader(document, index, result.patches);
+  const TopologyReader reader{document, index, result.patches};
   const pugi::xml_node whole = parsed.select_node("//MultiPatch").node();
-  if (const pugi::xml_node interfaces = whole.child("interfaces")) result.interfaces = reader.interfaces(interfaces);
+  if (const pugi::xml_node interfaces = whole.child("interfaces"))
+    result.interfaces = reader.all(interfaces, &TopologyReader::interface);
   for (const pugi::xml_node& boundary : whole.children("boundary"))
     if (const std::string name = boundary.attribute("name").value(); !name.empty())
-      result.boundaries.push_back({name, reader.faces(boundary)});
+      result.boundaries.push_back({name, reader.all(boundary, &TopologyReader::face)});
   return result;
 }
 

@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
 #include <link.h>
 #include <linux/seccomp.h>
 #include <pwd.h>

@@ -1,5 +1,6 @@
 #include "repl/kernel.hpp"
 
+#include "bind/lua/arguments.hpp"
 #include "bind/lua/functions.hpp"
 #include "os/interrupt.hpp"
 #include "os/module.hpp"
@@ -146,8 +147,7 @@ public:
     if (!call(
             "complete", [&] { push_place(code, cursor); }, 2))
       return found;
-    for (lua_Integer i = 1; lua_rawgeti(L, 1, i) == LUA_TSTRING; lua_pop(L, 1), ++i)
-      found.matches.emplace_back(lua_tostring(L, -1));
+    found.matches = bind::to<std::vector<std::string>>(L, 1);
     found.begin = static_cast<int>(lua_tointeger(L, 2));
     found.end = static_cast<int>(lua_tointeger(L, 3));
     return found;

@@ -1,6 +1,6 @@
 #include "repl/line_editor.hpp"
 
-#include "bind/lua/message.hpp"
+#include "bind/lua/arguments.hpp"
 #include "os/interrupt.hpp"
 #include "repl/history.hpp"
 #include "repl/interrupt.hpp"
@@ -37,11 +37,7 @@ std::vector<std::string> completions(const char* word, const std::string& before
   if (lua_pcall(state, 1, 1, 0) == LUA_OK) {
     lua_pushstring(state, word);
     lua_pushlstring(state, before.data(), before.size());
-    if (lua_pcall(state, 2, 1, 0) == LUA_OK)
-      for (lua_Integer i = 1; lua_rawgeti(state, -1, i) == LUA_TSTRING; ++i) {
-        list.emplace_back(lua_tostring(state, -1));
-        lua_pop(state, 1);
-      }
+    if (lua_pcall(state, 2, 1, 0) == LUA_OK) list = bind::to<std::vector<std::string>>(state, -1);
   }
   lua_settop(state, top);
   return list;

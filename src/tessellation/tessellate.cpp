@@ -5,7 +5,6 @@
 #include "tessellation/grid.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace signorini::tessellation {

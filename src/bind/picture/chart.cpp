@@ -2,7 +2,6 @@
 
 #include "bind/lua/open.hpp"
 #include "bind/picture/picture.hpp"
-#include "bind/picture/state_picture.hpp"
 
 #include <algorithm>
 

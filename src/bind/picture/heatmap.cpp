@@ -3,7 +3,6 @@
 #include "bind/lua/number_text.hpp"
 #include "bind/lua/open.hpp"
 #include "bind/picture/picture.hpp"
-#include "bind/picture/state_picture.hpp"
 
 #include <algorithm>
 #include <cctype>

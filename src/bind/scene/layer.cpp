@@ -2,7 +2,6 @@
 
 #include "base/words.hpp"
 #include "bind/lua/functions.hpp"
-#include "bind/lua/wording/wording.hpp"
 #include "bind/scene/scene_builder.hpp"
 #include "nurbs/constants.hpp"
 #include "solid/quadrature.hpp"

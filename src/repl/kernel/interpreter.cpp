@@ -7,7 +7,6 @@
 #include <xeus/xinput.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 namespace signorini::repl::kernel {
