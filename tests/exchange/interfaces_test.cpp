@@ -8,7 +8,6 @@
 #include "os/whole_file.hpp"
 #include "scratch.hpp"
 
-#include <fstream>
 #include <gtest/gtest.h>
 
 namespace signorini::exchange {

@@ -3,6 +3,7 @@
 #include "model/steps/load_step.hpp"
 #include "nurbs/shapes.hpp"
 #include "solid/neo_hookean.hpp"
+#include "surfaces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,8 @@ namespace signorini::tessellation {
 namespace tessellate_test {
 
 using namespace model;
+using signorini::test::length;
+using signorini::test::volume;
 
 const nurbs::Side west{0, false}, south{1, false}, front{2, false}, back{2, true};
 
@@ -64,25 +67,6 @@ void press(Model<3>& model, double depth) {
 
 Sampling<3> evenly(const Model<3>& model, int divisions) {
   return even_sampling<3>(model.system.scene.bodies[0].body->space(), divisions);
-}
-
-/// ∫ x·n dA / 3 over the triangles.
-double volume(const Skin& skin) {
-  double sum = 0;
-  for (Eigen::Index t = 0; t < skin.triangles.cols(); ++t) {
-    const Vec<3> a = skin.points.col(skin.triangles(0, t)), b = skin.points.col(skin.triangles(1, t)),
-                 c = skin.points.col(skin.triangles(2, t));
-    const Vec<3> facing = 0.5 * (b - a).cross(c - a);
-    sum += (a + b + c).dot(facing) / 9 * (facing.dot(skin.normals.col(skin.triangles(0, t))) < 0 ? -1 : 1);
-  }
-  return sum;
-}
-
-double length(const std::vector<SkinLine>& lines) {
-  double sum = 0;
-  for (const SkinLine& line : lines)
-    for (Eigen::Index i = 1; i < line.points.cols(); ++i) sum += (line.points.col(i) - line.points.col(i - 1)).norm();
-  return sum;
 }
 
 TEST(Skin, EnclosesTheBodyWithExactNormals) {

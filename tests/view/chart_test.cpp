@@ -9,11 +9,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace signorini::view {
 namespace chart_test {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 ChartOptions forces() {
   ChartOptions options;
@@ -62,7 +63,6 @@ TEST(Chart, KeepsTextAsTextInSvg) {
 }
 
 TEST(Chart, LeavesGapsForNonFinitePoints) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto polylines = [](std::vector<double> y) {
     return count_of(chart_of({line_of(std::move(y))}), "stroke:" + in_svg("#0072b2"));
   };
@@ -188,7 +188,7 @@ TEST(Chart, DistinguishesFortyCurves) {
 }
 
 TEST(Chart, MarksIsolatedPoints) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const double inf = std::numeric_limits<double>::infinity();
   const auto polygons = [&](const std::vector<double>& y) { return count_of(chart_of({line_of(y)}), filled); };
   EXPECT_EQ(polygons({1, 2, 3}), 0);
   EXPECT_EQ(polygons({1}), 2); // including its rim
@@ -260,7 +260,6 @@ TEST(Chart, AcceptsConstantDataAndSinglePoints) {
 }
 
 TEST(Chart, RejectsInvalidInput) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(holds(refusal({line_of({nan, nan})}), {"view.chart.no_point"}));
   EXPECT_TRUE(holds(refusal({line_of({1, 2})}, convergence()),
                     {"view.chart.log: series = (view.chart.series: number = 0), axis = x, value = 0"}));

@@ -1,6 +1,7 @@
 #include "view/cut.hpp"
 
 #include "solid_scenes.hpp"
+#include "surfaces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,9 @@
 namespace signorini::view {
 namespace cut_test {
 
+using test::length;
+using test::volume;
+
 double linear(const Vec<3>& x) {
   return 0.3 + Vec<3>(2, -1, 0.5).dot(x);
 }
@@ -17,13 +21,6 @@ double linear(const Vec<3>& x) {
 Vec<3> random_vector(std::mt19937& random) {
   std::uniform_real_distribution<double> number(-1, 1);
   return {number(random), number(random), number(random)};
-}
-
-double length(const std::vector<SurfaceLine>& lines) {
-  double sum = 0;
-  for (const SurfaceLine& line : lines)
-    for (Eigen::Index i = 1; i < line.points.cols(); ++i) sum += (line.points.col(i) - line.points.col(i - 1)).norm();
-  return sum;
 }
 
 /// The lines in a plane.

@@ -1,5 +1,6 @@
 #include "view/obstacle.hpp"
 
+#include "surfaces.hpp"
 #include "svg.hpp"
 #include "view/camera.hpp"
 #include "view/cut.hpp"
@@ -111,16 +112,13 @@ TEST(Camera, RejectsInvalidDirections) {
 
 TEST(Outline, OfABallIsACircleOfTheSameRadius) {
   const Surface ball = shown(RigidBall{{1, 2, 3}, 0.5}, Bounds{{0, 1, 2}, {2, 3, 4}}).surface;
-  double length = 0;
-  for (const SurfaceLine& line : zeros(ball, ball.normals.row(2).transpose())) {
+  const auto lines = zeros(ball, ball.normals.row(2).transpose());
+  for (const SurfaceLine& line : lines)
     for (const auto& point : line.points.colwise()) {
       EXPECT_NEAR((point - Vec<3>(1, 2, 3)).head<2>().norm(), 0.5, 1e-3);
       EXPECT_NEAR(point[2], 3, 0.02);
     }
-    const Eigen::Index pieces = line.points.cols() - 1;
-    length += (line.points.rightCols(pieces) - line.points.leftCols(pieces)).colwise().norm().sum();
-  }
-  EXPECT_NEAR(length, 2 * std::numbers::pi * 0.5, 5e-3);
+  EXPECT_NEAR(test::length(lines), 2 * std::numbers::pi * 0.5, 5e-3);
 }
 
 } // namespace rigid_test

@@ -118,15 +118,4 @@ double area(const Surface& surface) {
   return sum;
 }
 
-double volume(const Surface& surface) {
-  double sum = 0;
-  for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
-    const Vec<3> a = surface.points.col(surface.triangles(0, t)), b = surface.points.col(surface.triangles(1, t)),
-                 c = surface.points.col(surface.triangles(2, t));
-    const Vec<3> facing = 0.5 * (b - a).cross(c - a), normal = surface.normals.col(surface.triangles(0, t));
-    sum += (a + b + c).dot(facing) / 9 * (facing.dot(normal) < 0 ? -1 : 1);
-  }
-  return sum;
-}
-
 } // namespace signorini::view

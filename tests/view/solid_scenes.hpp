@@ -22,8 +22,6 @@ SolidMap block_map(const Vec<3>& low, const Vec<3>& high);
 /// A quarter of the upper half of a hollow sphere away from its pole, about the origin, x, y, z ≥ 0.
 SolidMap shell_map(double inner, double outer);
 
-/// Area and enclosed volume (∫ x·n dA / 3) of a surface; the triangles are oriented by the normals.
 double area(const Surface& surface);
-double volume(const Surface& surface);
 
 } // namespace signorini::view

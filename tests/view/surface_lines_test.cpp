@@ -2,12 +2,12 @@
 
 #include "scenes.hpp"
 #include "solid_scenes.hpp"
+#include "surfaces.hpp"
 #include "svg.hpp"
 #include "view/categories.hpp"
 #include "view/colorbar.hpp"
 #include "view/cut.hpp"
 #include "view/picture.hpp"
-#include "view/sheet.hpp"
 
 #include <gtest/gtest.h>
 
@@ -51,11 +51,6 @@ bool has_text(const Plate& plate, const std::string& words) {
     const auto* text = std::get_if<Text>(&mark);
     return text && text->string == words;
   });
-}
-
-double length_of(const SurfaceLine& line) {
-  const Eigen::Index pieces = line.points.cols() - 1;
-  return (line.points.rightCols(pieces) - line.points.leftCols(pieces)).colwise().norm().sum();
 }
 
 TEST(MeshLine, IsVisibleOnEveryColorOfAMap) {
@@ -102,11 +97,11 @@ TEST(Contours, AreOneLineAtTheGivenValue) {
   const auto lines = zeros(body.skin, body.skin.values.array() - 0.3);
   ASSERT_EQ(lines.size(), 1U);
   EXPECT_LT((lines[0].points.row(0).array() - 0.3).abs().maxCoeff(), 1e-12);
-  EXPECT_NEAR(length_of(lines[0]), 1, 1e-12);
+  EXPECT_NEAR(test::length(lines), 1, 1e-12);
   const Body bowl = square([](const Vec<3>& p) { return (p - Vec<3>(0.5, 0.5, 0)).norm(); }, 60);
   const auto rings = zeros(bowl.skin, bowl.skin.values.array() - 0.4);
   ASSERT_EQ(rings.size(), 1U);
-  EXPECT_NEAR(length_of(rings[0]), 0.8 * 3.14159265, 0.01);
+  EXPECT_NEAR(test::length(rings), 0.8 * 3.14159265, 0.01);
 }
 
 TEST(Contours, AreDrawnAtTheirLevelsOnBodiesAndBar) {
