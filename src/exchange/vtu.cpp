@@ -160,22 +160,17 @@ std::string linear_vtu(const BezierGrid& grid, int subdivisions) {
   std::int64_t first = 0;
   for (const std::vector<int>& cell : samples.degrees) {
     const std::size_t dimension = cell.size();
-    int parts = 1, points = 1;
-    for (std::size_t d = 0; d < dimension; ++d) parts *= n, points *= n + 1;
-    for (int part = 0; part < parts; ++part) {
-      int corner = 0;
-      for (std::size_t d = 0, rest = static_cast<std::size_t>(part); d < dimension;
-           ++d, rest /= static_cast<std::size_t>(n))
-        corner += stride[d] * static_cast<int>(rest % static_cast<std::size_t>(n));
-      for (int k = 0; k < 1 << dimension; ++k) {
-        int point = corner;
-        for (std::size_t d = 0; d < dimension; ++d) point += stride[d] * corners[k][d];
-        cells.connectivity.push_back(first + point);
-      }
-      cells.add(cell_types[dimension - 1], static_cast<std::int64_t>(cells.connectivity.size()));
-    }
-    first += points;
-    cells.copies.push_back(parts);
+    const int rows = dimension > 1 ? n : 1, layers = dimension > 2 ? n : 1;
+    for (int k = 0; k < layers; ++k)
+      for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < n; ++i) {
+          for (int c = 0; c < 1 << dimension; ++c)
+            cells.connectivity.push_back(first + stride[0] * (i + corners[c][0]) + stride[1] * (j + corners[c][1]) +
+                                         stride[2] * (k + corners[c][2]));
+          cells.add(cell_types[dimension - 1], static_cast<std::int64_t>(cells.connectivity.size()));
+        }
+    first += (n + 1) * (dimension > 1 ? n + 1 : 1) * (dimension > 2 ? n + 1 : 1);
+    cells.copies.push_back(n * rows * layers);
   }
   cells.points.resize(first);
   std::iota(cells.points.begin(), cells.points.end(), 0);
