@@ -173,10 +173,7 @@ TEST(SideBySide, HasOneLayoutForDifferentBars) {
 TEST(CloseUp, ExtendsTheFrameWithoutFreeCorner) {
   // A rectangle that fills its frame.
   Body block;
-  block.skin.points.resize(3, 4);
-  block.skin.points << 0, 2, 2, 0, 0, 0, 1, 1, 0, 0, 0, 0;
-  block.skin.triangles.resize(3, 2);
-  block.skin.triangles << 0, 0, 1, 2, 2, 3;
+  block.skin = plane_surface({1, 1}, [](double u, double v) { return Vec<3>(2 * u, v, 0); });
   int drawn = 0;
   std::optional<Box> given;
   const auto whole = [&](int, const std::optional<Box>& extent) {

@@ -1,6 +1,7 @@
 #include "scenes.hpp"
 
 #include "base/error.hpp"
+#include "view/obstacle.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -32,27 +33,23 @@ struct Ring {
 
 } // namespace
 
+Surface plane_surface(const std::array<int, 2>& pieces, const std::function<Vec<3>(double, double)>& place) {
+  Surface surface = tessellated(pieces, {}, [&](double u, double v) {
+    return SurfacePlace{place(u, v), Vec<3>::Zero()};
+  });
+  surface.normals.resize(3, 0);
+  return surface;
+}
+
 Body bent_ring(Vec<2> center, double inner, double outer, double start_degrees, int around, int across) {
   const Ring ring{center, inner, outer, start_degrees};
   const int nu = 12 * around, nv = 12 * across;
   Body body;
-  body.skin.points.resize(3, (nu + 1) * (nv + 1));
+  body.skin = plane_surface({nu, nv}, ring);
   body.skin.values.resize(body.skin.points.cols());
-  body.skin.triangles.resize(3, 2 * nu * nv);
-  for (int j = 0; j <= nv; ++j)
-    for (int i = 0; i <= nu; ++i) {
-      const int k = j * (nu + 1) + i;
-      const double u = double(i) / nu, v = double(j) / nv;
-      body.skin.points.col(k) = ring(u, v);
-      body.skin.values[k] = 0.4 * std::sin(3 * u) * std::cos(2 * v) - 0.1 * center[1];
-    }
-  int t = 0;
-  for (int j = 0; j < nv; ++j)
-    for (int i = 0; i < nu; ++i) {
-      const int k = j * (nu + 1) + i;
-      body.skin.triangles.col(t++) << k, k + 1, k + nu + 2;
-      body.skin.triangles.col(t++) << k, k + nu + 2, k + nu + 1;
-    }
+  for (int j = 0, k = 0; j <= nv; ++j)
+    for (int i = 0; i <= nu; ++i, ++k)
+      body.skin.values[k] = 0.4 * std::sin(3.0 * i / nu) * std::cos(2.0 * j / nv) - 0.1 * center[1];
   for (int i = 0; i <= around; ++i)
     body.mesh_lines.push_back({ring.line({double(i) / around, 0}, {double(i) / around, 1}), {}, 1.5 * outer / around});
   for (int j = 0; j <= across; ++j)

@@ -4,9 +4,13 @@
 #include "view/chart.hpp"
 #include "view/picture.hpp"
 
+#include <functional>
 #include <string>
 
 namespace signorini::view {
+
+/// A surface in the plane of columns × rows pieces; `place` gives its point at (u, v), both 0 … 1.
+Surface plane_surface(const std::array<int, 2>& pieces, const std::function<Vec<3>(double, double)>& place);
 
 /// A slightly deformed quarter ring, finely tessellated, with a value per point, `across` × `around` elements and a
 /// control net.

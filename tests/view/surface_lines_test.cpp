@@ -19,16 +19,7 @@ namespace surface_lines_test {
 /// A square [0, 1]² of n × n cells, colored by a function of its points, with one mesh line along y = 0.5.
 Body square(const std::function<double(const Vec<3>&)>& value, int n = 10) {
   Body body;
-  body.skin.points.resize(3, (n + 1) * (n + 1));
-  body.skin.triangles.resize(3, 2 * n * n);
-  for (int j = 0, t = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i) {
-      const int here = i + (n + 1) * j;
-      body.skin.points.col(here) << double(i) / n, double(j) / n, 0;
-      if (i == n || j == n) continue;
-      body.skin.triangles.col(t++) << here, here + 1, here + n + 2;
-      body.skin.triangles.col(t++) << here, here + n + 2, here + n + 1;
-    }
+  body.skin = plane_surface({n, n}, [](double u, double v) { return Vec<3>(u, v, 0); });
   body.skin.values.resize(body.skin.points.cols());
   for (Eigen::Index i = 0; i < body.skin.points.cols(); ++i) body.skin.values[i] = value(body.skin.points.col(i));
   body.mesh_lines.push_back({body.skin.points.middleCols((n + 1) * (n / 2), n + 1), {}, 0.5});
