@@ -105,13 +105,8 @@ int down(int count, int key) {
 }
 
 /// Home and End of the line in a block.
-int to_line_start(int, int) {
-  rl_point = line_start(rl_point);
-  return 0;
-}
-
-int to_line_end(int, int) {
-  rl_point = line_end(rl_point);
+template <int (*place)(int)> int move_to(int, int) {
+  rl_point = place(rl_point);
   return 0;
 }
 
@@ -188,8 +183,8 @@ LineEditor::LineEditor(lua_State* L) : history_file_(find_history()) {
   rl_bind_key('\t', tab);
   replace({"\033[A", "\033OA"}, rl_get_previous_history, up);
   replace({"\033[B", "\033OB"}, rl_get_next_history, down);
-  replace({"\001", "\033[H", "\033OH", "\033[1~"}, rl_beg_of_line, to_line_start); // Ctrl-A, Home
-  replace({"\005", "\033[F", "\033OF", "\033[4~"}, rl_end_of_line, to_line_end);   // Ctrl-E, End
+  replace({"\001", "\033[H", "\033OH", "\033[1~"}, rl_beg_of_line, move_to<line_start>); // Ctrl-A, Home
+  replace({"\005", "\033[F", "\033OF", "\033[4~"}, rl_end_of_line, move_to<line_end>);   // Ctrl-E, End
   rl_getc_function = next_key;
   terminal::keep_typed([](const std::string& keys) { typed_ahead += keys; });
   rl_catch_sigwinch = 0; // readline would handle it only with the next key

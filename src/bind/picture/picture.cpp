@@ -37,6 +37,12 @@ void read_paper(const Arguments& a, Picture& picture, const std::array<int, 2>& 
   picture.transparent = a.get<bool>("transparent");
 }
 
+/// A picture with the size and background of a paper.
+Picture on_paper(const Picture& paper, Picture picture) {
+  picture.size = paper.size, picture.trim = paper.trim, picture.transparent = paper.transparent;
+  return picture;
+}
+
 void write_picture(const Picture& picture, const std::string& file) {
   const view::Format format = view::format_of(file);
   check_output(file, view::kind_of(format)); // before it is drawn
@@ -111,25 +117,22 @@ int picture_of_many(lua_State* L, const Arguments& a, const std::string& file) {
   const auto title = a.get<std::string>("title");
   std::optional<int> columns;
   a.read("columns", columns);
-  const auto on_paper = [&](Picture sheet) {
-    sheet.size = paper.size, sheet.trim = paper.trim, sheet.transparent = paper.transparent;
-    return sheet;
-  };
   if (view::is_series(file)) {
     if (columns) a.fail("columns is not available for a series, whose pictures show one state each: omit it");
     std::vector<Picture> film;
-    for (const auto& pictures : by_state) film.push_back(on_paper(make_sheet({pictures, title})));
+    for (const auto& pictures : by_state) film.push_back(on_paper(paper, make_sheet({pictures, title})));
     write_film(film, file, a.get<double>("fps"));
     return 0;
   }
-  if (!a.has("states")) return push_picture(L, on_paper(make_sheet({by_state[0], title, columns})), file);
+  if (!a.has("states")) return push_picture(L, on_paper(paper, make_sheet({by_state[0], title, columns})), file);
   std::vector<Picture> sheets;
   for (std::size_t f = 0; f < fields.size(); ++f) {
     std::vector<Picture> states;
     for (const auto& pictures : by_state) states.push_back(pictures[f]);
     sheets.push_back(make_sheet({std::move(states), fields.size() == 1 ? title : "", columns}));
   }
-  return push_picture(L, on_paper(fields.size() == 1 ? sheets[0] : make_sheet({std::move(sheets), title})), file);
+  return push_picture(L, on_paper(paper, fields.size() == 1 ? sheets[0] : make_sheet({std::move(sheets), title})),
+                      file);
 }
 
 int picture(lua_State* L) {
@@ -141,9 +144,8 @@ int picture(lua_State* L) {
   read_paper(a, paper, {1600, 1000});
   const int state = a.has("state") ? a.push("state") : 0;
   const auto title = a.get<std::string>("title", state != 0 ? title_of(L, state) : "");
-  Picture one = read_state_picture(a, a.get<std::string>("field"), state, title, paper.size);
-  one.size = paper.size, one.trim = paper.trim, one.transparent = paper.transparent;
-  return push_picture(L, std::move(one), file);
+  return push_picture(L, on_paper(paper, read_state_picture(a, a.get<std::string>("field"), state, title, paper.size)),
+                      file);
 }
 
 // ── Several pictures ─────────────────────────────────────────────────────────────────────────────────────────────────
