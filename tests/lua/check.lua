@@ -127,6 +127,25 @@ function check.pictures(folder, names)
   end
 end
 
+--- The run, which has reached its end.
+function check.completed(run)
+  if run.failed then error(run.failure, 2) end
+  return run
+end
+
+--- The last value of a run's column.
+function check.last(run, name)
+  local column = run:column(name)
+  return column[#column]
+end
+
+--- The model, saved and loaded.
+function check.reloaded(model)
+  local file = check.folder() .. "/model.sgn"
+  model:save(file)
+  return sg.load(file)
+end
+
 --- The text holds every fragment.
 function check.holds(whole, ...)
   for _, fragment in ipairs { ... } do
@@ -221,14 +240,14 @@ function check.script(code, ...)
   return output:gsub(name:gsub("%p", "%%%0"), "study.lua"), status
 end
 
---- Cases { name, code, fragment, … }: the code behind `start` ends with an error that holds the fragments and begins
---- with a line of the script, `place` or the case's `line`, or with words, if `place` is those.
+--- Cases { code, fragment, … }: the code behind `start` ends with an error that holds the fragments and begins with a
+--- line of the script, `place` or the case's `line`, or with words, if `place` is those.
 function check.refusals(start, place, wrong)
   for _, case in ipairs(wrong) do
     check.case("refused: " .. case[1], function()
       local line = case.line or place
       local begins = math.type(line) and ("study.lua:%d: "):format(line) or line
-      local message = check.fails(assert(load(start .. case[2], "=study.lua")), table.unpack(case, 3))
+      local message = check.fails(assert(load(start .. case[1], "=study.lua")), table.unpack(case, 2))
       check.equal(message:sub(1, #begins), begins)
     end)
   end

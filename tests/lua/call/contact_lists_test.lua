@@ -33,9 +33,8 @@ local function drag(cut, swapped, contact)
   local model = sg.model{ bodies = bodies, joins = joins, contacts = { touch = contact },
     supports = { bed = { on = bottom, fix = "xy" },
                  grip = { on = { die:face "west", die:face "east" }, drive = "xy" } } }
-  local run = model:run({ { name = "press", steps = 3, grip = { 0, -0.1 } },
-                          { name = "slide", steps = 12, grip = { 0.9, -0.1 } } }, sg.plain{})
-  assert(not run.failed, run.report)
+  local run = check.completed(model:run({ { name = "press", steps = 3, grip = { 0, -0.1 } },
+                          { name = "slide", steps = 12, grip = { 0.9, -0.1 } } }, sg.plain{}))
   return run, model
 end
 
@@ -117,9 +116,8 @@ local function blocks(cut, swapped)
   local model = sg.model{ bodies = bodies, joins = joins,
     supports = { bed = { on = bottom, fix = "xyz" }, grip = { on = cap:face "back", drive = "xyz" } },
     contacts = { touch = { slave = slave, master = master, penalty = 30, friction = { mu = 0.3, penalty = 30 } } } }
-  local run = model:run({ { name = "press", steps = 2, grip = { 0, 0, -0.1 } },
-                          { name = "slide", steps = 6, grip = { 0.5, 0.2, -0.1 } } }, sg.plain{})
-  assert(not run.failed, run.report)
+  local run = check.completed(model:run({ { name = "press", steps = 2, grip = { 0, 0, -0.1 } },
+                          { name = "slide", steps = 6, grip = { 0.5, 0.2, -0.1 } } }, sg.plain{}))
   return run, model
 end
 

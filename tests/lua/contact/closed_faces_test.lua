@@ -39,8 +39,7 @@ local function in_hole(o)
     supports = { inner = { on = inner, spring = { 0.3, 0.3 } }, hole = { on = hole, drive = "xy" } },
     contacts = { c = { slave = outer, master = hole, method = "mortar", enforcement = o.enforcement,
         friction = o.mu and { mu = o.mu }, penalty = o.enforcement ~= "multipliers" and 1e4 or nil } } }
-  local run = model:run{ { steps = 2, hole = { 0.05, 0.12 } } }
-  assert(not run.failed, run.reason)
+  check.completed(model:run{ { steps = 2, hole = { 0.05, 0.12 } } })
   local now, profile = model:contact_resultant "c", model:profile "c"
   local peak, at = largest(profile.pressure, profile.X, profile.Y)
   return { now.fy, peak, at, now.area }, model
@@ -100,8 +99,7 @@ local function tube(start, multipliers)
     supports = { inner = { on = "back", spring = { 0.3, 0.3, 0.3 } }, pipe = { on = pipe, drive = "xz" } },
     contacts = { c = { slave = "front", master = pipe, method = "mortar", enforcement = "multipliers",
         multipliers = multipliers } } }
-  local run = model:run{ { steps = 1, pipe = { 0.05, 0.12 } } }
-  assert(not run.failed, run.reason)
+  check.completed(model:run{ { steps = 1, pipe = { 0.05, 0.12 } } })
   local now = model:contact_resultant "c"
   return { now.fz, now.max_pressure }
 end

@@ -19,8 +19,7 @@ local function pressed(name, n)
   local model = scenes.model{ bodies = { block = block }, contacts = { c = contact },
     supports = { bed = { on = "south", fix = "xy" }, symmetry = { on = "west", fix = "x" },
       tool = { on = tool, drive = "y" } } }
-  local run = model:run{ { steps = 1, tool = -0.006 }, { steps = 12, tool = -0.012 } }
-  assert(not run.failed, run.reason)
+  local run = check.completed(model:run{ { steps = 1, tool = -0.006 }, { steps = 12, tool = -0.012 } })
   return run, model
 end
 
@@ -74,8 +73,7 @@ check.case("the area under a sphere has no holes and no steps", function()
     local model = scenes.model{ bodies = { block = block }, contacts = { c = contact },
       supports = { bed = { on = "front", fix = "xyz" }, west = { on = "west", fix = "x" },
         south = { on = "south", fix = "y" }, tool = { on = tool, drive = "z" } } }
-    local run = model:run{ { steps = 1, tool = -0.015 }, { steps = 3, tool = -0.03 } }
-    assert(not run.failed, run.reason)
+    local run = check.completed(model:run{ { steps = 1, tool = -0.015 }, { steps = 3, tool = -0.03 } })
     for i, force in ipairs(run:column "c.fz") do
       -- Of the quarter, F/4; the block of finite depth is up to 7 % stiffer than a half space.
       local a = (3 * math.abs(force) * R * (1 - nu ^ 2) / E) ^ (1 / 3)

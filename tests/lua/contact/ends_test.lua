@@ -18,8 +18,7 @@ local function punched(count)
                  push = { on = punch, drive = "y" } },
     contacts = { c = { slave = layer:face "north", master = punch, penalty = 1000 * E,
                        where = not count and function(X) return X[1] <= 1 end or nil } } }
-  local run = model:run{ { steps = 1, push = { -depth } } }
-  check.equal(run.reason, "completed")
+  local run = check.completed(model:run{ { steps = 1, push = { -depth } } })
   return -model:reaction "push".fy * (1 - nu) / (4 * G * depth), run
 end
 
@@ -43,8 +42,7 @@ local function pressed(count, swap)
   local model = scenes.model{ bodies = { slab = slab, block = block },
     supports = { bed = { on = "block.south", fix = "xy" }, top = { on = "slab.north", fix = "x", drive = "y" } },
     contacts = { c = { slave = slave, master = master, penalty = 1e5 } } }
-  local run = model:run{ { steps = 1, top = { -0.02 } } }
-  check.equal(run.reason, "completed")
+  local run = check.completed(model:run{ { steps = 1, top = { -0.02 } } })
   return math.abs(model:contact_resultant "c".fy), run
 end
 

@@ -16,8 +16,7 @@ local function layer(tool, stages, o)
     supports = { bed = { on = "south", fix = "xy" }, tool = support },
     contacts = { c = { slave = top, master = tool, method = "mortar", enforcement = "multipliers",
         friction = o.mu and { mu = o.mu } }, also = o.also and { slave = top, master = o.also } } }
-  local run = model:run(stages, exact)
-  check.equal(run.failed, false)
+  local run = check.completed(model:run(stages, exact))
   return model:reaction "tool", run
 end
 

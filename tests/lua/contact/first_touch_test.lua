@@ -56,8 +56,7 @@ local function landed(kind, formulation, fractions)
     stages[i] = { steps = 1, grip = goal }
   end
   local options = { newton = { tolerance = 1e-13 } }
-  local run = landing(kind, formulation):run(stages, options)
-  check.equal(run.failed, false)
+  local run = check.completed(landing(kind, formulation):run(stages, options))
   return run:column "grip.fx"[run.rows]
 end
 

@@ -4,11 +4,7 @@
 require "check"
 local patch_test = require "problems.patch_test.problem"
 
-local function solved(model, stages, options)
-  local run = model:run(stages, options)
-  assert(not run.failed, run.failure)
-  return run
-end
+local function solved(model, stages, options) return check.completed(model:run(stages, options)) end
 
 local kinds = { { name = "points" }, { name = "equal", multipliers = "equal" },
                 { name = "reduced", multipliers = "reduced" } }

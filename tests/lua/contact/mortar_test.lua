@@ -26,11 +26,7 @@ end
 
 local function make(keys, scene) return with(keys, function() return sg.model(scene) end) end
 
-local function solved(model, stages, options)
-  local run = model:run(stages, sg.plain(options or {}))
-  assert(not run.failed, run.failure)
-  return run
-end
+local function solved(model, stages, options) return check.completed(model:run(stages, sg.plain(options or {}))) end
 
 -- ── Patch test ───────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -217,9 +213,8 @@ check.case("robust runs, arc length, growing penalties, samples and saved models
   check.at_most("sample", pressure, model:contact_resultant "interface".max_pressure)
   assert(pressure > 0)
   local other = with(reduced, ironing, { order = "N2" })
-  local growing = other:run({ { name = "press", steps = 5, grip = { 0, -0.2 } } },
-    sg.robust{ penalty = { start = 0.1, steps = 2 } })
-  assert(not growing.failed, growing.failure)
+  local growing = check.completed(other:run({ { name = "press", steps = 5, grip = { 0, -0.2 } } },
+    sg.robust{ penalty = { start = 0.1, steps = 2 } }))
   check.within_share("force", growing:column "grip.fy"[#growing:column "grip.fy"],
     run:column "grip.fy"[#run:column "grip.fy"], 0.02)
   local file = check.folder() .. "/mortar.sgn"

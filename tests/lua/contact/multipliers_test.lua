@@ -12,11 +12,7 @@ local function keys(space, more)
   return all
 end
 
-local function solved(model, stages, options)
-  local run = model:run(stages, sg.plain(options or {}))
-  assert(not run.failed, run.failure)
-  return run
-end
+local function solved(model, stages, options) return check.completed(model:run(stages, sg.plain(options or {}))) end
 
 -- ── Without friction ─────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -202,9 +198,7 @@ end)
 check.case("a saved model continues with the same bits", function()
   local model = iron(keys "reduced", "N2", 0.2)
   solved(model, { press })
-  local file = check.folder() .. "/multipliers.sgn"
-  model:save(file)
-  local other = sg.load(file)
+  local other = check.reloaded(model)
   local nudge = { { name = "slide", steps = 5, grip = { 0.05, -0.1 } } }
   local first, second = solved(model, nudge), solved(other, nudge)
   check.equal(first:column "grip.fx", second:column "grip.fx")
@@ -213,8 +207,7 @@ end)
 check.case("robust runs, arc length, growing penalties, an axisymmetric model, a body that falls", function()
   local function force(options)
     local model = iron(keys "equal", "N2", 0.2)
-    local run = model:run({ { name = "press", steps = 5, grip = { 0, -0.1 } } }, options)
-    assert(not run.failed, run.failure)
+    local run = check.completed(model:run({ { name = "press", steps = 5, grip = { 0, -0.1 } } }, options))
     return run:column "grip.fy"[#run:column "grip.fy"]
   end
   local expected = force(sg.plain())

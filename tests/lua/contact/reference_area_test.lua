@@ -52,7 +52,7 @@ check.case("the balance is exact in the limit: its error falls with the square o
       local last, first_without
       for _, steps in ipairs { 16, 32, 64 } do
         local model = block{ kind = kind, per = per }
-        check.equal(model:run({ { steps = steps, grip = -0.3 } }).failed, false)
+        check.completed(model:run({ { steps = steps, grip = -0.3 } }))
         local now, without, energy = missing(model)
         if last then check.within(kind .. ", part that half the step leaves", now / last, 0.25, 0.01) end
         first_without = first_without or without
@@ -74,7 +74,7 @@ check.case("it is exact where points close and open along the path, and between 
     local errors = {}
     for i, steps in ipairs { 8, 32 } do
       local model = disc{ per = per }
-      check.equal(model:run(path(steps)).failed, false)
+      check.completed(model:run(path(steps)))
       errors[i] = missing(model)
     end
     check.at_most("a quarter of the step", errors[2] / errors[1], 1 / 8)
@@ -85,7 +85,7 @@ end)
 check.case("with friction it is exact up to the penetration", function()
   local function leak(penalty)
     local model = disc{ mu = 0.3, penalty = penalty }
-    check.equal(model:run(path(32)).failed, false)
+    check.completed(model:run(path(32)))
     local error, _, energy = missing(model)
     check.equal({ energy.area_growth, energy.friction > 0.1 * energy.work }, { 0, true })
     return error
@@ -100,7 +100,7 @@ check.case("symmetric tangents take the symmetric solver, others do not", functi
                           { { per = "reference", mu = 0.3 }, "klu" } } do
     local model = disc(case[1])
     check.equal(model:cost().linear, case[2])
-    check.equal(model:run(path(4)).failed, false)
+    check.completed(model:run(path(4)))
     check.equal(model:solver().linear, case[2])
   end
 end)
@@ -124,7 +124,7 @@ check.case("solvers and controls lead to the same state", function()
                              { arc_length = true }, { newton = { line_search = "residual", tolerance = 1e-12 } } } do
     local model = disc {}
     options.newton = options.newton or { tolerance = 1e-12 }
-    check.equal(model:run(path(4), options).failed, false)
+    check.completed(model:run(path(4), options))
     local force = model:reaction "grip"
     expected = expected or force
     check.near({ force[1], force[2] }, { expected[1], expected[2] }, 1e-9)
@@ -156,7 +156,7 @@ end)
 
 check.case("a load path with friction slips at mu times the pressure", function()
   local model = disc{ mu = 0.2 }
-  check.equal(model:run(path(12)).failed, false)
+  check.completed(model:run(path(12)))
   local profile, slips = model:profile "touch", 0
   for i, state in ipairs(profile.state) do
     if state == "slip" then
@@ -179,7 +179,7 @@ check.case("checkpoints hold the area and its history", function()
     os.remove(file)
     part:run(path(6), { checkpoint = file, on_step = stop })
     local resumed = disc{ mu = mu or nil }
-    check.equal(resumed:run(path(6), { checkpoint = file, resume = true }).failed, false)
+    check.completed(resumed:run(path(6), { checkpoint = file, resume = true }))
     for _, model in ipairs { resumed, sg.load(file) } do
       check.equal(core.pack(model:profile "touch"), core.pack(whole:profile "touch"))
       check.equal(core.pack(model:energy()), core.pack(whole:energy()))

@@ -19,8 +19,7 @@ local function body(patches, more)
 end
 
 local function solved(model, stages)
-  local run = model:run(stages, sg.plain{})
-  assert(not run.failed, run.report)
+  check.completed(model:run(stages, sg.plain{}))
   return model
 end
 
@@ -129,8 +128,7 @@ check.case("parts that nearly touch or overlap a little are tied, which a warnin
     local model = sg.model{ bodies = { bar = bar }, supports = {
       wall = { on = bar:face "1.west", fix = solid and "xyz" or "xy" },
       pull = { on = bar:face "2.east", fix = solid and "yz" or "y", drive = "x" } } }
-    local run = model:run({ { steps = 1, pull = 0.05 } }, sg.plain{})
-    check.equal(run.reason, "completed")
+    local run = check.completed(model:run({ { steps = 1, pull = 0.05 } }, sg.plain{}))
     return run:column "pull.fx"[1], run:column "wall.fx"[1], run.warnings
   end
   for solid, elements in pairs { [false] = { 3, 3 }, [true] = { 2, 2, 2 } } do

@@ -215,8 +215,7 @@ local function pressed(poles, elements, ring)
   local model = scenes.model{ bodies = { half = half },
     supports = { ring = { on = faces, fix = "xyz" }, tool = { on = plane, fix = "xy", drive = "z" } },
     contacts = { touch = { slave = "front", master = plane, penalty = 100 } } }
-  local run = model:run { { name = "press", steps = 4, tool = { 0.1 } } }
-  if run.failed then error(run.failure) end
+  local run = check.completed(model:run { { name = "press", steps = 4, tool = { 0.1 } } })
   return run:column "tool.fz"[4]
 end
 

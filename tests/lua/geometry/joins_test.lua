@@ -3,11 +3,7 @@
 
 require "check"
 
-local function solved(model, stages)
-  local run = model:run(stages, sg.plain{})
-  assert(not run.failed, run.report)
-  return run
-end
+local function solved(model, stages) return check.completed(model:run(stages, sg.plain{})) end
 
 --- The largest difference between a body of the first model and bodies of the second one at points that both contain.
 --- pieces: lists { name, map from the uncut body's coordinates }, by halves of xi1.

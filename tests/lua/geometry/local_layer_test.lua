@@ -61,8 +61,7 @@ check.case("patch tests pass to rounding error, with raised degrees and further 
       local model = patch_test.scene{ dimension = dimension, order = "N2-N2.2", lower = 2, upper = dimension == 2 and 6
         or 4, slave = "upper", layer = { upper = upper, lower = lower }, layer_knots = { upper = 2 },
         points = 5, formulation = formulations[name] }
-      local run = model:run({ patch_test.stage }, sg.plain{})
-      assert(not run.failed, run.reason)
+      check.completed(model:run({ patch_test.stage }, sg.plain{}))
       check.at_most(("%s, %dD: pressure"):format(name, dimension),
         patch_test.pressure_error(model:profile "joint"), 1e-11)
     end
@@ -95,8 +94,7 @@ check.case("files hold the row; print shows its degrees", function()
   check.holds(tostring(body), "15 x 2 elements", "2 x 1, then 2..4 x 1")
   local model = sg.model{ bodies = { slab = body }, supports = { bed = { on = body:face "south", fix = "xy" },
                                                                  lid = { on = body:face "north", drive = "xy" } } }
-  local run = model:run({ { name = "press", steps = 1, lid = { 0, -0.1 } } }, {})
-  assert(not run.failed)
+  check.completed(model:run({ { name = "press", steps = 1, lid = { 0, -0.1 } } }, {}))
   local folder = check.folder()
   model:save(folder .. "/state.sgn")
   local read = sg.load(folder .. "/state.sgn")

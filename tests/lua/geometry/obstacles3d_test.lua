@@ -15,8 +15,7 @@ local function drag(obstacle, flat, law)
   local model = sg.model{ bodies = { b = b }, supports = supports,
     contacts = { joint = { slave = b:face "north", master = obstacle, points = 9, penalty = not law and 100 or nil,
                            friction = not law and { mu = 0.3, penalty = 100 } or nil, adhesion = law } } }
-  local run = model:run{ { steps = 2, punch = {0, -0.1} }, { steps = 3, punch = {0.3, -0.1} } }
-  check.equal(run.failed, false)
+  local run = check.completed(model:run{ { steps = 2, punch = {0, -0.1} }, { steps = 3, punch = {0.3, -0.1} } })
   local forces, depth = {}, flat and 1 or 0.5
   for _, name in ipairs{ "punch.fx", "punch.fy" } do
     for step, force in ipairs(run:column(name)) do forces[#forces + 1] = force / depth end
@@ -48,8 +47,7 @@ check.case("a sphere pressed into a block: the force points along its axis of sy
   local model = sg.model{ bodies = { b = b },
     supports = { bed = { on = b:face "front", fix = "xyz" }, ball = { on = sphere, drive = "xyz" } },
     contacts = { joint = { slave = b:face "back", master = sphere, penalty = 100, points = 5 } } }
-  local run = model:run{ { steps = 2, ball = {0, 0, -0.2} } }
-  check.equal(run.failed, false)
+  local run = check.completed(model:run{ { steps = 2, ball = {0, 0, -0.2} } })
   local force = run:column "ball.fz"[2]
   assert(force < -0.5)
   check.near({ run:column "ball.fx"[2], run:column "ball.fy"[2], run:column "bed.fz"[2] }, { 0, 0, -force }, 1e-8)

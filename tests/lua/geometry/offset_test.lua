@@ -191,8 +191,7 @@ end
 --- Moves the grip sideways and down; returns force and smallest gap.
 local function pressed(model, dimension)
   local goal = dimension == 2 and { 0.02, -0.03 } or { 0.02, 0.01, -0.03 }
-  local run = model:run({ { steps = 3, grip = goal } }, sg.plain{})
-  if run.failed then error(run.failure) end
+  check.completed(model:run({ { steps = 3, grip = goal } }, sg.plain{}))
   return table.move(model:reaction "grip", 1, dimension, 1, {}), model:contact_resultant("seat").max_penetration
 end
 

@@ -16,7 +16,7 @@ local function expanded(kind, socket, expected)
     supports = { cut = { on = "west", symmetry = true }, other_cut = { on = "east", symmetry = true } },
     loads = { gas = { on = "north", pressure = 0.1 } },
     contacts = { touch = { slave = "south", penalty = 1e6, master = socket } } }
-  check.equal(model:run{ { steps = 1 } }.failed, false)
+  check.completed(model:run{ { steps = 1 } })
   for _, pressure in ipairs(model:profile "touch".pressure) do
     check.within("pressure", pressure / expected, 1, 3e-3)
   end
@@ -43,8 +43,7 @@ local function forces(obstacle, contact, scene, corner)
     supports = { bed = { on = "south", fix = "xy" }, punch = { on = obstacle, drive = across and "y" or "xy" } } }
   local drag = across and { { steps = 2, punch = -0.1 }, { steps = 2, punch = -0.15 } } or
     { { steps = 2, punch = {0, -0.1} }, { steps = 3, punch = {0.3, -0.1} } }
-  local run = model:run(drag)
-  if run.failed then error(run.failure, 2) end
+  local run = check.completed(model:run(drag))
   local list = {}
   for _, name in ipairs{ "joint.fx", "joint.fy" } do table.move(run:column(name), 1, 9, #list + 1, list) end
   return list, model
@@ -71,8 +70,7 @@ local function press(obstacle)
     contacts = { joint = { slave = b:face "back", master = obstacle, points = 4, penalty = 100,
                            friction = rubbing.friction } },
     supports = { bed = { on = b:face "front", fix = "xyz" }, tool = { on = obstacle, drive = "xyz" } } }
-  local run = model:run{ { steps = 1, tool = {0, 0, -0.1} }, { steps = 2, tool = {0.1, 0.05, -0.1} } }
-  check.equal(run.failed, false)
+  check.completed(model:run{ { steps = 1, tool = {0, 0, -0.1} }, { steps = 2, tool = {0.1, 0.05, -0.1} } })
   local found = model:contact_resultant "joint"
   assert(found.fz < -0.1 and found.fx > 0.01)
   return { found.fx, found.fy, found.fz }

@@ -51,7 +51,7 @@ check.case("linear fields are exact on curved bodies, joined ones, layers, and i
                             disc = { disc, disc:face "outer", five } } do
     local model = sg.model{ bodies = { [name] = case[1] },
                             supports = { rim = { on = case[2], drive = "xy", shape = plane } } }
-    check.equal(model:run({ { steps = 2, rim = 1 } }, sg.plain{}).failed, false)
+    check.completed(model:run({ { steps = 2, rim = 1 } }, sg.plain{}))
     for i, body in ipairs(model:body_names()) do
       check.at_most(body, difference(model, body, plane, case[3][i]), 1e-4)
     end
@@ -61,7 +61,7 @@ check.case("linear fields are exact on curved bodies, joined ones, layers, and i
   local block = scenes.body{ patch = brick, elements = { 1, 2, 1 }, material = rubber }
   local model = sg.model{ bodies = { block = block },
     supports = { rim = { on = faces_of(block, "west east south north front back"), drive = "xyz", shape = space } } }
-  check.equal(model:run({ { steps = 1, rim = 1 } }, sg.plain{}).failed, false)
+  check.completed(model:run({ { steps = 1, rim = 1 } }, sg.plain{}))
   check.at_most("block", difference(model, "block", space, brick), 1e-9)
 end)
 
@@ -74,16 +74,14 @@ check.case("other components stay free, and files hold the shape", function()
                            shape = function(x) return { 0, -0.1 * x * (2 - x) } end } } }
   end
   local model = model_of()
-  check.equal(model:run({ { steps = 2, top = 0.8 } }, sg.plain{}).failed, false)
+  check.completed(model:run({ { steps = 2, top = 0.8 } }, sg.plain{}))
   -- A parabola is in the space of degree 2.
   for _, s in ipairs { 0, 0.2, 0.5, 1 } do
     check.near(model:sample("body", "uy", { s, 1 }), -0.8 * 0.1 * 2 * s * (2 - 2 * s), 1e-13)
   end
   check.equal(model:sample("body", "ux", { 1, 1 }) ~= 0, true)
   check.near(model:reaction "top"[1], 0, 1e-12)
-  local file = check.folder() .. "/shape.sgn"
-  model:save(file)
-  local copy = sg.load(file)
+  local copy = check.reloaded(model)
   for _, one in ipairs { copy, model } do check.equal(one:run({ { steps = 1, top = 1 } }, sg.plain{}).failed, false) end
   check.equal(copy:displacements(), model:displacements())
   check.equal(copy:reaction "top", model:reaction "top")
@@ -120,21 +118,19 @@ local north = a:face "north"
 local function model(support) return sg.model{ bodies = { a = a }, supports = { top = support } } end
 ]]
 check.refusals(start, "study.lua:", {
-  { "without driven components", [[model{ on = north, fix = "xy", shape = function() return {0, 1} end }]],
+  { [[model{ on = north, fix = "xy", shape = function() return {0, 1} end }]],
     "supports.top.shape needs driven components", 'add drive = "xy"' },
-  { "with rotate", [[model{ on = north, drive = "xy", rotate = true, shape = function() return {0, 1} end }]],
+  { [[model{ on = north, drive = "xy", rotate = true, shape = function() return {0, 1} end }]],
     "supports.top.shape cannot be combined with rotate" },
-  { "on a corner", [[model{ on = a:corner "north-east", drive = "y", shape = function() return {0, 1} end }]],
-    "supports.top.on", "a shape is for faces of bodies" },
-  { "one number", [[model{ on = north, drive = "xy", shape = function(x) return x end }]],
+  { [[model{ on = a:corner "north-east", drive = "y", shape = function() return {0, 1} end }]], "supports.top.on",
+    "a shape is for faces of bodies" },
+  { [[model{ on = north, drive = "xy", shape = function(x) return x end }]],
     "supports.top.shape must return a list of 2 numbers {ux, uy}, got the number", "at X = (" },
-  { "a list", [[model{ on = north, drive = "xy", shape = {0, 1} }]], "supports.top.shape must be a function" },
-  { "a value that nothing drives", [[model{ on = north, drive = "x", shape = function() return {0.1, 1} end }]],
+  { [[model{ on = north, drive = "xy", shape = {0, 1} }]], "supports.top.shape must be a function" },
+  { [[model{ on = north, drive = "x", shape = function() return {0.1, 1} end }]],
     "supports.top.shape returns uy = 1 at X = (", "but the support does not drive y: add y to drive, or return 0" },
-  { "a value of a fixed component",
-    [[model{ on = north, drive = "y", fix = "x", shape = function(x) return {x, 1} end }]],
+  { [[model{ on = north, drive = "y", fix = "x", shape = function(x) return {x, 1} end }]],
     "supports.top.shape returns ux = ", "does not drive x" },
-  { "two targets",
-    [[model{ on = north, drive = "xy", shape = function() return {0, 1} end }:run{ { steps = 1, top = {1, 2} } }]],
+  { [[model{ on = north, drive = "xy", shape = function() return {0, 1} end }:run{ { steps = 1, top = {1, 2} } }]],
     "stages[1].top must be a list of 1 number (factor), got a list of 2 values" },
 })

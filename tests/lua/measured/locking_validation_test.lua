@@ -14,8 +14,7 @@ local function body_of(patch, options)
 end
 
 local function solved(model, stage, controls)
-  local run = model:run({ stage }, controls)
-  if run.failed then error(run.failure, 2) end
+  check.completed(model:run({ stage }, controls))
   return model
 end
 

@@ -19,8 +19,7 @@ local function cantilever(length, options)
   local model = sg.model{ bodies = { b = body }, supports = { wall = { on = body:face "west", fix = "xy" } },
                           loads = { tip = { on = body:face "east", traction = { 0, 0 } } } }
   local force = -1e-3
-  local run = model:run({ { steps = 1, tip = { 0, force } } }, sg.plain{})
-  check.equal(run.reason, "completed")
+  local run = check.completed(model:run({ { steps = 1, tip = { 0, force } } }, sg.plain{}))
   local beam = force * length ^ 3 / (3 * 1e6 / (1 - (options.nu or 0) ^ 2) / 12)
   return model:sample("b", "uy", { 1, 0.5 }) / beam, warned(run)
 end

@@ -7,8 +7,7 @@ local exact = { newton = { tolerance = 1e-13 } }
 
 --- Runs `stages` and returns the reaction of "grip".
 local function grip(model, stages)
-  local run = model:run(stages, exact)
-  if run.failed then error(run.failure, 2) end
+  check.completed(model:run(stages, exact))
   return model:reaction "grip"
 end
 
@@ -93,26 +92,25 @@ local arc = body(sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {3, 
 local function fixed(s, kind) return { bodies = { a = a, b = skew, arc = arc }, kind = kind, supports = { s = s } } end
 ]]
 check.refusals(start, "study.lua:8: sg.model: ", {
-  { "a skew plane", [[sg.model(fixed{ on = skew:face "west", symmetry = true })]],
+  { [[sg.model(fixed{ on = skew:face "west", symmetry = true })]],
     "supports.s.symmetry needs a flat face across x or y, but face 'west' of body 'b' is curved or inclined",
     "patch:rotate" },
-  { "a curved face", [[sg.model(fixed{ on = arc:face "south", symmetry = true })]],
-    "face 'south' of body 'arc' is curved" },
-  { "faces in two planes", [[sg.model(fixed{ on = {a:face "west", a:face "east"}, symmetry = true })]],
+  { [[sg.model(fixed{ on = arc:face "south", symmetry = true })]], "face 'south' of body 'arc' is curved" },
+  { [[sg.model(fixed{ on = {a:face "west", a:face "east"}, symmetry = true })]],
     "needs faces in one plane, but face 'east' of body 'a' lies in x = 2, another one in x = 1",
     "use a separate support for each plane" },
-  { "a drive through the plane", [[sg.model(fixed{ on = a:face "west", symmetry = true, drive = "xy" })]],
+  { [[sg.model(fixed{ on = a:face "west", symmetry = true, drive = "xy" })]],
     "supports.s.symmetry holds x on the plane x = 1, but drive names x, too: remove one of the two" },
-  { "a free normal", [[sg.model(fixed{ on = a:face "south", symmetry = true, free = "xy" })]],
+  { [[sg.model(fixed{ on = a:face "south", symmetry = true, free = "xy" })]],
     "supports.s.symmetry holds y on the plane y = 0, but free names y, too" },
-  { "a plane that turns", [[sg.model(fixed{ on = a:face "west", symmetry = true, rotate = true })]],
+  { [[sg.model(fixed{ on = a:face "west", symmetry = true, rotate = true })]],
     "supports.s.symmetry cannot be combined with rotate" },
-  { "a corner", [[sg.model(fixed{ on = a:corner "south-west", symmetry = true })]],
+  { [[sg.model(fixed{ on = a:corner "south-west", symmetry = true })]],
     "supports.s.on must be a face, or a list of faces, got the corner 'south-west'" },
-  { "an obstacle", [[sg.model(fixed{ on = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }, symmetry = true })]],
+  { [[sg.model(fixed{ on = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }, symmetry = true })]],
     "supports.s.on must be a face, or a list of faces" },
-  { "no flag", [[sg.model(fixed{ on = a:face "west", symmetry = "x" })]], "supports.s.symmetry must be true or false" },
-  { "a cylinder around the axis", [[sg.model(fixed({ on = a:face "west", symmetry = true }, "axisymmetric"))]],
+  { [[sg.model(fixed{ on = a:face "west", symmetry = "x" })]], "supports.s.symmetry must be true or false" },
+  { [[sg.model(fixed({ on = a:face "west", symmetry = true }, "axisymmetric"))]],
     "needs the axis x = 0 or a face across y, but face 'west' of body 'a' is a cylinder of radius 1", [[fix = "x"]] },
 })
 

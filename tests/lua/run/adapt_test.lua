@@ -29,8 +29,7 @@ local whole = full:run(path)
 
 check.case("forces are those of the layer of the whole face, with fewer unknowns", function()
   local model = make()
-  local run = model:run(path, { adapt = {} })
-  check.equal(run.failed, false)
+  local run = check.completed(model:run(path, { adapt = {} }))
   assert(difference(run, whole, "grip.fx") < 2e-3, difference(run, whole, "grip.fx"))
   assert(difference(run, whole, "grip.fy") < 1e-3, difference(run, whole, "grip.fy"))
   assert(#run.adaptations >= 4, #run.adaptations)
@@ -75,8 +74,7 @@ check.case("results, stored states and later runs have the new bodies", function
   assert(model:body "slab":dofs().total < full:body "slab":dofs().total)
   for _, state in ipairs(run:states()) do assert(sg.picture{ state = state, field = "von_mises" }) end
   check.near(model:reaction "bed"[2], -model:reaction "grip"[2], 1e-8)
-  local more = model:run({ { name = "back", steps = 4, grip = { 0.4, -0.12 } } }, { adapt = {} })
-  check.equal(more.failed, false)
+  check.completed(model:run({ { name = "back", steps = 4, grip = { 0.4, -0.12 } } }, { adapt = {} }))
 end)
 
 --- A stiff block whose lower face is drawn over a softer slab; `o`: contact (further keys), kind, size (3 in space).
@@ -110,8 +108,7 @@ local function compare(o, options)
   local function solve(adapt)
     local model, all = blocks(o), { adapt = adapt }
     for key, value in pairs(options or {}) do all[key] = value end
-    local run = model:run({ stage("press", 3, 0, -0.06), stage("slide", 8, sideways, -0.06) }, all)
-    assert(not run.failed, run.failure)
+    local run = check.completed(model:run({ stage("press", 3, 0, -0.06), stage("slide", 8, sideways, -0.06) }, all))
     return run, model
   end
   local with, model = solve { margin = 1 }

@@ -40,16 +40,14 @@ local digest = load(digest_code)()
 
 --- Takes the model along the first stages, saves it, and goes on here and in another process.
 local function continues(model, before, after, options)
-  local first = model:run(before, options)
-  check.equal(first.failed, false)
+  check.completed(model:run(before, options))
   model:save(file)
   local code = ("local digest = (function() %s end)()\nlocal model = sg.load(arg[1])\n"
     .. "local run = model:run(%s, %s)\nio.write(digest(model, run))"):format(digest_code, after,
       options and "{ linear = '" .. options.linear .. "' }" or "nil")
   local output, status = check.script("local sg = require 'signorini'\nrequire('signorini.core').quiet = true\n"
     .. code, file)
-  local run = model:run(load("return " .. after)(), options)
-  check.equal(run.failed, false)
+  local run = check.completed(model:run(load("return " .. after)(), options))
   check.equal(status, 0)
   if output ~= digest(model, run) then
     local here, there = digest(model, run), output
@@ -208,11 +206,11 @@ check.case("a snapshot keeps its worth when the model is saved: points that were
       local model = scenes.model{ bodies = { block = { size = {1, 0.5}, corner = {0, 0.1}, elements = {3, 1} } },
         supports = { grip = { on = "north", drive = "xy" } },
         contacts = { floor = { slave = "south", method = method, penalty = 20, master = scenes.floor() } } }
-      check.equal(model:run({ { steps = 1, grip = {0.2, -0.05} } }).failed, false)
+      check.completed(model:run({ { steps = 1, grip = {0.2, -0.05} } }))
       return model
     end
     local function pressed(model)
-      check.equal(model:run({ { steps = 1, grip = {0.2, -0.2} } }).failed, false)
+      check.completed(model:run({ { steps = 1, grip = {0.2, -0.2} } }))
       return model:reaction "grip".fy
     end
     local model = lowered()

@@ -108,9 +108,8 @@ local function drag(finer)
     supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = { "ring.west", "ring.east" }, drive = "xy" } },
     contacts = { interface = { slave = "slab.north", master = "ring.south", penalty = 30,
         friction = { mu = 0.8, penalty = 30 } } } }
-  local run = model:run{ { name = "press", steps = finer, grip = { 0, -0.044 } },
-                         { name = "slide", steps = 2 * finer, grip = { 0.56, -0.044 } } }
-  check.equal(run.failed, false)
+  local run = check.completed(model:run{ { name = "press", steps = finer, grip = { 0, -0.044 } },
+                         { name = "slide", steps = 2 * finer, grip = { 0.56, -0.044 } } })
   local energy = model:energy()
   return run, math.abs(energy.work - energy.stored - energy.contact - energy.friction) / energy.work
 end

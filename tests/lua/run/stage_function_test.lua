@@ -12,9 +12,8 @@ local function wave(s) return { 0.2 * math.sin(2 * math.pi * s), 0.1 * s * s } e
 
 check.case("the values are those at the end of each step; a later stage starts from the last", function()
   local model = bar()
-  local run = model:run({ { steps = 8, grip = wave, gas = function(s) return 0.3 * s ^ 3 end },
-                          { steps = 2, grip = {0.4, 0.1}, gas = 0 } }, sg.plain{})
-  check.equal(run.failed, false)
+  local run = check.completed(model:run({ { steps = 8, grip = wave, gas = function(s) return 0.3 * s ^ 3 end },
+                          { steps = 2, grip = {0.4, 0.1}, gas = 0 } }, sg.plain{}))
   local x, y, gas = {}, {}, {}
   for k = 1, 8 do
     x[k], y[k] = table.unpack(wave(k / 8))

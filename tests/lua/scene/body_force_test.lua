@@ -30,8 +30,7 @@ local function area(kind) return kind == "axisymmetric" and math.pi or 1 end
 check.case("a linear elastic column shortens by b H²/2E, its support holds its weight", function()
   for _, kind in ipairs(kinds) do
     local model = column(kind, sg.linear_elastic{ E = E, nu = 0 }, none(kind))
-    local run = model:run({ { name = "ramp", steps = 2, g = down(kind, weight) } }, sg.plain{})
-    check.equal(run.failed, false)
+    local run = check.completed(model:run({ { name = "ramp", steps = 2, g = down(kind, weight) } }, sg.plain{}))
     local letter = kind == "space" and "z" or "y"
     check.near(model:sample("column", "u" .. letter, tip(kind)), -weight * height ^ 2 / (2 * E), 1e-10)
     local total = weight * height * area(kind)
@@ -55,8 +54,7 @@ check.case("a neo-Hookean column shortens by the integral of its stretches, and 
   for i = 1, parts do exact = exact + (stretch(-heavy * height * (i - 0.5) / parts) - 1) * height / parts end
   for _, kind in ipairs(kinds) do
     local model = column(kind, sg.neo_hookean{ E = E, nu = 0 }, none(kind))
-    local run = model:run({ { steps = 8, g = down(kind, heavy) } }, sg.plain{})
-    check.equal(run.failed, false)
+    check.completed(model:run({ { steps = 8, g = down(kind, heavy) } }, sg.plain{}))
     local letter = kind == "space" and "z" or "y"
     check.within_share("shortening", model:sample("column", "u" .. letter, tip(kind)), exact, 1e-4)
     local energy = model:energy()
@@ -71,7 +69,7 @@ check.case("sideways in the plane, it bends: the moment of the support is that o
     supports = { clamp = { on = body:face "south", fix = "xy", rotate = true } },
     loads = { wind = { on = body, force = { 0.01, 0 } } } }
   model:set_target("clamp", { 0 })
-  check.equal(model:run({ { steps = 1 } }, sg.plain{}).failed, false)
+  check.completed(model:run({ { steps = 1 } }, sg.plain{}))
   local reaction = model:reaction "clamp"
   check.near({ reaction.fx, reaction.fy }, { -0.04, 0 }, 1e-10)
   check.within_share("moment", math.abs(reaction.moment), 0.04 * height / 2, 1e-8)
@@ -85,12 +83,10 @@ check.case("bodies of several patches and lists of bodies carry their weight, in
   local model = sg.model{ bodies = { wall = wall, slab = slab },
     supports = { bed = { on = { wall:face "1.south", slab:face "south" }, fix = "xy" } },
     loads = { own = { on = wall, force = { 0, 0 } }, all = { on = { wall, slab }, force = { 0, -0.1 } } } }
-  check.equal(model:run({ { steps = 1, own = { 0, -0.2 } } }, sg.plain{}).failed, false)
+  check.completed(model:run({ { steps = 1, own = { 0, -0.2 } } }, sg.plain{}))
   check.near({ model:reaction "own"[2], model:reaction "all"[2] }, { -0.6, -0.8 }, 1e-12)
   check.near(model:reaction "bed"[2], 1.4, 1e-9)
-  local file = check.folder() .. "/wall.sgn"
-  model:save(file)
-  local copy = sg.load(file)
+  local copy = check.reloaded(model)
   check.equal(copy:reaction "own", model:reaction "own")
   check.equal(copy:driven "own", { "bx", "by" })
   -- A load among the supports

@@ -99,8 +99,7 @@ local function sheared(body)
 end
 
 local function finish(model, stages)
-  local run = model:run(stages, exact)
-  if run.failed then error(run.failure, 2) end
+  check.completed(model:run(stages, exact))
   return model
 end
 

@@ -1,9 +1,8 @@
 -- Rigid obstacles that loads move and turn: equilibrium, rolling, and moments, against closed forms.
 
 require "check"
-local runs = require "runs"
 
-local completed, last = runs.completed, runs.last
+local completed, last = check.completed, check.last
 
 local soft = sg.neo_hookean{ E = 10, nu = 0.3 }
 

@@ -130,8 +130,7 @@ check.case("a guided block under a rigid plane: uniaxial strain and the penalty'
     supports.bed, supports.lid = { on = b:face "front", fix = "z" }, { on = plane, drive = "xyz" }
     local model = sg.model{ bodies = { b = b }, supports = supports,
       contacts = { joint = { slave = b:face "back", master = plane, penalty = 100 } } }
-    local run = model:run{ { steps = 3, lid = {0.1, 0, -0.6} } }
-    check.equal(run.failed, false)
+    local run = check.completed(model:run{ { steps = 3, lid = {0.1, 0, -0.6} } })
     for step = 1, 3 do
       local p = pressed(uniaxial[name], { 3 }, 100, 0.2 * step)
       check.near(run:column "lid.fz"[step], -2 * p, 1e-8)
@@ -169,8 +168,7 @@ check.case("a block on a block, one mesh twice as fine: the same pressure at eve
     supports.lid = { on = high:face "back", drive = "z" }
     local model = sg.model{ bodies = { low = low, high = high }, supports = supports,
       contacts = { joint = { slave = high:face "front", master = low:face "back", penalty = 50 } } }
-    local run = model:run{ { steps = 4, lid = -0.3 } }
-    check.equal(run.failed, false)
+    local run = check.completed(model:run{ { steps = 4, lid = -0.3 } })
     local p = pressed(uniaxial[name], { 1, 0.5 }, 50, 0.3)
     check.near({ run:column "lid.fz"[4], run:column "bed.fz"[4] }, { -2 * p, 2 * p }, 1e-8)
     for _, pressure in ipairs(model:profile "joint".pressure) do check.near(pressure, p, 1e-8) end
@@ -255,8 +253,7 @@ check.case("a free body follows a face that rotates about any axis, without forc
   check.equal(model:driven "grip", { "z", "angle" })
   -- The pull gives the run a size of forces to converge against; let go, the body is free.
   model:run{ { steps = 1 }, { steps = 1, pull = {0, 0, 0} } }
-  local run = model:run{ { steps = 12, grip = {0.5, 120} } }
-  check.equal(run.failed, false)
+  local run = check.completed(model:run{ { steps = 12, grip = {0.5, 120} } })
   local n, center = { 1 / 3, 2 / 3, 2 / 3 }, { 0.5, 0.5, 2 }
   for _, xi in ipairs{ {0, 0, 0}, {1, 0.3, 0.1}, {0.2, 1, 0.8} } do
     local X = { xi[1], xi[2], 2 * xi[3] }
@@ -306,8 +303,7 @@ check.case("two faces that rotate as one turn about their common centroid", func
     supports = { grip = { on = { b:face "west", b:face "south" }, rotate = "z", fix = "xyz" } },
     loads = { pull = { on = b:face "east", traction = {1, 0, 0} } } }
   model:run{ { steps = 1 }, { steps = 1, pull = {0, 0, 0} } }
-  local run = model:run{ { steps = 6, grip = 90 } }
-  check.equal(run.failed, false)
+  local run = check.completed(model:run{ { steps = 6, grip = 90 } })
   -- Areas 2 at (0, 1) and 3 at (1.5, 0): centroid (0.9, 0.4). The far corner (3, 2) goes to (0.9 − 1.6, 0.4 + 2.1).
   check.near({ model:sample(b, "ux", {1, 1, 0}), model:sample(b, "uy", {1, 1, 0}) }, { -0.7 - 3, 2.5 - 2 }, 1e-8)
   check.near(largest(run:column "grip.moment"), 0, 1e-8)

@@ -1,9 +1,8 @@
 -- Rigid obstacles that turn: moments, energy, equivalences between shapes and dimensions, ways to solve and to save.
 
 require "check"
-local runs = require "runs"
 
-local completed, last = runs.completed, runs.last
+local completed, last = check.completed, check.last
 
 local soft = sg.neo_hookean{ E = 10, nu = 0.3 }
 

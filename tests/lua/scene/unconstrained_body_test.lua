@@ -83,8 +83,7 @@ check.case("a completed run tells whether contacts alone hold a body, and stably
   local cup = sg.rigid.cylinder{ center = {0, 2.96}, radius = 3, inside = true }
   local function warnings(obstacle, controls, friction)
     local model = resting(obstacle, friction)
-    local run = model:run({ { steps = 1, push = {0, -0.01} } }, controls)
-    check.equal(run.reason, "completed")
+    local run = check.completed(model:run({ { steps = 1, push = {0, -0.01} } }, controls))
     check.equal(model:reaction("push").fy, run:column "push.fy"[1]) -- the state is as it was
     return other_warnings(run)
   end
