@@ -25,16 +25,17 @@ end
 function scenes.floor(y) return sg.rigid.plane{ point = { 0, y or 0 }, normal = { 0, 1 } } end
 function scenes.ceiling(y) return sg.rigid.plane{ point = { 0, y or 0 }, normal = { 0, -1 } } end
 
---- What a word names: a face or corner of the only body ("south", "south-west") or of one of several ("lower.north"),
---- or a body. Lists of words give lists of these; anything else is returned as it is.
+--- What a word names: a face or corner of the only body ("south", "1.south-west") or of one of several
+--- ("lower.north"), or a body. Lists of words give lists of these; anything else is returned as it is.
 local function named(bodies, word)
   if type(word) == "table" and not getmetatable(word) then
     return lists.map(word, function(one) return named(bodies, one) end)
   end
   if type(word) ~= "string" or bodies[word] then return bodies[word] or word end
-  local name, face = word:match "^(.+)%.(.+)$"
-  local body = bodies[name or next(bodies)]
-  return body[word:find "-" and "corner" or "face"](body, face or word)
+  local name, face = word:match "^([^.]+)%.(.+)$"
+  local body = bodies[name]
+  if not body then body, face = bodies[next(bodies)], word end
+  return body[word:find "-" and "corner" or "face"](body, face)
 end
 
 --- A model as sg.model makes it. Bodies may be tables of scenes.body; `on`, `slave` and `master` may be words.

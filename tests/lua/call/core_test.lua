@@ -27,7 +27,7 @@ check.case("functions of core check their arguments: any call is answered or an 
   local sg = require "signorini"
   local patch = sg.shapes.rectangle{ width = 1, height = 1 }
   local body = sg.body{ patch = patch, elements = {1, 1}, order = "N2", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-  local model = sg.model{ bodies = { body = body }, supports = { bed = { on = body:face "south", fix = "xy" } } }
+  local model = scenes.model{ bodies = { body = body }, supports = { bed = { on = "south", fix = "xy" } } }
   local values = { "A", 12345, -1.5, true, {}, { 1 }, { {} }, { "x", "y" }, { a = {} }, { body }, print, patch, body,
                    model, model:snapshot(), sg.chart{ x = {1, 2}, { y = {1, 2} } }, io.stdout }
   local function call(f, ...)

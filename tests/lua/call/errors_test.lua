@@ -186,7 +186,9 @@ end)
 check.case("a script that fails ends with status 1, the message and a traceback", function()
   local output, status = check.script [[
 local sg = require "signorini"
-local function die() return sg.shapes.half_annulus{ inner = 0.3, outer = "0.5" } end
+local function die()
+  return sg.shapes.half_annulus{ inner = 0.3, outer = "0.5" }
+end
 local patch = die()
 ]]
   check.equal(status, 1)

@@ -197,10 +197,10 @@ end)
 check.case("a run that pseudo-transient continuation cannot save reports the failed step", function()
   local body = scenes.body{ size = {8, 4}, elements = {4, 2}, contact = "south",
     material = sg.linear_elastic{ E = 2, nu = 0.3 } }
-  local model = sg.model{
-    bodies = { block = body }, supports = { lid = { on = body:face "north", fix = "x" } },
-    loads = { pull = { on = body:face "north", traction = {0, 0} } }, -- beyond the strength there is no equilibrium
-    contacts = { film = { slave = body:face "south", adhesion = film,
+  local model = scenes.model{
+    bodies = { block = body }, supports = { lid = { on = "north", fix = "x" } },
+    loads = { pull = { on = "north", traction = {0, 0} } }, -- beyond the strength there is no equilibrium
+    contacts = { film = { slave = "south", adhesion = film,
                           master = scenes.floor(-equilibrium) } } }
   local run = model:run({ { steps = 10, pull = {0, 0.3} } }, sg.plain{ pseudo_transient = true })
   check.equal({ run.failed, run.steps > 2 }, { true, true })

@@ -68,12 +68,11 @@ local function peel(dimension)
     thickness_degree = 2, E = 2000 }
   local plane = is_solid and sg.rigid.plane{ point = {0, 0, 0}, normal = {0, 1, 0} }
     or scenes.floor()
-  local model = sg.model{
-    bodies = { film = film },
-    supports = { clamp = { on = film:face "east", fix = "xy" },
-                 grip = { on = is_solid and film:edge "south-west" or film:corner "south-west", drive = "y" },
-                 sides = is_solid and { on = { film:face "front", film:face "back" }, fix = "z" } or nil },
-    contacts = { glue = { slave = film:face "south", master = plane, penalty = 2000, points = 6,
+  local model = scenes.model{ bodies = { film = film },
+    supports = { clamp = { on = "east", fix = "xy" },
+      grip = { on = is_solid and film:edge "south-west" or film:corner "south-west", drive = "y" },
+      sides = is_solid and { on = { "front", "back" }, fix = "z" } or nil },
+    contacts = { glue = { slave = "south", master = plane, penalty = 2000, points = 6,
       cohesive = { strength = 1, energy = 0.1, where = function(X) return X[1] >= 1.5 end } } } }
   local run, forces = model:run{ { steps = 24, grip = 3 } }, {}
   for i, force in ipairs(run:column "grip.fy") do forces[i] = force / (is_solid and 0.5 or 1) end
@@ -249,9 +248,9 @@ check.case("bonded bodies with friction turn rigidly without energy", function()
         E = 20 }
     end
     local upper, lower = block(0, 8), block(-1, 6)
-    local model = sg.model{ bodies = { upper = upper, lower = lower },
-      supports = { s = { on = lower:face "south", drive = "xy", rotate = true } },
-      contacts = { g = { slave = upper:face "south", master = lower:face "north", penalty = 200,
+    local model = scenes.model{ bodies = { upper = upper, lower = lower },
+      supports = { s = { on = "lower.south", drive = "xy", rotate = true } },
+      contacts = { g = { slave = "upper.south", master = "lower.north", penalty = 200,
                          friction = { mu = 0.3, penalty = 100 }, cohesive = { strength = 1, energy = 0.2 } } } }
     check.completed(model:run{ { steps = steps, s = { 0, 0, 90 } } })
     local e = model:energy()
@@ -263,10 +262,10 @@ check.case("a turned tool breaks its bonds and rubs: disc and level set agree, a
   local function turned(tool)
     local ring = scenes.body{ patch = sg.shapes.half_annulus{ inner = 1, outer = 2 }, elements = { 16, 3 },
       contact = "north", E = 20 }
-    local model = sg.model{ bodies = { ring = ring },
+    local model = scenes.model{ bodies = { ring = ring },
       supports = { tool = { on = tool, fix = "xy", rotate = true, center = { 0, 0 } },
-                   outer = { on = ring:face "south", fix = "xy" } },
-      contacts = { g = { slave = ring:face "north", master = tool, penalty = 200,
+                   outer = { on = "south", fix = "xy" } },
+      contacts = { g = { slave = "north", master = tool, penalty = 200,
                          friction = { mu = 0.3, penalty = 100 }, cohesive = { strength = 1, energy = 0.2 } } } }
     check.completed(model:run{ { steps = 40, tool = { 20 } }, { steps = 20, tool = { 60 } } })
     return model:energy()

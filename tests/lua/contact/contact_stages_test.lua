@@ -269,10 +269,10 @@ check.case("where mu is lowered and nothing else moves, slip dissipates what the
   for _, name in ipairs { "points", "points per reference area", "mortar", "reduced mortar" } do
     for _, lower in ipairs { 0.1, 0.001 } do
       local stiff = block(0, 4, 1e7)
-      local model = sg.model{ bodies = { stiff = stiff }, contacts = { joint = lists.merged(
-          contact_keys.of(name, 1e4), { friction = { mu = mu, penalty = 100 }, slave = stiff:face "south",
+      local model = scenes.model{ bodies = { stiff = stiff }, contacts = { joint = lists.merged(
+          contact_keys.of(name, 1e4), { friction = { mu = mu, penalty = 100 }, slave = "south",
                                         master = scenes.floor() }) },
-        supports = { grip = { on = stiff:face "north", drive = "xy" } } }
+        supports = { grip = { on = "north", drive = "xy" } } }
       solved(model, name, stage(2, { 0, -0.01 }), stage(1, { 0.2, -0.01 })) -- 20 of the limit 30
       check.equal(model:contact_resultant("joint").slipping, 0)
       local before = model:energy()
@@ -359,7 +359,7 @@ check.case("wrong constants are errors before anything is solved", function()
   check.fails(function() smooth:set_contact("joint", { friction = { mu = 0.3 } }) end, here, "no friction in sg.model")
   check.fails(function()
     local body = block(0, 2, 1)
-    sg.model{ bodies = { block = body }, supports = { contacts = { on = body:face "south", fix = "xy" } } }
+    scenes.model{ bodies = { block = body }, supports = { contacts = { on = "south", fix = "xy" } } }
   end, here, "cannot be called 'contacts', which is a key of stages")
 end)
 

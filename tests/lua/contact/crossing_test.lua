@@ -79,9 +79,9 @@ check.case("a strip bent by a pin: the same force with every predictor, penalty 
   local function bend(steps, options, penalty)
     local strip = scenes.body{ size = {20, 1}, elements = { 40, 2 }, contact = "north", E = 100 }
     local pin = sg.rigid.cylinder{ center = { 12, 3 }, radius = 2 }
-    local model = sg.model{ bodies = { strip = strip },
-      supports = { grip = { on = strip:face "west", fix = "xy" }, pin = { on = pin, drive = "y" } },
-      contacts = { c = { slave = strip:face "north", master = pin, penalty = penalty or 500 } } }
+    local model = scenes.model{ bodies = { strip = strip },
+      supports = { grip = { on = "west", fix = "xy" }, pin = { on = pin, drive = "y" } },
+      contacts = { c = { slave = "north", master = pin, penalty = penalty or 500 } } }
     check.completed(model:run({ { name = "bend", steps = steps, pin = { -7 } } }, options))
     return -model:reaction "pin".fy
   end
@@ -96,9 +96,9 @@ check.case("sliding off an end of the master is not crossing", function()
   local function slide(drop)
     local block = scenes.body{ corner = { 0, 1 }, elements = { 4, 4 }, contact = "south", E = 100 }
     local shelf = scenes.body{ size = {2, 1}, corner = { -1, 0 }, elements = { 8, 4 }, contact = "north", E = 100 }
-    local model = sg.model{ bodies = { block = block, shelf = shelf },
-      supports = { bed = { on = shelf:face "south", fix = "xy" }, grip = { on = block:face "north", drive = "xy" } },
-      contacts = { c = { slave = block:face "south", master = shelf:face "north", penalty = 1000 } } }
+    local model = scenes.model{ bodies = { block = block, shelf = shelf },
+      supports = { bed = { on = "shelf.south", fix = "xy" }, grip = { on = "block.north", drive = "xy" } },
+      contacts = { c = { slave = "block.south", master = "shelf.north", penalty = 1000 } } }
     return model:run { { steps = 1, grip = { 0, -0.02 } }, { steps = 4, grip = { 1.6, -0.02 } },
                        { steps = 1, grip = { 1.6, drop } }, { steps = 1, grip = { 5, drop } } }
   end

@@ -14,14 +14,14 @@ local corners = { {0, 0}, {1, 0}, {0, 1}, {1, 1} }
 
 --- A disc between two flat grips, or pulled at two corners of its patch.
 local function gripped(body)
-  local model = sg.model{ bodies = { b = body }, supports = {
-    s = { on = body:face "south", fix = "xy" }, n = { on = body:face "north", drive = "y" } } }
+  local model = scenes.model{ bodies = { b = body }, supports = {
+    s = { on = "south", fix = "xy" }, n = { on = "north", drive = "y" } } }
   check.equal(model:run{ { steps = 1, n = -0.05 } }.reason, "completed")
   return model
 end
 local function pulled(body)
-  local model = sg.model{ bodies = { b = body }, supports = {
-    s = { on = body:corner "south-west", fix = "xy" }, n = { on = body:corner "north-east", drive = "xy" } } }
+  local model = scenes.model{ bodies = { b = body }, supports = {
+    s = { on = "south-west", fix = "xy" }, n = { on = "north-east", drive = "xy" } } }
   check.equal(model:run{ { steps = 1, n = {0.05, 0.05} } }.reason, "completed")
   return model
 end

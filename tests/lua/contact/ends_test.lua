@@ -13,10 +13,10 @@ local function punched(count)
   local line = sg.nurbs.line{ from = { 0, 1 }, to = { 1, 1 } }
   local punch = count and sg.rigid.surface(count > 1 and line:refine{ elements = { count } } or line)
     or scenes.ceiling(1)
-  local model = sg.model{ kind = "axisymmetric", bodies = { layer = layer },
-    supports = { axis = { on = layer:face "west", symmetry = true }, base = { on = layer:face "south", fix = "xy" },
+  local model = scenes.model{ kind = "axisymmetric", bodies = { layer = layer },
+    supports = { axis = { on = "west", symmetry = true }, base = { on = "south", fix = "xy" },
                  push = { on = punch, drive = "y" } },
-    contacts = { c = { slave = layer:face "north", master = punch, penalty = 1000 * E,
+    contacts = { c = { slave = "north", master = punch, penalty = 1000 * E,
                        where = not count and function(X) return X[1] <= 1 end or nil } } }
   local run = check.completed(model:run{ { steps = 1, push = { -depth } } })
   return -model:reaction "push".fy * (1 - nu) / (4 * G * depth), run

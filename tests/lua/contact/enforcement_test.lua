@@ -77,7 +77,7 @@ end)
 check.case("in 3D h is the square root of an element's area, in an axisymmetric model its length", function()
   local cube = scenes.body{ size = { 2, 3, 1 }, elements = { 4, 3, 1 }, contact = "front",
     material = sg.linear_elastic{ E = 5, nu = 0.3 } }
-  local solid = sg.model{ bodies = { cube = cube }, contacts = { floor = { slave = cube:face "front",
+  local solid = scenes.model{ bodies = { cube = cube }, contacts = { floor = { slave = "front",
     method = "mortar", enforcement = "multipliers",
     master = sg.rigid.plane{ point = { 0, 0, -1 }, normal = { 0, 0, 1 } } } } }
   check.near(solid:contact_law("floor").penalty, 10 * 5 / math.sqrt(0.5 * 1), 1e-9)

@@ -44,8 +44,8 @@ end)
 
 check.case("arc length requires an accepted step: without one the run fails and reports it", function()
   local column = rectangle(0.5, 10, {0, 0}, {1, 8}, "west")
-  local model = sg.model{ bodies = { column = column }, supports = {
-    bed = { on = column:face "south", fix = "xy" }, top = { on = column:face "north", drive = "y" } } }
+  local model = scenes.model{ bodies = { column = column }, supports = {
+    bed = { on = "south", fix = "xy" }, top = { on = "north", drive = "y" } } }
   local run = model:run({ { steps = 1, top = -0.1 } }, { arc_length = true, newton = { iterations = 1 } })
   check.equal({ run.failed, run.reason, run.steps, #run.controls }, { true, "indefinite", 0, 0 })
   check.holds(run.failure, "arc length can only start after an accepted step")
@@ -116,9 +116,9 @@ local function pressed(contact, of, lid)
       material = sg.linear_elastic{ E = 1, nu = 0 } }
   end
   local upper, slab = block({0, 1}, 2, {2, 2}), block({-1, 0}, 4, {6, 2})
-  local model = sg.model{ bodies = { upper = upper, slab = slab },
-    supports = { lid = { on = upper:face "north", drive = "y", fix = "x" }, bed = of and of(slab) },
-    contacts = { c = lists.merged({ slave = upper:face "south", master = slab:face "north" }, contact) } }
+  local model = scenes.model{ bodies = { upper = upper, slab = slab },
+    supports = { lid = { on = "upper.north", drive = "y", fix = "x" }, bed = of and of(slab) },
+    contacts = { c = lists.merged({ slave = "upper.south", master = "slab.north" }, contact) } }
   return model:run{ { steps = 2, lid = lid } }
 end
 

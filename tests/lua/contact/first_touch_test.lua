@@ -116,9 +116,9 @@ local function indented(formulation, side, angle, off)
   local slab = scenes.body{ patch = patch:rotate{ angle = angle or 0, center = {0, 0} }, elements = {30, 3},
     contact = "north", E = 10 }
   local tool = sg.rigid.cylinder{ center = turned(off or 0, 1.02), radius = 1 }
-  local model = sg.model{ bodies = { slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, tool = { on = tool, drive = "xy" } },
-    contacts = { touch = rows.contact(rows[formulation], { slave = slab:face "north", master = tool, penalty = 300,
+  local model = scenes.model{ bodies = { slab = slab },
+    supports = { bed = { on = "south", fix = "xy" }, tool = { on = tool, drive = "xy" } },
+    contacts = { touch = rows.contact(rows[formulation], { slave = "north", master = tool, penalty = 300,
                                                            friction = { mu = 2, penalty = 300 } }) } }
   return model, function(t) return turned(0.02 * t * t, -0.12 * t) end, turned
 end
@@ -178,9 +178,9 @@ end)
 local function dragged_in_space(formulation, steps)
   local slab = scenes.body{ size = {2, 2, 1}, corner = {-1, -1, -1}, elements = {7, 7, 1}, contact = "back", E = 10 }
   local tool = sg.rigid.sphere{ center = {0.03, 0.02, 1.02}, radius = 1 }
-  local model = sg.model{ bodies = { slab = slab },
-    supports = { bed = { on = slab:face "front", fix = "xyz" }, tool = { on = tool, drive = "xyz" } },
-    contacts = { touch = rows.contact(rows[formulation], { slave = slab:face "back", master = tool, penalty = 100,
+  local model = scenes.model{ bodies = { slab = slab },
+    supports = { bed = { on = "front", fix = "xyz" }, tool = { on = tool, drive = "xyz" } },
+    contacts = { touch = rows.contact(rows[formulation], { slave = "back", master = tool, penalty = 100,
                                                            friction = { mu = 2, penalty = 100 } }) } }
   model:run{ { steps = steps, tool = function(t) return { 0.02 * t * t, 0.01 * t * t, -0.12 * t } end } }
   return model:reaction "tool".fx

@@ -223,8 +223,7 @@ check.case("robust runs, arc length, growing penalties, samples and saved models
 end)
 
 check.case("wrong combinations are errors that name the argument", function()
-  local body = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N1",
-                        contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+  local body = scenes.body{ order = "N1", contact = "south" }
   local function contact(keys)
     keys.slave, keys.master = body:face "south", sg.rigid.plane{ point = { 0, -1 }, normal = { 0, 1 } }
     return function() sg.model{ bodies = { block = body }, contacts = { floor = keys } } end

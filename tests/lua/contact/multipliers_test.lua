@@ -62,13 +62,11 @@ check.case("a block between walls on a plane: the exact pressure of uniaxial str
   local E, nu, depth = 2, 0.3, 0.2
   local mu, lambda, f = E / (2 * (1 + nu)), E * nu / ((1 + nu) * (1 - 2 * nu)), 1 - depth
   for _, space in ipairs { "equal", "reduced", "linear" } do
-    local block = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
-      contact = "south", material = sg.neo_hookean{ E = E, nu = nu } }
-    local model = sg.model{ bodies = { block = block },
-      supports = { walls = { on = { block:face "west", block:face "east" }, fix = "x" },
-                   top = { on = block:face "north", drive = "y" } },
-      contacts = { floor = keys(space, { slave = block:face "south", penalty = 40,
-        master = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } } }) } }
+    local block = scenes.body{ contact = "south", material = sg.neo_hookean{ E = E, nu = nu } }
+    local model = scenes.model{ bodies = { block = block },
+      supports = { walls = { on = { "west", "east" }, fix = "x" }, top = { on = "north", drive = "y" } },
+      contacts = { floor = keys(space,
+        { slave = "south", penalty = 40, master = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } } }) } }
     solved(model, { { name = "press", steps = 2, top = -depth } })
     local floor = model:contact_resultant "floor"
     check.within(space, floor.fy, -(mu * f + (lambda * math.log(f) - mu) / f), 1e-8)
@@ -154,9 +152,8 @@ check.case("2D ironing, stiff on soft, either face as slave: few iterations, no 
     local slab = scenes.body{ size = { 3, 1 }, elements = { 24, 6 }, order = "N2-N2.2", contact = "north" }
     local slave, master = die:face "south", slab:face "north"
     if case[2] then slave, master = master, slave end
-    local model = sg.model{ bodies = { die = die, slab = slab },
-      supports = { bed = { on = slab:face "south", fix = "xy" },
-                   grip = { on = { die:face "west", die:face "east" }, drive = "xy" } },
+    local model = scenes.model{ bodies = { die = die, slab = slab },
+      supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = { "die.west", "die.east" }, drive = "xy" } },
       contacts = { interface = keys(nil, { slave = slave, master = master, friction = { mu = 0.3 } }) } }
     local run = model:run{ { name = "press", steps = 10, grip = { 0, -0.075 } },
                            { name = "slide", steps = 30, grip = { 0.6, -0.075 } } }

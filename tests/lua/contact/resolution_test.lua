@@ -26,9 +26,9 @@ local function cylinder(contact, depth, half, more)
     material = sg.linear_elastic{ E = 1, nu = nu } }
   local tool = sg.rigid.cylinder{ center = {0, 400}, radius = 400 }
   contact.slave, contact.master = block:face "north", tool
-  local model = sg.model{ bodies = { block = block }, contacts = { touch = contact },
-    supports = { bed = { on = block:face "south", fix = "xy" }, push = { on = tool, drive = "xy" },
-                 middle = half and { on = block:face "east", symmetry = true } or nil } }
+  local model = scenes.model{ bodies = { block = block }, contacts = { touch = contact },
+    supports = { bed = { on = "south", fix = "xy" }, push = { on = tool, drive = "xy" },
+                 middle = half and { on = "east", symmetry = true } or nil } }
   local stages = { { name = "press", steps = 2, push = {0, -depth} } }
   if more then stages[2] = { name = "slide", steps = 4, push = {more, -depth} } end
   return model:run(stages), model
@@ -76,8 +76,8 @@ local function pressed(contact, elements, order, law)
   local block = scenes.body{ size = {2, 1}, elements = elements, order = order, contact = "south",
     material = (law or sg.linear_elastic){ E = 1, nu = 0 } }
   contact.slave, contact.master = block:face "south", scenes.floor()
-  local model = sg.model{ bodies = { block = block }, contacts = { floor = contact },
-    supports = { lid = { on = block:face "north", drive = "y", fix = "x" } } }
+  local model = scenes.model{ bodies = { block = block }, contacts = { floor = contact },
+    supports = { lid = { on = "north", drive = "y", fix = "x" } } }
   return model:run{ { steps = 1, lid = -0.01 } }, model
 end
 
@@ -191,9 +191,9 @@ check.case("the penalty of bonds is optional, too, and the stiffness of bilinear
       material = sg.linear_elastic{ E = 100, nu = 0 } }
   end
   local lower, upper = block(-1), block(0)
-  local model = sg.model{ bodies = { lower = lower, upper = upper },
-    supports = { bed = { on = lower:face "south", fix = "xy" }, grip = { on = upper:face "north", drive = "y" } },
-    contacts = { seam = { slave = upper:face "south", master = lower:face "north",
+  local model = scenes.model{ bodies = { lower = lower, upper = upper },
+    supports = { bed = { on = "lower.south", fix = "xy" }, grip = { on = "upper.north", drive = "y" } },
+    contacts = { seam = { slave = "upper.south", master = "lower.north",
                           cohesive = { strength = 2, energy = 0.5, law = "bilinear" } } } }
   local law = model:contact_law "seam"
   check.near({ law.penalty, law.stiffness }, { 30 * 100 * 4, 30 * 100 * 4 }, 1e-9)

@@ -5,8 +5,7 @@ require "check"
 local material = sg.neo_hookean{ E = 1, nu = 0.3 }
 
 local function block(x)
-  return sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = { x or 0, 0 } }, elements = {4, 2},
-                  order = "N2", material = material }
+  return scenes.body{ size = {2, 1}, corner = { x or 0, 0 }, elements = {4, 2}, material = material }
 end
 
 local function held(body, supports, more)

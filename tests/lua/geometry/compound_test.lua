@@ -46,11 +46,9 @@ end)
 check.case("the patch test: uniform pressure gives uniform stress across joins and ties", function()
   for joins, elements in pairs { [2] = { { 2, 2 }, { 2, 2 }, { 2, 2 } }, [0] = { { 2, 2 }, { 3, 3 }, { 4, 3 } } } do
     local piece = body(corner_piece(), { elements = elements })
-    local model = sg.model{ bodies = { piece = piece },
-      supports = { pin = { on = piece:corner "1.south-west", fix = "xy" },
-                   roller = { on = piece:corner "2.south-east", fix = "y" } },
-      loads = { water = { on = { piece:face "left", piece:face "bottom", piece:face "2.east", piece:face "2.north",
-                                 piece:face "3.west", piece:face "3.north" }, pressure = 0 } } }
+    local model = scenes.model{ bodies = { piece = piece },
+      supports = { pin = { on = "1.south-west", fix = "xy" }, roller = { on = "2.south-east", fix = "y" } },
+      loads = { water = { on = { "left", "bottom", "2.east", "2.north", "3.west", "3.north" }, pressure = 0 } } }
     check.equal(#model:tie_names(), 2 - joins)
     solved(model, { { name = "sink", steps = 1, water = 0.1 } })
     for part = 1, 3 do
@@ -65,8 +63,8 @@ end)
 
 check.case("a list of faces with lists in it is one list", function()
   local piece = body(corner_piece())
-  local model = sg.model{ bodies = { piece = piece },
-    supports = { all = { on = { piece:face "bottom", piece:face "3.east" }, fix = "xy" } } }
+  local model = scenes.model{ bodies = { piece = piece },
+    supports = { all = { on = { "bottom", "3.east" }, fix = "xy" } } }
   check.equal(model:solver().unknowns, 80 - 2 * (7 + 4)) -- the faces have 7 and 4 control points
 end)
 
@@ -125,9 +123,9 @@ check.case("parts that nearly touch or overlap a little are tied, which a warnin
         or square{ width = 1, height = 1, corner = { x, 0 } }
     end
     local bar = body({ block(0), block(1 + distance) }, { material = rubber, elements = elements })
-    local model = sg.model{ bodies = { bar = bar }, supports = {
-      wall = { on = bar:face "1.west", fix = solid and "xyz" or "xy" },
-      pull = { on = bar:face "2.east", fix = solid and "yz" or "y", drive = "x" } } }
+    local model = scenes.model{ bodies = { bar = bar }, supports = {
+      wall = { on = "1.west", fix = solid and "xyz" or "xy" },
+      pull = { on = "2.east", fix = solid and "yz" or "y", drive = "x" } } }
     local run = check.completed(model:run({ { steps = 1, pull = 0.05 } }, sg.plain{}))
     return run:column "pull.fx"[1], run:column "wall.fx"[1], run.warnings
   end
@@ -150,8 +148,8 @@ check.case("parts with layers that nearly touch are joined, which a warning says
     local function block(x) return sg.shapes.block{ size = { 1, 1, 1 }, corner = { x, 0, 0 } } end
     local bar = body({ block(0), block(1 + distance) }, { elements = { 2, 2, 2 }, order = "N2-N3",
       contact = { "1.back", "2.back" } })
-    local model = sg.model{ bodies = { bar = bar }, supports = { wall = { on = bar:face "1.west", fix = "xyz" },
-      pull = { on = bar:face "2.east", fix = "yz", drive = "x" } } }
+    local model = scenes.model{ bodies = { bar = bar }, supports = { wall = { on = "1.west", fix = "xyz" },
+      pull = { on = "2.east", fix = "yz", drive = "x" } } }
     local run = model:run({ { steps = 1, pull = 0.05 } }, sg.plain{})
     return run:column "pull.fx"[1], run.warnings
   end
@@ -212,11 +210,10 @@ check.case("lists of faces can be slave and master of a tie", function()
                        boundaries = { bottom = { "1.south", "2.south" } } }, { elements = { 3, 2 } })
   local lower = body({ square{ width = 0.8, height = 1 }, square{ width = 1.2, height = 1, corner = { 0.8, 0 } },
                        boundaries = { top = { "1.north", "2.north" }, bottom = { "1.south", "2.south" } } })
-  local model = solved(sg.model{ bodies = { upper = upper, lower = lower },
-    ties = { seam = { slave = upper:face "bottom", master = lower:face "top" } },
-    supports = { bed = { on = lower:face "bottom", fix = "y" },
-                 side = { on = lower:corner "1.south-west", fix = "x" } },
-    loads = { weight = { on = { upper:face "1.north", upper:face "2.north" }, pressure = 0 } } },
+  local model = solved(scenes.model{ bodies = { upper = upper, lower = lower },
+      ties = { seam = { slave = "upper.bottom", master = "lower.top" } },
+      supports = { bed = { on = "lower.bottom", fix = "y" }, side = { on = "lower.1.south-west", fix = "x" } },
+      loads = { weight = { on = { "upper.1.north", "upper.2.north" }, pressure = 0 } } },
     { { name = "press", steps = 1, weight = 0.1 } })
   check.near(model:reaction "bed", { 0, 0.2 }, 1e-10)
   for _, name in ipairs { "upper.1", "upper.2", "lower.1", "lower.2" } do

@@ -198,7 +198,7 @@ check.case("orders per direction, layers on any face, none across a pole", funct
   check.equal(dofs.total, 3 * 4 * 8 * 10)
   local half = sg.shapes.hollow_hemisphere { inner = 1, outer = 2 }
   local function alone(body)
-    return sg.model { bodies = { body = body }, supports = { bed = { on = body:face "front", fix = "xyz" } } }
+    return scenes.model{ bodies = { body = body }, supports = { bed = { on = "front", fix = "xyz" } } }
   end
   assert(alone(solid(half, { 2, 2, 1 }, "N2-N2.2", "front")))
   check.fails(function() alone(solid(half, { 2, 2, 1 }, "N2-N2.2", "west")) end,

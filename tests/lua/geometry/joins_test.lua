@@ -215,9 +215,9 @@ check.case("a body joined to a supported one is not unconstrained", function()
   local function pair(supports)
     local function square(x) return scenes.body{ corner = { x, 0 } } end
     local a, b = square(0), square(1)
-    return sg.model{ bodies = { a = a, b = b }, joins = { seam = { a:face "east", b:face "west" } },
-                     supports = not supports and {} or { wall = { on = a:face "west", fix = "xy" } },
-                     loads = { pull = { on = b:face "east", traction = { 0.01, 0 } } } }
+    return scenes.model{ bodies = { a = a, b = b }, joins = { seam = { a:face "east", b:face "west" } },
+                     supports = not supports and {} or { wall = { on = "a.west", fix = "xy" } },
+                     loads = { pull = { on = "b.east", traction = { 0.01, 0 } } } }
   end
   check.equal(pair(false):unconstrained_bodies(), { "a", "b" })
   local held = pair(true)

@@ -92,8 +92,8 @@ end)
 check.case("files hold the row; print shows its degrees", function()
   local body = slab{ layer = { 0.25, 0.5 }, layer_knots = 2 }
   check.holds(tostring(body), "15 x 2 elements", "2 x 1, then 2..4 x 1")
-  local model = sg.model{ bodies = { slab = body }, supports = { bed = { on = body:face "south", fix = "xy" },
-                                                                 lid = { on = body:face "north", drive = "xy" } } }
+  local model = scenes.model{ bodies = { slab = body }, supports = { bed = { on = "south", fix = "xy" },
+                                                                 lid = { on = "north", drive = "xy" } } }
   check.completed(model:run({ { name = "press", steps = 1, lid = { 0, -0.1 } } }, {}))
   local folder = check.folder()
   model:save(folder .. "/state.sgn")
@@ -124,8 +124,7 @@ check.case("wrong ranges, knots and labels", function()
   wrong({ layer_knots = { 1.26 } }, "layer_knots must be in 0 … 1")
   wrong({ order = "L2", layer_knots = 2 }, "layer_knots need B-splines in all rows, but order is 'L2'")
   check.fails(function()
-    sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
-             layer = { 0, 0.5 }, layer_knots = 2, material = soft }
+    scenes.body{ layer = { 0, 0.5 }, layer_knots = 2, material = soft }
   end, "layer has no effect without contact", 'contact = "south"')
   check.fails(function() block{ layer = { 0, 0.5 } } end,
     "layer[1] must be a list of 2 increasing numbers {low, high}, got the number 0")

@@ -12,8 +12,8 @@ local function drag(obstacle, flat, law)
     order = flat and "N2-N2.1" or {"N2-N2.1", "N1"}, E = 10 }
   local supports = { bed = { on = b:face "south", fix = "xy" }, punch = { on = obstacle, drive = "xy" } }
   if not flat then supports.sides = { on = { b:face "front", b:face "back" }, fix = "z" } end
-  local model = sg.model{ bodies = { b = b }, supports = supports,
-    contacts = { joint = { slave = b:face "north", master = obstacle, points = 9, penalty = not law and 100 or nil,
+  local model = scenes.model{ bodies = { b = b }, supports = supports,
+    contacts = { joint = { slave = "north", master = obstacle, points = 9, penalty = not law and 100 or nil,
                            friction = not law and { mu = 0.3, penalty = 100 } or nil, adhesion = law } } }
   local run = check.completed(model:run{ { steps = 2, punch = {0, -0.1} }, { steps = 3, punch = {0.3, -0.1} } })
   local forces, depth = {}, flat and 1 or 0.5
@@ -44,9 +44,9 @@ check.case("a sphere pressed into a block: the force points along its axis of sy
   local b = scenes.body{ size = {2, 2, 1}, corner = {-1, -1, 0}, elements = {4, 4, 2}, order = "N2-N2.1",
     contact = "back", E = 10 }
   local sphere = sg.rigid.sphere{ center = {0, 0, 2}, radius = 1 }
-  local model = sg.model{ bodies = { b = b },
-    supports = { bed = { on = b:face "front", fix = "xyz" }, ball = { on = sphere, drive = "xyz" } },
-    contacts = { joint = { slave = b:face "back", master = sphere, penalty = 100, points = 5 } } }
+  local model = scenes.model{ bodies = { b = b },
+    supports = { bed = { on = "front", fix = "xyz" }, ball = { on = sphere, drive = "xyz" } },
+    contacts = { joint = { slave = "back", master = sphere, penalty = 100, points = 5 } } }
   local run = check.completed(model:run{ { steps = 2, ball = {0, 0, -0.2} } })
   local force = run:column "ball.fz"[2]
   assert(force < -0.5)

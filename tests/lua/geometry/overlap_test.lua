@@ -42,8 +42,8 @@ end)
 check.case("two opposite faces of one body are not a contact pair", function()
   local strip = scenes.body{ size = {5, 0.1}, elements = {4, 1}, material = material }
   check.fails(function()
-    sg.model{ bodies = { strip = strip }, supports = { wall = { on = strip:face "west", fix = "xy" } },
-              contacts = { c = { slave = strip:face "south", master = strip:face "north", penalty = 10 } } }
+    scenes.model{ bodies = { strip = strip }, supports = { wall = { on = "west", fix = "xy" } },
+              contacts = { c = { slave = "south", master = "north", penalty = 10 } } }
   end, "face 'south' of body 'strip' penetrates face 'north' of body 'strip' by 0.1", "did you mean face 'south'?")
 end)
 
@@ -103,8 +103,8 @@ check.case("a small overlap is a warning if closing it strains a body, which the
     local a, b = block(overlap - 10), block(0)
     local contact = { slave = b:face "south", master = a:face "north", penalty = 1e8 }
     for key, value in pairs(more or {}) do contact[key] = value end
-    return sg.model{ bodies = { a = a, b = b }, contacts = { c = contact },
-      supports = { low = { on = a:face "south", fix = "xy" }, up = { on = b:face "north", fix = "xy" } } }
+    return scenes.model{ bodies = { a = a, b = b }, contacts = { c = contact },
+      supports = { low = { on = "a.south", fix = "xy" }, up = { on = "b.north", fix = "xy" } } }
   end
   local model = stacked(0.09)
   check.holds(model:warnings()[1], "by 0.09 before the first step", "by about 0.45 %", "although nothing loads it")
@@ -115,8 +115,8 @@ check.case("a small overlap is a warning if closing it strains a body, which the
   -- In a rigid plane, of which the block alone is strained, and by a small cylinder
   local function on(obstacle)
     local b = scenes.body{ size = {10, 10}, elements = {10, 10}, material = material }
-    return sg.model{ bodies = { b = b }, supports = { up = { on = b:face "north", fix = "xy" } },
-                     contacts = { c = { slave = b:face "south", master = obstacle, penalty = 10 } } }:warnings()
+    return scenes.model{ bodies = { b = b }, supports = { up = { on = "north", fix = "xy" } },
+                     contacts = { c = { slave = "south", master = obstacle, penalty = 10 } } }:warnings()
   end
   check.holds(on(scenes.floor(0.05))[1], "penetrates the obstacle by 0.05",
     "by about 0.5 %")
@@ -159,8 +159,8 @@ check.case("a body behind a rigid curve or surface is an error, however near it 
   local disc = scenes.body{ patch = sg.shapes.polar_disc{ radius = 1, center = {1, 0} }, elements = {8, 2},
     material = material }
   local function bored(radius, turned)
-    return sg.model{ bodies = { disc = disc }, contacts = { c = { slave = disc:face "south", penalty = 100,
-      master = circle(radius, turned, 0) } }, supports = { hub = { on = disc:face "north", fix = "xy" } } }
+    return scenes.model{ bodies = { disc = disc }, contacts = { c = { slave = "south", penalty = 100,
+      master = circle(radius, turned, 0) } }, supports = { hub = { on = "north", fix = "xy" } } }
   end
   for _, radius in ipairs { 0.999, 1, 1.001, 1.2 } do
     assert(bored(radius, true))
@@ -170,9 +170,9 @@ check.case("a body behind a rigid curve or surface is an error, however near it 
   local function below(height, turned)
     local sheet = sg.nurbs.extrude{ patch = sg.nurbs.line{ from = {-1, -1, height}, to = {3, -1, height} },
                                     along = {0, 4, 0} }
-    return sg.model{ bodies = { block = block }, contacts = { c = { slave = block:face "back", penalty = 100,
+    return scenes.model{ bodies = { block = block }, contacts = { c = { slave = "back", penalty = 100,
       master = sg.rigid.surface(turned and sheet or sheet:reverse(1)) } },
-      supports = { bed = { on = block:face "front", fix = "xyz" } } }
+      supports = { bed = { on = "front", fix = "xyz" } } }
   end
   for _, height in ipairs { 0.995, 1, 1.001, 1.02, 1.5 } do
     assert(below(height))
@@ -183,8 +183,8 @@ end)
 check.case("a thin body behind an obstacle is found although its length is many times the depth", function()
   local strip = scenes.body{ size = {10, 0.05}, corner = {0, -0.05}, elements = {4, 1}, material = material }
   check.fails(function()
-    sg.model{ bodies = { strip = strip }, supports = { wall = { on = strip:face "west", fix = "xy" } },
-              contacts = { c = { slave = strip:face "south", penalty = 10,
+    scenes.model{ bodies = { strip = strip }, supports = { wall = { on = "west", fix = "xy" } },
+              contacts = { c = { slave = "south", penalty = 10,
                                  master = sg.rigid.surface(sg.nurbs.line{ from = {12, 0}, to = {-2, 0} }) } } }
   end, "contacts.c: the obstacle is inside body 'strip' at the start", "0.05 deep")
 end)

@@ -66,10 +66,10 @@ end)
 local function press(obstacle)
   local b = scenes.body{ size = {2, 2, 1}, corner = {1, -1, 0}, elements = {4, 4, 1}, order = { "N2", "N2" },
     contact = "back", material = soft }
-  local model = sg.model{ bodies = { b = b },
-    contacts = { joint = { slave = b:face "back", master = obstacle, points = 4, penalty = 100,
+  local model = scenes.model{ bodies = { b = b },
+    contacts = { joint = { slave = "back", master = obstacle, points = 4, penalty = 100,
                            friction = rubbing.friction } },
-    supports = { bed = { on = b:face "front", fix = "xyz" }, tool = { on = obstacle, drive = "xyz" } } }
+    supports = { bed = { on = "front", fix = "xyz" }, tool = { on = obstacle, drive = "xyz" } } }
   check.completed(model:run{ { steps = 1, tool = {0, 0, -0.1} }, { steps = 2, tool = {0.1, 0.05, -0.1} } })
   local found = model:contact_resultant "joint"
   assert(found.fz < -0.1 and found.fx > 0.01)

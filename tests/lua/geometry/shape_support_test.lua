@@ -68,10 +68,9 @@ end)
 check.case("other components stay free, and files hold the shape", function()
   local body = scenes.body{ size = {2, 1}, elements = { 4, 2 }, E = 10 }
   local function model_of()
-    return sg.model{ bodies = { body = body },
-      supports = { bed = { on = body:face "south", fix = "xy" },
-                   top = { on = body:face "north", drive = "y",
-                           shape = function(x) return { 0, -0.1 * x * (2 - x) } end } } }
+    return scenes.model{ bodies = { body = body },
+      supports = { bed = { on = "south", fix = "xy" },
+        top = { on = "north", drive = "y", shape = function(x) return { 0, -0.1 * x * (2 - x) } end } } }
   end
   local model = model_of()
   check.completed(model:run({ { steps = 2, top = 0.8 } }, sg.plain{}))

@@ -35,11 +35,10 @@ check.case("a cantilever bends as a beam of Timoshenko, also with degree 1 acros
   --- Between the ends of the axis; sections at the wall may become thinner, as those of the beam.
   local function deflection(options)
     local beam = body_of(sg.shapes.rectangle{ width = length, height = 1 }, options)
-    local model = solved(sg.model{
-      bodies = { beam = beam },
-      supports = { wall = { on = beam:face "west", fix = "x" }, corner = { on = beam:corner "south-west", fix = "y" } },
-      loads = { back = { on = beam:face "west", traction = { 0, 0 } }, tip = { on = beam:face "east",
-                traction = { 0, 0 } } } }, { steps = 1, back = { 0, load }, tip = { 0, -load } })
+    local model = solved(scenes.model{ bodies = { beam = beam },
+        supports = { wall = { on = "west", fix = "x" }, corner = { on = "south-west", fix = "y" } },
+        loads = { back = { on = "west", traction = { 0, 0 } }, tip = { on = "east", traction = { 0, 0 } } } },
+      { steps = 1, back = { 0, load }, tip = { 0, -load } })
     return model:sample("beam", "uy", { 1, 0.5 }) - model:sample("beam", "uy", { 0, 0.5 })
   end
   for _, order in ipairs { "N2", "N3" } do
@@ -94,8 +93,8 @@ local laws = {
 local function pulled(material, kind)
   local body = body_of(sg.shapes.rectangle{ width = 2, height = 1, corner = { 1, 0 } },
     { elements = { 6, 4 }, material = material })
-  local model = sg.model{ bodies = { strip = body }, kind = kind, supports = {
-    bed = { on = body:face "south", fix = "xy" }, grip = { on = body:face "north", drive = "xy" } } }
+  local model = scenes.model{ bodies = { strip = body }, kind = kind, supports = {
+    bed = { on = "south", fix = "xy" }, grip = { on = "north", drive = "xy" } } }
   return solved(model, { steps = 24, grip = { kind == "axisymmetric" and 0.05 or 0.3, 0.1 } },
     { newton = { tolerance = 1e-12 } })
 end

@@ -193,8 +193,8 @@ end)
 
 check.case("large arrays are compressed, small ones are not", function()
   local slab = scenes.body{ size = {3, 1}, elements = { 100, 24 }, material = sg.linear_elastic { E = 1, nu = 0.3 } }
-  local model = sg.model { bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" },
-                                                                  top = { on = slab:face "north", drive = "xy" } } }
+  local model = scenes.model{ bodies = { slab = slab }, supports = { bed = { on = "south", fix = "xy" },
+                                                                  top = { on = "north", drive = "xy" } } }
   model:run({ { name = "pull", steps = 1, top = { 0, 0.1 } } }, { hdf5 = folder .. "/large.h5" })
   local found = read(folder .. "/large.h5")
   check.equal({ found["/bodies/slab/displacement"].compression, found["/bodies/slab/points"].compression,

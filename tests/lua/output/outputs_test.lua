@@ -7,11 +7,10 @@ local folder = check.folder()
 local script = folder .. "/study.lua"
 local text = "-- my study\nlocal a, b = 1, 2\n"
 
-local body = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = {2, 1}, order = "N2",
-                      contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
+local body = scenes.body{ size = {2, 1}, elements = {2, 1}, contact = "south" }
 local function model_of()
-  return sg.model{ bodies = { block = body }, supports = { top = { on = body:face "north", drive = "y" },
-                   bed = { on = body:face "south", fix = "xy" } } }
+  return scenes.model{ bodies = { block = body }, supports = { top = { on = "north", drive = "y" },
+                   bed = { on = "south", fix = "xy" } } }
 end
 local model = model_of()
 local path = { { name = "press", steps = 1, top = -0.01 } }

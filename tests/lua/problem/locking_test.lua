@@ -75,8 +75,8 @@ local function ring(kind, material, pressure, volumetric)
   local supports = { below = { on = body:face "west", symmetry = true },
                      right = { on = body:face "east", symmetry = true } }
   if space then supports.ends = { on = { body:face "front", body:face "back" }, fix = "z" } end
-  local model = sg.model{ bodies = { ring = body }, kind = not space and kind or nil, supports = supports,
-                          loads = { gas = { on = body:face "north", pressure = 0 } } }
+  local model = scenes.model{ bodies = { ring = body }, kind = not space and kind or nil, supports = supports,
+                          loads = { gas = { on = "north", pressure = 0 } } }
   check.completed(model:run({ { steps = 1, gas = pressure } }, { newton = { tolerance = 1e-13 } }))
   return model
 end

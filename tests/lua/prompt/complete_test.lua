@@ -58,11 +58,10 @@ check.case("named arguments where they are possible, without those given", funct
   check.equal(all "sg.rigid.plane{ point = {0, 0}, no", { "normal = " })
 end)
 
-slab = sg.body { patch = sg.shapes.rectangle { width = 3, height = 1 }, elements = { 1, 1 }, order = "N1",
-  contact = "south", material = sg.neo_hookean { E = 1, nu = 0.3 } }
+slab = scenes.body{ size = {3, 1}, elements = { 1, 1 }, order = "N1", contact = "south" }
 local ground = sg.rigid.plane { point = { 0, 0 }, normal = { 0, 1 } }
-model = sg.model { bodies = { slab = slab }, supports = { grip = { on = slab:face "north", drive = "xy" } },
-  contacts = { ground = { slave = slab:face "south", master = ground, penalty = 1 } } }
+model = scenes.model{ bodies = { slab = slab }, supports = { grip = { on = "north", drive = "xy" } },
+  contacts = { ground = { slave = "south", master = ground, penalty = 1 } } }
 
 check.case("named arguments of nested tables, under any names", function()
   check.equal(all "sg.model{ contacts = { c = { friction = { m", { "mu = " })

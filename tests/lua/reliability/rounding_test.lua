@@ -26,23 +26,20 @@ function cases.friction_of_bodies(offset, angle)
     thickness_degree = 2, contact = "south" }
   local slab = scenes.body{ patch = placed(rectangle(3, 1, {-1.5, -1}), angle, offset), elements = {9, 3},
     order = "N2-N2.2", thickness_degree = 2, contact = "north" }
-  return sg.model{
-    bodies = { die = die, slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = die:face "north", drive = "xy" } },
-    contacts = { c = { slave = die:face "south", master = slab:face "north", penalty = 100,
-                       friction = { mu = 0.3, penalty = 100 } } },
-  }, { { steps = 3, grip = turned(angle, 0, -0.05) }, { steps = 3, grip = turned(angle, 0.12, -0.05) } }
+  return scenes.model{ bodies = { die = die, slab = slab },
+    supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = "die.north", drive = "xy" } },
+    contacts = { c = { slave = "die.south", master = "slab.north", penalty = 100,
+      friction = { mu = 0.3, penalty = 100 } } }, }, { { steps = 3, grip = turned(angle, 0, -0.05) },
+    { steps = 3, grip = turned(angle, 0.12, -0.05) } }
 end
 
 function cases.rigid_plane(offset, angle)
   local die = scenes.body{ patch = placed(rectangle(1, 0.5, {-0.5, 0}), angle, offset), elements = {4, 2},
     thickness_degree = 2, contact = "south" }
   local plane = sg.rigid.plane{ point = {offset, offset}, normal = turned(angle, 0, 1) }
-  return sg.model{
-    bodies = { die = die }, supports = { grip = { on = die:face "north", drive = "xy" } },
-    contacts = { c = { slave = die:face "south", master = plane, penalty = 1000,
-                       friction = { mu = 0.3, penalty = 100 } } },
-  }, { { steps = 2, grip = turned(angle, 0, -0.05) }, { steps = 3, grip = turned(angle, 0.1, -0.05) } }
+  return scenes.model{ bodies = { die = die }, supports = { grip = { on = "north", drive = "xy" } },
+    contacts = { c = { slave = "south", master = plane, penalty = 1000, friction = { mu = 0.3, penalty = 100 } } },
+    }, { { steps = 2, grip = turned(angle, 0, -0.05) }, { steps = 3, grip = turned(angle, 0.1, -0.05) } }
 end
 
 function cases.disc_with_multipliers(offset, angle)
@@ -50,11 +47,10 @@ function cases.disc_with_multipliers(offset, angle)
     thickness_degree = 2, contact = "north" }
   local above = turned(angle, 0, 0.5)
   local disc = sg.rigid.cylinder{ center = {offset + above[1], offset + above[2]}, radius = 0.5 }
-  return sg.model{
-    bodies = { slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = disc, drive = "xy" } },
-    contacts = { c = { slave = slab:face "north", master = disc, method = "mortar", enforcement = "multipliers" } },
-  }, { { steps = 3, grip = turned(angle, 0, -0.1) } }
+  return scenes.model{ bodies = { slab = slab },
+    supports = { bed = { on = "south", fix = "xy" }, grip = { on = disc, drive = "xy" } },
+    contacts = { c = { slave = "north", master = disc, method = "mortar", enforcement = "multipliers" } },
+    }, { { steps = 3, grip = turned(angle, 0, -0.1) } }
 end
 
 function cases.arch_by_arc_length(offset, angle)
@@ -147,7 +143,7 @@ check.case("a body that moves as a whole has no stress, however far it goes", fu
   local ring = scenes.body{ patch = sg.shapes.half_annulus{ inner = 0.5, outer = 1 }, elements = {6, 2},
     thickness_degree = 2 }
   for _, goal in ipairs { {100, -100}, {1, -1}, {1e5, 3} } do
-    local model = sg.model{ bodies = { ring = ring }, supports = { grip = { on = ring:face "west", drive = "xy" } } }
+    local model = scenes.model{ bodies = { ring = ring }, supports = { grip = { on = "west", drive = "xy" } } }
     local run = model:run({ { steps = 10, grip = goal } }, sg.plain{})
     check.equal({ run.reason, run.steps }, { "completed", 10 })
     check.at_most("iterations", run.iterations, 40)
@@ -155,8 +151,8 @@ check.case("a body that moves as a whole has no stress, however far it goes", fu
       check.at_most("reaction", force, 1e-14 * (1 + math.abs(goal[1])))
     end
   end
-  local model = sg.model{ bodies = { ring = ring },
-                          supports = { grip = { on = ring:face "west", drive = "xy", rotate = true } } }
+  local model = scenes.model{ bodies = { ring = ring },
+                          supports = { grip = { on = "west", drive = "xy", rotate = true } } }
   local run = model:run({ { steps = 18, grip = {3, -2, 90} } }, sg.plain{})
   check.equal({ run.reason, run.steps }, { "completed", 18 })
   for _, force in ipairs(model:reaction "grip") do check.at_most("reaction", force, 1e-14) end

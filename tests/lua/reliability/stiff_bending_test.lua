@@ -16,8 +16,8 @@ local function cantilever(length, options)
   local body = scenes.body{ size = {length, 1}, elements = options.elements or { 10, 1 }, order = options.order or "N1",
     thickness_degree = options.thickness_degree, contact = options.thickness_degree and "north" or nil,
     material = material }
-  local model = sg.model{ bodies = { b = body }, supports = { wall = { on = body:face "west", fix = "xy" } },
-                          loads = { tip = { on = body:face "east", traction = { 0, 0 } } } }
+  local model = scenes.model{ bodies = { b = body }, supports = { wall = { on = "west", fix = "xy" } },
+                          loads = { tip = { on = "east", traction = { 0, 0 } } } }
   local force = -1e-3
   local run = check.completed(model:run({ { steps = 1, tip = { 0, force } } }, sg.plain{}))
   local beam = force * length ^ 3 / (3 * 1e6 / (1 - (options.nu or 0) ^ 2) / 12)
@@ -53,8 +53,8 @@ check.case("bodies that are compressed, stretched or rotated do not bend", funct
     for _, nu in ipairs { 0, 0.3, 0.4 } do
       local body = scenes.body{ patch = patch, elements = solid and { 4, 2, 2 } or { 4, 2 }, order = "N1", nu = nu }
       local all = solid and "xyz" or "xy"
-      local model = sg.model{ bodies = { b = body }, supports = { wall = { on = body:face "west", fix = all },
-                              pull = { on = body:face "east", drive = all } } }
+      local model = scenes.model{ bodies = { b = body }, supports = { wall = { on = "west", fix = all },
+                              pull = { on = "east", drive = all } } }
       for _, x in ipairs { -0.1, 0.2 } do
         check.equal(warned(model:run({ { steps = 2, pull = solid and { x, 0, 0 } or { x, 0 } } }, sg.plain{})), nil)
       end

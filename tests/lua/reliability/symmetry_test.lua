@@ -32,8 +32,8 @@ local function ironing(part, order)
   local middle = { die:face "west", slab:face "west" }
   if part == "half" then supports.middle = { on = middle, symmetry = true } end
   if part == "fixed" then supports.middle = { on = middle, fix = "x" } end
-  return sg.model{ bodies = { die = die, slab = slab }, supports = supports,
-    contacts = { interface = { slave = die:face "south", master = slab:face "north", penalty = 100,
+  return scenes.model{ bodies = { die = die, slab = slab }, supports = supports,
+    contacts = { interface = { slave = "die.south", master = "slab.north", penalty = 100,
                                friction = { mu = 0.2, penalty = 100 } } } }
 end
 
@@ -119,8 +119,8 @@ check.case("the axis and planes across it in an axisymmetric model; symmetry = f
   local function pipe(axis, middle)
     local body = scenes.body{ patch = patch, elements = { 2, 2 }, material = soft }
     axis.on, middle.on = body:face "west", body:face "south"
-    return sg.model{ kind = "axisymmetric", bodies = { b = body }, supports = { axis = axis, middle = middle,
-      grip = { on = body:face "north", drive = "y" } } }
+    return scenes.model{ kind = "axisymmetric", bodies = { b = body }, supports = { axis = axis, middle = middle,
+      grip = { on = "north", drive = "y" } } }
   end
   local press = { { steps = 1, grip = { -0.1 } } }
   check.equal(grip(pipe({ symmetry = true }, { symmetry = true }), press),

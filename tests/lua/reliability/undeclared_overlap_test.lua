@@ -64,9 +64,9 @@ check.case("two blocks in space, and a floor", function()
     { steps = 1, lid = { 0, 0, -0.2 } } })
   check.holds(warning, "lies 0.2 behind", "face 'front' of body 'up'", "face 'back' of body 'low'")
   local floor, side = sg.rigid.plane{ point = { 0, 0, 0 }, normal = { 0, 0, 1 } }, cube({ 1, 1, 1 }, { 3, 0, 0.3 })
-  local model = sg.model{ bodies = { low = low, side = side },
-    supports = { bed = { on = low:face "back", fix = "xyz" }, lid = { on = side:face "back", drive = "xyz" } },
-    contacts = { k = { slave = low:face "front", master = floor, penalty = 100 } } }
+  local model = scenes.model{ bodies = { low = low, side = side },
+    supports = { bed = { on = "low.back", fix = "xyz" }, lid = { on = "side.back", drive = "xyz" } },
+    contacts = { k = { slave = "low.front", master = floor, penalty = 100 } } }
   check.holds(table.concat(model:run({ { steps = 1, lid = { 0, 0, -0.5 } } }).warnings, "\n"),
     "face 'front' of body 'side' lies 0.2 behind the obstacle of contacts.k, whose slave it is not, at (", ", -0.2)")
 end)
@@ -75,10 +75,10 @@ for name, floor in pairs{ plane = scenes.floor(-1),
                           line = sg.rigid.surface(sg.nurbs.line{ from = { 9, -1 }, to = { -9, -1 } }) } do
   check.case("a beam passes through the floor on which its foot stands: " .. name, function()
     local beam, foot = box(4, 1, 0, 0, { 8, 4 }), box(1, 1, 0, -1, { 2, 4 })
-    local model = sg.model{ bodies = { beam = beam, foot = foot },
-      ties = { t = { slave = foot:face "north", master = beam:face "south" } },
-      supports = { push = { on = beam:face "east", drive = "y", fix = "x" } },
-      contacts = { k = { slave = foot:face "south", master = floor, penalty = 100,
+    local model = scenes.model{ bodies = { beam = beam, foot = foot },
+      ties = { t = { slave = "foot.north", master = "beam.south" } },
+      supports = { push = { on = "beam.east", drive = "y", fix = "x" } },
+      contacts = { k = { slave = "foot.south", master = floor, penalty = 100,
                          friction = { mu = 0.5, penalty = 100 } } } }
     local warnings = table.concat(model:run({ { steps = 10, push = { -2.5 } } }).warnings, "\n")
     check.holds(warnings, "Hint: add it to the slave",
@@ -120,9 +120,9 @@ end)
 
 check.case("an obstacle between contact points", function()
   local slab, needle = box(2, 1, 0, 0, { 8, 4 }), sg.rigid.cylinder{ center = { 1.0003, 1.001 }, radius = 0.001 }
-  local model = sg.model{ bodies = { slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, push = { on = needle, drive = "y" } },
-    contacts = { c = { slave = slab:face "north", master = needle, penalty = 100 } } }
+  local model = scenes.model{ bodies = { slab = slab },
+    supports = { bed = { on = "south", fix = "xy" }, push = { on = needle, drive = "y" } },
+    contacts = { c = { slave = "north", master = needle, penalty = 100 } } }
   check.holds(only(model:run{ { steps = 40, push = -0.3 } }),
     "the obstacle of contacts.c lies inside body 'slab', 0.3 behind face 'north' of body 'slab' at (1.0003",
     "use smaller elements on the slave face")
@@ -130,9 +130,9 @@ end)
 
 check.case("a pin between the contact points of a face", function()
   local slab, pin = box(2, 1, 0, 0, { 4, 4 }), box(0.02, 0.5, 1.14, 1.001, { 1, 4 })
-  local model = sg.model{ bodies = { slab = slab, pin = pin },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, push = { on = pin:face "north", drive = "xy" } },
-    contacts = { c = { slave = slab:face "north", master = pin:face "south", penalty = 100, points = 3 } } }
+  local model = scenes.model{ bodies = { slab = slab, pin = pin },
+    supports = { bed = { on = "slab.south", fix = "xy" }, push = { on = "pin.north", drive = "xy" } },
+    contacts = { c = { slave = "slab.north", master = "pin.south", penalty = 100, points = 3 } } }
   check.holds(only(model:run{ { steps = 40, push = { 0, -0.3 } } }), "face 'south' of body 'pin' lies 0.29",
     "behind face 'north' of body 'slab' at (1.1", "but no point of contacts.c is active")
 end)
@@ -166,15 +166,14 @@ end)
 
 check.case("a shrink fit, and an axis of revolution below a sphere", function()
   local shaft, hub = box(1, 2, 0, 0, { 4, 8 }), box(1, 2, 0.96, 0, { 4, 8 })
-  silent(sg.model{ kind = "axisymmetric", bodies = { shaft = shaft, hub = hub },
-    supports = { mid = { on = { shaft:face "south", hub:face "south" }, fix = "y" } },
-    contacts = { fit = { slave = shaft:face "east", master = hub:face "west", penalty = 100,
+  silent(scenes.model{ kind = "axisymmetric", bodies = { shaft = shaft, hub = hub },
+    supports = { mid = { on = { "shaft.south", "hub.south" }, fix = "y" } },
+    contacts = { fit = { slave = "shaft.east", master = "hub.west", penalty = 100,
                          overlap = "interference" } } }:run{ { steps = 2 } })
   local slab, sphere = box(2, 1, 0, 0, { 8, 4 }), sg.rigid.sphere{ center = { 0, 1.5 }, radius = 0.5 }
-  silent(sg.model{ kind = "axisymmetric", bodies = { slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, push = { on = sphere, drive = "y" } },
-    contacts = { c = { slave = slab:face "north", master = sphere, penalty = 100 } } }:run{
-    { steps = 4, push = -0.2 } })
+  silent(scenes.model{ kind = "axisymmetric", bodies = { slab = slab },
+      supports = { bed = { on = "south", fix = "xy" }, push = { on = sphere, drive = "y" } },
+      contacts = { c = { slave = "north", master = sphere, penalty = 100 } } }:run{ { steps = 4, push = -0.2 } })
 end)
 
 check.case("half of a disc at a plane of symmetry, and a hollow cylinder around it", function()

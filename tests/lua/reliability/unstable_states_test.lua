@@ -33,8 +33,8 @@ end
 --- Under a dead load of its free end.
 local function loaded(times, options)
   local body = column{}
-  local model = sg.model{ bodies = { column = body }, supports = { base = { on = body:face "south", fix = "xy" } },
-                          loads = { p = { on = body:face "north", traction = { 0, 0 } } } }
+  local model = scenes.model{ bodies = { column = body }, supports = { base = { on = "south", fix = "xy" } },
+                          loads = { p = { on = "north", traction = { 0, 0 } } } }
   return model:run({ { name = "press", steps = 2, p = { 0, -times * euler(1) / thickness } } }, options)
 end
 
@@ -48,8 +48,8 @@ end)
 check.case("in space a square column has two such directions", function()
   decides("space", function(times)
     local body = scenes.body{ size = { thickness, thickness, length }, elements = { 1, 1, 5 }, E = E, nu = 0 }
-    local model = sg.model{ bodies = { column = body }, supports = { base = { on = body:face "front", fix = "xyz" } },
-                            loads = { p = { on = body:face "back", traction = { 0, 0, 0 } } } }
+    local model = scenes.model{ bodies = { column = body }, supports = { base = { on = "front", fix = "xyz" } },
+                            loads = { p = { on = "back", traction = { 0, 0, 0 } } } }
     local traction = times * (1 - nu ^ 2) * euler(1) / thickness
     return model:run{ { steps = 2, p = { 0, 0, -traction } } }
   end)
@@ -57,8 +57,8 @@ end)
 
 check.case("a stored state tells from which step on", function()
   local body = column{}
-  local model = sg.model{ bodies = { column = body }, supports = { base = { on = body:face "south", fix = "xy" } },
-                          loads = { p = { on = body:face "north", traction = { 0, 0 } } } }
+  local model = scenes.model{ bodies = { column = body }, supports = { base = { on = "south", fix = "xy" } },
+                          loads = { p = { on = "north", traction = { 0, 0 } } } }
   local run = model:run({ { name = "press", steps = 8, p = { 0, -2 * euler(1) / thickness } } }, { states = 9 })
   check.holds(warned(run), "at the end of stage 'press', from step 5 on: ")
   check.near(model:reaction("base").fy, 2 * euler(1), 1e-8) -- at the last state again
@@ -66,8 +66,8 @@ end)
 
 check.case("a stage that was not examined is found when a later one is", function()
   local body = column{}
-  local model = sg.model{ bodies = { column = body }, supports = { base = { on = body:face "south", fix = "xy" } },
-                          loads = { p = { on = body:face "north", traction = { 0, 0 } } } }
+  local model = scenes.model{ bodies = { column = body }, supports = { base = { on = "south", fix = "xy" } },
+                          loads = { p = { on = "north", traction = { 0, 0 } } } }
   local path = {}
   for i = 1, 12 do path[i] = { name = "s" .. i, steps = 1, p = { 0, -i / 8 * euler(1) / thickness } } end
   local examine, count = core.state_warnings, 0
@@ -91,8 +91,8 @@ local function pressed(contact)
     local body = column{ contact = "north" }
     local plane = scenes.ceiling(length)
     contact.slave, contact.master = body:face "north", plane
-    local model = sg.model{ bodies = { column = body }, contacts = { top = contact },
-      supports = { base = { on = body:face "south", fix = "xy" }, press = { on = plane, drive = "y" } } }
+    local model = scenes.model{ bodies = { column = body }, contacts = { top = contact },
+      supports = { base = { on = "south", fix = "xy" }, press = { on = plane, drive = "y" } } }
     local shortening = times * euler(2) * length * (1 - nu ^ 2) / (E * thickness)
     return model:run({ { name = "press", steps = 2, press = { -shortening } } }, options)
   end
@@ -108,10 +108,10 @@ check.case("a tie is no hinge", function()
   decides("tie", function(times, options)
     local lower = column{ height = length / 2, elements = 5, contact = "north" }
     local upper = column{ height = length / 2, elements = 7, at = length / 2, contact = "south" }
-    local model = sg.model{ bodies = { lower = lower, upper = upper },
-      ties = { seam = { slave = upper:face "south", master = lower:face "north" } },
-      supports = { base = { on = lower:face "south", fix = "xy" } },
-      loads = { p = { on = upper:face "north", traction = { 0, 0 } } } }
+    local model = scenes.model{ bodies = { lower = lower, upper = upper },
+      ties = { seam = { slave = "upper.south", master = "lower.north" } },
+      supports = { base = { on = "lower.south", fix = "xy" } },
+      loads = { p = { on = "upper.north", traction = { 0, 0 } } } }
     return model:run({ { steps = 2, p = { 0, -times * euler(1) / thickness } } }, options)
   end)
 end)
@@ -122,9 +122,9 @@ check.case("motions without stiffness are neutral", function()
   local disc = scenes.body{ patch = sg.shapes.polar_disc{ radius = R, center = { 0, R * math.sqrt(2) } },
     elements = { 64, 8 }, contact = "south", E = 1000 }
   local function side(x) return sg.rigid.plane{ point = { 0, 0 }, normal = { x, 1 } } end
-  local model = sg.model{ bodies = { disc = disc }, loads = { g = { on = disc, force = { 0, 0 } } },
-    contacts = { left = { slave = disc:face "south", master = side(1), penalty = groove },
-                 right = { slave = disc:face "south", master = side(-1), penalty = groove } } }
+  local model = scenes.model{ bodies = { disc = disc }, loads = { g = { on = disc, force = { 0, 0 } } },
+    contacts = { left = { slave = "south", master = side(1), penalty = groove },
+                 right = { slave = "south", master = side(-1), penalty = groove } } }
   check.equal(warned(model:run{ { steps = 2, g = { 0, -10 / (math.pi * R ^ 2) } } }), nil)
   -- Of one patch or several ones it rolls on a plane, and on a slab as slave or as master; it falls off a cylinder.
   local rubber, slab = sg.neo_hookean{ E = 1000, nu = 0.3 }, nil

@@ -46,7 +46,7 @@ end)
 check.case("the limit of Poisson's ratio depends on the degree", function()
   local function warnings(order, nu)
     local body = scenes.body{ order = order, nu = nu }
-    return sg.model{ bodies = { slab = body }, supports = { bed = { on = body:face "south", fix = "xy" } } }:warnings()
+    return scenes.model{ bodies = { slab = body }, supports = { bed = { on = "south", fix = "xy" } } }:warnings()
   end
   for order, limit in pairs { N2 = 0.497, N3 = 0.499, N4 = 0.499 } do
     check.equal(#warnings(order, limit), 0)
@@ -61,7 +61,7 @@ check.case("degree 1 in any direction of a nearly incompressible body", function
         or sg.shapes.block{ size = {10, 1, 1} }, elements = options.elements, order = options.order,
       contact = dimension == 2 and "south" or "front", thickness_degree = options.thickness_degree,
       material = sg[options.law or "neo_hookean"]{ E = 1, nu = options.nu } }
-    return sg.model{ bodies = { beam = body }, supports = { wall = { on = body:face "west", fix = "x" } } }:warnings()
+    return scenes.model{ bodies = { beam = body }, supports = { wall = { on = "west", fix = "x" } } }:warnings()
   end
   for _, law in ipairs { "neo_hookean", "linear_elastic" } do
     local found = warnings{ elements = {4, 2}, order = "N2", thickness_degree = 1, nu = 0.45, law = law }
@@ -129,8 +129,8 @@ check.case("the same pair of faces in two contacts", function()
     local one = { slave = upper:face "south", master = lower:face "north", penalty = 10, where = options.left }
     local two = { slave = upper:face "south", master = lower:face "north", penalty = 10, where = options.right }
     if options.swap then two.slave, two.master = one.master, one.slave end
-    return sg.model{ bodies = { lower = lower, upper = upper }, contacts = { a = one, b = two },
-      supports = { bed = { on = lower:face "south", fix = "xy" }, lid = { on = upper:face "north", fix = "xy" } } }
+    return scenes.model{ bodies = { lower = lower, upper = upper }, contacts = { a = one, b = two },
+      supports = { bed = { on = "lower.south", fix = "xy" }, lid = { on = "upper.north", fix = "xy" } } }
   end
   for _, options in ipairs { {}, { swap = true } } do
     local warnings = twice(options):warnings()
@@ -215,8 +215,8 @@ check.case("a face that is listed twice is an error", function()
   local slab, other = slab_on(), slab_on()
   local north, bed = slab:face "north", { on = slab:face "south", fix = "xy" }
   check.fails(function()
-    sg.model{ bodies = { slab = slab }, supports = { bed = bed },
-              loads = { p = { on = { north, slab:face "north" }, traction = {0, -0.1} } } }
+    scenes.model{ bodies = { slab = slab }, supports = { bed = bed },
+              loads = { p = { on = { north, "north" }, traction = {0, -0.1} } } }
   end, "loads.p.on lists face 'north' of body 'slab' twice, expected once")
   check.fails(function()
     sg.model{ bodies = { slab = slab }, supports = { bed = { on = { north, north }, fix = "xy" } } }
@@ -228,14 +228,14 @@ check.case("a face that is listed twice is an error", function()
   check.fails(function()
     sg.model{ bodies = { slab = slab }, supports = { floor = { on = { floor, floor }, drive = "y" } } }
   end, "supports.floor.on lists an obstacle twice")
-  sg.model{ bodies = { slab = slab, other = other }, supports = { bed = { on = { north, other:face "north" },
+  scenes.model{ bodies = { slab = slab, other = other }, supports = { bed = { on = { north, "other.north" },
     fix = "xy" } } }
 end)
 
 check.case("hints do not name controls that are on", function()
   local slab = slab_on()
-  local model = sg.model{ bodies = { slab = slab }, supports = { -- pressed flat and farther
-    bed = { on = slab:face "south", fix = "xy" }, lid = { on = slab:face "north", drive = "y" } } }
+  local model = scenes.model{ bodies = { slab = slab }, supports = { -- pressed flat and farther
+    bed = { on = "south", fix = "xy" }, lid = { on = "north", drive = "y" } } }
   model:set_target("lid", { -1.2 })
   check.equal(model:solve_step{ predictor = "tangent" }.reason, "inverted")
   check.holds(model:diagnose().cure, "take smaller steps (step = { adaptive = true })", "line_search", "a mesh")
@@ -311,9 +311,8 @@ end)
 check.case("fewer contact points per element than the degree of the slave face", function()
   local function warnings(order, points)
     local upper = scenes.body{ size = {2, 1}, corner = {0, 1}, elements = {4, 4}, order = order, contact = "south" }
-    return sg.model{ bodies = { upper = upper }, supports = { lid = { on = upper:face "north", fix = "xy" } },
-      contacts = { touch = { slave = upper:face "south", penalty = 10, points = points,
-                             master = scenes.floor(1) } } }:warnings()
+    return scenes.model{ bodies = { upper = upper }, supports = { lid = { on = "north", fix = "xy" } },
+      contacts = { touch = { slave = "south", penalty = 10, points = points, master = scenes.floor(1) } } }:warnings()
   end
   check.equal({ warnings("N1", 1), warnings("N2", 2), warnings("N2-N4", 4), warnings("N2-N4") }, { {}, {}, {}, {} })
   check.holds(warnings("N2", 1)[1], "contacts.touch: points = 1 per element and direction is less than the degree 2")

@@ -143,10 +143,10 @@ check.case("supports keep their control points where strips of both directions c
     local slab = scenes.body{ size = { 1, 1, 0.5 }, elements = { 8, 8, 1 }, order = "N2-N3.1", contact = "back",
       thickness_degree = 2, layer = { { 0, 1 }, { 0, 0.12 } } }
     local tool = sg.rigid.cylinder{ center = { 0, 0, 0.7 }, radius = 0.2, axis = { 0, 1, 0 } }
-    local model = sg.model{ bodies = { slab = slab }, supports = {
-        bed = { on = slab:face "front", fix = "xyz" }, sx = { on = slab:face "west", fix = "x" },
-        sy = { on = slab:face "south", fix = "y" }, tool = { on = tool, drive = "z", fix = "xy" } },
-      contacts = { c = { slave = slab:face "back", master = tool, penalty = 30, points = 4 } } }
+    local model = scenes.model{ bodies = { slab = slab }, supports = {
+        bed = { on = "front", fix = "xyz" }, sx = { on = "west", fix = "x" },
+        sy = { on = "south", fix = "y" }, tool = { on = tool, drive = "z", fix = "xy" } },
+      contacts = { c = { slave = "back", master = tool, penalty = 30, points = 4 } } }
     return model:run({ { name = "press", steps = 2, tool = { -0.03 } } }, { adapt = adapt })
   end
   local with, without = press { margin = 0 }, press()

@@ -84,13 +84,10 @@ check.case("peeling, adhesion on a part of the face, rotating support: reused fa
   for _, linear in ipairs { "auto", "klu" } do
     local strip = scenes.body{ size = {60, 10}, elements = {48, 4}, order = "N2-N2.1", contact = "south", E = 2,
       nu = 0.2 }
-    local model = sg.model{
-      bodies = { strip = strip },
-      supports = { edge = { on = strip:face "east", rotate = true },
-        pin = { on = strip:corner "south-west", fix = "x" } },
-      contacts = { film = { slave = strip:face "south", master = scenes.floor(-0.25),
-                            adhesion = { hamaker = 0.1, r0 = 0.4 }, where = function(X) return X[1] <= 45 end } },
-    }
+    local model = scenes.model{ bodies = { strip = strip },
+      supports = { edge = { on = "east", rotate = true }, pin = { on = "south-west", fix = "x" } },
+      contacts = { film = { slave = "south", master = scenes.floor(-0.25), adhesion = { hamaker = 0.1, r0 = 0.4 },
+        where = function(X) return X[1] <= 45 end } }, }
     continues(model, { { steps = 12, edge = 6 } }, "{ { steps = 8, edge = 10 } }", { linear = linear })
     check.equal(model:solver().linear, linear == "auto" and "reuse" or linear)
   end

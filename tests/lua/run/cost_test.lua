@@ -69,7 +69,7 @@ check.case("linear bodies, adhesion, and a body whose DOFs are all prescribed", 
     local body = scenes.body{ size = {4, 1}, corner = { 0, 1 }, elements = { 8, 2 }, contact = "south",
       thickness_degree = 1, material = sg.linear_elastic{ E = 1, nu = 0.3 } }
     law.slave, law.master = body:face "south", scenes.floor()
-    return sg.model{ bodies = { strip = body }, supports = { top = { on = body:face "north", drive = "xy" } },
+    return scenes.model{ bodies = { strip = body }, supports = { top = { on = "north", drive = "xy" } },
                      contacts = contact and { c = law } or nil }
   end
   check.equal(strip(true, { penalty = 1 }):cost().linear, "condensed")

@@ -16,15 +16,15 @@ end
 --- A square on a bed; its top is driven down.
 local function press()
   local body = block()
-  return sg.model{ bodies = { block = body }, supports = {
-    bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", fix = "x", drive = "y" } } }
+  return scenes.model{ bodies = { block = body }, supports = {
+    bed = { on = "south", fix = "xy" }, top = { on = "north", fix = "x", drive = "y" } } }
 end
 
 --- A square on a bed under a wind from above.
 local function windy(supports)
   local body = block()
-  return sg.model{ bodies = { block = body }, supports = supports(body),
-                   loads = { wind = { on = body:face "north", traction = {0, 0} } } }
+  return scenes.model{ bodies = { block = body }, supports = supports(body),
+                   loads = { wind = { on = "north", traction = {0, 0} } } }
 end
 
 local function on_bed(body) return { bed = { on = body:face "south", fix = "xy" } } end
@@ -124,8 +124,8 @@ end)
 
 check.case("iterations: too few, with the largest unbalanced forces", function()
   local body = block()
-  local model = sg.model{ bodies = { block = body }, supports = {
-    bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", drive = "xy" } } }
+  local model = scenes.model{ bodies = { block = body }, supports = {
+    bed = { on = "south", fix = "xy" }, top = { on = "north", drive = "xy" } } }
   local run = model:run({ { name = "shear", steps = 1, top = {0.3, 0} } }, sg.plain{ newton = { iterations = 2 } })
   local place = expect(run, "iterations", 0,
     "step 1 (stage 'shear', 1 of 1) was not reached: no convergence after 2 iterations",
@@ -198,8 +198,8 @@ check.case("a fine block on a plane without friction, factored in single precisi
   local block = scenes.body{ size = { 1, 1, 0.7 }, elements = { 10, 10, 10 }, contact = "front", thickness_degree = 2,
     E = 10 }
   local plane = sg.rigid.plane{ point = { 0, 0, 0 }, normal = { 0, 0, 1 } }
-  local model = sg.model{ bodies = { block = block }, supports = { top = { on = block:face "back", drive = "z" } },
-    contacts = { floor = { slave = block:face "front", master = plane, penalty = 100, points = 3 } } }
+  local model = scenes.model{ bodies = { block = block }, supports = { top = { on = "back", drive = "z" } },
+    contacts = { floor = { slave = "front", master = plane, penalty = 100, points = 3 } } }
   local run = model:run({ { steps = 1, top = { -0.01 } } }, sg.plain{ linear = "reuse" })
   -- The last digits, which depend on the processor, decide whether a pivot is zero or negative.
   check.equal(run.reason == "singular" or run.reason == "indefinite", true)
@@ -210,9 +210,9 @@ check.case("singular: all motions of a body that nothing holds", function()
   local block = scenes.body{ size = { 1, 1, 1 }, elements = { 1, 1, 1 } }
   local floor = sg.rigid.plane{ point = { 0, 0, 0 }, normal = { 0, 0, 1 } }
   local lid = sg.rigid.plane{ point = { 0, 0, 1 }, normal = { 0, 0, -1 } }
-  local model = sg.model{ bodies = { block = block }, supports = { press = { on = lid, drive = "z" } },
-    contacts = { below = { slave = block:face "front", master = floor, penalty = 50 },
-                 above = { slave = block:face "back", master = lid, penalty = 50 } } }
+  local model = scenes.model{ bodies = { block = block }, supports = { press = { on = lid, drive = "z" } },
+    contacts = { below = { slave = "front", master = floor, penalty = 50 },
+                 above = { slave = "back", master = lid, penalty = 50 } } }
   local run = model:run({ { steps = 1, press = { -0.1 } } }, sg.plain{})
   check.equal(run.reason, "singular")
   check.holds(run.failure, "nothing holds body 'block' against translation along x and y and rotation about z")
@@ -221,8 +221,8 @@ end)
 check.case("singular: a ring too wide for any hoop stress; a radial motion is not a rigid one", function()
   local ring = scenes.body{ corner = { 1e9, 0 }, elements = { 1, 1 },
     material = sg.linear_elastic{ E = 1000, nu = 0.3 } }
-  local run = sg.model{ kind = "axisymmetric", bodies = { ring = ring }, loads = { p = { on = ring:face "west",
-                        pressure = 0 } }, supports = { ends = { on = { ring:face "south", ring:face "north" },
+  local run = scenes.model{ kind = "axisymmetric", bodies = { ring = ring }, loads = { p = { on = "west",
+                        pressure = 0 } }, supports = { ends = { on = { "south", "north" },
                         fix = "y" } } }:run({ { steps = 1, p = 1 } }, sg.plain{})
   expect(run, "singular", 0, "in its critical direction, control point", "of body 'ring'", "moves most")
   assert(not run.failure:find "rigid")
@@ -261,10 +261,9 @@ check.case("friction_exhausted: a saddle that is pulled above its face slides be
   local function arc(radius) return sg.nurbs.arc{ center = {0, 0}, radius = radius, from = 110, to = 70 } end
   local saddle = scenes.body{ patch = sg.nurbs.ruled{ a = arc(R), b = arc(arm) }, elements = {4, 2}, contact = "south",
     E = 10 }
-  local model = sg.model{ bodies = { saddle = saddle },
-    loads = { top = { on = saddle:face "north", traction = {0, 0} } },
-    contacts = { c = { slave = saddle:face "south", master = sg.rigid.cylinder{ center = {0, 0}, radius = R },
-                       penalty = 100, friction = { mu = mu, penalty = 100 } } } }
+  local model = scenes.model{ bodies = { saddle = saddle }, loads = { top = { on = "north", traction = {0, 0} } },
+    contacts = { c = { slave = "south", master = sg.rigid.cylinder{ center = {0, 0}, radius = R }, penalty = 100,
+      friction = { mu = mu, penalty = 100 } } } }
   local length = arm * math.rad(40)
   local function force(x) return { x / length, -weight / length } end
   check.equal(model:run{ { steps = 1, top = force(0) } }.reason, "completed")
@@ -281,8 +280,8 @@ end)
 
 check.case("indefinite: a column beyond Euler's load", function()
   local body = block{ width = 0.5, height = 10, elements = {1, 8}, order = "N3", contact = "west" }
-  local model = sg.model{ bodies = { column = body }, supports = {
-    bed = { on = body:face "south", fix = "xy" }, top = { on = body:face "north", drive = "y" } } }
+  local model = scenes.model{ bodies = { column = body }, supports = {
+    bed = { on = "south", fix = "xy" }, top = { on = "north", drive = "y" } } }
   local run = model:run({ { steps = 1, top = -0.1 } }, sg.plain{ newton = { iterations = 1 } })
   local place = expect(run, "indefinite", 0, "no convergence after 1 iteration:", "the tangent is indefinite there",
     "of body 'column'", "limit or turning point", "take smaller steps",

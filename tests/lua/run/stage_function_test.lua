@@ -61,9 +61,9 @@ check.case("arc length follows the chord of a step past a limit point", function
   local body = scenes.body{ patch = sg.shapes.quarter_annulus{ inner = 1, outer = 1.5, center = {0, 0} },
     elements = {4, 2}, order = "N3", volumetric = "projected",
     material = sg.mooney_rivlin{ c10 = 0.45, c01 = 0.05, K = 5000 } }
-  local model = sg.model{ bodies = { ball = body }, kind = "axisymmetric",
-    supports = { axis = { on = body:face "west", symmetry = true }, cut = { on = body:face "east", symmetry = true } },
-    loads = { gas = { on = body:face "north", pressure = 0, follower = true } } }
+  local model = scenes.model{ bodies = { ball = body }, kind = "axisymmetric",
+    supports = { axis = { on = "west", symmetry = true }, cut = { on = "east", symmetry = true } },
+    loads = { gas = { on = "north", pressure = 0, follower = true } } }
   local run = model:run({ { steps = 6, gas = function(s) return 0.56 * math.sqrt(s) end } }, { arc_length = true })
   check.equal(run.failed, false)
   check.near(model:target "gas", { 0.56 }, 1e-14)

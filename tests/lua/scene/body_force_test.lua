@@ -65,8 +65,8 @@ end)
 check.case("sideways in the plane, it bends: the moment of the support is that of the weight", function()
   local body = scenes.body{ size = {1, height}, elements = { 2, 6 }, order = "N3",
     material = sg.linear_elastic{ E = E, nu = 0.3 } }
-  local model = sg.model{ bodies = { beam = body },
-    supports = { clamp = { on = body:face "south", fix = "xy", rotate = true } },
+  local model = scenes.model{ bodies = { beam = body },
+    supports = { clamp = { on = "south", fix = "xy", rotate = true } },
     loads = { wind = { on = body, force = { 0.01, 0 } } } }
   model:set_target("clamp", { 0 })
   check.completed(model:run({ { steps = 1 } }, sg.plain{}))
@@ -80,8 +80,8 @@ check.case("bodies of several patches and lists of bodies carry their weight, in
   local wall = sg.body{ patch = { square{ width = 1, height = 1 }, square{ width = 1, height = 2, corner = { 0, 1 } } },
                         elements = { 2, 2 }, order = "N2", material = sg.neo_hookean{ E = E, nu = 0.3 } }
   local slab = scenes.body{ patch = square{ width = 5, height = 1, corner = { 3, 0 } }, elements = { 2, 2 }, E = E }
-  local model = sg.model{ bodies = { wall = wall, slab = slab },
-    supports = { bed = { on = { wall:face "1.south", slab:face "south" }, fix = "xy" } },
+  local model = scenes.model{ bodies = { wall = wall, slab = slab },
+    supports = { bed = { on = { "wall.1.south", "slab.south" }, fix = "xy" } },
     loads = { own = { on = wall, force = { 0, 0 } }, all = { on = { wall, slab }, force = { 0, -0.1 } } } }
   check.completed(model:run({ { steps = 1, own = { 0, -0.2 } } }, sg.plain{}))
   check.near({ model:reaction "own"[2], model:reaction "all"[2] }, { -0.6, -0.8 }, 1e-12)
@@ -90,8 +90,8 @@ check.case("bodies of several patches and lists of bodies carry their weight, in
   check.equal(copy:reaction "own", model:reaction "own")
   check.equal(copy:driven "own", { "bx", "by" })
   -- A load among the supports
-  local single = sg.model{ bodies = { slab = slab },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, own = { on = slab, force = { 0, -0.1 } } } }
+  local single = scenes.model{ bodies = { slab = slab },
+    supports = { bed = { on = "south", fix = "xy" }, own = { on = slab, force = { 0, -0.1 } } } }
   check.equal(single:load_names(), { "own" })
 end)
 
@@ -129,7 +129,7 @@ end
 
 check.case("an unconstrained body under a load is a failed run, however far it goes", function()
   local body = scenes.body{ material = sg.linear_elastic{ E = 1000, nu = 0.3 } }
-  local model = sg.model{ bodies = { block = body }, supports = { bed = { on = body:face "south", fix = "y" } },
+  local model = scenes.model{ bodies = { block = body }, supports = { bed = { on = "south", fix = "y" } },
                           loads = { push = { on = body, force = { 0, 0 } } } }
   local run = model:run{ { steps = 1, push = { 1, 0 } } }
   check.equal(run.failed, true)

@@ -202,10 +202,10 @@ check.case("the formula of neo-Hooke gives the solutions of sg.neo_hookean, with
         material = material }
       local shape = kind == "axisymmetric" and sg.rigid.sphere{ center = { 0, 2 }, radius = 1 }
         or sg.rigid.cylinder{ center = { 0, 2 }, radius = 1 }
-      local model = sg.model{ bodies = { slab = slab }, kind = kind,
-        supports = { bed = { on = slab:face "south", fix = "xy" }, axis = { on = slab:face "west", fix = "x" },
+      local model = scenes.model{ bodies = { slab = slab }, kind = kind,
+        supports = { bed = { on = "south", fix = "xy" }, axis = { on = "west", fix = "x" },
                      push = { on = shape, drive = "y" } },
-        contacts = { touch = { slave = slab:face "north", master = shape, penalty = 100,
+        contacts = { touch = { slave = "north", master = shape, penalty = 100,
                                friction = { mu = 0.2, penalty = 100 } } } }
       return finish(model, { { steps = 4, push = { -0.2 } } })
     end
@@ -223,10 +223,9 @@ check.case("default penalties and warnings use the moduli of small strains", fun
   local function penalty(material)
     local slab = scenes.body{ size = {2, 1}, elements = { 6, 3 }, contact = "north", material = material }
     local disc = sg.rigid.cylinder{ center = { 0, 2 }, radius = 1 }
-    return sg.model{ bodies = { slab = slab },
-      supports = { bed = { on = slab:face "south", fix = "xy" }, push = { on = disc, drive = "y" } },
-      contacts = { touch = { slave = slab:face "north", master = disc } },
-    }:contact_law("touch").penalty
+    return scenes.model{ bodies = { slab = slab },
+      supports = { bed = { on = "south", fix = "xy" }, push = { on = disc, drive = "y" } },
+      contacts = { touch = { slave = "north", master = disc } } }:contact_law("touch").penalty
   end
   check.within_share("default penalty", penalty(formula(2, 0.25)), penalty(sg.neo_hookean{ E = 2, nu = 0.25 }), 1e-12)
   check.holds(tostring(formula(2, 0.25)), "hyperelastic: E = 2, nu = 0.25 without strain\n  W(I1, I2, J) = ")
@@ -297,8 +296,8 @@ check.case("a run warns once where the law is unstable, and names body and stret
   check.equal({ stopped.reason, resumed.reason, resumed.warnings }, { "stopped", "completed", stopped.warnings })
   -- A step that fails there names the law, too.
   local bar = scenes.body{ size = {4, 1}, elements = {4, 2}, material = sg.yeoh{ c10 = 0.5, c20 = -0.05, K = 5 } }
-  local run = sg.model{ bodies = { bar = bar }, supports = { wall = { on = bar:face "west", fix = "xy" },
-                        grip = { on = bar:face "east", drive = "x" } } }:run{ { steps = 20, grip = 8 } }
+  local run = scenes.model{ bodies = { bar = bar }, supports = { wall = { on = "west", fix = "xy" },
+                        grip = { on = "east", drive = "x" } } }:run{ { steps = 20, grip = 8 } }
   check.equal(run.failed, true)
   check.holds(run.failure, "The elastic law of body 'bar' is unstable at the strains reached, which neither the mesh")
   check.holds(table.concat(run.warnings), "body 'bar': its elastic law is unstable")

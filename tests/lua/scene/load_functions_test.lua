@@ -173,8 +173,8 @@ check.refusals(start, "study.lua:", {
 check.case("a function that varies between the points of the load is a warning with its error", function()
   local function loaded(f, elements, kind)
     local b = scenes.body{ elements = { elements, 2 } }
-    local m = sg.model{ bodies = { b = b }, supports = { a = { on = b:face "south", fix = "xy" } }, kind = kind,
-                        loads = { p = { on = b:face "north", pressure = f, factor = 0 } } }
+    local m = scenes.model{ bodies = { b = b }, supports = { a = { on = "south", fix = "xy" } }, kind = kind,
+                        loads = { p = { on = "north", pressure = f, factor = 0 } } }
     local run = m:run({ { steps = 1, p = 1 } }, sg.plain{})
     return run:column "p.fy"[1], m:warnings()
   end
@@ -202,7 +202,7 @@ end)
 check.case("so is a force per volume", function()
   local function warnings(width)
     local b = scenes.body{ elements = { 4, 4 } }
-    return sg.model{ bodies = { b = b }, supports = { a = { on = b:face "south", fix = "xy" } },
+    return scenes.model{ bodies = { b = b }, supports = { a = { on = "south", fix = "xy" } },
       loads = { p = { on = b, force = function(x) return { 0, math.exp(-((x - 0.4) / width) ^ 2) } end } } }:warnings()
   end
   check.equal(#warnings(0.2), 0)

@@ -84,8 +84,8 @@ check.case("F33 is the hoop stretch, 1 in plane strain", function()
   local patch = sg.shapes.rectangle{ width = 1, height = 2, corner = {1, 0} }
   for kind, hoop in pairs { axisymmetric = true, plane_strain = false } do
     local ring = scenes.body{ patch = patch, elements = {2, 2}, contact = "south", E = 10 }
-    local model = sg.model{ kind = kind, bodies = { ring = ring }, supports = {
-      bed = { on = ring:face "south", fix = "y" }, wall = { on = ring:face "west", drive = "x" } } }
+    local model = scenes.model{ kind = kind, bodies = { ring = ring }, supports = {
+      bed = { on = "south", fix = "y" }, wall = { on = "west", drive = "x" } } }
     model:run{ { steps = 1, wall = 0.1 } }
     local expected = hoop and 1 + model:sample("ring", "ux", {0.25, 0.5}) / 1.25 or 1
     check.within(kind, model:sample("ring", "F33", {0.25, 0.5}), expected, 1e-14)

@@ -87,9 +87,9 @@ check.case("contact pressures of plates balance the force per undeformed thickne
   local slab = scenes.body{ size = {2, 1}, elements = { 8, 4 }, contact = "north" }
   local disc = sg.rigid.cylinder{ center = { 1, 1.5 }, radius = 0.5 }
   local function model(kind)
-    return sg.model{ bodies = { slab = slab }, kind = kind,
-      supports = { bed = { on = slab:face "south", fix = "xy" }, push = { on = disc, drive = "y" } },
-      contacts = { touch = { slave = slab:face "north", master = disc, penalty = 100 } } }
+    return scenes.model{ bodies = { slab = slab }, kind = kind,
+      supports = { bed = { on = "south", fix = "xy" }, push = { on = disc, drive = "y" } },
+      contacts = { touch = { slave = "north", master = disc, penalty = 100 } } }
   end
   local forces = {}
   for i, kind in ipairs { "plane_stress", "plane_strain" } do

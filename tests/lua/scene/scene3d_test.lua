@@ -128,8 +128,8 @@ check.case("a guided block under a rigid plane: uniaxial strain and the penalty'
     local plane = sg.rigid.plane{ point = {0, 0, 3}, normal = {0, 0, -1} }
     local supports = guides(b)
     supports.bed, supports.lid = { on = b:face "front", fix = "z" }, { on = plane, drive = "xyz" }
-    local model = sg.model{ bodies = { b = b }, supports = supports,
-      contacts = { joint = { slave = b:face "back", master = plane, penalty = 100 } } }
+    local model = scenes.model{ bodies = { b = b }, supports = supports,
+      contacts = { joint = { slave = "back", master = plane, penalty = 100 } } }
     local run = check.completed(model:run{ { steps = 3, lid = {0.1, 0, -0.6} } })
     for step = 1, 3 do
       local p = pressed(uniaxial[name], { 3 }, 100, 0.2 * step)
@@ -166,8 +166,8 @@ check.case("a block on a block, one mesh twice as fine: the same pressure at eve
     supports.x2, supports.y2 = rest.x, rest.y
     supports.bed = { on = low:face "front", fix = "z" }
     supports.lid = { on = high:face "back", drive = "z" }
-    local model = sg.model{ bodies = { low = low, high = high }, supports = supports,
-      contacts = { joint = { slave = high:face "front", master = low:face "back", penalty = 50 } } }
+    local model = scenes.model{ bodies = { low = low, high = high }, supports = supports,
+      contacts = { joint = { slave = "high.front", master = "low.back", penalty = 50 } } }
     local run = check.completed(model:run{ { steps = 4, lid = -0.3 } })
     local p = pressed(uniaxial[name], { 1, 0.5 }, 50, 0.3)
     check.near({ run:column "lid.fz"[4], run:column "bed.fz"[4] }, { -2 * p, 2 * p }, 1e-8)
@@ -178,8 +178,8 @@ end)
 check.case("a contact on a part of the face, with a given number of points", function()
   local b = scenes.body{ size = {2, 1, 3}, elements = {4, 3, 1}, contact = "back", material = soft }
   local seen = {}
-  local model = sg.model{ bodies = { b = b }, contacts = { joint = {
-    slave = b:face "back", master = sg.rigid.plane{ point = {0, 0, 3}, normal = {0, 0, -1} }, penalty = 1, points = 2,
+  local model = scenes.model{ bodies = { b = b }, contacts = { joint = {
+    slave = "back", master = sg.rigid.plane{ point = {0, 0, 3}, normal = {0, 0, -1} }, penalty = 1, points = 2,
     where = function(X)
       seen[#seen + 1] = X
       return X[1] < 1
@@ -194,8 +194,8 @@ check.case("without friction the work is stored in bodies and springs", function
   local plane = sg.rigid.plane{ point = {0, 0, 1}, normal = {0, 0, -1} }
   local supports = guides(b)
   supports.bed, supports.lid = { on = b:face "front", fix = "z" }, { on = plane, drive = "z" }
-  local model = sg.model{ bodies = { b = b }, supports = supports,
-    contacts = { joint = { slave = b:face "back", master = plane, penalty = 20 } } }
+  local model = scenes.model{ bodies = { b = b }, supports = supports,
+    contacts = { joint = { slave = "back", master = plane, penalty = 20 } } }
   model:run{ { steps = 2, lid = -0.2 } }
   local p, energy = pressed(uniaxial.linear, { 1 }, 20, 0.2), model:energy()
   -- All is linear, so the trapezoidal rule is exact.
@@ -218,8 +218,8 @@ check.case("loads in 3D: dead tractions and pressures, their resultants and colu
                model:sample(b, "uz", {0.6, 0.7, 1}) }, { 2 * strain, 3 * strain, 4 * strain }, 1e-10)
   check.near(model:sample(b, "pressure", {0.2, 0.4, 0.8}), p, 1e-10)
 
-  local pulled = sg.model{ bodies = { b = b }, supports = { bed = { on = b:face "front", fix = "xyz" } },
-    loads = { pull = { on = b:face "back", traction = {0, 0, 0} } } }
+  local pulled = scenes.model{ bodies = { b = b }, supports = { bed = { on = "front", fix = "xyz" } },
+    loads = { pull = { on = "back", traction = {0, 0, 0} } } }
   run = pulled:run{ { steps = 1, pull = {0.1, 0.2, 0.3} } }
   check.near({ run:column "pull.tx"[1], run:column "pull.ty"[1], run:column "pull.tz"[1] }, { 0.1, 0.2, 0.3 })
   check.near({ run:column "pull.fx"[1], run:column "pull.fy"[1], run:column "pull.fz"[1] }, { 0.6, 1.2, 1.8 }, 1e-12)
@@ -248,8 +248,8 @@ end
 
 check.case("a free body follows a face that rotates about any axis, without force and moment", function()
   local b, grip = turning(soft, {1, 2, 2}, { drive = "z", fix = "xy" })
-  local model = sg.model{ bodies = { b = b }, supports = { grip = grip },
-    loads = { pull = { on = b:face "front", traction = {0, 0, -1} } } }
+  local model = scenes.model{ bodies = { b = b }, supports = { grip = grip },
+    loads = { pull = { on = "front", traction = {0, 0, -1} } } }
   check.equal(model:driven "grip", { "z", "angle" })
   -- The pull gives the run a size of forces to converge against; let go, the body is free.
   model:run{ { steps = 1 }, { steps = 1, pull = {0, 0, 0} } }
@@ -299,9 +299,9 @@ end)
 
 check.case("two faces that rotate as one turn about their common centroid", function()
   local b = scenes.body{ size = {3, 2, 1}, elements = {2, 2, 1}, contact = "back", material = soft }
-  local model = sg.model{ bodies = { b = b },
-    supports = { grip = { on = { b:face "west", b:face "south" }, rotate = "z", fix = "xyz" } },
-    loads = { pull = { on = b:face "east", traction = {1, 0, 0} } } }
+  local model = scenes.model{ bodies = { b = b },
+    supports = { grip = { on = { "west", "south" }, rotate = "z", fix = "xyz" } },
+    loads = { pull = { on = "east", traction = {1, 0, 0} } } }
   model:run{ { steps = 1 }, { steps = 1, pull = {0, 0, 0} } }
   local run = check.completed(model:run{ { steps = 6, grip = 90 } })
   -- Areas 2 at (0, 1) and 3 at (1.5, 0): centroid (0.9, 0.4). The far corner (3, 2) goes to (0.9 − 1.6, 0.4 + 2.1).
@@ -320,7 +320,7 @@ check.case("obstacles and models print their properties", function()
   check.equal(tostring(sg.rigid.surface(sg.shapes.block{ size = {1, 1, 1} }:face "back")),
               "rigid surface of degrees 1 and 1")
   local b = scenes.body{ size = {1, 1, 1}, elements = {1, 1, 1}, order = "N1", material = soft }
-  local model = sg.model{ bodies = { b = b }, supports = { bed = { on = b:face "front", fix = "xyz" } } }
+  local model = scenes.model{ bodies = { b = b }, supports = { bed = { on = "front", fix = "xyz" } } }
   check.equal(tostring(model), "solid model of b: 24 degrees of freedom, 12 of them free, 1 support, 0 contacts")
   check.equal(tostring(model:snapshot()), "snapshot of a model with 24 degrees of freedom")
   check.equal(require "signorini.core".kind(model), "model")

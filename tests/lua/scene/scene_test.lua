@@ -61,8 +61,8 @@ end)
 check.case("a face that turns may say that its translation is free", function()
   local function turned(free)
     local strip = scenes.body{ size = {3, 1}, elements = {3, 2}, material = sg.linear_elastic{ E = 1, nu = 0.3 } }
-    local model = sg.model{ bodies = { strip = strip }, supports = {
-      wall = { on = strip:face "west", fix = "xy" }, edge = { on = strip:face "east", rotate = true, free = free } } }
+    local model = scenes.model{ bodies = { strip = strip }, supports = {
+      wall = { on = "west", fix = "xy" }, edge = { on = "east", rotate = true, free = free } } }
     model:run{ { steps = 1, edge = 5 } }
     return model:reaction "edge"
   end

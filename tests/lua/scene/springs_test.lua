@@ -59,10 +59,9 @@ check.case("with large strains the springs remain linear, and steps converge qua
 end)
 
 check.case("a body that only springs hold is constrained, and files keep springs", function()
-  local body = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1 }, elements = { 2, 2 }, order = "N2",
-                        material = sg.neo_hookean{ E = E, nu = 0.3 } }
+  local body = scenes.body{ size = {2, 1}, E = E }
   local function model_of(spring)
-    return sg.model{ bodies = { raft = body }, supports = { water = { on = body:face "south", spring = spring } },
+    return scenes.model{ bodies = { raft = body }, supports = { water = { on = "south", spring = spring } },
                      loads = { g = { on = body, force = { 0, 0 } } } }
   end
   check.equal(model_of { 1, 1 }:unconstrained_bodies(), {})

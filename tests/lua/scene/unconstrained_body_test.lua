@@ -72,9 +72,9 @@ end)
 --- A block on a rigid obstacle without friction, which alone holds it.
 local function resting(obstacle, friction)
   local block = scenes.body{ size = {1, 0.5}, corner = {-0.5, 0}, elements = {8, 2}, contact = "south", E = 10 }
-  return sg.model{
-    bodies = { block = block }, supports = {}, loads = { push = { on = block:face "north", traction = {0, 0} } },
-    contacts = { rest = { slave = block:face "south", master = obstacle, penalty = 100, friction = friction } } }
+  return scenes.model{
+    bodies = { block = block }, supports = {}, loads = { push = { on = "north", traction = {0, 0} } },
+    contacts = { rest = { slave = "south", master = obstacle, penalty = 100, friction = friction } } }
 end
 
 check.case("a completed run tells whether contacts alone hold a body, and stably", function()
