@@ -155,8 +155,6 @@ end
 check.case("wrong shapes are errors with cures", function()
   local set = sg.rigid.level_set
   local function of(f, ...) return { set, { f = f, box = disc_box, ... } } end
-  wrong("f must be a function", set, { f = 1, box = disc_box })
-  wrong("box ({corner, opposite corner}: where contact occurs) is missing", set, { f = disc_formula })
   wrong("f must take 2 arguments, x, y, but takes 3", table.unpack(of(function(x, y, z) return x + y + z end)))
   wrong("must return a formula of its arguments, got the number 1", table.unpack(of(function(_, _) return 1 end)))
   wrong("the result of f is missing", table.unpack(of(function(_, _) end)))
@@ -172,10 +170,7 @@ check.case("wrong shapes are errors with cures", function()
   wrong("ring must be greater than radius", sg.rigid.torus,
     { center = {0, 0, 0}, axis = {0, 0, 1}, ring = 1, radius = 2 })
   wrong("omit ring", sg.rigid.torus, { center = {3, 0}, ring = 1, radius = 2 })
-  wrong("ring is missing: it must be a positive number, the distance", sg.rigid.torus,
-    { center = {0, 0, 0}, axis = {0, 0, 1}, radius = 2 })
   wrong("axis must not be zero", sg.rigid.torus, { center = {0, 0, 0}, axis = {0, 0, 0}, ring = 3, radius = 2 })
-  wrong("inside must be true or false", sg.rigid.sphere, { center = {0, 0}, radius = 1, inside = "yes" })
   wrong("patch:face \"back\"", sg.rigid.surface, sg.shapes.block{ size = {1, 1, 1} })
   wrong("patch:face \"north\"", sg.rigid.surface, sg.shapes.rectangle{ width = 1, height = 1 })
   wrong("one obstacle per patch", sg.rigid.surface, { sg.nurbs.line{ from = {0, 0}, to = {1, 0} } })

@@ -125,7 +125,6 @@ check.refusals(start, "study.lua:", {
     "a shape is for faces of bodies" },
   { [[model{ on = north, drive = "xy", shape = function(x) return x end }]],
     "supports.top.shape must return a list of 2 numbers {ux, uy}, got the number", "at X = (" },
-  { [[model{ on = north, drive = "xy", shape = {0, 1} }]], "supports.top.shape must be a function" },
   { [[model{ on = north, drive = "x", shape = function() return {0.1, 1} end }]],
     "supports.top.shape returns uy = 1 at X = (", "but the support does not drive y: add y to drive, or return 0" },
   { [[model{ on = north, drive = "y", fix = "x", shape = function(x) return {x, 1} end }]],

@@ -109,7 +109,6 @@ check.refusals(start, "study.lua:8: sg.model: ", {
     "supports.s.on must be a face, or a list of faces, got the corner 'south-west'" },
   { [[sg.model(fixed{ on = sg.rigid.plane{ point = {0, 0}, normal = {0, 1} }, symmetry = true })]],
     "supports.s.on must be a face, or a list of faces" },
-  { [[sg.model(fixed{ on = a:face "west", symmetry = "x" })]], "supports.s.symmetry must be true or false" },
   { [[sg.model(fixed({ on = a:face "west", symmetry = true }, "axisymmetric"))]],
     "needs the axis x = 0 or a face across y, but face 'west' of body 'a' is a cylinder of radius 1", [[fix = "x"]] },
 })

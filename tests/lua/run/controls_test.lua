@@ -343,11 +343,7 @@ check.case("invalid options are rejected before the first step, at the user's li
   local model = spring_model(function() return true end)
   for _, case in ipairs {
     { { predicter = "linear" }, "options: unknown argument 'predicter'", "did you mean 'predictor'?" },
-    { { newton = { line_search = "enrgy" } }, "newton.line_search must be 'none', 'residual' or 'energy'" },
     { { newton = { freeze_active_set = 2 } }, "newton.freeze_active_set must be true, false or a number from 0 to 1" },
-    { { penalty = { start = 2, steps = 3 } }, "penalty.start must be a number above 0 and at most 1" },
-    { { threads = 0 }, "threads must be a whole number from 1 to 1024", "got the number 0" },
-    { { threads = 100000 }, "threads must be a whole number from 1 to 1024", "got the number 100000" },
     { { resume = true }, "resume = true needs a checkpoint file", "add checkpoint =" },
   } do
     check.fails(function() model:run(one_step, case[1]) end, "controls_test.lua:", "model:run: ", table.unpack(case, 2))

@@ -129,15 +129,9 @@ check.case("wrong inputs name the argument, its value, the expectation, and a hi
   end
   fails({ profile = p, reference = 3 }, "reference must be a contact profile", "use the result of model:profile",
     "or a function of the coordinate")
-  fails({ reference = r }, "profile (the measured profile) is missing")
   fails({ profile = p, reference = r, coordinate = "z" }, "profile has no list 'z'",
     "which coordinate needs; known: gap, pressure")
   fails({ profile = p, reference = r, coordinate = 3 }, "coordinate must be the name of a column", "got the number 3")
-  fails({ profile = p, reference = r, value = "gap" }, "value must be 'pressure' or 'traction'")
-  fails({ profile = p, reference = r, quadrature = "gauss" }, "quadrature must be 'profile', 'reference' or 'union'")
-  fails({ profile = p, reference = r, edge = "round" }, "edge must be 'point' or 'gap'")
-  fails({ profile = p, reference = r, normalize = -1 }, "normalize must be a positive number")
-  fails({ profile = p, reference = r, normalise = 1 }, "unknown argument 'normalise'", "did you mean 'normalize'")
   fails({ profile = p, reference = math.sqrt, quadrature = "reference" }, "for a function, which has no points")
   fails({ profile = p, reference = function() return 0 / 0 end }, "reference(0) must be a finite number")
   fails({ profile = sampled(11, 1, function() return 0 end), reference = r }, "profile has no pressure")

@@ -158,11 +158,6 @@ check.case("wrong options", function()
     check.fails(function() model:run(path, options) end, "resume_test.lua:", "model:run: ", ...)
   end
   refused({ resume = true }, "resume = true needs a checkpoint file: add checkpoint = \"run.sgn\"")
-  refused({ checkpoint = 3 }, "checkpoint must be a string or a table of named arguments, got the number 3")
-  refused({ checkpoint = { every = 2 } }, "checkpoint.file (the checkpoint's file) is missing: it must be a string")
-  refused({ checkpoint = { file = file, every = 0 } }, "checkpoint.every must be a whole number, 1 or more")
-  refused({ checkpoint = { fiel = file } }, "options.checkpoint: unknown argument 'fiel' (", "did you mean 'file'?")
-  refused({ checkpoint = file, resume = "yes" }, "resume must be true or false")
   -- before the first step, not after it
   refused({ checkpoint = "nowhere/at/all.sgn" }, "cannot write 'nowhere/at/all.sgn'", "create it first")
   check.equal(model:solver().factorizations, 0)

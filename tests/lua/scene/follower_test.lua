@@ -345,8 +345,6 @@ end)
 for _, wrong in ipairs {
   { "a traction that follows", "{ on = top, traction = {0, 1}, follower = true }",
     "loads.gas: follower = true is for a pressure", "but it has traction" },
-  { "a string", [[{ on = top, pressure = 1, follower = "yes" }]], "loads.gas.follower must be true or false",
-    "got the string 'yes'" },
   { "without pressure", "{ on = top, follower = true }", "loads.gas: it must have one of traction" },
   { "on a body", "{ on = a, pressure = 1, follower = true }", "loads.gas: it is on the body 'a'", "name a face" },
   { "a face twice", "{ on = { top, top }, pressure = 1, follower = true }", "loads.gas.on lists", "twice" },

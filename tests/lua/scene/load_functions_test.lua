@@ -154,8 +154,6 @@ check.refusals(start, "study.lua:", {
   { "model{ on = corner, force = function() return {0, 1} end }",
     "loads.g: force is a function, which is for faces and bodies", "give a list of 2 numbers {px, py}" },
   { "model{ on = east, pressure = 1, factor = 2 }", "loads.g: factor is for functions, but pressure is constant" },
-  { [[model{ on = east, pressure = function() return 1 end, factor = "2" }]], "loads.g.factor must be a number",
-    "remove the quotes" },
   { "model{ on = { a, corner }, force = {0, 1} }", "loads.g: it is on the body 'a' and the corner",
     "use a load for each" },
   { "model{ on = { corner, corner }, force = {0, 1} }", "loads.g.on lists corner", "twice" },

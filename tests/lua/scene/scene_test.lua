@@ -79,17 +79,7 @@ local a = sg.body{ patch = r, elements = {4, 2}, order = "N2", contact = "north"
 local b = sg.body{ patch = r:translate{0, 1}, elements = {4, 2}, order = "N2", contact = "south", material = soft }
 ]]
 check.refusals(start, 6, {
-  { [[sg.body{ patch = r, elements = {4, 2}, ordre = "N2", material = soft }]],
-    "sg.body: unknown argument 'ordre' (the string 'N2'); did you mean 'order'?" },
-  { [[sg.neo_hookean{ E = "1000", nu = 0.3 }]], "sg.neo_hookean: E must be a positive number", "got the string '1000'",
-    "remove the quotes" },
-  { [[sg.neo_hookean{ E = 1, nu = 0 / 0 }]], "nu must be a finite number", "nan", "division by zero" },
-  { [[sg.neo_hookean{ E = -5, nu = 0.3 }]], "E must be a positive number (Young's modulus", "got the number -5",
-    "give a value above 0" },
-  { [[sg.neo_hookean{ E = 5, nu = 0.5 }]], "nu must be a number above -1 and below 0.5", "got the number 0.5",
-    "use 0.49" },
-  { [[sg.body{ patch = r, elements = {0, 2}, order = "N2", contact = "north", material = soft }]],
-    "sg.body: elements[1] must be a whole number from 1", "got the number 0", "give a value from 1" },
+  { [[sg.neo_hookean{ E = 5, nu = 0.5 }]], "nu must be a number above -1 and below 0.5", "got the number 0.5", "use 0.49" },
   { [[sg.body{ patch = r, elements = {4, 2}, order = "Q2", contact = "north", material = soft }]],
     "sg.body: order must be a discretization label, got 'Q2'", "Np (N2)" },
   { [[sg.body{ patch = sg.shapes.half_annulus{ inner = 1, outer = 2,

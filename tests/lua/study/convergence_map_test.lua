@@ -283,8 +283,6 @@ check.case("two maps side by side share the axes", function()
   local other = make{ x = { name = "order", values = { "good" } } }
   check.fails(function() plain:picture{ file = "x.png", other = other } end, "map:picture",
     "other must be a map of the same values of x and y")
-  check.fails(function() plain:picture{ file = "x.png", text = "iteration" } end,
-    "text must be 'iterations', 'reached',", "did you mean 'iterations'?")
 end)
 
 -- ── A real model ─────────────────────────────────────────────────────────────────────────────────────────────────────

@@ -121,7 +121,6 @@ check.case("wrong arguments are errors at the user's line", function()
     { { quantity = function() return 0 end, meshes = { "m1", "m2" } }, "the result of quantity is zero" },
     { { at_most = 2 }, "at_most must be a number above 0 and below 1 (relative error)", "write 0.02 for 2 %" },
     { { orders = {} }, "orders must be a list of at least one string" },
-    { { order = { 1 } }, "unknown argument 'order'", "did you mean 'orders'?" },
     { { scene = function() return 1 end }, "scene must return a model" },
     { { meshes = { "m2", "m1" } }, "N2-N2.2 has", "unknowns on mesh m2",
       "on mesh m1. Hint: order meshes from coarse to fine" },

@@ -44,7 +44,6 @@ end)
 check.case("wrong arguments are errors at the user's line", function()
   local function run() return {} end
   for _, wrong in ipairs {
-    { { cases = sg.grid{ a = { 1 } }, run = run }, "name (name in tables, charts and of the folder) is missing" },
     { { name = "s", cases = {}, run = run }, "cases must be a list of at least one value", "got an empty table" },
     { { name = "s", cases = { 3 }, run = run }, "cases[1] must be a table of parameters", "the number 3" },
     { { name = "s", cases = sg.grid{ wall = { 1 } }, run = run }, "cannot be called 'wall'" },
@@ -61,8 +60,6 @@ check.case("wrong arguments are errors at the user's line", function()
     check.fails(function() sg.study(wrong[1]) end, "study_test.lua", table.unpack(wrong, 2))
   end
   local study = sg.study{ name = "s", cases = sg.grid{ a = { 1 } }, run = run, folder = new_folder() }
-  check.fails(function() study:execute{ rerun = "all" } end,
-    "rerun must be true or false, 'failed' or a function", "the string 'all'")
   check.fails(function() study:where{ b = 1 } end, "study:where: no case has 'b': none of its cases is done yet")
   check.fails(function() study:where{}:execute{} end, "part of a study")
   check.fails(function() study:exeute{} end, "study_test.lua", "a study has no 'exeute'; did you mean 'execute'?")
