@@ -5,6 +5,7 @@
 local core = require "signorini.core"
 local sg = require "signorini"
 local dice = require "generated.dice"
+local product = require("tangents").product
 local scenes = require "walk_scenes"
 
 local walk = {}
@@ -24,16 +25,6 @@ local function combined(a, x, b, y)
   local sum = {}
   for i = 1, #x do sum[i] = a * x[i] + b * y[i] end
   return sum
-end
-
-local function product(matrix, vector)
-  local result = {}
-  for i = 1, matrix.size do result[i] = 0 end
-  for k, value in ipairs(matrix.values) do
-    local i = matrix.rows[k]
-    result[i] = result[i] + value * vector[matrix.columns[k]]
-  end
-  return result
 end
 
 --- The largest difference of the entries of two matrices, whose patterns may differ.

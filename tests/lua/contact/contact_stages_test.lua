@@ -5,6 +5,7 @@ require "check"
 local contact_keys = require "contact_keys"
 local lists = require "signorini.call.lists"
 local show = require "signorini.prompt.show"
+local tangents = require "tangents"
 
 local here = "contact_stages_test.lua:"
 local penalty, mu = 1000, 0.3
@@ -204,7 +205,7 @@ check.case("a run that continues inside a stage ends bitwise as one without inte
   function()
     local path = { stage(2, down, { friction = { mu = 0 } }),
                    stage(4, aside, { friction = { mu = mu }, offset = 0.01, penalty = 2 * penalty }) }
-    for _, name in ipairs { "points", "mortar", "multipliers", "half passes" } do
+    for _, name in ipairs(contact_keys.names()) do
       local file = check.folder() .. "/run.sgn"
       local keys = contact_keys.of(name, penalty, mu)
       local whole, options = scene(contact_keys.of(name, penalty, mu)), sg.robust{}
@@ -230,8 +231,24 @@ check.case("a run that continues inside a stage ends bitwise as one without inte
         local other = { path[1], stage(4, aside, { friction = { mu = 0.5 } }) }
         scene(contact_keys.of(name, penalty, mu)):run(other, options)
       end, "saved on another path", "different contacts")
+      local harder = scene(contact_keys.of(name, 2 * penalty, mu))
+      check.fails(function() harder:run(path, options) end, here, "differences: contact 'joint'")
     end
   end)
+
+check.case("other controls lead to the same force, and a contact on a part of the face", function()
+  each(function(name, on_plane)
+    local expected
+    for _, options in ipairs { sg.plain{}, sg.robust{ arc_length = true },
+                               sg.robust{ penalty = { start = 0.1, steps = 2 } } } do
+      local model = scene(contact_keys.of(name, penalty, mu, { where = function(X) return X[1] < 0.75 end }), on_plane)
+      check.completed(model:run({ stage(5, down) }, options))
+      expected = expected or model:reaction("grip").fy
+      check.within_share(name, model:reaction("grip").fy, expected, 1e-3)
+    end
+    assert(expected < -0.1)
+  end)
+end)
 
 check.case("steps that are cut in half: offsets are linear, other constants act in full from the start", function()
   local model, seen = scene(contact_keys.of("points", penalty, mu), true), {}
@@ -288,39 +305,17 @@ check.case("where mu is lowered and nothing else moves, slip dissipates what the
   end
 end)
 
---- The largest entry of K d − (r(u + h d) − r(u − h d))/(2 h), relative to that of K d.
-local function tangent_error(model)
-  local size, h, d, product, most, error = model:tangent().size, 1e-6, {}, {}, 0, 0
-  for i = 1, size do d[i], product[i] = math.sin(7 * i), 0 end
-  local function residual_at(part)
-    local move = {}
-    for i = 1, size do move[i] = part * d[i] end
-    model:move(move)
-    return model:residual()
-  end
-  local K = model:tangent()
-  for k, row in ipairs(K.rows) do product[row] = product[row] + K.values[k] * d[K.columns[k]] end
-  local after = residual_at(h)
-  local before = residual_at(-2 * h)
-  for i = 1, size do
-    most = math.max(most, math.abs(product[i]))
-    error = math.max(error, math.abs(product[i] - (after[i] - before[i]) / (2 * h)))
-  end
-  model:rollback()
-  return error / most
-end
-
 check.case("the tangent is the derivative of the residual, with offsets and with mu = 0 of a contact with friction",
   function()
   each(function(name, on_plane)
     local model = scene(contact_keys.of(name, penalty, 0, { offset = 0.01 }), on_plane)
     solved(model, name, stage(2, { 0.001, -0.02 }))
-    check.at_most(name .. ": offset", tangent_error(model), 1e-6)
+    check.at_most(name .. ": offset", tangents.error(model, 1e-6), 1e-6)
     solved(model, name, stage(4, { 0.05, -0.02 }, { friction = { mu = mu } }))
     -- In an accepted state slipping points are on Coulomb's cone, where the friction has a kink.
     model:set_target("grip", { 0.06, -0.02 })
     assert(model:solve_step{}.converged)
-    check.at_most(name .. ": friction", tangent_error(model), 1e-6)
+    check.at_most(name .. ": friction", tangents.error(model, 1e-6), 1e-6)
   end)
 end)
 

@@ -18,15 +18,8 @@ local function solved(model, stages, options) return check.completed(model:run(s
 
 --- Hertz's line contact (scripts/problems/hertz2d) with other keys in its contact.
 local function ring(own, order, mesh)
-  local make = sg.model
-  rawset(sg, "model", function(scene)
-    scene.contacts.ground.penalty = nil
-    for key, value in pairs(own) do scene.contacts.ground[key] = value end
-    return make(scene)
-  end)
-  local ok, model, stage = pcall(problem.scene, { order = order, mesh = mesh, load = "displacement" })
-  rawset(sg, "model", nil)
-  assert(ok, model)
+  local model, stage = problem.scene{ order = order, mesh = mesh, load = "displacement", penalty = own.penalty,
+                                      formulation = { keys = own } }
   stage.steps = 2
   return model, stage
 end
@@ -184,33 +177,6 @@ check.case("multipliers on the stiffer of two bodies are warned of", function()
     { 0, 0, 0 })
   check.equal({ scene(100, 1):contact_law("joint").multipliers, scene(1, 100):contact_law("joint").multipliers },
     { "linear", "equal" })
-end)
-
-check.case("a contact that acts on a part of its face", function()
-  local own = keys("equal", { where = function(X) return X[1] < 1 end })
-  local run = solved(iron(own, "N2", 0.2), { { name = "press", steps = 5, grip = { 0, -0.05 } } })
-  assert(run:column "grip.fy"[5] < 0)
-end)
-
-check.case("a saved model continues with the same bits", function()
-  local model = iron(keys "reduced", "N2", 0.2)
-  solved(model, { press })
-  local other = check.reloaded(model)
-  local nudge = { { name = "slide", steps = 5, grip = { 0.05, -0.1 } } }
-  local first, second = solved(model, nudge), solved(other, nudge)
-  check.equal(first:column "grip.fx", second:column "grip.fx")
-end)
-
-check.case("robust runs, arc length, growing penalties, an axisymmetric model, a body that falls", function()
-  local function force(options)
-    local model = iron(keys "equal", "N2", 0.2)
-    local run = check.completed(model:run({ { name = "press", steps = 5, grip = { 0, -0.1 } } }, options))
-    return run:column "grip.fy"[#run:column "grip.fy"]
-  end
-  local expected = force(sg.plain())
-  check.within_share("robust", force(sg.robust{}), expected, 1e-3)
-  check.within_share("arc length", force(sg.robust{ arc_length = true }), expected, 1e-3)
-  check.within_share("growing penalty", force(sg.robust{ penalty = { start = 0.1, steps = 2 } }), expected, 1e-3)
 end)
 
 check.case("a block on a rigid plane in 3D: uniform pressure, pressed and dragged", function()

@@ -166,34 +166,3 @@ check.case("a load path with friction slips at mu times the pressure", function(
   end
   check.equal(slips > 5, true)
 end)
-
--- ── Files and errors ─────────────────────────────────────────────────────────────────────────────────────────────────
-
-check.case("checkpoints hold the area and its history", function()
-  local file = os.tmpname()
-  for _, mu in ipairs { false, 0.3 } do
-    local whole, part = disc{ mu = mu or nil }, disc{ mu = mu or nil }
-    local function stop(info) return info.step == 9 and "stop" or nil end
-    os.remove(file)
-    whole:run(path(6), { checkpoint = file })
-    os.remove(file)
-    part:run(path(6), { checkpoint = file, on_step = stop })
-    local resumed = disc{ mu = mu or nil }
-    check.completed(resumed:run(path(6), { checkpoint = file, resume = true }))
-    for _, model in ipairs { resumed, sg.load(file) } do
-      check.equal(core.pack(model:profile "touch"), core.pack(whole:profile "touch"))
-      check.equal(core.pack(model:energy()), core.pack(whole:energy()))
-      check.equal(model:contact_resultant("touch").per, "reference")
-    end
-    check.fails(function()
-      disc{ mu = mu or nil, per = "current" }:run(path(6), { checkpoint = file, resume = true })
-    end, "reference_area_test.lua:", "differences: contact 'touch'")
-  end
-  os.remove(file)
-end)
-
-check.case("wrong values are errors at the user's line", function()
-  check.fails(function() disc{ per = "deformed" } end, "reference_area_test.lua:", "contacts.touch.per",
-    "'current' or 'reference'", "'deformed'")
-  check.fails(function() disc{ per = 3 } end, "contacts.touch.per", "the number 3")
-end)

@@ -3,37 +3,27 @@
 -- and, with friction, from the penetration: tractions work on the way of the point, slip is the way of its foot.
 
 require "check"
+local ironing = require "ironing"
 
 local friction3d = require "problems.ironing3d.friction"
 
 --- What is missing, in parts of the work; `energy` is what model:energy returns.
 local function leak(energy) return (energy.work - energy.stored - energy.contact - energy.friction) / energy.work end
 
-local function below(what, value, limit)
-  if not (math.abs(value) < limit) then error(("%s: expected at most %g, got %g"):format(what, limit, value), 2) end
-end
-
 -- ── 2D ironing, the published path at m1 ─────────────────────────────────────────────────────────────────────────────
 
 --- Leak of the whole path and energies at its end; `finer` divides the steps, both penalties are alike.
 local function iron(order, finer, mu, penalty)
-  local model = scenes.model{
-    bodies = { die = { patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = { 0.75, 1.5 } },
-        elements = { 6, 2 }, order = order, contact = "south", thickness_degree = 1, E = 1000 },
-      slab = { size = {3, 1}, elements = { 8, 3 }, order = order, contact = "north", thickness_degree = 1 } },
-    supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = { "die.west", "die.east" }, drive = "xy" } },
-    contacts = { interface = { slave = "die.south", master = "slab.north", penalty = penalty,
-        friction = mu > 0 and { mu = mu, penalty = penalty } or nil } } }
-  local run = model:run({ { steps = 46 * finer, grip = { 0, -0.23 } }, { steps = 250 * finer, grip = { 1.5, -0.23 } } },
-    { step = { adaptive = true } })
-  check.equal(run.failed, false)
+  local model = ironing{ order = order, mu = mu, penalty = penalty, friction_penalty = penalty }
+  check.completed(model:run({ { steps = 46 * finer, grip = { 0, -0.23 } },
+    { steps = 250 * finer, grip = { 1.5, -0.23 } } }, { step = { adaptive = true } }))
   return leak(model:energy()), model:energy()
 end
 
 check.case("2D ironing, N2-N2.2: the balance closes to 1e-3, with shorter steps better", function()
   local published, energy = iron("N2-N2.2", 1, 0.2, 100)
   local halved = iron("N2-N2.2", 2, 0.2, 100)
-  below("published steps", published, 1e-3)
+  check.at_most("published steps", published, 1e-3)
   if energy.friction < 0.7 * energy.work then error "friction takes most of the work" end
   if math.abs(halved) > 0.75 * math.abs(published) then
     error(("halved steps leave %g of %g"):format(halved, published))
@@ -42,21 +32,21 @@ end)
 
 check.case("2D ironing: the error left by shorter steps is due to penetration, stiffer penalties remove it", function()
   local soft, stiff = iron("N2-N2.2", 4, 0.2, 100), iron("N2-N2.2", 4, 0.2, 1000)
-  below("soft", soft, 5e-4)
-  below("stiff relative to soft", stiff / soft, 0.5)
+  check.at_most("soft", soft, 5e-4)
+  check.at_most("stiff relative to soft", stiff / soft, 0.5)
 end)
 
 check.case("2D ironing, N2: energy error 2e-3 on the coarse face, less with stiffer penalties", function()
   local soft = iron("N2", 2, 0.2, 100)
   if soft > -2.0e-3 or soft < -2.5e-3 then error(("expected -2.2e-3, got %g"):format(soft)) end
-  below("stiff", iron("N2", 2, 0.2, 1000), 1e-3)
+  check.at_most("stiff", iron("N2", 2, 0.2, 1000), 1e-3)
 end)
 
 check.case("2D ironing without friction: only the error of the trapezoidal rule remains", function()
   local published, energy = iron("N2", 1, 0, 100)
   check.equal(energy.friction, 0)
-  below("published steps", published, 1e-4)
-  below("halved steps relative to published ones", iron("N2", 2, 0, 100) / published, 0.6)
+  check.at_most("published steps", published, 1e-4)
+  check.at_most("halved steps relative to published ones", iron("N2", 2, 0, 100) / published, 0.6)
 end)
 
 -- ── The growth of the slave's area ───────────────────────────────────────────────────────────────────────────────────
@@ -98,8 +88,8 @@ local pressed = 10 -- steps of the pressing as published
 
 check.case("3D ironing with friction: the balance of the whole run closes to 1e-3", function()
   local published, halved = iron3d(1, 0.3), iron3d(2, 0.3)
-  below("published steps", published.energy.leak, 1e-3)
-  below("halved steps", halved.energy.leak, 1e-4)
+  check.at_most("published steps", published.energy.leak, 1e-3)
+  check.at_most("halved steps", halved.energy.leak, 1e-4)
   if published.energy.friction < 0.4 * published.energy.work then error "friction takes half of the work" end
   -- The error of the trapezoidal rule falls with the square of the step.
   local rate = published.energies[pressed].missing / halved.energies[2 * pressed].missing
@@ -109,6 +99,6 @@ end)
 check.case("3D ironing without friction: nothing is dissipated", function()
   local case = iron3d(1, 0)
   check.equal(case.energy.friction, 0)
-  below("published steps", case.energy.leak, 2e-3)
+  check.at_most("published steps", case.energy.leak, 2e-3)
   check.near(case.energy.work - case.energy.stored - case.energy.contact, case.energy.missing)
 end)
