@@ -155,6 +155,13 @@ function check.holds(whole, ...)
   end
 end
 
+--- A command, { output, status }, has ended with this status, and its output holds every fragment; returns the output.
+function check.ended(command, status, ...)
+  if command[2] ~= status then error(("expected status %d, got %s:\n%s"):format(status, command[2], command[1]), 2) end
+  check.holds(command[1], ...)
+  return command[1]
+end
+
 --- The function ends with an error whose message holds every fragment; returns the message.
 function check.fails(body, ...)
   local ok, message = pcall(body)

@@ -274,16 +274,14 @@ check.case("a turned tool breaks its bonds and rubs: disc and level set agree, a
 end)
 
 check.case("points that are slightly too far away for a bond are a warning", function()
-  local output, status = check.script(start
-    .. "with(bond, { master = sg.rigid.plane{ point = {0, 0}, normal = {1e-3, 1} } })")
-  check.equal(status, 0)
-  check.holds(output, "contacts.f: 86 points of the slave face, up to 0.0199",
+  check.ended({ check.script(start
+    .. "with(bond, { master = sg.rigid.plane{ point = {0, 0}, normal = {1e-3, 1} } })") }, 0,
+    "contacts.f: 86 points of the slave face, up to 0.0199",
     "from the master, are not bonded", "let the faces coincide there")
 end)
 
 check.case("coarse elements are a warning with the cure", function()
-  local output, status = check.script(start .. "with{ strength = 1, energy = 0.1 }")
-  check.equal(status, 0)
-  check.holds(output, "contacts.f: the elements of the slave face, 2 long, are coarse for the zone in which bonds open",
+  check.ended({ check.script(start .. "with{ strength = 1, energy = 0.1 }") }, 0,
+    "contacts.f: the elements of the slave face, 2 long, are coarse for the zone in which bonds open",
     "refine the slave face, or lower strength at the same energy")
 end)

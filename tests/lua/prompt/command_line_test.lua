@@ -37,10 +37,8 @@ check.case("modules of the supplied scripts are found last, from scripts in subf
   write("studies/in_turns.lua", "return 'my own'")
   gives(run { folder .. "/study.lua" }, "function\tmy own\n")
   gives(run { "-e", "print(type((require 'studies.in_turns')))" }, "function\n")
-  local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s stability/locking.lua help"):format(folder,
-    core.home, arg[-1]))
-  check.equal(status, 0)
-  check.holds(output, "Arguments of ")
+  check.ended({ check.shell(("cd %s && SIGNORINI_HOME=%s %s stability/locking.lua help"):format(folder,
+    core.home, arg[-1])) }, 0, "Arguments of ")
 end)
 
 check.case("- reads standard input", function()
@@ -144,9 +142,8 @@ end)
 
 check.case("output that cannot be written is an error, also with os.exit", function()
   for _, code in ipairs { "print 'lost'", "print 'lost' os.exit(0, true)", "io.write(('x'):rep(100000))" } do
-    local output, status = check.shell(("'%s' -q -e \"%s\" 2>&1 >/dev/full"):format(arg[-1], code))
-    check.equal(status, 1)
-    check.holds(output, "signorini: the output could not be written")
+    check.ended({ check.shell(("'%s' -q -e \"%s\" 2>&1 >/dev/full"):format(arg[-1], code)) }, 1,
+      "signorini: the output could not be written")
   end
 end)
 
@@ -316,16 +313,13 @@ check.case("a script that comes along runs by its name, unless there is a file o
   end
   local names = { "newton_loop.lua", "hertz2d.lua", "scripts/studies/newton_loop.lua", "stability/peeling.lua" }
   for _, name in ipairs(names) do
-    local output, status = run(name .. " help")
-    check.equal(status, 0)
-    check.holds(output, "signorini: running " .. core.home .. "/scripts/", "Arguments of " .. core.home .. "/scripts/")
+    check.ended({ run(name .. " help") }, 0,
+      "signorini: running " .. core.home .. "/scripts/", "Arguments of " .. core.home .. "/scripts/")
   end
   core.write_file(folder .. "/newton_loop.lua", "print 'my own'")
   check.equal(run "newton_loop.lua", "my own\n")
   for _, name in ipairs { "none.lua", "lua/signorini.lua", "demo" } do
-    local output, status = run(name)
-    check.equal(status, 1)
-    check.holds(output, "cannot open " .. name)
+    check.ended({ run(name) }, 1, "cannot open " .. name)
   end
   check.shell("rm -r " .. folder)
 end)

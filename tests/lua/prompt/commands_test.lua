@@ -38,9 +38,8 @@ check.case("? of a call's beginning, of a command, and of a variable without a p
 end)
 
 check.case("? of an unknown name is an error with a suggestion", function()
-  local output, status = typed "?sg.boddy\n?x"
-  check.equal(status, 1)
-  check.holds(output, "prompt:1: There is no page on 'sg.boddy'; did you mean 'sg.body'?", "no page on 'x'")
+  check.ended({ typed "?sg.boddy\n?x" }, 1,
+    "prompt:1: There is no page on 'sg.boddy'; did you mean 'sg.body'?", "no page on 'x'")
   check.holds(typed "?run.filed\n?sg.body.ordr", "prompt:1: run has no field 'filed'; did you mean 'failed'?",
     "sg.body has no argument 'ordr'; did you mean 'order'?")
 end)
@@ -116,7 +115,7 @@ result, arg[0], sg.median{ 1, 2 }]], scripts())
 end)
 
 check.case("%run: errors of the script at its lines, os.exit, and a script that forgot to load the library", function()
-  local output, status = typed([[
+  check.ended({ typed([[
 %run bad.lua
 first
 traceback()
@@ -124,9 +123,7 @@ traceback()
 %run syntax.lua
 %run without.lua
 %run study.lua stps=3
-1 + 1]], scripts())
-  check.equal(status, 1)
-  check.holds(output, "bad.lua:2: broken\n1\n", "bad.lua:3: in main chunk", "leaving\nexit status 3\n",
+1 + 1]], scripts()) }, 1, "bad.lua:2: broken\n1\n", "bad.lua:3: in main chunk", "leaving\nexit status 3\n",
     "syntax.lua:1: unexpected symbol near '='", "undefined variable 'sg'; write local sg", "did you mean 'steps'?",
     "\n2\n")
 end)
@@ -166,9 +163,7 @@ check.case("wrong commands are errors with a hint, and the prompt goes on", func
     ["!"] = "! must be followed by a command of the shell. Hint: !ls",
     ["!cd /tmp"] = "!cd /tmp changes the folder of a shell that ends with the command",
   } do
-    local output, status = typed(line .. "\n40 + 2", scripts())
-    check.equal(status, 1)
-    check.holds(output, message, "\n42\n")
+    check.ended({ typed(line .. "\n40 + 2", scripts()) }, 1, message, "\n42\n")
   end
 end)
 

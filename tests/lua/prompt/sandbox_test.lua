@@ -138,16 +138,15 @@ check.case("every escape is stopped by its wall", function()
 end)
 
 check.case("a script that replaces Lua's functions does not change the checks of arguments", function()
-  local output, status = inside [[
+  check.ended({ inside [[
     local sg = require "signorini"
     local function yes() return "number" end
     type, math.type, select, pairs, ipairs, require = yes, yes, yes, yes, yes, yes
     string.format, string.find, string.match, table.concat, tostring = yes, yes, yes, yes, yes
     package.loaded["signorini.call.check"] = { call = function(_, _, ...) return ... end }
     print(pcall(sg.shapes.rectangle, { width = {}, height = 1 }))
-    print(pcall(sg.rigid.plane, { point = {}, normal = "x" }))]]
-  check.equal(status, 0)
-  check.holds(output, "width must be a positive number", "point must be a list of 2 or 3 numbers")
+    print(pcall(sg.rigid.plane, { point = {}, normal = "x" }))]] }, 0,
+    "width must be a positive number", "point must be a list of 2 or 3 numbers")
 end)
 
 check.case("a study cannot start studies without end", function()
@@ -165,7 +164,7 @@ check.case("a study cannot start studies without end", function()
 end)
 
 check.case("work in the folder goes on", function()
-  local output, status = inside([[
+  check.ended({ inside([[
     local sg = require "signorini"
     local model, path = sg.scenes.hertz{}
     local run = model:run(path, { checkpoint = "run.checkpoint" })
@@ -176,9 +175,8 @@ check.case("work in the folder goes on", function()
     local study = sg.study{ name = "squares", folder = "squares", cases = sg.grid{ a = {1, 2, 3} },
       run = function(case) return { b = case.a ^ 2 } end }
     study:execute{ jobs = 8 }
-    print("squares", study.rows[3].b, pcall(dofile, "module.lua"))]], { "--jobs", "2", "--threads", "2" })
-  check.equal(status, 0)
-  check.holds(output, "squares\t9", "plane-strain model")
+    print("squares", study.rows[3].b, pcall(dofile, "module.lua"))]], { "--jobs", "2", "--threads", "2" }) }, 0,
+    "squares\t9", "plane-strain model")
   check.pictures(box, { "chart", "state" })
 end)
 
@@ -204,9 +202,7 @@ check.case("a study's environment for libraries is not the script's", function()
   -- SIGNORINI_HOME is the user's, not the script's: a library in the folder is refused.
   core.mkdir(box .. "/lua")
   core.write_file(box .. "/lua/signorini.lua", "")
-  local output, status = inside("print(1)", nil, "SIGNORINI_HOME=" .. box)
-  check.equal(status, 1)
-  check.holds(output, "contains", "which the script could change")
+  check.ended({ inside("print(1)", nil, "SIGNORINI_HOME=" .. box) }, 1, "contains", "which the script could change")
   check.shell("rm -r " .. box .. "/lua")
 end)
 

@@ -12,11 +12,10 @@ end
 local function session(...) return typed_to("exec " .. arg[-1], { ... }) end
 
 check.case("a session: expressions, several lines, Ctrl-C in a loop and at the prompt, Ctrl-D", function()
-  local output, status = session("1 + 1\n", "print 'looping' while true do end\n", { "\nlooping\n", "\3" },
+  check.ended({ session("1 + 1\n", "print 'looping' while true do end\n", { "\nlooping\n", "\3" },
     "abc def", { "abc def", "\3" }, "40 + 2\n",
-    "for i = 7, 8 do\n", "print(i) end\n", "for\n", "\3", "'still here'\n", "\4")
-  check.equal(status, 0)
-  check.holds(output, "help() shows help", "sg> 1 + 1\n2\n", "^Cinterrupted\n", "abc def^C\n", "sg> 40 + 2\n42\n",
+    "for i = 7, 8 do\n", "print(i) end\n", "for\n", "\3", "'still here'\n", "\4") }, 0,
+    "help() shows help", "sg> 1 + 1\n2\n", "^Cinterrupted\n", "abc def^C\n", "sg> 40 + 2\n42\n",
     "..> print(i) end\n7\n8\n", 'sg> \'still here\'\n"still here"\n')
 end)
 
@@ -39,9 +38,8 @@ check.case("Tab completes arguments of tables in tables, and texts in quotes", f
 end)
 
 check.case("Ctrl-D forgets an unfinished statement, a tab at the beginning of a line is a tab", function()
-  local output, status = session("for i = 1, 2 do\n", "\4", "40 + 2\n", "x = {\n", "\t\t5 }\n", "x\n", "\4")
-  check.equal(status, 0)
-  check.holds(output, "sg> 40 + 2\n42\n", "sg> x\n{5}\n")
+  check.ended({ session("for i = 1, 2 do\n", "\4", "40 + 2\n", "x = {\n", "\t\t5 }\n", "x\n", "\4") }, 0,
+    "sg> 40 + 2\n42\n", "sg> x\n{5}\n")
 end)
 
 check.case("after Ctrl-Z and fg the line can be edited as before", function()
@@ -80,11 +78,9 @@ end)
 check.case("Ctrl-C twice before the first was seen leaves the prompt and its variables", function()
   -- Both come while one call of C waits, which looks at nothing.
   local file = check.folder() .. "/both"
-  local output, status = session("value = 4711\n",
+  check.ended({ session("value = 4711\n",
     ("io.popen('kill -INT $PPID; sleep 0.1; kill -INT $PPID; touch %s'):read 'a'\n"):format(file),
-    { function() return io.open(file) end, "value + 1\n" }, { "\n4712\nsg> ", "\4" })
-  check.equal(status, 0)
-  check.holds(output, "\n4712\n")
+    { function() return io.open(file) end, "value + 1\n" }, { "\n4712\nsg> ", "\4" }) }, 0, "\n4712\n")
 end)
 
 check.case("Tab behind help and a quotation mark lists its words", function()

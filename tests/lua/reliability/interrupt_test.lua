@@ -23,13 +23,12 @@ end
 ]])
 
 check.case("Ctrl-C in a 3D solve: back at the prompt within an iteration, the last accepted state is there", function()
-  local output, status = check.terminal(("exec %s -q"):format(arg[-1]), {
+  local output = check.ended({ check.terminal(("exec %s -q"):format(arg[-1]), {
     ("dofile %q\n"):format(scene), "press(1000)\n", { "\niteration\t9\n", "\3" },
     "accepted ~= 0, model:reaction('grip')[3] - accepted\n",
     "model:run({{ steps = 1, grip = model:target 'grip' }}).reason\n", "\4" },
-    ("XDG_STATE_HOME=%s TERM=dumb"):format(folder))
-  check.equal(status, 0)
-  check.holds(output, "interrupted; _ is the run so far\n", "\ntrue\n0.0\n", '"completed"')
+    ("XDG_STATE_HOME=%s TERM=dumb"):format(folder)) }, 0,
+    "interrupted; _ is the run so far\n", "\ntrue\n0.0\n", '"completed"')
   -- The iteration under way ends, and at most one that had just been counted is reported after it.
   local _, later = output:match("%^C(.*)$"):gsub("iteration\t%d+", "")
   check.equal(later <= 1, true)

@@ -111,14 +111,12 @@ for _, case in ipairs {
 } do
   check.case("refused: " .. case[1], function()
     local steps = case[2]:find "steps" and "" or "steps = 2, "
-    local output, status = check.script(start .. "model:run{ { " .. steps .. case[2] .. " } }")
-    check.equal(status, 1)
-    check.holds(output, "signorini: study.lua:6: model:run: ", table.unpack(case, 3))
+    check.ended({ check.script(start .. "model:run{ { " .. steps .. case[2] .. " } }") }, 1,
+      "signorini: study.lua:6: model:run: ", table.unpack(case, 3))
   end)
 end
 
 check.case("an error in the function is reported at its line", function()
-  local output, status = check.script(start .. "model:run{ { steps = 2, grip = function(s) return {s.x.y, 0} end } }")
-  check.equal(status, 1)
-  check.holds(output, "study.lua:6: attempt to index")
+  check.ended({ check.script(start .. "model:run{ { steps = 2, grip = function(s) return {s.x.y, 0} end } }") }, 1,
+    "study.lua:6: attempt to index")
 end)

@@ -2,41 +2,29 @@
 -- targets, files, wrong inputs.
 
 require "check"
+local column = require "column"
 
 local height, E = 2, 10
 local soft = sg.linear_elastic{ E = E, nu = 0 }
 
-local function column(kind, load)
-  local space = kind == "space"
-  local patch = space and sg.shapes.block{ size = { 1, 1, height } }
-    or sg.shapes.rectangle{ width = 1, height = height }
-  local body = scenes.body{ patch = patch, elements = space and { 1, 1, 2 } or { 1, 2 }, order = "N3", material = soft }
-  local supports = space
-    and { bed = { on = body:face "front", fix = "z" }, side = { on = body:face "west", fix = "x" },
-          foot = { on = body:face "south", fix = "y" } }
-    or { bed = { on = body:face "south", fix = "y" }, side = { on = body:face "west", fix = "x" } }
-  return sg.model{ bodies = { column = body }, kind = not space and kind or nil, supports = supports,
-                   loads = { g = load(body) } }
+local function standing(kind, load)
+  return column.model(kind, { height = height, elements = 2, order = "N3", material = soft, load = load })
 end
 
-local kinds = { "plane_strain", "plane_stress", "axisymmetric", "space" }
-local function area(kind) return kind == "axisymmetric" and math.pi or 1 end
-
 check.case("a force per volume that grows with height gives the closed form's cubic displacement", function()
-  for _, kind in ipairs(kinds) do
+  for _, kind in ipairs(column.kinds) do
     local space = kind == "space"
-    local model = column(kind, function(body)
+    local model = standing(kind, function(body)
       return { on = body, factor = 0, force = space and function(_, _, z) return { 0, 0, -z } end
         or function(_, y) return { 0, -y } end }
     end)
-    local run = model:run({ { steps = 2, g = 1 } }, sg.plain{})
-    check.equal({ run.failed, run:column "g.factor" }, { false, { 0.5, 1 } })
-    local letter, tip = space and "z" or "y", space and { 0.3, 0.6, 1 } or { 0.3, 1 }
-    check.near(model:sample("column", "u" .. letter, tip), -height ^ 3 / (3 * E), 1e-10)
-    check.near(model:reaction "g"["f" .. letter], -height ^ 2 / 2 * area(kind), 1e-10)
-    check.near(model:reaction "bed"["f" .. letter], height ^ 2 / 2 * area(kind), 1e-9)
+    local run, letter = check.completed(model:run({ { steps = 2, g = 1 } }, sg.plain{})), column.letter(kind)
+    check.equal(run:column "g.factor", { 0.5, 1 })
+    check.near(model:sample("column", "u" .. letter, column.at(kind, 1)), -height ^ 3 / (3 * E), 1e-10)
+    check.near(model:reaction "g"["f" .. letter], -height ^ 2 / 2 * column.area(kind), 1e-10)
+    check.near(model:reaction "bed"["f" .. letter], height ^ 2 / 2 * column.area(kind), 1e-9)
     -- ½ ∫ E u'² dV with u' = -(H² - y²)/2E
-    local stored = (8 / 15) * height ^ 5 / (8 * E) * area(kind)
+    local stored = (8 / 15) * height ^ 5 / (8 * E) * column.area(kind)
     local energy = model:energy()
     check.near({ energy.stored, energy.work }, { stored, stored }, 1e-10)
   end
@@ -74,7 +62,7 @@ check.case("a constant function is the uniform load; water carries the volume of
 end)
 
 check.case("the factor is 1 unless given, and stays where no stage names it; a file holds values", function()
-  local model = column("plane_strain", function(body)
+  local model = standing("plane_strain", function(body)
     return { on = body:face "north", traction = function(x) return { 0, -x } end }
   end)
   check.near(model:reaction "g", { 0, -0.5 }, 1e-14)
@@ -85,14 +73,13 @@ check.case("the factor is 1 unless given, and stays where no stage names it; a f
 end)
 
 check.case("a force on a corner does work, and its support holds it", function()
-  for _, kind in ipairs(kinds) do
+  for _, kind in ipairs(column.kinds) do
     local space = kind == "space"
     local name = space and "north-east-back" or "north-east"
-    local model = column(kind, function(body)
-      return { on = body:corner(name), force = space and { 0, 0, 0 } or { 0, 0 } }
+    local model = standing(kind, function(body)
+      return { on = body:corner(name), force = column.along(kind, 0) }
     end)
-    local run = model:run({ { steps = 3, g = space and { 0, 0, -0.6 } or { 0, -0.6 } } }, sg.plain{})
-    local letter = space and "z" or "y"
+    local run, letter = model:run({ { steps = 3, g = column.along(kind, -0.6) } }, sg.plain{}), column.letter(kind)
     check.near(run:column("g.p" .. letter), { -0.2, -0.4, -0.6 }, 1e-15)
     check.near(model:reaction "g"["f" .. letter], -0.6, 1e-14)
     check.near(model:reaction "bed"["f" .. letter], 0.6, 1e-9)

@@ -110,19 +110,15 @@ check.case("wrong calls name the argument at the user's line", function()
     ["sg.scenes.patch_test{ method = 'gtps' }"] = "did you mean 'gpts'?",
     ["sg.scenes.block('N2')"] = "sg.scenes.block",
   } do
-    local output, status = check.program({}, code .. "\n")
-    check.equal(status, 1)
-    check.holds(output, message)
+    check.ended({ check.program({}, code .. "\n") }, 1, message)
   end
 end)
 
 check.case("from an empty prompt to a picture in three statements", function()
   local folder = check.folder()
-  local output, status = check.program({ "-q" }, ([[
+  check.ended({ check.program({ "-q" }, ([[
 m, path = sg.scenes.ironing{}
 m:run(path)
-sg.picture{ model = m, field = "uy", file = "%s/first.png" }]]):format(folder))
-  check.equal(status, 0)
-  check.holds(output, "press", "slide")
+sg.picture{ model = m, field = "uy", file = "%s/first.png" }]]):format(folder)) }, 0, "press", "slide")
   check.pictures(folder, { "first" })
 end)

@@ -2,58 +2,42 @@
 -- that only springs hold, wrong inputs.
 
 require "check"
+local column = require "column"
 
 local height, E, k, t = 2, 10, 5, 0.4 -- t: traction
 
 --- A bar on springs at its lower end, pulled at its upper end.
-local function bar(kind, material, more)
-  local space = kind == "space"
-  local patch = space and sg.shapes.block{ size = { 1, 1, height } }
-    or sg.shapes.rectangle{ width = 1, height = height }
-  local body = sg.body{ patch = patch, elements = space and { 1, 1, 2 } or { 2, 2 }, order = "N2", material = material }
-  local low, high = space and "front" or "south", space and "back" or "north"
-  local values = { bodies = { bar = body }, kind = not space and kind or nil,
-    supports = { bed = { on = body:face(low), spring = space and { 0, 0, k } or { 0, k } },
-                 side = { on = body:face "west", fix = "x" } },
-    loads = { pull = { on = body:face(high), traction = space and { 0, 0, 0 } or { 0, 0 } } } }
-  if space then values.supports.foot = { on = body:face "south", fix = "y" } end
-  for key, value in pairs(more and more(body) or {}) do values[key] = value end
-  return sg.model(values), body
+local function bar(kind, material, contacts)
+  return column.model(kind, { height = height, elements = 2, material = material, contacts = contacts,
+    bed = { spring = column.along(kind, k) },
+    load = function(body) return { on = body:face(column.top(kind)), traction = column.along(kind, 0) } end })
 end
 
-local kinds = { "plane_strain", "plane_stress", "axisymmetric", "space" }
-local function area(kind) return kind == "axisymmetric" and math.pi or 1 end
-local function along(kind) return kind == "space" and "z" or "y" end
-local function up(kind, value) return kind == "space" and { 0, 0, value } or { 0, value } end
-local function at(kind, part) return kind == "space" and { 0.5, 0.5, part } or { 0.5, part } end
-
 check.case("springs in series with a bar: the displacement is t/k + t H/E, also by static condensation", function()
-  for _, kind in ipairs(kinds) do
+  for _, kind in ipairs(column.kinds) do
     local model = bar(kind, sg.linear_elastic{ E = E, nu = 0 })
-    local run = check.completed(model:run({ { steps = 2, pull = up(kind, t) } }, sg.plain{}))
+    local run = check.completed(model:run({ { steps = 2, g = column.along(kind, t) } }, sg.plain{}))
     check.holds(tostring(model), "; on springs: bed")
-    local u = "u" .. along(kind)
-    check.near({ model:sample("bar", u, at(kind, 0)), model:sample("bar", u, at(kind, 1)) },
+    local u = "u" .. column.letter(kind)
+    check.near({ model:sample("column", u, column.at(kind, 0)), model:sample("column", u, column.at(kind, 1)) },
                { t / k, t / k + t * height / E }, 1e-10)
-    check.near(model:reaction "bed"["f" .. along(kind)], -t * area(kind), 1e-9)
-    check.near(run:column("bed.f" .. along(kind)), { -t / 2 * area(kind), -t * area(kind) }, 1e-9)
-    local energy, stored = model:energy(), 0.5 * t * (t / k + t * height / E) * area(kind)
+    check.near(model:reaction "bed"["f" .. column.letter(kind)], -t * column.area(kind), 1e-9)
+    check.near(run:column("bed.f" .. column.letter(kind)), { -t / 2 * column.area(kind), -t * column.area(kind) }, 1e-9)
+    local energy, stored = model:energy(), 0.5 * t * (t / k + t * height / E) * column.area(kind)
     check.near({ energy.stored, energy.work }, { stored, stored }, 1e-10)
   end
-  local model = bar("plane_strain", sg.linear_elastic{ E = E, nu = 0 }, function(body)
-    return { contacts = { roof = { slave = body:face "north", penalty = 1e4,
-                                   master = sg.rigid.plane{ point = { 0, height + 0.1 }, normal = { 0, -1 } } } } }
-  end)
-  check.completed(model:run({ { steps = 1, pull = { 0, t } } }, sg.plain{ linear = "condensed" }))
+  local model = bar("plane_strain", sg.linear_elastic{ E = E, nu = 0 }, { roof = { slave = "north", penalty = 1e4,
+    master = scenes.ceiling(height + 0.1) } })
+  check.completed(model:run({ { steps = 1, g = { 0, t } } }, sg.plain{ linear = "condensed" }))
   -- The roof stops the bar at 0.1: springs and bar share this displacement.
-  check.within_share("roof", model:sample("bar", "uy", { 0.5, 0 }), 0.1 * (1 / k) / (1 / k + height / E), 1e-3)
+  check.within_share("roof", model:sample("column", "uy", { 0.5, 0 }), 0.1 * (1 / k) / (1 / k + height / E), 1e-3)
 end)
 
 check.case("with large strains the springs remain linear, and steps converge quadratically", function()
-  for _, kind in ipairs(kinds) do
+  for _, kind in ipairs(column.kinds) do
     local model = bar(kind, sg.neo_hookean{ E = E, nu = 0.3 })
-    local run = check.completed(model:run({ { steps = 2, pull = up(kind, 3) } }, sg.plain{}))
-    check.within_share("spring", k * model:sample("bar", "u" .. along(kind), at(kind, 0)), 3, 1e-8)
+    local run = check.completed(model:run({ { steps = 2, g = column.along(kind, 3) } }, sg.plain{}))
+    check.within_share("spring", k * model:sample("column", "u" .. column.letter(kind), column.at(kind, 0)), 3, 1e-8)
     check.equal(run.iterations <= 14, true) -- linear convergence without the springs in the tangent takes far more
   end
 end)

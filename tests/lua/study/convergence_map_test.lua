@@ -353,9 +353,7 @@ sg.convergence_map{ x = { name = "a", values = { 1 } }, y = { name = "b", values
 ]])
   local function run(words) return check.shell(("cd '%s' && '%s' map.lua %s"):format(folder, arg[-1], words)) end
   for _, place in ipairs { "slurm", "ssh:h1,ssh:h2" } do
-    local output, status = run("--on " .. place)
-    check.equal(status, 1)
-    check.holds(output, "map.lua:3: sg.convergence_map: --on " .. place .. " cannot be followed",
+    check.ended({ run("--on " .. place) }, 1, "map.lua:3: sg.convergence_map: --on " .. place .. " cannot be followed",
       "Hint: leave out --on, and pass on to study:execute")
     check.equal(core.exists(folder .. "/map.csv"), false)
   end

@@ -13,9 +13,8 @@ check.case("the starter runs as it is written", function()
   check.equal(status, 0)
   check.equal(output, "Written: study.lua; run it with: " .. arg[-1] .. " study.lua\n"
     .. "Written: .luarc.json, by which editors with a Lua language server complete and check scripts\n")
-  output, status = run "-q study.lua steps=3 meshes=1,2 orders=N2"
-  check.equal(status, 0)
-  check.holds(output, "starter: 2 of 2 cases are done", "Written: out/starter/starter.csv", "force.png", "report.html")
+  check.ended({ run "-q study.lua steps=3 meshes=1,2 orders=N2" }, 0,
+    "starter: 2 of 2 cases are done", "Written: out/starter/starter.csv", "force.png", "report.html")
   for _, name in ipairs { "starter.csv", "force.png", "report.html", "N2_mesh1.png", "N2_mesh2.csv" } do
     check.equal(core.exists(folder .. "/out/starter/" .. name), true)
   end
@@ -41,9 +40,7 @@ check.case("settings for editors: the definitions are where they say, and existi
   check.equal(settings["workspace.library"][1]:sub(1, 1), "/")
   check.holds(core.read_file(settings["workspace.library"][1] .. "/signorini.lua"), "---@meta signorini")
   core.write_file(folder .. "/.luarc.json", "{}")
-  local output, status = run "--new second.lua"
-  check.equal(status, 0)
-  check.holds(output, "Written: second.lua", "Kept: .luarc.json, the settings of editors")
+  check.ended({ run "--new second.lua" }, 0, "Written: second.lua", "Kept: .luarc.json, the settings of editors")
   check.equal(core.read_file(folder .. "/.luarc.json"), "{}")
   core.mkdir(folder .. "/other")
   core.write_file(folder .. "/other/.luarc.jsonc", "{} // mine")
@@ -60,12 +57,8 @@ check.case("a file that exists stays, a folder must be there, and the name ends 
   check.holds(output, "the file 'mine.lua' exists already", "choose another name")
   check.equal(core.read_file(folder .. "/mine.lua"), "-- mine")
   for arguments, words in pairs { ["--new mine"] = "write mine.lua", ["--new no/folder.lua"] = "no/folder.lua" } do
-    output, status = run(arguments)
-    check.equal(status, 1)
-    check.holds(output, words)
+    check.ended({ run(arguments) }, 1, words)
   end
   check.equal(core.exists(folder .. "/mine"), false)
-  output, status = run "--new"
-  check.equal(status, 2)
-  check.holds(output, "--new must be followed by the name of a file")
+  check.ended({ run "--new" }, 2, "--new must be followed by the name of a file")
 end)
