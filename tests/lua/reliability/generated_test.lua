@@ -5,8 +5,7 @@ require "check"
 
 core.quiet = true
 package.path = core.home .. "/scripts/stability/?.lua;" .. package.path
-local sg = require "signorini"
-local scenes = require "generated.scenes"
+local drawn = require "generated.scenes"
 
 --- A scene as one line of text.
 local function text(scene)
@@ -20,20 +19,20 @@ local function text(scene)
 end
 
 check.case("a seed gives the same scene on every machine", function()
-  check.equal(text(scenes.describe("plane", 17)), "block, slave body, N2 on N2-N2.1, 5x2 and 12x2; "
+  check.equal(text(drawn.describe("plane", 17)), "block, slave body, N2 on N2-N2.1, 5x2 and 12x2; "
     .. "15.388 0.67716 42.747 -0.010542 0.1027 -0.35207; 6 + 14 steps")
-  check.equal(text(scenes.describe("space", 2)), "half ring, slave body, N2-N3 on L1, 2x1x1 and 6x2x2; "
+  check.equal(text(drawn.describe("space", 2)), "half ring, slave body, N2-N3 on L1, 2x1x1 and 6x2x2; "
     .. "40.35 0 78.165 0.098822 0.07582 -0.22859; 3 + 10 steps")
 end)
 
 check.case("the mirror image has the same forces, and the scene itself is bitwise reproducible", function()
   for _, case in ipairs { { "plane", 2 }, { "plane", 17 }, { "space", 2 } } do
-    local scene = scenes.describe(table.unpack(case))
-    local _, account = scenes.solve(scene, sg.robust{})
-    local _, image = scenes.solve(scene, sg.robust{}, true)
-    local _, again = scenes.solve(scene, sg.robust{})
+    local scene = drawn.describe(table.unpack(case))
+    local _, account = drawn.solve(scene, sg.robust{})
+    local _, image = drawn.solve(scene, sg.robust{}, true)
+    local _, again = drawn.solve(scene, sg.robust{})
     check.equal({ account.ending, image.ending }, { "completed", "completed" })
-    check.at_most(text(scene), scenes.difference(account, image), 1e-9)
+    check.at_most(text(scene), drawn.difference(account, image), 1e-9)
     check.equal(again.forces, account.forces)
   end
 end)
@@ -42,9 +41,9 @@ end)
 local function early(kind, first, last, counts)
   local scene_count, found = 0, {}
   for seed = first, last do
-    local scene = scenes.describe(kind, seed)
+    local scene = drawn.describe(kind, seed)
     if counts(scene) then
-      local _, account = scenes.solve(scene, sg.robust{})
+      local _, account = drawn.solve(scene, sg.robust{})
       scene_count = scene_count + 1
       if account.ending ~= "completed" then found[#found + 1] = ("%d (%s)"):format(seed, account.ending) end
     end
@@ -69,9 +68,9 @@ check.case("masters with sharp edges: at most one of 29 ends early; 11 did when 
 check.case("pseudo-transient continuation passes a loss of stability at an edge, and the run reports it", function()
   local carried = 0
   for _, seed in ipairs { 219, 226, 259 } do
-    local scene = scenes.describe("plane", seed)
-    check.equal(select(2, scenes.solve(scene, sg.robust{ fallback = false })).ending ~= "completed", true)
-    local run, account = scenes.solve(scene, sg.robust{})
+    local scene = drawn.describe("plane", seed)
+    check.equal(select(2, drawn.solve(scene, sg.robust{ fallback = false })).ending ~= "completed", true)
+    local run, account = drawn.solve(scene, sg.robust{})
     if account.ending == "completed" and run.fallbacks["pseudo-transient"] then
       carried = carried + 1
       check.holds(table.concat(run.warnings, "\n"), "another branch of solutions were needed")
@@ -87,20 +86,13 @@ check.case("planes of symmetry in space hold the points that project beyond the 
     patch = sg.shapes.sphere_octant{ inner = 0.5, outer = 1, center = { 0, 0, 1 } }, elements = { 6, 6, 1 },
     order = "N2", contact = "front", material = sg.neo_hookean{ E = 10, nu = 0.3 },
   }
-  local block = sg.body{
-    patch = sg.shapes.block{ size = { 1.2, 1.2, 0.6 }, corner = { 0, 0, -0.6 } }, elements = { 6, 6, 2 },
-    order = "N2", contact = "back", material = sg.neo_hookean{ E = 1, nu = 0.3 },
-  }
-  local model = sg.model{
-    bodies = { ball = ball, block = block },
-    supports = {
-      bed = { on = block:face "front", fix = "xyz" }, grip = { on = ball:face "south", drive = "z" },
-      x0 = { on = { block:face "west", ball:face "east" }, fix = "x" },
-      y0 = { on = { block:face "south", ball:face "west" }, fix = "y" },
-    },
-    contacts = { interface = { slave = ball:face "front", master = block:face "back", penalty = 30,
-                               friction = { mu = 0.5, penalty = 30 } } },
-  }
+  local block = scenes.body{ size = { 1.2, 1.2, 0.6 }, corner = { 0, 0, -0.6 }, elements = { 6, 6, 2 },
+    contact = "back" }
+  local model = scenes.model{ bodies = { ball = ball, block = block },
+    supports = { bed = { on = "block.front", fix = "xyz" }, grip = { on = "ball.south", drive = "z" },
+      x0 = { on = { "block.west", "ball.east" }, fix = "x" }, y0 = { on = { "block.south", "ball.west" }, fix = "y" } },
+    contacts = { interface = { slave = "ball.front", master = "block.back", penalty = 30,
+      friction = { mu = 0.5, penalty = 30 } } } }
   local run = model:run({ { steps = 5, grip = -0.2 } }, sg.robust{})
   check.equal({ run.reason, run.cutbacks }, { "completed", 0 })
 end)

@@ -6,13 +6,13 @@ package.path = core.home .. "/tests/measure/?.lua;" .. package.path
 local other_warnings = require "other_warnings"
 local checks = require "robustness.checks"
 local families = require "robustness.families"
-local scenes = require "robustness.scenes"
+local drawn = require "robustness.scenes"
 local survey = require "robustness.survey"
 
 core.quiet = true
 
 check.case("a seed gives the same scene on every machine", function()
-  check.equal(scenes.text(scenes.describe(25)), "25: plane_strain, joined, block; a L2 4x4 neo_hookean, b N3-N3.1 3x3 "
+  check.equal(drawn.text(drawn.describe(25)), "25: plane_strain, joined, block; a L2 4x4 neo_hookean, b N3-N3.1 3x3 "
     .. "neo_hookean, c N2 2x3 ogden; equal-multipliers mu 0.7; odd: wild waves, points far away, extreme Poisson's "
     .. "ratio, narrow knot span, narrow knot span, extreme friction penalty, extreme offset, extreme load")
 end)
@@ -45,10 +45,8 @@ local function pair(contact)
   local slab = sg.body{ patch = box(4, 1, -1), elements = { 8, 1 }, order = "N2", material = soft }
   local block = sg.body{ patch = box(1, 1, -0.001), elements = { 2, 1 }, order = "N2", material = soft }
   contact.slave, contact.master, contact.penalty = slab:face "north", block:face "south", 100
-  return sg.model{
-    bodies = { slab = slab, block = block }, contacts = { touch = contact },
-    supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = block:face "north", drive = "xy" } },
-  }
+  return scenes.model{ bodies = { slab = slab, block = block }, contacts = { touch = contact },
+    supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = "block.north", drive = "xy" } } }
 end
 
 check.case("beyond an end of the master nothing overlaps: gaps are distances, without a sign", function()
@@ -74,7 +72,7 @@ check.case("a collapsed face in contact is an error", function()
     elements = { 1, 1 }, order = "N2", material = soft,
   }
   local function touch(face)
-    return sg.model{ bodies = { cone = cone }, supports = { bed = { on = cone:face "south", fix = "xy" } },
+    return scenes.model{ bodies = { cone = cone }, supports = { bed = { on = "south", fix = "xy" } },
                      contacts = { tip = { slave = cone:face(face), penalty = 1,
                                           master = sg.rigid.plane{ point = { 0, 1 }, normal = { 0, -1 } } } } }
   end
@@ -84,14 +82,13 @@ check.case("a collapsed face in contact is an error", function()
 end)
 
 check.case("a roller deep in a slab is an error, also where multipliers are open in the mean", function()
-  local slab = sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = { -1, -1 } }, elements = { 1, 1 },
-                        order = "N4", material = soft }
+  local slab = scenes.body{ size = {2, 1}, corner = { -1, -1 }, elements = { 1, 1 }, order = "N4", material = soft }
   for _, keys in ipairs{ { penalty = 30 }, { penalty = 30, method = "mortar" },
                           { method = "mortar", multipliers = "equal", enforcement = "multipliers" } } do
     keys.slave, keys.master = slab:face "north", sg.rigid.cylinder{ center = { 0, 0.02 }, radius = 0.1 }
     check.fails(function()
-      sg.model{ bodies = { slab = slab }, contacts = { touch = keys },
-                supports = { bed = { on = slab:face "south", fix = "xy" } } }
+      scenes.model{ bodies = { slab = slab }, contacts = { touch = keys },
+                supports = { bed = { on = "south", fix = "xy" } } }
     end, "the obstacle is inside body 'slab' at the start", "deep inside the obstacle")
   end
 end)
@@ -105,7 +102,7 @@ end)
 
 check.case("overlaps of faces in a contact none of whose points is active", function()
   local function warnings(seed)
-    local account = checks.solve(scenes.describe(seed))
+    local account = checks.solve(drawn.describe(seed))
     check.equal(account.outcome, "completed")
     return table.concat(account.run.warnings, "\n")
   end
@@ -121,10 +118,8 @@ check.case("loads that rounding errors exceed are a warning", function()
   local function warnings(knots)
     local patch = sg.shapes.rectangle{ width = 1, height = 1 }:insert(1, knots)
     local slab = sg.body{ patch = patch, elements = { #knots + 1, 1 }, order = "N2", material = soft }
-    local model = sg.model{
-      bodies = { slab = slab }, supports = { bed = { on = slab:face "south", fix = "xy" } },
-      loads = { push = { on = slab:face "north", traction = { 0, 0 } } },
-    }
+    local model = scenes.model{ bodies = { slab = slab }, supports = { bed = { on = "south", fix = "xy" } },
+      loads = { push = { on = "north", traction = { 0, 0 } } } }
     return model:run{ { steps = 1, push = { 1e-6, 0 } } }.warnings
   end
   check.equal(#warnings{ 0.5 }, 0)
@@ -134,11 +129,10 @@ end)
 
 check.case("reactions that do not balance by rounding error are a warning", function()
   local function warnings(width, strain)
-    local bar = sg.body{ patch = sg.shapes.rectangle{ width = width, height = 1 }, elements = { 2, 2 }, order = "N2",
-                         material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-    local model = sg.model{ bodies = { bar = bar }, supports = {
-      left = { on = bar:face "west", fix = "x" }, bed = { on = bar:face "south", fix = "y" },
-      right = { on = bar:face "east", drive = "x" } } }
+    local bar = scenes.body{ size = {width, 1} }
+    local model = scenes.model{ bodies = { bar = bar }, supports = {
+      left = { on = "west", fix = "x" }, bed = { on = "south", fix = "y" },
+      right = { on = "east", drive = "x" } } }
     local run = model:run{ { steps = 1, right = strain * width } }
     return run.warnings, model:reaction("left").fx / model:reaction("right").fx
   end
@@ -153,13 +147,13 @@ end)
 check.case("an interference fit, which needs no supports and loads, has no warning of rounding errors", function()
   local steel, inner, middle, outer, interference = sg.linear_elastic{ E = 206000, nu = 0 }, 50, 100, 150, 0.02
   local function tube(from, to, count, face)
-    return sg.body{ patch = sg.shapes.rectangle{ width = to - from, height = 20, corner = { from, 0 } },
-                    elements = { 4, count }, order = "N2", contact = face, material = steel }
+    return scenes.body{ size = {to - from, 20}, corner = { from, 0 },
+                    elements = { 4, count }, contact = face, material = steel }
   end
   local shaft, hub = tube(inner, middle, 3, "east"), tube(middle, outer, 4, "west")
-  local model = sg.model{ kind = "axisymmetric", bodies = { shaft = shaft, hub = hub },
-    supports = { low = { on = shaft:face "south", fix = "y" }, seat = { on = hub:face "south", fix = "y" } },
-    contacts = { fit = { slave = hub:face "west", master = shaft:face "east", penalty = 1.2e6 } } }
+  local model = scenes.model{ kind = "axisymmetric", bodies = { shaft = shaft, hub = hub },
+    supports = { low = { on = "shaft.south", fix = "y" }, seat = { on = "hub.south", fix = "y" } },
+    contacts = { fit = { slave = "hub.west", master = "shaft.east", penalty = 1.2e6 } } }
   local run = model:run{ { steps = 2, contacts = { fit = { offset = interference } } } }
   check.equal(run.warnings, {})
   -- Lamé's pressure with nu = 0, by a penalty
@@ -170,16 +164,13 @@ end)
 
 check.case("contact whose forces rounding errors exceed is a warning", function()
   local function warnings(knots)
-    local slab = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = { 2, 2 }, order = "N2",
-                          material = soft, contact = "north" }
+    local slab = scenes.body{ material = soft, contact = "north" }
     local patch = sg.shapes.rectangle{ width = 0.5, height = 0.5, corner = { 0.25, 1 } }:insert(1, knots)
     local block = sg.body{ patch = patch, elements = { #knots + 1, 1 }, order = "N2",
                            material = sg.neo_hookean{ E = 1e6, nu = 0.3 }, contact = "south" }
-    local model = sg.model{
-      bodies = { slab = slab, block = block },
-      supports = { bed = { on = slab:face "south", fix = "xy" }, grip = { on = block:face "north", drive = "xy" } },
-      contacts = { touch = { slave = block:face "south", master = slab:face "north", penalty = 100 } },
-    }
+    local model = scenes.model{ bodies = { slab = slab, block = block },
+      supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = "block.north", drive = "xy" } },
+      contacts = { touch = { slave = "block.south", master = "slab.north", penalty = 100 } } }
     return other_warnings(model:run{ { steps = 2, grip = { 0, -0.01 } } })
   end
   check.equal(#warnings{ 0.5 }, 0)

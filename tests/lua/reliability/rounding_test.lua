@@ -29,7 +29,7 @@ function cases.friction_of_bodies(offset, angle)
   return scenes.model{ bodies = { die = die, slab = slab },
     supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = "die.north", drive = "xy" } },
     contacts = { c = { slave = "die.south", master = "slab.north", penalty = 100,
-      friction = { mu = 0.3, penalty = 100 } } }, }, { { steps = 3, grip = turned(angle, 0, -0.05) },
+      friction = { mu = 0.3, penalty = 100 } } } }, { { steps = 3, grip = turned(angle, 0, -0.05) },
     { steps = 3, grip = turned(angle, 0.12, -0.05) } }
 end
 

@@ -87,7 +87,7 @@ check.case("peeling, adhesion on a part of the face, rotating support: reused fa
     local model = scenes.model{ bodies = { strip = strip },
       supports = { edge = { on = "east", rotate = true }, pin = { on = "south-west", fix = "x" } },
       contacts = { film = { slave = "south", master = scenes.floor(-0.25), adhesion = { hamaker = 0.1, r0 = 0.4 },
-        where = function(X) return X[1] <= 45 end } }, }
+        where = function(X) return X[1] <= 45 end } } }
     continues(model, { { steps = 12, edge = 6 } }, "{ { steps = 8, edge = 10 } }", { linear = linear })
     check.equal(model:solver().linear, linear == "auto" and "reuse" or linear)
   end
