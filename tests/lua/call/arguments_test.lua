@@ -147,9 +147,6 @@ check.case("invalid declarations are errors at the script's line", function()
     local output = check.fails(function() sg.arguments(defaults, {}) end, "sg.arguments: ", message)
     check.holds(output, "arguments_test.lua:")
   end
-  check.fails(function() sg.arguments(3) end, "sg.arguments: defaults must be a table of names { name = … }")
-  check.fails(function() sg.arguments({}, "a=1") end, "sg.arguments: words must be a list of strings")
-  check.fails(function() sg.arguments({}, { 1 }) end, "sg.arguments: words[1] must be a string")
 end)
 
 local script = [[
@@ -211,7 +208,6 @@ check.case("files: a folder, paths, omitted files, and the list at the end", fun
   check.equal(files.folder, folder .. "/deep")
   assert(io.open(folder .. "/deep/x", "w")):close() -- the folder is there
   check.fails(function() files(3) end, "sg.files: the name of a file must be a string, got the number 3")
-  check.fails(function() sg.files() end, "sg.files: folder (name of the folder) is missing")
   check.fails(function() sg.files(folder .. "/deep/x") end, "cannot create the folder")
 end)
 
@@ -221,7 +217,6 @@ check.case("the median does not change the list", function()
   check.equal(list, { 5, 1, 3 })
   check.fails(function() sg.median {} end,
     "sg.median: numbers must be a list of at least one number, got an empty table")
-  check.fails(function() sg.median { 1, 0 / 0 } end, "sg.median: numbers[2] must be a finite number")
 end)
 
 check.case("sg.wall_time counts seconds", function()

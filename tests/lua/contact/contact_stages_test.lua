@@ -337,13 +337,7 @@ check.case("wrong constants are errors before anything is solved", function()
   end
   check.fails(function() model:set_contact("joint", {}) end, here, "model:set_contact", "the table is empty")
   wrong(model, { joint = { mu = 0.3 } }, "unknown argument 'mu'", "write friction = { mu = … }")
-  wrong(model, { joint = { friction = 0.3 } }, "stages[2].contacts.joint.friction must be")
-  wrong(model, { joint = { friction = { mu = -0.3 } } }, "friction.mu must be", "got the number -0.3")
-  wrong(model, { joint = { penalty = 0 } }, "contacts.joint.penalty must be a positive number")
-  wrong(model, { joint = { active = 1 } }, "contacts.joint.active must be true or false")
   wrong(model, { joint = { method = "mortar" } }, "unknown argument 'method'", "give it in sg.model")
-  wrong(model, { joint = true }, "stages[2].contacts.joint must be")
-  wrong(model, "joint", "stages[2].contacts must be")
   wrong(smooth, { joint = { friction = { mu = 0.3 } } }, "stages[2]: contacts.joint has no friction in sg.model",
     "write friction = { mu = 0, … } in sg.model")
   wrong(sticky, { joint = { penalty = 10 } }, "contacts.joint has adhesion", "active alone")

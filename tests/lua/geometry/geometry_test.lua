@@ -187,7 +187,6 @@ check.case("wrong directions and mirrors", function()
     "patch:swap: a curve has only one parametric direction")
   check.fails(function() p:swap(2, 2) end, "patch:swap: j must be another direction than i", "got the number 2")
   check.fails(function() p:mirror { normal = { 0, 0 } } end, "patch:mirror: normal must not be zero")
-  check.fails(function() p:mirror { 1, 0 } end, "takes named arguments")
   check.fails(function() p:scale { factor = { -1, 1 } } end, "factors must be positive, got -1", "patch:mirror{ normal")
 end)
 

@@ -7,6 +7,8 @@ local function run(arguments, input, before)
   return { output = output, status = status }
 end
 
+local function ends(result, status, ...) check.ended({ result.output, result.status }, status, ...) end
+
 local function gives(result, output, status)
   check.equal(result.output, output)
   check.equal(result.status, status or 0)
@@ -43,9 +45,7 @@ end)
 
 check.case("- reads standard input", function()
   gives(run({ "-", "a" }, "print(1 + 1, arg[1], sg ~= nil)"), "2\ta\ttrue\n")
-  local result = run({ "-" }, "print(1)\nerror 'no'")
-  check.equal(result.status, 1)
-  check.holds(result.output, "signorini: stdin:2: no")
+  ends(run({ "-" }, "print(1)\nerror 'no'"), 1, "signorini: stdin:2: no")
 end)
 
 check.case("--version and --help", function()
@@ -60,9 +60,8 @@ end)
 
 check.case("--doctor draws without a display", function()
   for _, display in ipairs { "env -u DISPLAY", "env DISPLAY=nowhere.invalid:7" } do
-    local result = run({ "--doctor", "--threads", "2" }, nil, display)
-    check.equal(result.status, 0)
-    check.holds(result.output, "Lua 5.4", "Eigen", "SuiteSparse", "BLAS", "readline", "VTK", "threads       2",
+    ends(run({ "--doctor", "--threads", "2" }, nil, display), 0,
+      "Lua 5.4", "Eigen", "SuiteSparse", "BLAS", "readline", "VTK", "threads       2",
       "kernel        ", "test picture  ok", "films         ")
   end
 end)
@@ -72,9 +71,8 @@ check.case("SIGNORINI_KERNEL chooses the kernels' instructions", function()
   local result = run({ "-e", "print(require 'signorini.core'.versions.kernel)" }, nil,
     "env SIGNORINI_KERNEL=" .. narrowest)
   check.equal(result, { status = 0, output = narrowest .. "\n" })
-  result = run({ "-e", "print(1)" }, nil, "env SIGNORINI_KERNEL=sse3")
-  check.equal(result.status, 1)
-  check.holds(result.output, ("SIGNORINI_KERNEL must be %s, avx2 or avx512, got 'sse3'"):format(narrowest))
+  ends(run({ "-e", "print(1)" }, nil, "env SIGNORINI_KERNEL=sse3"), 1,
+    ("SIGNORINI_KERNEL must be %s, avx2 or avx512, got 'sse3'"):format(narrowest))
 end)
 
 check.case("-q and --threads are visible to the library", function()
@@ -100,9 +98,7 @@ check.case("a wrong command line ends with status 2 and a hint", function()
     [{ "--sandbox=", "study.lua" }] = "--sandbox must be followed by the folder that the script may use, got ''",
     [{ "--sandbox", "", "study.lua" }] = "--sandbox must be followed by the folder that the script may use, got ''",
   } do
-    local result = run(arguments)
-    check.equal(result.status, 2)
-    check.holds(result.output, "signorini: ", hint)
+    ends(run(arguments), 2, "signorini: ", hint)
   end
 end)
 
@@ -124,9 +120,8 @@ end)
 
 check.case("more threads than the system allows are an error that states the maximum", function()
   -- a stack of 8 MB each, and 4 GB for all
-  local result = run({ "--threads", "1024", "-e", "print(1)" }, nil, "ulimit -s 8192; ulimit -v 4000000;")
-  check.equal(result.status, 1)
-  check.holds(result.output, "signorini: the system started only ", " of 1024 threads", "Hint: use fewer threads")
+  ends(run({ "--threads", "1024", "-e", "print(1)" }, nil, "ulimit -s 8192; ulimit -v 4000000;"), 1,
+    "signorini: the system started only ", " of 1024 threads", "Hint: use fewer threads")
 end)
 
 check.case("closed streams: what is printed does not land in files that are opened later", function()
@@ -148,20 +143,14 @@ check.case("output that cannot be written is an error, also with os.exit", funct
 end)
 
 check.case("the library is found by SIGNORINI_HOME, or the message lists the places that were searched", function()
-  local result = run({ "-e", "print(1)" }, nil, "env SIGNORINI_HOME=/nowhere")
-  check.equal(result.status, 1)
-  check.holds(result.output, "/nowhere", "SIGNORINI_HOME")
+  ends(run({ "-e", "print(1)" }, nil, "env SIGNORINI_HOME=/nowhere"), 1, "/nowhere", "SIGNORINI_HOME")
 end)
 
 check.case("the prompt reads lines from a pipe: expressions, statements over several lines, errors", function()
   gives(run({}, "1 + 1\nx = {1, 2, name = 'a'}\nx\nfor i = 1, 2 do\n  print(i)\nend\n'text'\n"),
     '2\n{1, 2, name = "a"}\n1\n2\n"text"\n')
-  local result = run({}, "y = 1\nerror 'no'\ny\n")
-  check.equal(result.status, 1)
-  check.holds(result.output, "prompt:1: no", "\n1\n")
-  result = run({}, "for i = 1, 2 do\n")
-  check.equal(result.status, 1)
-  check.holds(result.output, "ends inside a statement")
+  ends(run({}, "y = 1\nerror 'no'\ny\n"), 1, "prompt:1: no", "\n1\n")
+  ends(run({}, "for i = 1, 2 do\n"), 1, "ends inside a statement")
   gives(run({ "-i", "-e", "z = 5" }, "z\n"), "5\n")
 end)
 
@@ -179,9 +168,7 @@ check.case("-i opens the prompt after a script, with what it returned as _, and 
   gives(run({ "-i", name }, "_ + y\n"), "45\n")
   gives(run({ "-i", "--", name }, "y\n"), "3\n")
   write "y = 3 error 'no'"
-  local result = run({ "-i", name }, "y\n")
-  check.equal(result.status, 1)
-  check.holds(result.output, ":1: no\nstack traceback:", "\n3\n")
+  ends(run({ "-i", name }, "y\n"), 1, ":1: no\nstack traceback:", "\n3\n")
   os.remove(name)
 end)
 
@@ -266,15 +253,12 @@ check.case("no colors unless the output is a terminal", function()
 end)
 
 check.case("the prompt cuts long tables and does not follow cycles", function()
-  local result = run({}, "t = {} for i = 1, 100 do t[i] = i end\nt\nt = {} t.t = t\nt\n{{1, 2}, {{3}}}\n")
-  check.equal(result.status, 0)
-  check.holds(result.output, "… 60 more", "{t = {t = {…}}}", "{{1, 2}, {{…}}}")
+  ends(run({}, "t = {} for i = 1, 100 do t[i] = i end\nt\nt = {} t.t = t\nt\n{{1, 2}, {{3}}}\n"), 0,
+    "… 60 more", "{t = {t = {…}}}", "{{1, 2}, {{…}}}")
 end)
 
 check.case("a script without a name", function()
-  local result = run { "" }
-  check.equal(result.status, 2)
-  check.holds(result.output, "the script name must not be empty, got ''")
+  ends(run { "" }, 2, "the script name must not be empty, got ''")
 end)
 
 check.case("a quotation mark that is left open is an error of its line, and the next line is one of its own", function()
@@ -288,10 +272,9 @@ check.case("help takes a dot for a colon", function()
 end)
 
 check.case("help finds functions, methods, tables and words", function()
-  local result = run({}, 'help()\nhelp(sg.shapes.block)\nhelp "patch:refine"\nhelp(sg.nurbs)\nhelp "orders"\n'
-    .. 'help "refin"\nhelp "rectangel"\n')
-  check.equal(result.status, 0)
-  check.holds(result.output, "signorini: isogeometric", "sg.shapes.block{ size", "patch:refine{ elements",
+  ends(run({}, 'help()\nhelp(sg.shapes.block)\nhelp "patch:refine"\nhelp(sg.nurbs)\nhelp "orders"\n'
+    .. 'help "refin"\nhelp "rectangel"\n'), 0,
+    "signorini: isogeometric", "sg.shapes.block{ size", "patch:refine{ elements",
     "sg.nurbs.coons{", "N2-N2.2x2", "Pages with 'refin'", "did you mean 'rectangle'?")
 end)
 

@@ -131,7 +131,6 @@ check.case("wrong inputs name the argument, its value, the expectation, and a hi
     "or a function of the coordinate")
   fails({ profile = p, reference = r, coordinate = "z" }, "profile has no list 'z'",
     "which coordinate needs; known: gap, pressure")
-  fails({ profile = p, reference = r, coordinate = 3 }, "coordinate must be the name of a column", "got the number 3")
   fails({ profile = p, reference = math.sqrt, quadrature = "reference" }, "for a function, which has no points")
   fails({ profile = p, reference = function() return 0 / 0 end }, "reference(0) must be a finite number")
   fails({ profile = sampled(11, 1, function() return 0 end), reference = r }, "profile has no pressure")
