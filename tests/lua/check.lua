@@ -1,6 +1,6 @@
 -- A harness of one page: cases with names, a few comparisons, and the program run as a user runs it. All valid calls of
 -- a test must conform to the definitions for editors. A test begins with `require "check"`, which provides check, core,
--- scenes and sg; the end of the program reports.
+-- lists, scenes and sg; the end of the program reports.
 
 local core = require "signorini.core"
 require("conformity").watch_calls()
@@ -359,7 +359,8 @@ function check.refused(script, wrong, ...)
 end
 
 package.loaded.check = check
-for name, module in pairs { check = check, core = core, scenes = require "scenes", sg = require "signorini" } do
+for name, module in pairs { check = check, core = core, lists = require "signorini.call.lists", scenes = require "scenes",
+                             sg = require "signorini" } do
   rawset(_G, name, module)
 end
 

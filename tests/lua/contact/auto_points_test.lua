@@ -93,8 +93,7 @@ check.case("methods whose points must stay the same refuse it", function()
     check.fails(function()
       local lower = scenes.body{ contact = "north" }
       local upper = scenes.body{ corner = { 0, 1 }, contact = "south" }
-      local contact = { slave = upper:face "south", master = lower:face "north", points = "auto" }
-      for key, value in pairs(keys) do contact[key] = value end
+      local contact = lists.merged({ slave = upper:face "south", master = lower:face "north", points = "auto" }, keys)
       sg.model{ bodies = { lower = lower, upper = upper }, contacts = { touch = contact } }
     end, message, "give points as a number")
   end

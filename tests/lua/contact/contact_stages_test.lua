@@ -3,7 +3,6 @@
 
 require "check"
 local contact_keys = require "contact_keys"
-local lists = require "signorini.call.lists"
 local show = require "signorini.prompt.show"
 local tangents = require "tangents"
 

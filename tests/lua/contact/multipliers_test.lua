@@ -7,9 +7,7 @@ local spaces = { "equal", "reduced" }
 
 --- Keys of a contact with multipliers; `more` overrides.
 local function keys(space, more)
-  local all = { method = "mortar", multipliers = space, enforcement = "multipliers" }
-  for key, value in pairs(more or {}) do all[key] = value end
-  return all
+  return lists.merged({ method = "mortar", multipliers = space, enforcement = "multipliers" }, more)
 end
 
 local function solved(model, stages, options) return check.completed(model:run(stages, sg.plain(options or {}))) end

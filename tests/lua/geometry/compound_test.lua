@@ -4,18 +4,17 @@ require "check"
 
 local steel = sg.linear_elastic{ E = 1, nu = 0.3 }
 local square = sg.shapes.rectangle
+local function unit(x, y, width) return square{ width = width or 1, height = 1, corner = { x, y } } end
+local function cube(x) return sg.shapes.block{ size = { 1, 1, 1 }, corner = { x, 0, 0 } } end
 
 --- Three squares in the shape of an L; the last one in another order of its directions.
 local function corner_piece()
-  return { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = { 1, 0 } },
-           square{ width = 1, height = 1, corner = { 0, 1 } }:swap(1, 2):reverse(1),
-           boundaries = { bottom = { "1.south", "2.south" }, left = { "1.west", "3.south" } } }
+  return { unit(0, 0), unit(1, 0), unit(0, 1):swap(1, 2):reverse(1),
+    boundaries = { bottom = { "1.south", "2.south" }, left = { "1.west", "3.south" } } }
 end
 
 local function body(patches, more)
-  local values = { patch = patches, elements = { 2, 2 }, order = "N2", material = steel }
-  for key, value in pairs(more or {}) do values[key] = value end
-  return sg.body(values)
+  return sg.body(lists.merged({ patch = patches, elements = { 2, 2 }, order = "N2", material = steel }, more))
 end
 
 local function solved(model, stages)
@@ -69,19 +68,14 @@ check.case("a list of faces with lists in it is one list", function()
 end)
 
 check.case("interfaces of the list replace the search: a slit stays open", function()
-  local patches = { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = { 1, 0 } },
-                    square{ width = 1, height = 1, corner = { 0, 1 } },
-                    square{ width = 1, height = 1, corner = { 1, 1 } } }
+  local patches = { unit(0, 0), unit(1, 0), unit(0, 1), unit(1, 1) }
   check.equal(sg.model{ bodies = { a = body(patches) } }:solver().unknowns, 2 * 7 * 7)
   patches.interfaces = { { "1.east", "2.west" }, { "3.east", "4.west" }, { "1.north", "3.south" } }
   check.equal(sg.model{ bodies = { a = body(patches) } }:solver().unknowns, 2 * (7 * 7 + 3))
 end)
 
 check.case("parts without a contact face have the label's bulk, the others its layer", function()
-  local patches = { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = { 1, 0 } },
-                    square{ width = 1, height = 1, corner = { 0, -1 } },
-                    square{ width = 1, height = 1, corner = { 1, -1 } },
-                    boundaries = { top = { "1.north", "2.north" } } }
+  local patches = { unit(0, 0), unit(1, 0), unit(0, -1), unit(1, -1), boundaries = { top = { "1.north", "2.north" } } }
   local layered = body(patches, { order = "N2-N4", contact = "top" })
   assert(layered:part(1):dofs().interface > 0)
   check.equal(layered:part(3):dofs().interface, 0)
@@ -89,7 +83,7 @@ check.case("parts without a contact face have the label's bulk, the others its l
 end)
 
 check.case("faces that coincide in part are tied", function()
-  local wide = body({ square{ width = 2, height = 1 }, square{ width = 1, height = 1, corner = { 0.5, 1 } } })
+  local wide = body({ square{ width = 2, height = 1 }, unit(0.5, 1) })
   local text = tostring(sg.model{ bodies = { t = wide } })
   check.holds(text, "t.1.north-2.south is tied, because")
 end)
@@ -102,26 +96,22 @@ check.case("faces on each other are found for any meshes and sizes, others are n
     table.sort(pairs_found)
     return pairs_found
   end
-  local function at(x, y, width) return square{ width = width or 1, height = 1, corner = { x, y } } end
   local both = { "b.1.east-2.west", "b.1.north-3.south" }
   for _, elements in ipairs { { { 2, 2 }, { 8, 8 }, { 2, 2 } }, { { 8, 8 }, { 2, 2 }, { 9, 8 } } } do
-    check.equal(found({ at(0, 0), at(1, 0), at(0, 1) }, elements), both) -- 2.north and 3.south meet at a corner only
+    check.equal(found({ unit(0, 0), unit(1, 0), unit(0, 1) }, elements), both) -- 2.north and 3.south meet at a corner
   end
-  check.equal(found({ at(0, 0), at(1, 1), at(0, 1) }, { { 2, 2 }, { 8, 8 }, { 2, 2 } }),
+  check.equal(found({ unit(0, 0), unit(1, 1), unit(0, 1) }, { { 2, 2 }, { 8, 8 }, { 2, 2 } }),
     { "b.1.north-3.south", "b.2.west-3.east" }) -- 1 and 2 meet at a corner only
   -- A small face between the middles of large elements, and parts of faces
-  check.equal(found({ at(0, 0, 10), at(3.1, 1, 0.2) }, { { 2, 1 }, { 1, 1 } }), { "b.1.north-2.south" })
-  check.equal(found({ at(0, 0, 2), at(1.7, 1, 2) }, { 1, 1 }), { "b.1.north-2.south" })
+  check.equal(found({ unit(0, 0, 10), unit(3.1, 1, 0.2) }, { { 2, 1 }, { 1, 1 } }), { "b.1.north-2.south" })
+  check.equal(found({ unit(0, 0, 2), unit(1.7, 1, 2) }, { 1, 1 }), { "b.1.north-2.south" })
 end)
 
 check.case("parts that nearly touch or overlap a little are tied, which a warning says", function()
   local rubber = sg.neo_hookean{ E = 1, nu = 0.3 }
   --- A bar of two blocks at a distance, pulled by 0.05: force, reaction, warnings.
   local function pulled(solid, distance, elements)
-    local function block(x)
-      return solid and sg.shapes.block{ size = { 1, 1, 1 }, corner = { x, 0, 0 } }
-        or square{ width = 1, height = 1, corner = { x, 0 } }
-    end
+    local function block(x) return solid and cube(x) or unit(x, 0) end
     local bar = body({ block(0), block(1 + distance) }, { material = rubber, elements = elements })
     local model = scenes.model{ bodies = { bar = bar }, supports = {
       wall = { on = "1.west", fix = solid and "xyz" or "xy" },
@@ -145,8 +135,7 @@ end)
 
 check.case("parts with layers that nearly touch are joined, which a warning says", function()
   local function pulled(distance)
-    local function block(x) return sg.shapes.block{ size = { 1, 1, 1 }, corner = { x, 0, 0 } } end
-    local bar = body({ block(0), block(1 + distance) }, { elements = { 2, 2, 2 }, order = "N2-N3",
+    local bar = body({ cube(0), cube(1 + distance) }, { elements = { 2, 2, 2 }, order = "N2-N3",
       contact = { "1.back", "2.back" } })
     local model = scenes.model{ bodies = { bar = bar }, supports = { wall = { on = "1.west", fix = "xyz" },
       pull = { on = "2.east", fix = "yz", drive = "x" } } }
@@ -164,17 +153,15 @@ check.case("parts with layers that nearly touch are joined, which a warning says
 end)
 
 check.case("every part of a body is connected with the others; otherwise the smallest gap is an error", function()
-  local function at(x, y) return square{ width = 1, height = 1, corner = { x, y } } end
   refused({ "sg.body: patch must be one body", "the patches 1 and 2 are not connected", "the smallest gap is 0.2",
-    "the faces '1.east' and '2.west'", "10 % of an element's length" }, body, { at(0, 0), at(1.2, 0) })
+    "the faces '1.east' and '2.west'", "10 % of an element's length" }, body, { unit(0, 0), unit(1.2, 0) })
   refused({ "the patches 1, 3 and 2 are not connected", "the smallest gap is 0.5" }, body,
-    { at(0, 0), at(2.5, 0), at(1, 0) })
-  refused({ "the smallest gap is 0," }, body, { at(0, 0), at(1, 1) }) -- at a corner
-  local function solid(x) return sg.shapes.block{ size = { 1, 1, 1 }, corner = { x, 0, 0 } } end
-  refused({ "the smallest gap is 0.5", "'1.east' and '2.west'" }, body, { solid(0), solid(1.5) },
+    { unit(0, 0), unit(2.5, 0), unit(1, 0) })
+  refused({ "the smallest gap is 0," }, body, { unit(0, 0), unit(1, 1) }) -- at a corner
+  refused({ "the smallest gap is 0.5", "'1.east' and '2.west'" }, body, { cube(0), cube(1.5) },
     { elements = { 2, 2, 2 } })
   -- Interfaces that leave a part out: the model may connect it.
-  local three = { at(0, 0), at(1, 0), at(2, 0), interfaces = { { "1.east", "2.west" } } }
+  local three = { unit(0, 0), unit(1, 0), unit(2, 0), interfaces = { { "1.east", "2.west" } } }
   local listed = body(three)
   refused({ "sg.model: bodies.a must be one body", "the patches 1, 2 and 3 are not connected", "patch.interfaces" },
     sg.model, { bodies = { a = listed } })
@@ -191,23 +178,21 @@ check.case("faces at a distance are tied to the next one only, and a slit that e
   check.holds(text, "b.1.north-2.south is tied", "b.2.north-3.south is tied")
   assert(not text:find "b.1.north%-3.south")
   -- Four squares, one pair of which is a little apart
-  local function at(x, y) return square{ width = 1, height = 1, corner = { x, y } } end
-  local four = sg.model{ bodies = { b = body{ at(0, 0), at(1, 0), at(0, 1), at(1.0001, 1) } } }
+  local four = sg.model{ bodies = { b = body{ unit(0, 0), unit(1, 0), unit(0, 1), unit(1.0001, 1) } } }
   check.holds(tostring(four), "b.3.east-4.west is tied")
 end)
 
 check.case("closed faces are joined in any order of their directions", function()
   local function ring(radius)
-    return sg.nurbs.revolve{ patch = square{ width = 1, height = 1, corner = { radius, 0 } }, angle = 360 }
+    return sg.nurbs.revolve{ patch = unit(radius, 0), angle = 360 }
   end
   local rings = body({ ring(3), ring(4):swap(2, 3):reverse(1) }, { elements = { { 1, 2, 8 }, { 1, 8, 2 } } })
   check.holds(tostring(sg.model{ bodies = { rings = rings } }), "rings.1.east-2.east shares ")
 end)
 
 check.case("lists of faces can be slave and master of a tie", function()
-  local upper = body({ square{ width = 1, height = 1, corner = { 0, 1 } },
-                       square{ width = 1, height = 1, corner = { 1, 1 } },
-                       boundaries = { bottom = { "1.south", "2.south" } } }, { elements = { 3, 2 } })
+  local upper = body({ unit(0, 1), unit(1, 1), boundaries = { bottom = { "1.south", "2.south" } } },
+    { elements = { 3, 2 } })
   local lower = body({ square{ width = 0.8, height = 1 }, square{ width = 1.2, height = 1, corner = { 0.8, 0 } },
                        boundaries = { top = { "1.north", "2.north" }, bottom = { "1.south", "2.south" } } })
   local model = solved(scenes.model{ bodies = { upper = upper, lower = lower },
@@ -223,16 +208,14 @@ end)
 
 check.case("pictures of a body show all its parts", function()
   local folder = check.folder()
-  local model = sg.model{ bodies = { piece = body(corner_piece()), other = body{ square{ width = 1, height = 1,
-    corner = { 3, 0 } } } } }
+  local model = sg.model{ bodies = { piece = body(corner_piece()), other = body{ unit(3, 0) } } }
   sg.picture{ model = model, bodies = { "piece" }, file = folder .. "/parts.png" }
   check.pictures(folder, { "parts" })
 end)
 
 check.case("files keep patches, interfaces and boundaries, and sg.body takes the list", function()
   local folder = check.folder()
-  local patches = { square{ width = 1, height = 1 }, square{ width = 1, height = 1, corner = { 1, 0 } },
-                    boundaries = { top = { "1.north", "2.north" } } }
+  local patches = { unit(0, 0), unit(1, 0), boundaries = { top = { "1.north", "2.north" } } }
   for _, ending in ipairs { "xml", "txt", "mesh" } do
     local file = ("%s/pair.%s"):format(folder, ending)
     sg.nurbs.write(file, patches)

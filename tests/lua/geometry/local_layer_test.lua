@@ -9,17 +9,13 @@ local patch_test = require "problems.patch_test.problem"
 local soft = sg.linear_elastic{ E = 1, nu = 0.3 }
 
 local function slab(more)
-  local values = { patch = sg.shapes.rectangle{ width = 12, height = 1 }, elements = { 12, 2 }, order = "N2-N2.2",
-                   contact = "north", material = soft, thickness_degree = 1 }
-  for key, value in pairs(more or {}) do values[key] = value end
-  return sg.body(values)
+  return scenes.body(lists.merged({ size = { 12, 1 }, elements = { 12, 2 }, order = "N2-N2.2", contact = "north",
+    material = soft, thickness_degree = 1 }, more))
 end
 
 local function block(more)
-  local values = { patch = sg.shapes.block{ size = { 9, 6, 2 } }, elements = { 9, 6, 2 }, order = "N2-N2.2",
-                   contact = "back", material = soft, thickness_degree = 1 }
-  for key, value in pairs(more or {}) do values[key] = value end
-  return sg.body(values)
+  return scenes.body(lists.merged({ size = { 9, 6, 2 }, elements = { 9, 6, 2 }, order = "N2-N2.2", contact = "back",
+    material = soft, thickness_degree = 1 }, more))
 end
 
 check.case("unknowns in closed form: 2 more functions per raised element, 1 more per knot", function()

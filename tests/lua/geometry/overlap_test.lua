@@ -101,8 +101,7 @@ check.case("a small overlap is a warning if closing it strains a body, which the
       return scenes.body{ size = {10, 10}, corner = {0, y}, elements = {3, 3}, material = steel }
     end
     local a, b = block(overlap - 10), block(0)
-    local contact = { slave = b:face "south", master = a:face "north", penalty = 1e8 }
-    for key, value in pairs(more or {}) do contact[key] = value end
+    local contact = lists.merged({ slave = b:face "south", master = a:face "north", penalty = 1e8 }, more)
     return scenes.model{ bodies = { a = a, b = b }, contacts = { c = contact },
       supports = { low = { on = "a.south", fix = "xy" }, up = { on = "b.north", fix = "xy" } } }
   end

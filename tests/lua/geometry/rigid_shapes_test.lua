@@ -36,8 +36,7 @@ end)
 local function forces(obstacle, contact, scene, corner)
   local b = scenes.body{ size = {3, 1}, corner = corner or {0, 0}, elements = {6, 2}, contact = "north",
     order = "N2-N2.1", material = soft }
-  local joint = { slave = b:face "north", master = obstacle, points = 6 }
-  for key, value in pairs(contact) do joint[key] = value end
+  local joint = lists.merged({ slave = b:face "north", master = obstacle, points = 6 }, contact)
   local across = scene.kind == "axisymmetric"
   local model = scenes.model{ kind = scene.kind, bodies = { b = b }, contacts = { joint = joint },
     supports = { bed = { on = "south", fix = "xy" }, punch = { on = obstacle, drive = across and "y" or "xy" } } }

@@ -12,8 +12,7 @@ end
 local function pressed(given, nu)
   local slab = slab_on("N2", nu)
   local disc = sg.rigid.cylinder{ center = {1, 1.5}, radius = 0.5 }
-  local contact = { slave = slab:face "north", master = disc }
-  for key, value in pairs(given or {}) do contact[key] = value end
+  local contact = lists.merged({ slave = slab:face "north", master = disc }, given)
   return scenes.model{ bodies = { slab = slab },
     supports = { bed = { on = "south", fix = "xy" }, push = { on = disc, drive = "y" } }, contacts = { c = contact } }
 end

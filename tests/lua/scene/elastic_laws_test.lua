@@ -2,7 +2,6 @@
 -- ones, in all kinds of models; the program's neo-Hooke as a formula; what is printed and saved; warnings.
 
 require "check"
-local lists = require "signorini.call.lists"
 
 local exact = { newton = { tolerance = 1e-13 } }
 local c10, c01, c20, c30, stiff = 0.4, 0.2, -0.02, 0.003, 1e5

@@ -2,7 +2,6 @@
 -- ring, balloons beyond their limit points by arc length; lists of faces, files, wrong inputs.
 
 require "check"
-local lists = require "signorini.call.lists"
 local tangents = require "tangents"
 
 local pi = math.pi
@@ -172,7 +171,8 @@ end
 local function vessel(kind, c01)
   return scenes.model{ kind = kind, loads = loaded "north",
     bodies = { vessel = { patch = sg.shapes.quarter_annulus{ inner = 1, outer = outer }, elements = {6, 2},
-        order = "N3", volumetric = "projected", material = sg.mooney_rivlin{ c10 = 0.5 - c01, c01 = c01, K = 20000 } } },
+        order = "N3", volumetric = "projected",
+        material = sg.mooney_rivlin{ c10 = 0.5 - c01, c01 = c01, K = 20000 } } },
     supports = { axis = { on = "west", symmetry = true }, cut = { on = "east", symmetry = true } } }
 end
 

@@ -241,8 +241,7 @@ end
 --- A block of 1 × 1 × 2 whose upper face turns about its centroid, (0.5, 0.5, 2).
 local function turning(material, rotate, hold)
   local b = scenes.body{ size = {1, 1, 2}, contact = "back", thickness_degree = 2, material = material }
-  local grip = { on = b:face "back", rotate = rotate }
-  for key, value in pairs(hold or {}) do grip[key] = value end
+  local grip = lists.merged({ on = b:face "back", rotate = rotate }, hold)
   return b, grip
 end
 

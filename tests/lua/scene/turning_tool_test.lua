@@ -17,8 +17,7 @@ local function slab_under(tool, support, loads, contact, keys)
   for _, load in pairs(loads or {}) do load.on = tool end
   local supports = { bed = { on = slab:face "south", fix = "xy" }, tool = support }
   if keys.solid then supports.sides = { on = { slab:face "front", slab:face "back" }, fix = "z" } end
-  local parts = { slave = slab:face "north", master = tool, penalty = 200, points = 9 }
-  for key, value in pairs(contact or {}) do parts[key] = value end
+  local parts = lists.merged({ slave = slab:face "north", master = tool, penalty = 200, points = 9 }, contact)
   return sg.model{ bodies = { slab = slab }, supports = supports, loads = loads, contacts = { press = parts } }
 end
 

@@ -19,10 +19,8 @@ local function path(_, _, steps) return { { name = "press", steps = steps, grip 
 
 --- A map of two orders and two numbers of steps with some arguments changed.
 local function make(changes)
-  local options = { name = "springs", x = { name = "order", values = { "good", "diverged" } },
-                    y = { name = "steps", values = { 4, 10 } }, scene = scene, path = path, jobs = 2 }
-  for key, value in pairs(changes or {}) do options[key] = value end
-  return sg.convergence_map(options)
+  return sg.convergence_map(lists.merged({ name = "springs", x = { name = "order", values = { "good", "diverged" } },
+    y = { name = "steps", values = { 4, 10 } }, scene = scene, path = path, jobs = 2 }, changes))
 end
 
 check.case("cells contain how far each run came, its cost, and why it failed", function()
@@ -116,8 +114,7 @@ check.case("a file keeps finished cells; a second call solves only those that ar
   local results = function() return { ["a b"] = 0.1, c = -1e300 } end
   local function solve(changes)
     os.remove(trace)
-    local options = { file = file, scene = noted, jobs = 1, results = results }
-    for key, value in pairs(changes or {}) do options[key] = value end
+    local options = lists.merged({ file = file, scene = noted, jobs = 1, results = results }, changes)
     local map = make(options)
     return map, core.exists(trace) and core.read_file(trace) or ""
   end

@@ -15,9 +15,8 @@ end
 local meshes = { "m1", "m2", "m3", "m4", "m5", "m6" }
 
 local function recommend(more)
-  local options = { scene = scene, quantity = "ground.max_pressure", at_most = 0.02, meshes = meshes }
-  for key, value in pairs(more or {}) do options[key] = value end
-  return sg.recommend(options)
+  return sg.recommend(lists.merged({ scene = scene, quantity = "ground.max_pressure", at_most = 0.02,
+    meshes = meshes }, more))
 end
 
 check.case("for 2 % it finds a case that is within 2 % of Hertz", function()

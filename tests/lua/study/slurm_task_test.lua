@@ -2,7 +2,6 @@
 
 require "check"
 local chunks = require "signorini.study.chunks"
-local lists = require "signorini.call.lists"
 
 -- Cases that save checkpoints, but do not resume where the file `again` is there; or cases with large results.
 local script = [[

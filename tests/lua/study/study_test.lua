@@ -68,12 +68,10 @@ end)
 
 --- A study whose run notes in a file that it was called.
 local function noted(folder, cases, run, more)
-  local options = { name = "noted", folder = folder, cases = cases, inputs = {}, run = function(case)
+  return sg.study(lists.merged({ name = "noted", folder = folder, cases = cases, inputs = {}, run = function(case)
     os.execute(("echo %s >>%s.log"):format(case.a, folder))
     return run(case)
-  end }
-  for key, value in pairs(more or {}) do options[key] = value end
-  return sg.study(options)
+  end }, more))
 end
 
 local function calls(folder)

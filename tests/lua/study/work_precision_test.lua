@@ -33,9 +33,7 @@ local function power(order, walls, factor, rate)
 end
 
 local function compare(rows, more)
-  local options = { error = "dPx" }
-  for key, value in pairs(more or {}) do options[key] = value end
-  return sg.work_precision(rows, options)
+  return sg.work_precision(rows, lists.merged({ error = "dPx" }, more))
 end
 
 check.case("power laws: the cost ratio at equal error is that of their formulas", function()
