@@ -359,8 +359,8 @@ function check.refused(script, wrong, ...)
 end
 
 package.loaded.check = check
-for name, module in pairs { check = check, core = core, lists = require "signorini.call.lists", scenes = require "scenes",
-                             sg = require "signorini" } do
+for name, module in pairs { check = check, core = core, lists = require "signorini.call.lists",
+                            scenes = require "scenes", sg = require "signorini" } do
   rawset(_G, name, module)
 end
 

@@ -1,6 +1,5 @@
 -- The keys of a contact for each method and enforcement, for tests that run all of them.
 
-local sg = require "signorini"
 local lists = require "signorini.call.lists"
 
 local contact_keys = {}

@@ -44,7 +44,8 @@ end)
 check.case("where slip reverses the line search by energy ends the alternation", function()
   local side, n, E = 0.04, 16, 1.3e11
   local penalty = 50 * E * n / side
-  local plate = scenes.body{ size = {side, side}, elements = { n, n }, contact = "south", material = sg.linear_elastic{ E = E, nu = 0.2 } }
+  local plate = scenes.body{ size = {side, side}, elements = { n, n }, contact = "south",
+    material = sg.linear_elastic{ E = E, nu = 0.2 } }
   local model = scenes.model{ bodies = { plate = plate }, supports = { axis = { on = "east", fix = "x" } },
     loads = { top = { on = "north", pressure = 0 }, side = { on = "west", pressure = 0 } },
     contacts = { floor = { slave = "south", master = sg.rigid.plane{ point = { 0, 0 }, normal = { 0, 1 } },

@@ -2,6 +2,7 @@
 -- with plain Newton, which ends at its first failure.
 
 require "check"
+local ironing = require "ironing"
 
 -- ── Small models ─────────────────────────────────────────────────────────────────────────────────────────────────────
 
@@ -42,18 +43,6 @@ local function bar_on_ramp()
       bed = { on = ramp:face "south", fix = "xy" } },
     contacts = { edge = { slave = bar:face "south", master = ramp:face "north", penalty = 10, points = 3 } },
   }
-end
-
---- Deep 2D ironing with hard contact, whose pressing comes to a state between whose two sides one point goes to and
---- fro.
-local function deep_ironing()
-  return scenes.model{
-    bodies = { die = { patch = sg.shapes.half_annulus{ inner = 0.3, outer = 0.5, center = {0.75, 1.5} },
-        elements = {6, 2}, order = "N4", contact = "south", thickness_degree = 1, E = 1e4 },
-      slab = { size = {3, 1}, elements = {8, 3}, order = "N4", contact = "north", thickness_degree = 1 } },
-    supports = { bed = { on = "slab.south", fix = "xy" }, grip = { on = { "die.west", "die.east" }, drive = "xy" } },
-    contacts = { interface = { slave = "die.south", master = "slab.north", penalty = 1000, points = 7,
-        friction = { mu = 0.1, penalty = 100 } } } }
 end
 
 --- The run failed for this reason after so many steps; its failure holds the fragments. Returns its worst place.
@@ -151,7 +140,9 @@ check.case("singular: a soft body falls onto one of extreme stiffness", function
 end)
 
 check.case("cycling: points of deep ironing alternate", function()
-  local run = deep_ironing():run({ { name = "press", steps = 46, grip = {0, -0.5} } }, sg.plain{})
+  -- One point goes to and fro between both sides of a state.
+  local deep = ironing{ E = 1e4, mu = 0.1, order = "N4", penalty = 1000, points = 7 }
+  local run = deep:run({ { name = "press", steps = 46, grip = {0, -0.5} } }, sg.plain{})
   local last = run.steps
   check.equal(last > 20, true) -- which step has such a point depends on the first guesses before it
   local place = expect(run, "cycling", last, ("step %d (stage 'press', %d of 46)"):format(last + 1, last + 1),

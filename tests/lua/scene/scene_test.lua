@@ -79,7 +79,8 @@ local a = sg.body{ patch = r, elements = {4, 2}, order = "N2", contact = "north"
 local b = sg.body{ patch = r:translate{0, 1}, elements = {4, 2}, order = "N2", contact = "south", material = soft }
 ]]
 check.refusals(start, 6, {
-  { [[sg.neo_hookean{ E = 5, nu = 0.5 }]], "nu must be a number above -1 and below 0.5", "got the number 0.5", "use 0.49" },
+  { [[sg.neo_hookean{ E = 5, nu = 0.5 }]], "nu must be a number above -1 and below 0.5", "got the number 0.5",
+    "use 0.49" },
   { [[sg.body{ patch = r, elements = {4, 2}, order = "Q2", contact = "north", material = soft }]],
     "sg.body: order must be a discretization label, got 'Q2'", "Np (N2)" },
   { [[sg.body{ patch = sg.shapes.half_annulus{ inner = 1, outer = 2,
