@@ -247,6 +247,12 @@ function check.script(code, ...)
   return output:gsub(name:gsub("%p", "%%%0"), "study.lua"), status
 end
 
+--- What the code of wrong calls can use; it stands in line 1 of that code.
+local prelude = [[local sg = require "signorini" local soft = sg.neo_hookean{ E = 1, nu = 0.3 } ]]
+  .. [[local r = sg.shapes.rectangle{ width = 3, height = 1 } ]]
+  .. [[local a = sg.body{ patch = r, elements = {4, 2}, order = "N2", contact = "north", material = soft } ]]
+  .. [[local north, east = a:face "north", a:face "east" ]]
+
 --- Cases { code, fragment, … }: the code behind `start` ends with an error that holds the fragments and begins with a
 --- line of the script, `place` or the case's `line`, or with words, if `place` is those.
 function check.refusals(start, place, wrong)
@@ -254,7 +260,7 @@ function check.refusals(start, place, wrong)
     check.case("refused: " .. case[1], function()
       local line = case.line or place
       local begins = math.type(line) and ("study.lua:%d: "):format(line) or line
-      local message = check.fails(assert(load(start .. case[1], "=study.lua")), table.unpack(case, 2))
+      local message = check.fails(assert(load(prelude .. start .. case[1], "=study.lua")), table.unpack(case, 2))
       check.equal(message:sub(1, #begins), begins)
     end)
   end

@@ -109,14 +109,9 @@ check.case("a function that the elements cannot follow is a warning with the err
   check.equal(warnings(1, function() return { 0, 0 } end), {})
 end)
 
-local start = [[
-local sg = require "signorini"
-local a = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N2",
-                   material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-local north = a:face "north"
+check.refusals([[
 local function model(support) return sg.model{ bodies = { a = a }, supports = { top = support } } end
-]]
-check.refusals(start, "study.lua:", {
+]], "study.lua:", {
   { [[model{ on = north, fix = "xy", shape = function() return {0, 1} end }]],
     "supports.top.shape needs driven components", 'add drive = "xy"' },
   { [[model{ on = north, drive = "xy", rotate = true, shape = function() return {0, 1} end }]],

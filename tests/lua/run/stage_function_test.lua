@@ -90,11 +90,8 @@ check.case("a function that jumps at the start of its stage is a warning", funct
 end)
 
 check.refusals([[
-local sg = require "signorini"
-local a = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N2",
-                   material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-local model = sg.model{ bodies = { a = a }, supports = { w = { on = a:face "west", fix = "xy" },
-                                                         grip = { on = a:face "east", drive = "xy" } } }
+local model = sg.model{ bodies = { a = a },
+  supports = { w = { on = a:face "west", fix = "xy" }, grip = { on = east, drive = "xy" } } }
 local function run(stage) model:run{ stage } end
 ]], "study.lua:", {
   { "run{ steps = 2, grip = function(s) return s end }",
@@ -107,5 +104,5 @@ local function run(stage) model:run{ stage } end
   { "run{ steps = 2, grip = function(s) return {s, '1'} end }", "must return 2 finite numbers",
     "got a list with the string '1' as entry 2" },
   { "run{ steps = 2, grop = function(s) return {s, s} end }", "grop", "grip" },
-  { "run{ steps = 2, grip = function(s) return {s.x.y, 0} end }", "study.lua:7: attempt to index" },
+  { "run{ steps = 2, grip = function(s) return {s.x.y, 0} end }", "study.lua:4: attempt to index" },
 })

@@ -275,16 +275,12 @@ check.case("lists of faces, parts, files and the text of a model keep a load tha
 end)
 
 check.refusals([[
-local sg = require "signorini"
-local a = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N2",
-                   material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-local top = a:face "north"
 local function model(load) return sg.model{ bodies = { a = a }, loads = { gas = load } } end
 ]], "study.lua:", {
-  { "model{ on = top, traction = {0, 1}, follower = true }", "loads.gas: follower = true is for a pressure",
+  { "model{ on = north, traction = {0, 1}, follower = true }", "loads.gas: follower = true is for a pressure",
     "but it has traction" },
-  { "model{ on = top, follower = true }", "loads.gas: it must have one of traction" },
+  { "model{ on = north, follower = true }", "loads.gas: it must have one of traction" },
   { "model{ on = a, pressure = 1, follower = true }", "loads.gas: it is on the body 'a'", "name a face" },
-  { "model{ on = { top, top }, pressure = 1, follower = true }", "loads.gas.on lists", "twice" },
+  { "model{ on = { north, north }, pressure = 1, follower = true }", "loads.gas.on lists", "twice" },
   { [[model{ on = a:corner "north-east", pressure = 1, follower = true }]], "a corner has no surface" },
 })

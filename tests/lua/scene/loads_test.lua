@@ -103,17 +103,12 @@ check.case("a load is also accepted among the supports", function()
 end)
 
 -- Each ends with status 1 and a message that names the script's line, the argument, the value and the hint.
-local start = [[
-local sg = require "signorini"
+check.refusals([[
 local plane = sg.rigid.plane{ point = {0, -1}, normal = {0, 1} }
-local a = sg.body{ patch = sg.shapes.rectangle{ width = 3, height = 1 }, elements = {4, 2}, order = "N2",
-                   contact = "south", material = sg.neo_hookean{ E = 1, nu = 0.3 } }
-local east = a:face "east"
 local function with(load)
   return { bodies = { a = a }, supports = { w = { on = a:face "west", fix = "xy" } }, loads = { push = load } }
 end
-]]
-check.refusals(start, 9, {
+]], 5, {
   { "sg.model(with{ on = east, traction = {1} })",
     "sg.model: loads.push.traction must be a list of 2 or 3 numbers (dead load {tx, ty}, in 3D {tx, ty, tz})",
     "got a list of 1 value" },
