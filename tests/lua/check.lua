@@ -41,7 +41,8 @@ function check.folder()
   return name
 end
 
-function check.done() end -- of tests that still call it
+--- The name of a file in a new folder, where there is none yet.
+function check.file(name) return ("%s/%s"):format(check.folder(), name or "file") end
 
 local function process() return io.open "/proc/self/stat":read "n" end
 
@@ -141,7 +142,7 @@ end
 
 --- The model, saved and loaded.
 function check.reloaded(model)
-  local file = check.folder() .. "/model.sgn"
+  local file = check.file "model.sgn"
   model:save(file)
   return sg.load(file)
 end
@@ -206,7 +207,7 @@ end
 --- the command. `terminal`: the command of another terminal than that script. Returns what the terminal has shown,
 --- without carriage returns, and the exit status.
 function check.terminal(command, turns, variables, terminal)
-  local screen, since = check.folder() .. "/screen", 0
+  local screen, since = check.file "screen", 0
   core.write_file(screen, "")
   local function shown() return (core.read_file(screen):gsub("\r", "")) end
   -- What was shown, with a new line where a progress bar has been erased.

@@ -66,7 +66,7 @@ end)
 check.case("pressures on the faces of a slave list are those of the uncut face, also after loading a file", function()
   local _, uncut = drag(false, true, { penalty = 50 })
   local _, model = drag(true, true, { penalty = 50 })
-  local file = check.folder() .. "/list.sgn"
+  local file = check.file "list.sgn"
   model:save(file)
   for _, one in ipairs { model, sg.load(file) } do
     local largest = 0

@@ -162,7 +162,7 @@ end)
 
 check.case("a checkpoint amid debonding continues bitwise", function()
   local model = debond.cantilevers(16, 16, { strength = 20 })
-  local file = check.folder() .. "/state.sig"
+  local file = check.file "state.sig"
   model:run{ { steps = 6, up = {-1.2}, down = {1.2} } }
   model:save(file)
   local other = sg.load(file)

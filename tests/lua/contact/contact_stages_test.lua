@@ -205,7 +205,7 @@ check.case("a run that continues inside a stage ends bitwise as one without inte
     local path = { stage(2, down, { friction = { mu = 0 } }),
                    stage(4, aside, { friction = { mu = mu }, offset = 0.01, penalty = 2 * penalty }) }
     for _, name in ipairs(contact_keys.names()) do
-      local file = check.folder() .. "/run.sgn"
+      local file = check.file "run.sgn"
       local keys = contact_keys.of(name, penalty, mu)
       local whole, options = scene(contact_keys.of(name, penalty, mu)), sg.robust{}
       options.checkpoint = { file = file .. ".whole" }

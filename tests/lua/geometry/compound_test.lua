@@ -288,7 +288,7 @@ check.case("wrong lists, names and numbers are errors at the argument", function
     { bodies = { a = made, ["a.1"] = body{ piece[1] }:part(1) } })
   refused({ "is the same body as" }, sg.model, { bodies = { a = made, b = made } })
   refused({ "boundaries.top[1] must be a face of one of the patches 1 to 1", "'2.north'" }, sg.nurbs.write,
-    check.folder() .. "/a.xml", { piece[1], boundaries = { top = { "2.north" } } })
-  refused({ "interfaces[1]", "do not match point by point" }, sg.nurbs.write, check.folder() .. "/a.xml",
+    check.file "a.xml", { piece[1], boundaries = { top = { "2.north" } } })
+  refused({ "interfaces[1]", "do not match point by point" }, sg.nurbs.write, check.file "a.xml",
     { piece[1], piece[2], interfaces = { { "1.west", "2.west" } } })
 end)

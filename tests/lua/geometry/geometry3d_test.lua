@@ -157,10 +157,9 @@ check.case("conversion between 2D and 3D", function()
   check.fails(function() sg.shapes.block { size = { 1, 1, 1 } }:to_plane() end,
     "patch:to_plane: a volume cannot be converted")
   check.fails(function() solid(raised, { 1, 1 }, "N2") end, "this one is a surface in 3D", "patch:to_plane()")
-  local file = os.tmpname()
+  local file = check.file()
   raised:write(file, "gismo") -- with geoDim 3
   assert(solid(sg.nurbs.read(file)[1]:to_plane(), { 1, 1 }, "N2"))
-  os.remove(file)
   check.fails(function() sg.nurbs.ruled { a = ring, b = raised } end, "dimension 2 and 3", "patch:to_space{ z = 0 }")
 end)
 

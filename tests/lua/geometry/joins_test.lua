@@ -201,7 +201,7 @@ check.case("a corner of four bodies is one point; reactions count it once", func
 end)
 
 check.case("joined models are saved and continued bit by bit", function()
-  local file = check.folder() .. "/joined.sgn"
+  local file = check.file "joined.sgn"
   local model = window()
   solved(model, { { name = "shear", steps = 1, grip = { 0.1, 0.05 } } })
   model:save(file)

@@ -269,7 +269,7 @@ local function forces_around_end(offset, method)
       seat = { slave = "block.south", master = "slab.north", penalty = 1e4, offset = offset, method = method } } }
   local x, y = -0.16, offset - 0.007
   local run = model:run({ { steps = 8, top = { x, y } } }, sg.plain{})
-  model:save(check.folder() .. "/state.sgn")
+  model:save(check.file "state.sgn")
   local again = model:run({ { steps = 1, top = { x, y - 1e-9 } } }, sg.plain{})
   return run:column "top.fy"[8], again:column "top.fy"[1]
 end

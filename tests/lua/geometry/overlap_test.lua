@@ -69,7 +69,7 @@ check.case("an overlap of some percent, as of an interference fit, is a warning 
   local run = model:run({ { steps = 1, lid = {0} } }, sg.robust{})
   check.equal({ run.reason, run.warnings[1] }, { "completed", model:warnings()[1] })
   check.holds(run, "interference fit")
-  local script = check.folder() .. "/overlap.lua"
+  local script = check.file "overlap.lua"
   local file = assert(io.open(script, "w"))
   file:write [[
     local sg = require "signorini"

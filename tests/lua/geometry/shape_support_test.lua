@@ -92,7 +92,7 @@ check.case("a function that the elements cannot follow is a warning with the err
       bodies = {
         body = { size = {2, 1}, elements = { elements, 1 }, material = sg.linear_elastic{ E = 10, nu = 0.3 } } },
       supports = { bed = { on = "south", fix = "xy" }, top = { on = "north", drive = "xy", shape = f } } }
-    local file = check.folder() .. "/rough.sgn"
+    local file = check.file "rough.sgn"
     model:save(file)
     check.equal(sg.load(file):warnings(), model:warnings())
     return model:warnings()

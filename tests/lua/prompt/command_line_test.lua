@@ -23,7 +23,7 @@ check.case("-e runs code, several in a row, with sg defined", function()
 end)
 
 check.case("scripts get their arguments, and find modules in their folder", function()
-  local name = check.folder() .. "/name"
+  local name = check.file "name"
   os.execute("mkdir " .. name)
   local function write(file, text) assert(io.open(name .. "/" .. file, "w")):write(text):close() end
   write("study.lua", "print(require 'scene', arg[1], arg[2], #arg, arg[0]:match '[^/]*$', ...)")
@@ -125,7 +125,7 @@ check.case("more threads than the system allows are an error that states the max
 end)
 
 check.case("closed streams: what is printed does not land in files that are opened later", function()
-  local file = check.folder() .. "/result.txt"
+  local file = check.file "result.txt"
   local code = ("local f = io.open('%s', 'w'); print 'printed'; io.stderr:write 'error'; f:write 'result'; f:close()")
     :format(file)
   for _, closed in ipairs { "<&- >&- 2>&-", ">&- 2>&-", ">&-", "2>&-" } do
@@ -162,14 +162,13 @@ check.case("expressions over several lines, and their errors", function()
 end)
 
 check.case("-i opens the prompt after a script, with what it returned as _, and after one that failed", function()
-  local name = os.tmpname()
-  local function write(text) assert(io.open(name, "w")):write(text):close() end
+  local name = check.file()
+  local function write(text) core.write_file(name, text) end
   write "y = 3 return 42, 43"
   gives(run({ "-i", name }, "_ + y\n"), "45\n")
   gives(run({ "-i", "--", name }, "y\n"), "3\n")
   write "y = 3 error 'no'"
   ends(run({ "-i", name }, "y\n"), 1, ":1: no\nstack traceback:", "\n3\n")
-  os.remove(name)
 end)
 
 check.case("where entries of a table have no comma in between, the message asks for it", function()
@@ -216,10 +215,9 @@ check.case("an error shows the fields of its table, and reports a missing messag
   check.holds(run({ "-e", "error()" }).output, "signorini: error without a message\nstack traceback:")
   check.holds(run({}, "t = setmetatable({ 5 }, { __name = 'odd', __index = function() error 'no' end })\nerror(t)\n")
     .output, "error: {5}\n")
-  local output = check.program({ "-q" }, [[
-    folder = os.tmpname() os.remove(folder)
-    sg.study{ name = "e", folder = folder, cases = { { a = 1 } }, run = function() error{ code = 3 } end }:execute{}
-    os.execute("rm -r " .. folder)]])
+  local output = check.program({ "-q" }, ([[
+    sg.study{ name = "e", folder = %q, cases = { { a = 1 } }, run = function() error{ code = 3 } end }:execute{}
+  ]]):format(check.file()))
   check.holds(output, "the first one, a=1: error: {code = 3}\n")
 end)
 
@@ -289,7 +287,7 @@ check.case("help shows groups, types of Lua objects, and what a query at the pro
 end)
 
 check.case("a script that comes along runs by its name, unless there is a file of that name", function()
-  local folder = check.folder() .. "/folder"
+  local folder = check.file "folder"
   core.mkdir(folder .. "/scripts")
   local function run(words)
     return check.shell(("cd %s && SIGNORINI_HOME=%s %s %s"):format(folder, core.home, arg[-1], words))
@@ -316,7 +314,7 @@ check.case("help takes a method by the letter that pages call its object by, and
 end)
 
 check.case("Ctrl-C ends a script with status 130, wherever it is", function()
-  local file = check.folder() .. "/output"
+  local file = check.file "output"
   for _, code in ipairs { "while true do end", "pcall(function() while true do end end) while true do end" } do
     local _, status = check.shell(([[%s -e 'print "begun" io.flush() %s' >%s 2>&1 &
       until grep -q begun %s; do sleep 0.02; done; kill -INT $!; wait $!]]):format(arg[-1], code, file, file))

@@ -6,10 +6,9 @@ check.case("the example", function()
   local page = assert(io.open(core.home .. "/README.md", "rb"))
   local example = page:read("a"):match "```lua\n(.-)```"
   page:close()
-  local picture = os.tmpname()
-  check.ended({ check.script(example:gsub('"die.png"', ("%q"):format(picture .. ".png")), "-q") }, 0,
+  local picture = check.file "die.png"
+  check.ended({ check.script(example:gsub('"die.png"', ("%q"):format(picture)), "-q") }, 0,
     "press     46", "slide    100", "factorization and solve")
   check.equal(select(2, example:gsub("\n", "\n")) <= 20, true)
-  check.equal(os.remove(picture .. ".png"), true)
-  os.remove(picture)
+  check.equal(core.exists(picture), true)
 end)

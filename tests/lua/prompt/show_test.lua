@@ -56,12 +56,10 @@ check.case("a profile, a table, and plain tables as ever", function()
   check.equal(show.text { x = { 1 }, gap = 2 }, "{gap = 2, x = {1}}")
   check.equal(show.text { x = { 1 }, pressure = { 2 }, gap = { 0 }, state = { "stick" } },
     "{gap = {0}, pressure = {2}, state = {\"stick\"}, x = {1}}")
-  local file = os.tmpname()
-  local list = {}
+  local file, list = check.file(), {}
   for i = 1, 25 do list[i] = i end
   sg.csv.write(file, { step = list })
   check.holds(show.text(sg.csv.read(file)), "step\n   1\n", "\n  20\n… 5 more rows")
-  os.remove(file)
 end)
 
 check.case("functions by the head of their page or their place, tables of the language by their names", function()

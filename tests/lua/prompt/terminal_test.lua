@@ -2,7 +2,7 @@
 
 require "check"
 
-local state = check.folder() .. "/state"
+local state = check.file "state"
 
 --- What the terminal shows, and the exit status; see check.terminal.
 local function typed_to(command, turns, variables)
@@ -59,7 +59,7 @@ check.case("the line follows the present width of the terminal", function()
 end)
 
 check.case("Ctrl-C keeps the run that it has stopped", function()
-  local file, first = check.folder() .. "/run.sgn", nil
+  local file, first = check.file "run.sgn", nil
   -- The file is written at the beginning of the run and replaced every eleven steps.
   local function was_replaced()
     local now = core.exists(file) and core.read_file(file) or nil
@@ -77,7 +77,7 @@ end)
 
 check.case("Ctrl-C twice before the first was seen leaves the prompt and its variables", function()
   -- Both come while one call of C waits, which looks at nothing.
-  local file = check.folder() .. "/both"
+  local file = check.file "both"
   check.ended({ session("value = 4711\n",
     ("io.popen('kill -INT $PPID; sleep 0.1; kill -INT $PPID; touch %s'):read 'a'\n"):format(file),
     { function() return io.open(file) end, "value + 1\n" }, { "\n4712\nsg> ", "\4" }) }, 0, "\n4712\n")

@@ -55,12 +55,9 @@ end
 
 --- What the prompt says to lines behind that scene.
 local function type_in(lines)
-  local name = os.tmpname()
-  local file = assert(io.open(name, "w"))
-  file:write(endless):close()
-  local output = check.program({ "-q" }, ("dofile %q\n"):format(name) .. lines)
-  os.remove(name)
-  return output
+  local name = check.file()
+  core.write_file(name, endless)
+  return (check.program({ "-q" }, ("dofile %q\n"):format(name) .. lines))
 end
 
 check.case("an assigned run remains; the rest of the line is not executed, the next line is", function()

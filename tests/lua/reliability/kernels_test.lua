@@ -51,10 +51,9 @@ ironing()
 
 --- The forces, as list of { name of the scene, force }, and the largest of each scene.
 local function forces(command)
-  local source = os.tmpname()
+  local source = check.file()
   core.write_file(source, 'local sg = require "signorini"\n' .. code)
   local output, status = check.shell(("%s -q --threads 1 '%s'"):format(command, source))
-  os.remove(source)
   if status ~= 0 then error(output) end
   local list, largest = {}, {}
   for line in output:gmatch "[^\n]+" do

@@ -292,7 +292,7 @@ check.case("loads and springs on prescribed displacements alone", function()
 end)
 
 check.case("a large number of elements is announced before they are made, and too many are rejected", function()
-  local script = check.folder() .. "/large.lua"
+  local script = check.file "large.lua"
   local file = assert(io.open(script, "w"))
   -- Contact faces that are not opposite ones stop it before the tables are made.
   file:write [[ local sg = require "signorini"

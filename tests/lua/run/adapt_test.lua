@@ -4,7 +4,7 @@
 require "check"
 local ironing = require "ironing"
 
-local file = os.tmpname()
+local file = check.file()
 local mesh = { die = { 6, 2 }, slab = { 24, 4 } }
 local path = {
   { name = "press", steps = 6, grip = { 0, -0.12 } }, { name = "slide", steps = 20, grip = { 0.5, -0.12 } },
@@ -44,7 +44,6 @@ end)
 
 check.case("a resumed run ends as if it had not been interrupted", function()
   local options = { adapt = { margin = 1 }, checkpoint = file }
-  os.remove(file)
   local model = make()
   local run = model:run(path, options)
   for _, stop in ipairs { 3, 8, 15 } do
@@ -188,5 +187,3 @@ check.case("wrong options and scenes are errors", function()
   model:set_contact("interface", { penalty = 50 })
   refused(model, { adapt = {} }, "Hint: change them in stages")
 end)
-
-os.remove(file)

@@ -3,7 +3,7 @@
 require "check"
 local ironing = require "ironing"
 
-local file = os.tmpname()
+local file = check.file()
 
 --- Everything that a state and a run show, bit by bit; defined by its text, for the other process has to have it, too.
 local digest_code = [[

@@ -244,11 +244,10 @@ check.case("on_step cuts an accepted step, and adds columns", function()
   local fy, by_four = run:column "grip.fy", reference:column "grip.fy"
   check.near(fy, { by_four[2], by_four[4] }, 1e-10) -- the same increments
   check.equal(run:column "twice", { 2 * fy[1], 2 * fy[2] })
-  local late, name = run:column "late", os.tmpname()
+  local late, name = run:column "late", check.file()
   check.equal({ #late, late[1] ~= late[1], late[2] }, { 2, true, 7 }) -- nan, 7
   run:csv(name)
   local read = sg.csv.read(name)
-  os.remove(name)
   local n = #read.columns
   check.equal({ read.columns[n], read.rows[2][n], read.rows[1][n] }, { "late", 7 })
 end)

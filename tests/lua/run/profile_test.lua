@@ -157,10 +157,9 @@ check.case("a profile has only its lists, and is read, written and stored as a t
   check.fails(function() sg.profile_error{ profile = pr, reference = print, coordinate = "z" } end,
     "sg.profile_error: profile has no list 'z'")
 
-  local file, names = os.tmpname(), {}
+  local file, names = check.file(), {}
   sg.csv.write(file, pr)
   check.equal(sg.csv.read(file):column "pressure", pr.pressure)
-  os.remove(file)
   for name in pairs(pr) do names[#names + 1] = name end
   check.equal({ #names, rawlen(pr), #pr.x > 1, pr.pressure[1] > 0 }, { 10, 0, true, true })
   local core = require "signorini.core"

@@ -89,7 +89,7 @@ check.case("cut, where no shorter steps are allowed", function()
 end)
 
 check.case("interrupted: Ctrl-C ends the run at its last step, and the model can be used further", function()
-  local output, status = check.program({}, ("file = %q\n"):format(check.folder() .. "/run.sgn") .. [==[
+  local output, status = check.program({}, ("file = %q\n"):format(check.file "run.sgn") .. [==[
     b = sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {16, 16}, order = "N2",
       contact = "south", thickness_degree = 1, material = sg.neo_hookean{ E = 1, nu = 0.3 } }
     m = sg.model{ bodies = { block = b },

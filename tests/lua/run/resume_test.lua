@@ -4,7 +4,7 @@ require "check"
 local ironing = require "ironing"
 local bonded = require "strip"
 
-local file = os.tmpname()
+local file = check.file()
 
 local path = { { name = "press", steps = 8, grip = {0, -0.15} }, { name = "slide", steps = 12, grip = {0.2, -0.15} } }
 
@@ -182,5 +182,3 @@ check.case("plain data as bytes and back, bit by bit", function()
     check.equal((pcall(core.pack, wrong)), false)
   end
 end)
-
-os.remove(file)

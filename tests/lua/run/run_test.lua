@@ -126,12 +126,11 @@ check.case("the table and the file agree", function()
   local run = model_of():run(two_stages)
   check.holds(tostring(run), "press      4          12      3.00", "total      6          18      3.00",
     "factorization and solve")
-  local name = os.tmpname()
+  local name = check.file()
   run:csv(name)
   check.fails(function() run:csv "nowhere/at.csv" end, "run_test.lua:", "run:csv: cannot write 'nowhere/at.csv'",
     'sg.mkdir "nowhere"')
   local read = sg.csv.read(name)
-  os.remove(name)
   check.equal(read.columns, run:columns())
   for _, column in ipairs(read.columns) do check.equal(read:column(column), run:column(column)) end
 end)

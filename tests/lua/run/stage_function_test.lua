@@ -38,7 +38,7 @@ check.case("within a step the path is linear, also where it is cut", function()
 end)
 
 check.case("a resumed run follows the same values; another function is another path", function()
-  local file = check.folder() .. "/wave.sgn"
+  local file = check.file "wave.sgn"
   local stages = { { steps = 6, grip = wave } }
   local stopped = bar():run(stages, { checkpoint = file, on_step = function(at)
     if at.step == 3 then return "stop" end

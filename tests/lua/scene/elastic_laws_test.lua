@@ -246,7 +246,7 @@ check.case("exponents that differ by rounding error only", function()
 end)
 
 check.case("checkpoints hold the formula, and studies distinguish laws by it", function()
-  local file = check.folder() .. "/state.sgn"
+  local file = check.file "state.sgn"
   local model = finish(cube(laws.ogden.make(3), { east = "x" }), { { steps = 2, east = { 0.4 } } })
   model:save(file)
   local back = sg.load(file)
@@ -282,7 +282,7 @@ check.case("a run warns once where the law is unstable, and names body and stret
     "principal stretches 0.68, 1, 1 at X = (")
   check.equal(select(2, text:gsub("unstable", "")), 1)
   -- A run that goes on from a checkpoint keeps the warning.
-  local file, steps = check.folder() .. "/cube.sgn", 0
+  local file, steps = check.file "cube.sgn", 0
   local function compressed(options)
     options.checkpoint = file
     return cube(law, { east = "x" }):run({ { steps = 8, east = { -0.4 } } }, lists.merged(exact, options))

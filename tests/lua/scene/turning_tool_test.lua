@@ -102,7 +102,7 @@ end)
 
 check.case("snapshots and files hold the free motion", function()
   local expected, model = roll(disc)
-  local file = check.folder() .. "/model"
+  local file = check.file "model"
   local snapshot = model:snapshot()
   model:save(file)
   local stages = { { steps = 2, tool = {0.3}, weight = {0, -0.4} } }

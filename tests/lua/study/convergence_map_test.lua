@@ -88,7 +88,7 @@ check.case("the table and the CSV file", function()
   check.equal(lines[1], "order steps outcome reached increments iterations cut-backs fallback_steps wall pull")
   check.holds(lines[3], "good 4 completed 100.0 4 12 0 0", "0.25")
   check.holds(lines[4], "diverged 4 diverged 50.0 2 31 0 0", "–")
-  local file = os.tmpname()
+  local file = check.file()
   map:csv(file)
   local data = sg.csv.read(file)
   check.equal(data.comments[1], "convergence map: springs; x: order; y: steps")
@@ -96,15 +96,11 @@ check.case("the table and the CSV file", function()
   local pull = data:column "result pull"
   check.equal({ pull[1], pull[2], pull[3], pull[4] }, { 0.25, nil, 0.25, nil })
   check.holds(data:column "report"[2], "no luck")
-  os.remove(file)
 end)
 
---- Removes a map's file and the folder next to it.
-local function remove(file) check.shell(("rm -rf %s %s.cells"):format(file, file)) end
-
 check.case("a file keeps finished cells; a second call solves only those that are missing", function()
-  local file, trace, broken = os.tmpname(), os.tmpname(), os.tmpname()
-  os.remove(file)
+  local file, trace, broken = check.file(), check.file(), check.file()
+  core.write_file(broken, "")
   local function noted(order, steps)
     local out = assert(io.open(trace, "a"))
     out:write(order, steps, " "):close()
@@ -141,13 +137,10 @@ check.case("a file keeps finished cells; a second call solves only those that ar
     "springs", "rings", "choose another file")
   os.remove(file) -- all again, also under another name
   check.equal(select(2, solve{ name = "rings" }), "good4 diverged4 good10 diverged10 ")
-  remove(file)
-  os.remove(trace)
 end)
 
 check.case("the inputs of another map that the functions refer to count, not its times", function()
-  local file, trace = os.tmpname(), os.tmpname()
-  os.remove(file)
+  local file, trace = check.file(), check.file()
   local function solve(force)
     local reference = make{ y = { name = "steps", values = { 2 } }, results = function() return { force = force } end }
     os.remove(trace)
@@ -160,12 +153,10 @@ check.case("the inputs of another map that the functions refer to count, not its
   check.equal(solve(1), { 3, true })
   check.equal(solve(1), { 3, false })
   check.equal(solve(2), { 2, true })
-  remove(file)
-  os.remove(trace)
 end)
 
 check.case("a file that is not this map's, has lost its folder or is in use is not touched", function()
-  local file = os.tmpname()
+  local file = check.file()
   core.write_file(file, "a,b\n1,2\n")
   check.fails(function() make{ file = file } end, "sg.convergence_map: '" .. file .. "' contains something other",
     "without a title")
@@ -182,12 +173,11 @@ check.case("a file that is not this map's, has lost its folder or is in use is n
   check.fails(function() make{ file = file } end, "convergence_map_test.lua:", "sg.convergence_map: '" .. file,
     "is locked by process")
   lock:release()
-  remove(file)
 end)
 
 check.case("Ctrl-C and kill -9 leave the finished cells in the file", function()
   for _, signal in ipairs { "INT", "KILL" } do
-    local file = check.folder() .. "/file"
+    local file = check.file "file"
     local _, status = check.script(([[
       local sg = require "signorini"
       local id = io.open "/proc/self/stat":read "n"
@@ -204,7 +194,6 @@ check.case("Ctrl-C and kill -9 leave the finished cells in the file", function()
     ]]):format(core.home .. "/tests/lua/?.lua;", file, signal))
     check.equal(status, signal == "INT" and 130 or 137)
     check.equal(sg.csv.read(file):column "outcome", { "completed" })
-    remove(file)
   end
 end)
 
@@ -312,7 +301,8 @@ check.case("wrong arguments are errors at the user's line that name the cure", f
     "x.name and y.name must differ, both are 'steps'")
   check.fails(function() make{ x = { name = "order", values = { 1, "1" } } } end, "convergence_map_test.lua:",
     "sg.convergence_map: cases[1] and cases[2] are both called 'order=1 steps=4'")
-  local solved = os.tmpname()
+  local solved = check.file()
+  core.write_file(solved, "")
   check.fails(function()
     make{ file = "nowhere/map.csv", scene = function(order) os.remove(solved) return scene(order) end }
   end, "convergence_map_test.lua:", "sg.convergence_map: cannot write 'nowhere/map.csv'", 'sg.mkdir "nowhere"')

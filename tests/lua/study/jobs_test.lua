@@ -21,7 +21,7 @@ check.case("each job returns a string, with bytes of any kind and more of them t
 end)
 
 check.case("they end in any order, in parallel, and change nothing here", function()
-  local touched, order, mark = false, {}, check.folder() .. "/ended"
+  local touched, order, mark = false, {}, check.file "ended"
   core.jobs(2, 2, function(i)
     touched = true
     while i == 1 and not io.open(mark) do end -- until the other one has ended
@@ -48,7 +48,7 @@ check.case("an error comes with its traceback, a crash with its signal, an endle
 end)
 
 check.case("jobs draw, and leave, where something was drawn before them", function()
-  local sg, file = require "signorini", os.tmpname() .. ".png"
+  local sg, file = require "signorini", check.file "picture.png"
   local function draw() sg.chart { file = file, x = { 1, 2 }, { y = { 1, 2 } }, size = { 300, 200 } } end
   draw()
   local results = gather(3, 2, function(i)
@@ -59,7 +59,6 @@ check.case("jobs draw, and leave, where something was drawn before them", functi
   end, 20)
   check.equal(results, { "drawn", "exited with status 7 before it returned a result",
                          "exited with status 0 before it returned a result" })
-  os.remove(file)
 end)
 
 check.case("an error where results are taken ends all, and no process is left", function()
@@ -87,7 +86,7 @@ check.case("Ctrl-C ends the jobs and keeps what was done", function()
       print(i, text)
       core.write_file(mark, "")
     end)
-  ]], check.folder() .. "/ended")
+  ]], check.file "ended")
   check.holds(output, "1\tdone\n", "interrupted")
   check.equal(status, 130)
 end)

@@ -2,14 +2,9 @@
 
 require "check"
 
-local scratch = check.folder() .. "/scratch"
-local count = 0
-
 --- A study in a folder of its own, whose cases count by their parameters alone.
 local function new(cases, run, units)
-  count = count + 1
-  return sg.study{ name = "noted", folder = ("%s/%d"):format(scratch, count), cases = cases, inputs = {}, run = run,
-                   units = units }
+  return sg.study{ name = "noted", folder = check.file(), cases = cases, inputs = {}, run = run, units = units }
 end
 
 check.case("if no case has a result, the message about a missing result gives the reason", function()
@@ -87,7 +82,7 @@ check.case("where, row, by, with, column and median", function()
 end)
 
 check.case("long texts are shortened in print, and complete in rows and files", function()
-  local long, file = ("ä"):rep(59) .. "bcdef", scratch .. "/long.csv"
+  local long, file = ("ä"):rep(59) .. "bcdef", check.file "long.csv"
   local study = new({ { a = 1 } }, function() return { failed = true, reason = long } end):execute{}
   check.equal(study:table{ columns = { "reason" } }, "reason\n\n" .. ("ä"):rep(59) .. "…")
   check.equal(study.rows[1].reason, long)
@@ -100,11 +95,11 @@ check.case("long texts are shortened in print, and complete in rows and files", 
 end)
 
 check.case("csv writes the columns of table", function()
-  local study, file = sample():median "round", scratch .. "/study.csv"
+  local study, file = sample():median "round", check.file "study.csv"
   study:csv(file, { sort = { "mesh", "order" } })
   local data = sg.csv.read(file)
   check.equal(data.comments, { "study: noted", "cost (s)", "wall (s)" })
   check.equal(data:column "cost", { 13, 13, 23, 23 })
   check.equal(data:column "order", { "N2", "N4", "N2", "N4" })
-  check.fails(function() study:csv(scratch .. "/no/a.csv") end, "study_methods_test.lua", ": study:csv: ", "/no/a.csv")
+  check.fails(function() study:csv(check.file "no/a.csv") end, "study_methods_test.lua", ": study:csv: ", "/no/a.csv")
 end)

@@ -3,15 +3,6 @@
 
 require "check"
 
-local scratch = check.folder() .. "/scratch"
-local count = 0
-
---- A folder that no other case of this test has.
-local function new_folder()
-  count = count + 1
-  return ("%s/%d"):format(scratch, count)
-end
-
 --- How many cases a folder holds.
 local function files_in(folder)
   return tonumber((check.shell(("ls %s/cases 2>/dev/null | grep -c 'json$'"):format(folder))))
@@ -58,7 +49,7 @@ check.case("wrong arguments are errors at the user's line", function()
   } do
     check.fails(function() sg.study(wrong[1]) end, "study_test.lua", table.unpack(wrong, 2))
   end
-  local study = sg.study{ name = "s", cases = sg.grid{ a = { 1 } }, run = run, folder = new_folder() }
+  local study = sg.study{ name = "s", cases = sg.grid{ a = { 1 } }, run = run, folder = check.file() }
   check.fails(function() study:where{ b = 1 } end, "study:where: no case has 'b': none of its cases is done yet")
   check.fails(function() study:where{}:execute{} end, "part of a study")
   check.fails(function() study:exeute{} end, "study_test.lua", "a study has no 'exeute'; did you mean 'execute'?")
@@ -81,7 +72,7 @@ local function calls(folder)
 end
 
 check.case("results, failures, errors and crashes become rows; finished cases do not run again", function()
-  local folder = new_folder()
+  local folder = check.file()
   local function study()
     return noted(folder, sg.grid{ a = { 1, 2, 3, 4, 5 } }, function(case)
       if case.a == 2 then return { failed = true, reason = "cycling", at = 0.5 } end
@@ -113,7 +104,7 @@ check.case("results, failures, errors and crashes become rows; finished cases do
 end)
 
 check.case("the file of a case is JSON with inputs, results, version, host and time", function()
-  local folder = new_folder()
+  local folder = check.file()
   sg.study{ name = "one", folder = folder, cases = { { order = "N2", mesh = { name = "m1", die = { 6, 2 } } } },
             run = function(case) return { third = 1 / 3, die = case.mesh.die[1] } end }:execute{}
   local name = check.shell(("ls %s/cases"):format(folder)):gsub("\n", "")
@@ -128,7 +119,7 @@ check.case("the file of a case is JSON with inputs, results, version, host and t
 end)
 
 check.case("cases that request it run last, and alone", function()
-  local folder = new_folder()
+  local folder = check.file()
   local study = noted(folder, sg.grid{ a = { 1, 2, 3, 4 } }, function() return {} end,
     { sequential = function(case) return case.a <= 2 end })
   study:execute{ jobs = 2 }
@@ -145,7 +136,7 @@ check.case("an error of a case is reported and makes the status 1; a case that f
     return check.script(([[
       require "signorini".study{ name = "e", folder = arg[1], cases = { { a = 1 }, { a = 2 } },
                                  run = function(case) %s end }:execute{}
-      print "end" %s]]):format(body, ending or ""), new_folder())
+      print "end" %s]]):format(body, ending or ""), check.file())
   end
   local output, status = run 'if case.a == 2 then error "no luck" end return {}'
   check.holds(output, "end\n",
@@ -158,7 +149,7 @@ check.case("an error of a case is reported and makes the status 1; a case that f
 end)
 
 check.case("a limit ends a case; with more time it runs again", function()
-  local folder = new_folder()
+  local folder = check.file()
   local function study() return noted(folder, { { a = 1 } }, function() os.execute "sleep 0.4" return { b = 1 } end) end
   local late = study():execute{ limit = 0.1 }
   check.equal(late.rows[1].reason, "not done within 0.1 s")
@@ -168,7 +159,7 @@ check.case("a limit ends a case; with more time it runs again", function()
 end)
 
 check.case("two jobs run two cases in parallel", function()
-  local folder = new_folder()
+  local folder = check.file()
   local function mark(a) return ("%s/begun_%d"):format(folder, a) end
   local study = sg.study{ name = "t", folder = folder, cases = sg.grid{ a = { 1, 2, 3, 4 } }, inputs = {},
     run = function(case)
@@ -197,9 +188,8 @@ check.case("killed three times and resumed it ends with the same table and repea
         return { c = case.a / case.b }
       end }:execute{ jobs = 2 }
     print(study:table{ columns = { "a", "b", "c" } })]])
-  local whole, broken, name = new_folder(), new_folder(), os.tmpname()
+  local whole, broken, name = check.file(), check.file(), check.file()
   core.write_file(name, script)
-  check.shell("mkdir -p " .. scratch)
   local expected = check.program { "-q", name, whole }
   for _, count in ipairs { 1, 4, 7 } do -- files, from which on it is killed
     check.shell(("%s -q %s %s & until [ $(ls %s/cases 2>/dev/null | grep -c json$) -ge %d ]; do sleep 0.01; done; "
@@ -211,11 +201,10 @@ check.case("killed three times and resumed it ends with the same table and repea
   local before = calls(broken)
   check.equal(check.program { "-q", name, broken }, expected)
   check.equal(calls(broken) - before, 12 - finished)
-  os.remove(name)
 end)
 
 check.case("Ctrl-C ends it with the finished cases, and unlocks the folder", function()
-  local folder, name = new_folder(), os.tmpname()
+  local folder, name = check.file(), check.file()
   core.write_file(name, ([[
     local sg = require "signorini"
     sg.study{ name = "stopped", folder = "%s", cases = sg.grid{ a = { 1, 2, 3, 4, 5, 6 } }, inputs = {},
@@ -234,13 +223,12 @@ check.case("Ctrl-C ends it with the finished cases, and unlocks the folder", fun
   check.holds(check.program { name }, ("stopped: %d of 6 taken from %s, %d to solve\nstopped: %d of 6: a=")
     :format(finished, folder, 6 - finished, finished + 1), "not stopped\n")
   check.equal(files_in(folder), 6)
-  os.remove(name)
 end)
 
 -- ── What goes wrong ──────────────────────────────────────────────────────────────────────────────────────────────────
 
 check.case("a result that is nan makes its case an error that names it; the others are saved", function()
-  local study = noted(new_folder(), sg.grid{ a = { 1, 2, 3, 4, 5 } }, function(case)
+  local study = noted(check.file(), sg.grid{ a = { 1, 2, 3, 4, 5 } }, function(case)
     if case.a == 2 then return { dPx = 0 / 0 } end
     if case.a == 3 then return { curve = { 1, math.huge } } end
     if case.a == 4 then return { a = 1 } end
@@ -257,7 +245,7 @@ check.case("a result that is nan makes its case an error that names it; the othe
 end)
 
 check.case("two studies cannot use a folder: neither of different names, nor the same one twice at a time", function()
-  local folder = new_folder()
+  local folder = check.file()
   noted(folder, { { a = 1 } }, function() return {} end):execute{}
   local other = sg.study{ name = "other", folder = folder, cases = { { a = 1 } }, run = function() return {} end }
   check.fails(function() other:execute{} end, "study_test.lua", folder, "holds the study 'noted', not 'other'",
@@ -271,7 +259,7 @@ check.case("two studies cannot use a folder: neither of different names, nor the
 end)
 
 check.case("an unreadable file is solved again; leftovers of a killed process are removed", function()
-  local folder = new_folder()
+  local folder = check.file()
   local function study() return noted(folder, sg.grid{ a = { 1, 2 } }, function(case) return { b = case.a } end) end
   study():execute{}
   check.shell(("cd %s/cases; for f in a=1-*; do head -c 40 $f >x; mv x $f; echo >.$f.part; done")
@@ -293,7 +281,7 @@ local function with_disk(folder, options, command)
 end
 
 check.case("on a full disk no finished case is lost, and with more space it continues", function()
-  local folder, name = new_folder(), os.tmpname()
+  local folder, name = check.file(), check.file()
   core.write_file(name, ([[
     local sg = require "signorini"
     local study = sg.study{ name = "large", folder = "%s", cases = sg.grid{ a = { 1, 2, 3, 4, 5, 6, 7, 8 } },
@@ -310,7 +298,6 @@ check.case("on a full disk no finished case is lost, and with more space it cont
   local output = with_disk(folder, "size=3m",
     ("%s; echo status $?; ls %s/cases | wc -l; mount -o remount,size=30m %s; %s")
     :format(run, folder, folder, run))
-  os.remove(name)
   if not output then return end
   check.holds(output, "no space is left for '" .. folder .. "'", "free some and execute again", "status 1",
     "sum\t320036")
@@ -324,13 +311,13 @@ check.case("on a full disk no finished case is lost, and with more space it cont
 end)
 
 check.case("a folder that cannot be written to is an error before any case runs", function()
-  local folder = new_folder()
-  check.shell(("mkdir -p %s; echo x >%s"):format(scratch, folder))
+  local folder = check.file()
+  core.write_file(folder, "x\n")
   local function execute(where) noted(where, { { a = 1 } }, function() return {} end):execute{} end
   check.fails(function() execute(folder) end, "study_test.lua",
     "study:execute: cannot create the folder '" .. folder .. "/cases'")
   check.equal(calls(folder), 0)
-  local inside = new_folder()
+  local inside = check.file()
   local output = with_disk(inside, "ro", ([[%s -e "require(\"signorini\").study{ name = \"s\", folder = \"%s\",
     cases = { { a = 1 } }, run = function() print(1) return {} end }:execute{}"]]):format(arg[-1], inside))
   if output then
