@@ -267,6 +267,18 @@ function check.refusals(start, place, wrong)
   end
 end
 
+--- The Lua listings of a page, run as one script in a new folder as printed: what it writes, and the folder.
+function check.page(file)
+  local folder, listings = check.folder(), {}
+  for code in core.read_file(file):gmatch "```lua\n(.-)```" do
+    listings[#listings + 1] = code
+  end
+  core.write_file(folder .. "/listing.lua", table.concat(listings))
+  local program = check.shell("realpath " .. quoted(arg[-1])):match "[^\n]+"
+  return check.ended({ check.shell(("cd %s && SIGNORINI_HOME=%s %s -q listing.lua"):format(folder, quoted(core.home),
+    quoted(program))) }, 0), folder
+end
+
 -- ── Scripts ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 --- The path of a script such as "problems/hertz2d" or "tests/measure/benchmark".

@@ -5,15 +5,7 @@ require "check"
 local shapes = sg.shapes
 
 check.case("the page's listings", function()
-  local folder, parts = check.folder(), {}
-  for part in core.read_file(core.home .. "/share/doc/shapes.md"):gmatch "```lua\n(.-)```" do
-    parts[#parts + 1] = part
-  end
-  local file = assert(io.open(folder .. "/listing.lua", "wb"))
-  file:write(table.concat(parts)):close()
-  local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s -q listing.lua"):format(folder, core.home,
-    arg[-1]))
-  if status ~= 0 then error(output) end
+  local output, folder = check.page(core.share .. "/doc/shapes.md")
   check.holds(output, "5\t1.south 2.south 3.south 4.south")
   local drawn, shown = check.png(folder .. "/shapes.png"), check.png(core.home .. "/share/doc/shapes.png")
   check.equal({ drawn.width, drawn.height }, { shown.width, shown.height })

@@ -106,9 +106,8 @@ check.case("the listings of the page", function()
     table.insert(listings[language], code)
   end
   core.write_file(folder .. "/listing.lua", listings.lua[1])
-  local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s -q listing.lua"):format(folder, core.home,
-    check.shell(("realpath '%s'"):format(arg[-1])):match "[^\n]+"))
-  if status ~= 0 then error(output) end
+  check.ended({ check.shell(("cd %s && SIGNORINI_HOME=%s %s -q listing.lua"):format(folder, core.home,
+    check.shell(("realpath '%s'"):format(arg[-1])):match "[^\n]+")) }, 0)
   -- A module in place of Matplotlib, which is large.
   core.mkdir(folder .. "/matplotlib")
   core.write_file(folder .. "/matplotlib/__init__.py", "")
@@ -119,9 +118,8 @@ def figure(): pass
 def show(): print("shown")
 ]])
   core.write_file(folder .. "/plot.py", listings.python[1])
-  output, status = check.shell(("cd %s && %splot.py"):format(folder, python))
-  if status ~= 0 then error(output) end
-  check.holds(output, "completed 40 ['bed.fx'", "plotted 40 40", "grip.fy in N/mm", "plotted 90 90", "shown")
+  check.ended({ check.shell(("cd %s && %splot.py"):format(folder, python)) }, 0, "completed 40 ['bed.fx'",
+    "plotted 40 40", "grip.fy in N/mm", "plotted 90 90", "shown")
   check.equal(#read(folder .. "/states.h5")["/states/step"].values, 11)
   for _, language in ipairs { "python", "julia", "matlab" } do
     check.equal(select(2, listings[language][1]:gsub("\n", "\n")) <= 12, true)
@@ -138,9 +136,7 @@ local function evaluated(model, file, points)
       .. "state)))"):format(point.body, xi)
   end
   core.write_file(folder .. "/evaluate.py", table.concat(lines, "\n"))
-  local output, status = check.shell(python .. folder .. "/evaluate.py")
-  if status ~= 0 then error(output) end
-  local line = output:gmatch "[^\n]+"
+  local line = check.ended({ check.shell(python .. folder .. "/evaluate.py") }, 0):gmatch "[^\n]+"
   for _, point in ipairs(points) do
     local reference, current = {}, {}
     for number in line():gmatch "%S+" do reference[#reference + 1] = tonumber(number) end

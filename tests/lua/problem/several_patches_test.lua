@@ -3,13 +3,8 @@
 require "check"
 
 check.case("the page's listing", function()
-  local code = core.read_file(core.share .. "/doc/several_patches.md"):match "```lua\n(.-)```"
-  local folder = check.folder()
-  local file = assert(io.open(folder .. "/listing.lua", "wb"))
-  file:write(code):close()
-  local output, status = check.shell(("cd %s && SIGNORINI_HOME=%s %s listing.lua"):format(folder, core.home, arg[-1]))
-  if status ~= 0 then error(output) end
-  check.holds(output, "L.1.east-2.west shares 4 control points", "L.1.north-3.south shares 6 control points")
+  check.holds(check.page(core.share .. "/doc/several_patches.md"), "L.1.east-2.west shares 4 control points",
+    "L.1.north-3.south shares 6 control points")
 end)
 
 check.case("a die slides across a border without a kick, in the plane and in space", function()

@@ -53,10 +53,8 @@ ironing()
 local function forces(command)
   local source = check.file()
   core.write_file(source, 'local sg = require "signorini"\n' .. code)
-  local output, status = check.shell(("%s -q --threads 1 '%s'"):format(command, source))
-  if status ~= 0 then error(output) end
   local list, largest = {}, {}
-  for line in output:gmatch "[^\n]+" do
+  for line in check.ended({ check.shell(("%s -q --threads 1 '%s'"):format(command, source)) }, 0):gmatch "[^\n]+" do
     local name, force = line:match "^(.+): (.+)$"
     list[#list + 1] = { assert(name, line), assert(tonumber(force), line) }
     largest[name] = math.max(largest[name] or 0, math.abs(force))
