@@ -179,7 +179,7 @@ end)
 
 check.case("a script that is called as a function, and a module that it requires, get the words of the call", function()
   local folder = check.folder()
-  local function write(name, text) assert(io.open(folder .. "/" .. name, "w")):write(text):close() end
+  local function write(name, text) core.write_file(folder .. "/" .. name, text) end
   write("inner.lua", 'local options = require "reader" return options.steps')
   write("reader.lua", 'local o = require "signorini".arguments{ steps = 10 } return o')
   write("outer.lua", ('print(loadfile(%q)("steps=4"))'):format(folder .. "/inner.lua"))

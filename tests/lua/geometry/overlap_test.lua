@@ -70,8 +70,7 @@ check.case("an overlap of some percent, as of an interference fit, is a warning 
   check.equal({ run.reason, run.warnings[1] }, { "completed", model:warnings()[1] })
   check.holds(run, "interference fit")
   local script = check.file "overlap.lua"
-  local file = assert(io.open(script, "w"))
-  file:write [[
+  core.write_file(script, [[
     local sg = require "signorini"
     local function block(y)
       return sg.body{ patch = sg.shapes.rectangle{ width = 2, height = 1, corner = {0, y} }, elements = {2, 2},
@@ -81,8 +80,7 @@ check.case("an overlap of some percent, as of an interference fit, is a warning 
     local m = sg.model{ bodies = { a = a, b = b }, supports = { bed = { on = a:face "south", fix = "xy" },
                         lid = { on = b:face "north", drive = "y", fix = "x" } },
                         contacts = { c = { slave = b:face "south", master = a:face "north", penalty = 100 } } }
-    m:run{ { steps = 1, lid = {0} } }]]
-  file:close()
+    m:run{ { steps = 1, lid = {0} } }]])
   local _, said = check.program({ script }):gsub("interference fit", "")
   check.equal(said, 1) -- by sg.model, not by the run once more
 end)

@@ -5,10 +5,7 @@ require "check"
 local folder = check.folder()
 local file = folder .. "/a.csv"
 
-local function write_text(text)
-  local stream = assert(io.open(file, "wb"))
-  stream:write(text):close()
-end
+local function write_text(text) core.write_file(file, text) end
 
 check.case("rows, comments and special values are preserved", function()
   local rows = { { 1, 0.1, "N2" }, { 2, nil, 'a,"b"\nc' }, { 3, 1 / 3, "2" }, { -4, 1e300, " edges " },

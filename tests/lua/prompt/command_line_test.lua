@@ -23,9 +23,8 @@ check.case("-e runs code, several in a row, with sg defined", function()
 end)
 
 check.case("scripts get their arguments, and find modules in their folder", function()
-  local name = check.file "name"
-  os.execute("mkdir " .. name)
-  local function write(file, text) assert(io.open(name .. "/" .. file, "w")):write(text):close() end
+  local name = check.folder()
+  local function write(file, text) core.write_file(name .. "/" .. file, text) end
   write("study.lua", "print(require 'scene', arg[1], arg[2], #arg, arg[0]:match '[^/]*$', ...)")
   write("scene.lua", "return 'a scene'")
   gives(run { name .. "/study.lua", "mesh=m1", "-q" }, "a scene\tmesh=m1\t-q\t2\tstudy.lua\tmesh=m1\t-q\n")
@@ -302,7 +301,6 @@ check.case("a script that comes along runs by its name, unless there is a file o
   for _, name in ipairs { "none.lua", "lua/signorini.lua", "demo" } do
     check.ended({ run(name) }, 1, "cannot open " .. name)
   end
-  check.shell("rm -r " .. folder)
 end)
 
 check.case("help takes a method by the letter that pages call its object by, and closes what a list cuts off",

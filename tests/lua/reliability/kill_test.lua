@@ -26,7 +26,7 @@ io.write(run.iterations, " ", run.steps, "\n")
 
 local folder = check.folder()
 local script, file, output = folder .. "/study.lua", folder .. "/run.sgn", folder .. "/output"
-assert(io.open(script, "w")):write(study):close()
+core.write_file(script, study)
 
 local function read(name)
   local stream = io.open(name, "rb")

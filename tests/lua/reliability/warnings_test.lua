@@ -293,12 +293,10 @@ end)
 
 check.case("a large number of elements is announced before they are made, and too many are rejected", function()
   local script = check.file "large.lua"
-  local file = assert(io.open(script, "w"))
   -- Contact faces that are not opposite ones stop it before the tables are made.
-  file:write [[ local sg = require "signorini"
+  core.write_file(script, [[ local sg = require "signorini"
     sg.body{ patch = sg.shapes.rectangle{ width = 1, height = 1 }, elements = {1000, 1000}, order = "L1",
-             contact = { "north", "east" }, material = sg.linear_elastic{ E = 1, nu = 0.3 } } ]]
-  file:close()
+             contact = { "north", "east" }, material = sg.linear_elastic{ E = 1, nu = 0.3 } } ]])
   check.holds(check.program { script }, "elements = {1000, 1000} make at least 2004002 unknowns", "takes a while")
 end)
 

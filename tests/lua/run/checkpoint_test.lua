@@ -171,10 +171,8 @@ check.case("invalid files are errors at the user's line, with a hint", function(
   local model = ironing()
   model:run{ { steps = 1, grip = {0, -0.06} } }
   model:save(file)
-  local stream = assert(io.open(file, "rb"))
-  local good = stream:read "a"
-  stream:close()
-  local function write(bytes) assert(io.open(file, "wb")):write(bytes):close() end
+  local good = core.read_file(file)
+  local function write(bytes) core.write_file(file, bytes) end
   local function refused(...)
     check.fails(function() sg.load(file) end, "checkpoint_test.lua:", "sg.load: ", file, ...)
   end
@@ -196,7 +194,6 @@ check.case("invalid files are errors at the user's line, with a hint", function(
     "choose a folder with write permission")
 end)
 
-os.remove(file)
 check.case("a snapshot keeps its worth when the model is saved: points that were open touch again", function()
   for _, method in ipairs { "gpts", "mortar" } do
     local function lowered()
