@@ -31,11 +31,13 @@ local function column(o)
 end
 
 --- Under a dead load of its free end.
+local function model_of_load()
+  return scenes.model{ bodies = { column = column{} }, supports = { base = { on = "south", fix = "xy" } },
+                       loads = { p = { on = "north", traction = { 0, 0 } } } }
+end
+
 local function loaded(times, options)
-  local body = column{}
-  local model = scenes.model{ bodies = { column = body }, supports = { base = { on = "south", fix = "xy" } },
-                          loads = { p = { on = "north", traction = { 0, 0 } } } }
-  return model:run({ { name = "press", steps = 2, p = { 0, -times * euler(1) / thickness } } }, options)
+  return model_of_load():run({ { name = "press", steps = 2, p = { 0, -times * euler(1) / thickness } } }, options)
 end
 
 check.case("a column under a dead load is unstable beyond Euler's, with every solver", function()
@@ -56,18 +58,14 @@ check.case("in space a square column has two such directions", function()
 end)
 
 check.case("a stored state tells from which step on", function()
-  local body = column{}
-  local model = scenes.model{ bodies = { column = body }, supports = { base = { on = "south", fix = "xy" } },
-                          loads = { p = { on = "north", traction = { 0, 0 } } } }
+  local model = model_of_load()
   local run = model:run({ { name = "press", steps = 8, p = { 0, -2 * euler(1) / thickness } } }, { states = 9 })
   check.holds(warned(run), "at the end of stage 'press', from step 5 on: ")
   check.near(model:reaction("base").fy, 2 * euler(1), 1e-8) -- at the last state again
 end)
 
 check.case("a stage that was not examined is found when a later one is", function()
-  local body = column{}
-  local model = scenes.model{ bodies = { column = body }, supports = { base = { on = "south", fix = "xy" } },
-                          loads = { p = { on = "north", traction = { 0, 0 } } } }
+  local model = model_of_load()
   local path = {}
   for i = 1, 12 do path[i] = { name = "s" .. i, steps = 1, p = { 0, -i / 8 * euler(1) / thickness } } end
   local examine, count = core.state_warnings, 0
