@@ -134,6 +134,15 @@ function check.completed(run)
   return run
 end
 
+--- The warnings of a run that hold a text.
+function check.warnings(run, fragment)
+  local found = {}
+  for _, warning in ipairs(run.warnings) do
+    if warning:find(fragment, 1, true) then found[#found + 1] = warning end
+  end
+  return found
+end
+
 --- The last value of a run's column.
 function check.last(run, name)
   local column = run:column(name)

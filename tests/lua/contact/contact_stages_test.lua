@@ -127,10 +127,7 @@ check.case("a contact that is switched on where its faces overlap is a warning",
     for _, depth in ipairs { 0.02, 0.1 } do
       local model = scene(contact_keys.of(name, penalty, nil, { active = false }), true)
       local _, run = solved(model, name, stage(2, { 0, -depth }), stage(1, { 0, -depth }, { active = true }))
-      local of_this = {}
-      for _, warning in ipairs(run.warnings) do
-        if warning:find "faces overlap" then of_this[#of_this + 1] = warning end
-      end
+      local of_this = check.warnings(run, "faces overlap")
       check.equal({ name, #of_this }, { name, depth > 0.05 and 1 or 0 })
       if depth > 0.05 then
         check.holds(of_this[1], "contact 'joint' is switched on by stage 'stage 2'", "overlap by 0.1, 7.1 %")

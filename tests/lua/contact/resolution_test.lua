@@ -5,15 +5,6 @@ require "check"
 
 local narrow, soft, loose = "elements of the slave face wide", "of the approach of the faces, of which", "elastic slip"
 
---- The warnings of a run that contain a text.
-local function about(run, text)
-  local found = {}
-  for _, warning in ipairs(run.warnings) do
-    if warning:find(text, 1, true) then found[#found + 1] = warning end
-  end
-  return found
-end
-
 local nu = 0.3
 local plane_modulus = 1 / (1 - nu^2)
 
@@ -42,13 +33,13 @@ end
 check.case("the peak of a contact that is wide enough is Hertz's, a narrower one is reported", function()
   for _, half in ipairs { false, true } do
     local run, model = cylinder({}, 0.06, half) -- 8 elements wide
-    check.equal(about(run, narrow), {})
+    check.equal(check.warnings(run, narrow), {})
     check.within_share("peak", model:contact_resultant("touch").max_pressure, peak_of(run, half), 0.1)
     check.within_share("mean", model:contact_resultant("touch").mean_pressure, peak_of(run, half), 0.05)
     run, model = cylinder({}, 0.006, half) -- 2.7 elements wide
-    check.equal(#about(run, narrow), 1)
+    check.equal(#check.warnings(run, narrow), 1)
     assert(math.abs(model:contact_resultant("touch").max_pressure / peak_of(run, half) - 1) > 0.1)
-    check.holds(about(run, narrow)[1], "at the end of stage 'press': contacts.touch", "from 7 on",
+    check.holds(check.warnings(run, narrow)[1], "at the end of stage 'press': contacts.touch", "from 7 on",
       "Hint: use smaller elements of the slave face there")
   end
 end)
@@ -57,17 +48,17 @@ check.case("a high penalty at Gauss points needs more elements, mortar averages 
   local run, model = cylinder({ penalty = 300 }, 0.05)
   assert(model:contact_resultant("touch").max_pressure > 1.5 * peak_of(run))
   check.within_share("mean", model:contact_resultant("touch").mean_pressure, peak_of(run), 0.05)
-  check.equal(#about(run, narrow), 1)
-  check.holds(about(run, narrow)[1], "from 23 on", "a high penalty at Gauss points over-constrains the face")
-  local given = tonumber(about(run, narrow)[1]:match "penalty = (%S+):")
+  check.equal(#check.warnings(run, narrow), 1)
+  check.holds(check.warnings(run, narrow)[1], "from 23 on", "a high penalty at Gauss points over-constrains the face")
+  local given = tonumber(check.warnings(run, narrow)[1]:match "penalty = (%S+):")
   for _, better in ipairs { { penalty = given }, { penalty = 300, method = "mortar" } } do
     run, model = cylinder(better, 0.05)
-    check.equal(about(run, narrow), {})
+    check.equal(check.warnings(run, narrow), {})
     check.within_share("peak", model:contact_resultant("touch").max_pressure, peak_of(run), 0.1)
   end
   -- Where the peak is right by chance, the mean confirms it.
   run, model = cylinder({ penalty = 300 }, 0.06)
-  check.equal(about(run, narrow), {})
+  check.equal(check.warnings(run, narrow), {})
   check.within_share("peak", model:contact_resultant("touch").max_pressure, peak_of(run), 0.1)
 end)
 
@@ -103,19 +94,19 @@ check.case("in space the narrowest direction counts, and directions that touch f
       supports = { bed = { on = "front", fix = "xyz" }, push = { on = master, drive = "z" } } }
     return model:run{ { steps = 2, push = {-0.05} } }
   end
-  check.equal(#about(run(sg.rigid.cylinder{ center = {0, 0, 4}, axis = {0, 1, 0}, radius = 4 }), narrow), 1)
-  check.equal(about(run(sg.rigid.plane{ point = {0, 0, 0}, normal = {0, 0, -1} }), narrow), {})
+  check.equal(#check.warnings(run(sg.rigid.cylinder{ center = {0, 0, 4}, axis = {0, 1, 0}, radius = 4 }), narrow), 1)
+  check.equal(check.warnings(run(sg.rigid.plane{ point = {0, 0, 0}, normal = {0, 0, -1} }), narrow), {})
 end)
 
 -- Springs in a row: the block's E/H = 1 and the penalty.
 check.case("a soft penalty is reported at any factor, with one that leaves 1 %", function()
   for _, law in ipairs { sg.linear_elastic, sg.neo_hookean } do -- their strain is lost in rounding errors
-    local found = about(pressed({ penalty = 1e-16 }, { 2, 2 }, "N2", law), soft)
+    local found = check.warnings(pressed({ penalty = 1e-16 }, { 2, 2 }, "N2", law), soft)
     check.holds(found[1], "0.01 in the mean, is 100 %", "Hint: penalty = 30 leaves")
   end
   for _, penalty in ipairs { 1e-3, 1, 10 } do
     local run = pressed({ penalty = penalty }, { 2, 2 }, "N2")
-    local found = about(run, soft)
+    local found = check.warnings(run, soft)
     check.equal(#found, 1)
     local given = tonumber(found[1]:match "penalty = (%S+) leaves")
     check.within_share("penalty", given, 99, 0.02)
@@ -143,7 +134,7 @@ check.case("mortar contact whose elements cannot follow the master is reported, 
   local uneven, expected = "the means of its gaps over functions", 4 * math.sqrt(0.02 * 2 / math.pi)
   for _, count in ipairs { 1, 2 } do
     local run, model = resting({}, { count, 3 })
-    local found = about(run, uneven)
+    local found = check.warnings(run, uneven)
     check.equal(#found, 1)
     check.within("area", model:contact_resultant("touch").area, 2, 1e-9)
     local distance, approach = found[1]:match "points lie (%S+) from .- approach each other by (%S+):"
@@ -155,7 +146,7 @@ check.case("mortar contact whose elements cannot follow the master is reported, 
   for _, how in ipairs { {}, { enforcement = "multipliers" },
                          { enforcement = "multipliers", multipliers = "reduced" } } do
     local run, model = resting({ enforcement = how.enforcement, multipliers = how.multipliers }, { 32, 6 })
-    check.equal(about(run, uneven), {})
+    check.equal(check.warnings(run, uneven), {})
     check.within_share("area", model:contact_resultant("touch").area, expected, 0.05)
   end
 end)
@@ -164,7 +155,7 @@ check.case("multipliers decide point by point, also on elements wider than the c
   for _, space in ipairs { "equal", "reduced" } do
     for _, count in ipairs { 1, 2 } do
       local run, model = resting({ enforcement = "multipliers", multipliers = space }, { count, 3 })
-      check.equal(#about(run, "the zone of contact around the largest pressure"), 1)
+      check.equal(#check.warnings(run, "the zone of contact around the largest pressure"), 1)
       check.at_most("area", model:contact_resultant("touch").area, 1)
     end
   end
@@ -174,15 +165,15 @@ check.case("a stage that lowers the penalty is reported", function()
   local run, model = pressed({}, { 2, 2 }, "N2")
   check.equal(run.warnings, {})
   local lowered = model:run{ { name = "lower", steps = 1, lid = -0.01, contacts = { floor = { penalty = 2 } } } }
-  check.holds(about(lowered, soft)[1], "at the end of stage 'lower'", "33.3 %")
+  check.holds(check.warnings(lowered, soft)[1], "at the end of stage 'lower'", "33.3 %")
 end)
 
 check.case("the default penalty is right to 1 % of Hertz's force, and does not give rise to its warning", function()
   local run = cylinder({}, 0.06)
   local exact = cylinder({ method = "mortar", enforcement = "multipliers" }, 0.06)
   check.within_share("force", run:column("push.fy")[2], exact:column("push.fy")[2], 0.01)
-  check.equal(about(run, soft), {})
-  check.equal(about(cylinder({}, 0.0005), soft), {}) -- less than an element wide
+  check.equal(check.warnings(run, soft), {})
+  check.equal(check.warnings(cylinder({}, 0.0005), soft), {}) -- less than an element wide
 end)
 
 check.case("the penalty of bonds is optional, too, and the stiffness of bilinear ones by default", function()
@@ -210,15 +201,15 @@ check.case("friction.penalty is optional; a soft one, with which points stick, i
   end
   local run, ratio = drag{ friction = { mu = 0.2 } }
   check.near(ratio, 0.2, 0.004)
-  check.equal(about(run, loose), {})
+  check.equal(check.warnings(run, loose), {})
   for _, penalty in ipairs { 1e-12, 3e-4 } do
     run, ratio = drag{ friction = { mu = 0.2, penalty = penalty } }
     assert(ratio < 0.1)
-    check.equal(#about(run, loose), 1)
-    local given = tonumber(about(run, loose)[1]:match "friction.penalty = (%S+)$")
+    check.equal(#check.warnings(run, loose), 1)
+    local given = tonumber(check.warnings(run, loose)[1]:match "friction.penalty = (%S+)$")
     run, ratio = drag{ friction = { mu = 0.2, penalty = given } }
     check.near(ratio, 0.2, 0.004)
-    check.equal(about(run, loose), {})
+    check.equal(check.warnings(run, loose), {})
   end
 end)
 

@@ -9,13 +9,7 @@ local nu, thickness, length, E = 0.3, 0.5, 5, 1
 --- other end free: P = n² π² E I / (4 (1 − ν²) L²).
 local function euler(n) return n ^ 2 * math.pi ^ 2 * E * thickness ^ 3 / 12 / (4 * (1 - nu ^ 2) * length ^ 2) end
 
-local function warned(run)
-  assert(not run.failed, run.failure)
-  for _, warning in ipairs(run.warnings) do
-    if warning:find("unstable", 1, true) then return warning end
-  end
-  return nil
-end
+local function warned(run) return check.warnings(check.completed(run), "unstable")[1] end
 
 --- Checks that a run, made for a multiple of the buckling load, warns above it and not below.
 local function decides(label, run_at, options)

@@ -137,11 +137,7 @@ local function loaded(traction, stages)
   return model:run(stages), model:energy()
 end
 
-local function balance_warnings(run)
-  local count = 0
-  for _, warning in ipairs(run.warnings) do count = count + (warning:find "energy balance" and 1 or 0) end
-  return count
-end
+local function balance_warnings(run) return #check.warnings(run, "energy balance") end
 
 check.case("no such hint if a load acts at once; no error in a closed cycle", function()
   local run, energy = loaded(1, { { steps = 2 } })
