@@ -14,9 +14,9 @@
 namespace signorini::view {
 namespace {
 
-// Bytes that a drawing by Cairo and Pango and an image by VTK and Mesa need at most, measured; GLib and Mesa end the
-// process when an allocation fails.
-constexpr double drawing_memory = 32 << 20, image_memory = 128 << 20, pixel_memory = 36;
+// Bytes that a drawing by Cairo and Pango and an image by VTK and Mesa need at most, measured, and those per pixel of
+// the image and of the copy in a file; GLib and Mesa end the process when an allocation fails.
+constexpr double drawing_memory = 32 << 20, image_memory = 128 << 20, pixel_memory = 8;
 
 /// The function table that a module exports under a name.
 template <class Table> const Table& table_of(const char* module, const char* name) {
@@ -85,8 +85,8 @@ double text_width(std::string_view utf8, double size) {
 }
 
 Pixels image_of(const Plate& plate, int scale, bool transparent) {
-  const double supersampled = scale == 1 ? 9 : 4.0 * scale * scale; // pixels per pixel, as in vtk/image.cpp
-  demand_memory(image_memory + pixel_memory * supersampled * plate.drawing.size[0] * plate.drawing.size[1]);
+  const double pixels = 1.0 * scale * scale * plate.drawing.size[0] * plate.drawing.size[1];
+  demand_memory(image_memory + pixel_memory * pixels);
   const MemoryReserve reserve;
   return renderer().image(plate, scale, transparent);
 }

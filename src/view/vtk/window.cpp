@@ -59,16 +59,17 @@ vtkSmartPointer<vtkRenderWindow> make_window() {
 
 } // namespace
 
-vtkRenderWindow& offscreen_window(std::array<int, 2> size) {
+vtkRenderWindow& offscreen_window() {
   // Never destroyed: the order of destruction of Mesa and VTK at program end is undefined.
   static vtkRenderWindow* const window = [] {
     auto made = make_window();
     made->SetOffScreenRendering(1);
     made->SetAlphaBitPlanes(1);
+    made->SetMultiSamples(0);
+    made->SetSize(tile_size, tile_size);
     made->Register(nullptr);
     return made.Get();
   }();
-  window->SetSize(size[0], size[1]);
   return *window;
 }
 
