@@ -8,7 +8,7 @@ file(MAKE_DIRECTORY ${debian})
 set(CPACK_PACKAGE_CONTACT "The maintainers of signorini <maintainers@localhost>")
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC) # SOURCE_DATE_EPOCH sets it for reproducible packages
 
-# Adds one package: component, name, and tags of lintian that do not apply to it.
+# Adds one package: component, name, binaries in the build folder.
 function(debian_package component package)
   file(WRITE ${debian}/${package}.changelog "${package} (${PROJECT_VERSION}) unstable; urgency=medium
 
@@ -29,6 +29,7 @@ ${package}: bogus-mail-host-in-debian-changelog maintainers@localhost *
           COMPONENT ${component} RENAME ${package})
   string(TOUPPER ${component} key)
   set(CPACK_DEBIAN_${key}_PACKAGE_NAME ${package} PARENT_SCOPE)
+  set(CPACK_BINARIES_${key} ${ARGN} PARENT_SCOPE)
 endfunction()
 
 # ── Packages ─────────────────────────────────────────────────────────────────────────────────────────────────────────
@@ -38,34 +39,39 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "isogeometric contact mechanics from Lua")
-# dpkg-shlibdeps finds the libraries; texts in pictures need the fonts.
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-liberation)
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/share/cmake/dependencies.cmake)
 # dpkg-shlibdeps accepts the reference BLAS, which makes runs in space a quarter slower: recommend OpenBLAS. The
 # recommended fonts have Chinese and Japanese characters.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libopenblas0, fonts-droid-fallback")
 # Modules whose libraries the program does not need are packages of their own.
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-debian_package(Unspecified signorini)
+set(binaries signorini)
+foreach(module IN ITEMS view flat terminal sandbox)
+  if(TARGET signorini_${module})
+    list(APPEND binaries ${modules}/signorini_${module}.so)
+  endif()
+endforeach()
+debian_package(Unspecified signorini ${binaries})
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_DEPENDS fonts-liberation) # for texts in pictures
 set(CPACK_COMPONENT_UNSPECIFIED_DESCRIPTION "Solves contact problems in 2D and 3D with NURBS bodies that have layers of
 varying order on their contact faces: finite deformation, friction, adhesion,
 rigid tools. Scenes, solver controls and studies are written in Lua, at a
 prompt or in scripts; states and charts are drawn off-screen.")
 set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_SUGGESTS "signorini-mumps, signorini-jupyter, signorini-hdf5, ffmpeg")
 if(TARGET signorini_mumps)
-  debian_package(mumps signorini-mumps)
+  debian_package(mumps signorini-mumps ${modules}/signorini_mumps.so)
   set(CPACK_COMPONENT_MUMPS_DESCRIPTION "The parallel linear solver MUMPS, and runs on several processes with MPI.")
   set(CPACK_DEBIAN_MUMPS_PACKAGE_DEPENDS "signorini (= ${PROJECT_VERSION}), openmpi-bin")
   set(CPACK_DEBIAN_MUMPS_PACKAGE_RECOMMENDS "")
 endif()
 if(TARGET signorini_kernel)
-  debian_package(jupyter signorini-jupyter)
+  debian_package(jupyter signorini-jupyter ${modules}/signorini_kernel.so)
   set(CPACK_COMPONENT_JUPYTER_DESCRIPTION "The kernel for notebooks of Jupyter.")
   set(CPACK_DEBIAN_JUPYTER_PACKAGE_DEPENDS "signorini (= ${PROJECT_VERSION})")
   set(CPACK_DEBIAN_JUPYTER_PACKAGE_RECOMMENDS jupyter-notebook)
 endif()
 if(TARGET signorini_hdf5)
-  debian_package(hdf5 signorini-hdf5)
+  debian_package(hdf5 signorini-hdf5 ${modules}/signorini_hdf5.so)
   set(CPACK_COMPONENT_HDF5_DESCRIPTION "Runs written as files of HDF5 for Python, Julia, MATLAB and others.")
   set(CPACK_DEBIAN_HDF5_PACKAGE_DEPENDS "signorini (= ${PROJECT_VERSION})")
   set(CPACK_DEBIAN_HDF5_PACKAGE_RECOMMENDS "")
