@@ -5,13 +5,24 @@ local annotations = require "annotations"
 local core = require "signorini.core"
 local library = require "signorini.prompt.editor.library"
 local lists = require "signorini.call.lists"
+local page_text = require "signorini.prompt.help.page_text"
+local prose = require "signorini.prompt.editor.prose"
 
 local conformity = {}
 
 local database
 
+--- Without descriptions, whose layout takes most of the time.
+local function types_of_library()
+  local row, add_text = page_text.row, prose.add_text
+  page_text.row, prose.add_text = function() return "text" end, function() end
+  local files = library()
+  page_text.row, prose.add_text = row, add_text
+  return files
+end
+
 local function definitions()
-  database = database or annotations.read(library())
+  database = database or annotations.read(types_of_library())
   return database
 end
 conformity.definitions = definitions

@@ -18,7 +18,7 @@ check.case("every file is valid Lua that defines no function with a body", funct
 end)
 
 check.case("every function and every type has a definition, every file its annotations in the known form", function()
-  local db, count = conformity.definitions(), 0
+  local db, count = annotations.read(library()), 0
   for _, name in ipairs(pages.names()) do
     local value = names.value(name)
     if type(value) == "function" and not db.functions[name] then error(name .. " has no definition") end
