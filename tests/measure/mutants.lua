@@ -5,13 +5,13 @@
 --          A mutant that no test notices survives: either a test is missing, or the change has no effect.
 -- Source: DeMillo, Lipton, Sayward, Hints on test data selection, Computer 11(4) (1978), 34-41.
 -- Expected: more than 8 of 10 mutants are noticed; names of the survivors, to be read one by one.
--- Run: signorini tests/measure/mutants.lua [count=200] [seed=1] [folder=out/mutants] [within=src]
+-- Run: signorini tests/measure/mutants.lua [count=200] [seed=1] [out=out/mutants] [within=src]
 --      [tests=contact|model] [build=no]; within: a folder of sources; tests: a regular expression of ctest;
 --      build=no: shows the mutants only. About a minute each on two processors.
 
 local sg = require "signorini"
 
-local options = sg.arguments{ count = 200, seed = 1, folder = "out/mutants", within = "src", tests = "", build = true }
+local options = sg.arguments{ count = 200, seed = 1, out = "out/mutants", within = "src", tests = "", build = true }
 
 local home = arg[0]:match "^(.*/)tests/measure/[^/]*$" or "./"
 
@@ -39,7 +39,7 @@ local exchanges = {
 --- Appends all places of a source to a list: { file, line, from, what, instead }.
 local function add_places(list, file)
   local number = 0
-  for line in (read(options.folder .. "/tree/" .. file) .. "\n"):gmatch "([^\n]*)\n" do
+  for line in (read(home .. file) .. "\n"):gmatch "([^\n]*)\n" do
     number = number + 1
     local code = line:gsub("//.*", "")
     if not (code:find '^%s*#' or code:find '"' or code:find "template" or code:find "assert") then
@@ -56,53 +56,53 @@ end
 -- ── The copy ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function quoted(word) return "'" .. word:gsub("'", [['\'']]) .. "'" end
-local tree, log = options.folder .. "/tree", options.folder .. "/log"
+local tree = options.out .. "/tree"
 
---- Runs a command in the copy; true if it succeeds. Its output is in the log.
+--- Runs a command in the copy; true if it succeeds. Its output is in a file next to the copy.
 local function succeeds(command)
-  return os.execute(("cd %s && (%s) >%s 2>&1"):format(quoted(tree), command, quoted(log))) == true
+  return os.execute(("cd %s && (%s) >../log 2>&1"):format(quoted(tree), command)) == true
 end
 
 local make = "cmake --build build --parallel $(nproc)"
 local check = ("ctest --test-dir build -j $(nproc) --stop-on-failure --timeout 600 -R %s"):format(quoted(options.tests))
-assert(os.execute(("rm -rf %s && git clone -q %s %s"):format(quoted(tree), quoted(home), quoted(tree))),
-  "the sources could not be copied")
 if options.build then
+  assert(os.execute(("rm -rf %s && git clone -q %s %s"):format(quoted(tree), quoted(home), quoted(tree))),
+    "the sources could not be copied")
   local first = "cmake --preset release -D CMAKE_UNITY_BUILD=OFF -D SIGNORINI_TESTS=ON && " .. make .. " && " .. check
-  if not succeeds(first) then error("the program fails without a mutant: " .. log, 0) end
+  if not succeeds(first) then error(("the tests fail without a mutant, see %s/log"):format(options.out), 0) end
 end
 
 -- ── Mutants ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local list = {}
-local pipe = assert(io.popen(("cd %s && git ls-files %s"):format(quoted(tree), quoted(options.within))))
-for file in pipe:lines() do if file:find "%.cpp$" then add_places(list, file) end end
+local pipe = assert(io.popen(("cd %s && find %s -name '*.cpp' | sort"):format(quoted(home), quoted(options.within))))
+for file in pipe:lines() do add_places(list, file) end
 pipe:close()
 
---- Writes a source with a place exchanged; returns the line before and after.
-local function mutate(text, place)
+--- A source with a place exchanged, and the line before and after.
+local function mutated(text, place)
   local start = 1
   for _ = 2, place.line do start = text:find("\n", start, true) + 1 end
   local from = start + place.from - 1
   local changed = text:sub(1, from - 1) .. place.instead .. text:sub(from + #place.what)
-  write(tree .. "/" .. place.file, changed)
   local function line(of) return of:sub(start, of:find("\n", start, true) - 1):gsub("^%s+", "") end
-  return line(text), line(changed)
+  return changed, line(text), line(changed)
 end
 
 math.randomseed(options.seed)
 local counts = { noticed = 0, survived = 0, ["does not compile"] = 0 }
 for _ = 1, math.min(options.count, #list) do
   local place = table.remove(list, math.random(#list))
-  local text = read(tree .. "/" .. place.file)
-  local before, after = mutate(text, place)
+  local text = read(home .. place.file)
+  local changed, before, after = mutated(text, place)
   local outcome = "not built"
   if options.build then
+    write(tree .. "/" .. place.file, changed)
     outcome = not succeeds(make) and "does not compile" or succeeds(check) and "survived" or "noticed"
     counts[outcome] = counts[outcome] + 1
+    write(tree .. "/" .. place.file, text)
   end
   print(("%-16s %s:%d\n    %s\n    %s"):format(outcome, place.file, place.line, before, after))
-  write(tree .. "/" .. place.file, text)
 end
 if options.build then
   print(("%d noticed, %d survived, %d do not compile"):format(counts.noticed, counts.survived,
