@@ -293,7 +293,7 @@ std::optional<CutPlane> crossed_mirror(const Points& points, int axis) {
 }
 
 Body cut(const Body& body, const CutPlane& plane) {
-  const double tolerance = 1e-9 * bounds(body).size();
+  const double tolerance = cut_tolerance * bounds(body).size();
   const Vec<3> normal = plane.normal.normalized();
   Body left;
   left.mesh = body.mesh;

@@ -5,6 +5,10 @@
 
 namespace signorini::view {
 
+/// Distances from a cut, relative to the size of all, that count as zero: a hundredth of a pixel. Element borders that
+/// lie in the cut but for the error of a solution would otherwise cross it in jagged lines.
+inline constexpr double cut_tolerance = 1e-5;
+
 /// The remaining part of a surface; values and normals at the cut are interpolated. Distances below `tolerance` count
 /// as zero.
 Surface cut(const Surface& surface, const CutPlane& plane, double tolerance);

@@ -90,7 +90,7 @@ Body with_ground(Body body) {
 
 void add_obstacle(Scene& scene, const Rigid& rigid, const Bounds& box, const Panel& panel, const Style& style) {
   RigidSurface surface = shown(rigid, box, panel.windows);
-  if (panel.cut) surface = cut(surface, *panel.cut, 1e-9 * box.size());
+  if (panel.cut) surface = cut(surface, *panel.cut, cut_tolerance * box.size());
   const Pen pen = {rigid_rim_color, 2 * style.unit, 1, false};
   add_lines(scene, surface.rim, pen);
   scene.translucent.push_back({std::move(surface.surface), rigid_color, rigid_opacity, false, pen});
@@ -109,10 +109,12 @@ Scene scene_of(const Panel& panel, bool plane, const Mat<3>& axes, const Style& 
   for (const Rigid& rigid : panel.obstacles) add_obstacle(scene, rigid, box, panel, style);
   scene.outlines = panel.outlines;
   scene.vectors = panel.vectors;
-  if (panel.cut)
-    std::erase_if(scene.vectors, [&, tolerance = 1e-9 * box.size() * panel.cut->normal.norm()](const PointVector& one) {
+  if (panel.cut) {
+    const double tolerance = cut_tolerance * box.size() * panel.cut->normal.norm();
+    std::erase_if(scene.vectors, [&](const PointVector& one) {
       return (one.at - panel.cut->point).dot(panel.cut->normal) > tolerance;
     });
+  }
   if (plane) {
     each_part(scene,
               [](const auto& points, Points& normals) { normals = Vec<3>::UnitZ().replicate(1, points.cols()); });
