@@ -44,7 +44,7 @@ struct Style {
 /// The minimum font size in pixels, below which texts are truncated: 18 in a figure of 1600 × 1000.
 double least_size(const Style& style);
 
-/// Throws Error on a size below 160 × 120 or above 5000 pixels per side (OpenGL's limit after supersampling).
+/// Throws Error on a size below 160 × 120 or above 5000 pixels per side.
 Style style_for(const std::array<int, 2>& size);
 
 /// A position on an axis with a text.

@@ -9,7 +9,7 @@ local chart_rows = require "signorini.pages.chart_rows"
 
 local axes = t.choice { "x", "y", "z", "-x", "-y", "-z" }
 local field, field_name, body_name = t.name(core.fields), t.name(core.fields, "name"), t.name(nil, "name")
-local largest = 5000 -- pixels, OpenGL's limit
+local largest = 5000 -- pixels
 
 local size = t.either(t.integer(160, largest), t.list(t.integer(120, largest), 2))
 local file = chart_rows.file

@@ -12,7 +12,7 @@ namespace signorini::bind {
 
 namespace {
 
-constexpr int largest_size = 5000; // OpenGL's limit after supersampling
+constexpr int largest_size = 5000; // pixels per side
 
 /// Reads size and background of a separate picture; default size: `most`.
 void read_paper(const Arguments& a, Picture& picture, const std::array<int, 2>& most) {
