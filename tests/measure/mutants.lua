@@ -4,16 +4,17 @@
 --          number in code is exchanged, in a copy of the sources. The copy is built, and its tests run until one fails.
 --          A mutant that no test notices survives: either a test is missing, or the change has no effect.
 -- Source: DeMillo, Lipton, Sayward, Hints on test data selection, Computer 11(4) (1978), 34-41.
--- Expected: more than 8 of 10 mutants are noticed; names of the survivors, to be read one by one.
+-- Expected: few survivors, to be read one by one.
 -- Run: signorini tests/measure/mutants.lua [count=200] [seed=1] [out=out/mutants] [within=src]
 --      [tests=contact|model] [build=no]; within: a folder of sources; tests: a regular expression of ctest;
---      build=no: shows the mutants only. About a minute each on two processors.
+--      build=no: shows the mutants only. The copy is of the last commit.
 
 local sg = require "signorini"
 
 local options = sg.arguments{ count = 200, seed = 1, out = "out/mutants", within = "src", tests = "", build = true }
 
-local home = arg[0]:match "^(.*/)tests/measure/[^/]*$" or "./"
+local home, tree = arg[0]:match "^(.*/)tests/measure/[^/]*$" or "./", options.out .. "/tree"
+local sources = options.build and tree .. "/" or home
 
 local function read(file)
   local source <close> = assert(io.open(file, "rb"))
@@ -39,7 +40,7 @@ local exchanges = {
 --- Appends all places of a source to a list: { file, line, from, what, instead }.
 local function add_places(list, file)
   local number = 0
-  for line in (read(home .. file) .. "\n"):gmatch "([^\n]*)\n" do
+  for line in (read(sources .. file) .. "\n"):gmatch "([^\n]*)\n" do
     number = number + 1
     local code = line:gsub("//.*", "")
     if not (code:find '^%s*#' or code:find '"' or code:find "template" or code:find "assert") then
@@ -56,7 +57,6 @@ end
 -- ── The copy ─────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local function quoted(word) return "'" .. word:gsub("'", [['\'']]) .. "'" end
-local tree = options.out .. "/tree"
 
 --- Runs a command in the copy; true if it succeeds. Its output is in a file next to the copy.
 local function succeeds(command)
@@ -75,7 +75,7 @@ end
 -- ── Mutants ──────────────────────────────────────────────────────────────────────────────────────────────────────────
 
 local list = {}
-local pipe = assert(io.popen(("cd %s && find %s -name '*.cpp' | sort"):format(quoted(home), quoted(options.within))))
+local pipe = assert(io.popen(("cd %s && find %s -name '*.cpp' | sort"):format(quoted(sources), quoted(options.within))))
 for file in pipe:lines() do add_places(list, file) end
 pipe:close()
 
@@ -93,14 +93,14 @@ math.randomseed(options.seed)
 local counts = { noticed = 0, survived = 0, ["does not compile"] = 0 }
 for _ = 1, math.min(options.count, #list) do
   local place = table.remove(list, math.random(#list))
-  local text = read(home .. place.file)
+  local text = read(sources .. place.file)
   local changed, before, after = mutated(text, place)
   local outcome = "not built"
   if options.build then
-    write(tree .. "/" .. place.file, changed)
+    write(sources .. place.file, changed)
     outcome = not succeeds(make) and "does not compile" or succeeds(check) and "survived" or "noticed"
     counts[outcome] = counts[outcome] + 1
-    write(tree .. "/" .. place.file, text)
+    write(sources .. place.file, text)
   end
   print(("%-16s %s:%d\n    %s\n    %s"):format(outcome, place.file, place.line, before, after))
 end

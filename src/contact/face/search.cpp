@@ -81,7 +81,7 @@ template <int D> void ElementBoxes<D>::find_unique_distances(const Surface<D>& s
 
 /// Where (x − x(ξ))·τ_α > 0 on all elements of a node, x(ξ) and τ_α in their boxes, the distance decreases along ξ^α up
 /// to their last border. If that is an open end or smooth, the closest point of the face is at the end or on other
-/// elements. For the other sign the same holds for their first border.
+/// elements. For the other sign the same holds for their first border [theory 5.10].
 template <int D> bool ElementBoxes<D>::may_have_foot(int index, const Vec<D>& x) const {
   const Node& node = nodes_[index];
   const Vec<D> first = x - node.box.upper, last = x - node.box.lower;
